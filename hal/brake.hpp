@@ -1,0 +1,36 @@
+#pragma once
+
+#include "hal/types/recording.hpp"
+#include "hal/types/result.hpp"
+
+namespace rvbench::hal {
+
+struct BrakeLimits {
+  double max_torque_Nm = 0;  ///< at the reducer's output shaft
+};
+
+struct BrakeStatus {
+  double torque_Nm = not_known;  ///< as the brake measures it, at the output shaft
+  bool tripped = false;
+};
+
+/// Torque-controlled load at the reducer's output shaft. It can only hold back, never drive.
+///
+/// Order    connect() → { set_torque() | read() }* → release()
+/// Time     no call blocks longer than the deadline given at construction
+/// Threads  one caller at a time
+class Brake {
+ public:
+  virtual ~Brake() = default;
+  virtual BrakeLimits limits() const = 0;
+  virtual Status connect() = 0;  ///< checks that the device answers, and leaves it released
+
+  /// Call it cyclically: the brake releases by itself when commands stop coming.
+  /// @throws std::invalid_argument if torque_Nm is not within [0, limits()]
+  virtual Status set_torque(double torque_Nm) = 0;
+
+  virtual Result<BrakeStatus> read() = 0;  ///< fresh within the deadline, or an error
+  virtual void release() noexcept = 0;     ///< legal in every state, any number of times
+};
+
+}  // namespace rvbench::hal

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hal/accelerometers.hpp"
+#include "hal/torque_sensor.hpp"
+#include "hal/types/recording.hpp"
+#include "hal/types/result.hpp"
+
+namespace rvbench::hal {
+
+/// What is planned for one point; fixed before the file switches to SWMR mode.
+struct PlannedPoint {
+  double speed_rpm = not_known;
+  double load_pct = not_known;
+  int repeat = 0;
+};
+
+/// All that is known before the first sample.
+struct RecordingLayout {
+  std::vector<PlannedPoint> points;
+  std::vector<ChannelInfo> acceleration_channels;
+  double acceleration_rate_Hz = 0;
+  double acceleration_range_m_s2 = not_known;
+  double torque_rate_Hz = 0;
+  std::string software;  ///< "rvbench 0.1.0 (a1b2c3d)"
+};
+
+/// What is known about a point once it was recorded: one row of /points/index.
+struct PointResult {
+  int point = 0;
+  double t0_s = 0;
+  std::string status = "ok";  ///< at most 31 bytes: "ok", "unsettled", "samples_lost", ...
+  double speed_rpm = not_known;
+  double torque_Nm = not_known;
+};
+
+/// Writes a recording as DESIGN §6 lays it out: /points/<nnn>/{acceleration,torque}/data with
+/// attributes, /points/index, /events. HDF5 in SWMR mode; readable by h5py and MATLAB.
+///
+/// Order    create() → { append*() | note() | end_point() }* → close()
+/// Loss     flushed every 100 ms, fdatasync every second (of real time): samples survive kill -9
+/// Threads  one caller at a time
+class RecordingWriter {
+ public:
+  static Result<std::unique_ptr<RecordingWriter>> create(const std::filesystem::path& file,
+                                                         const RecordingLayout& layout);
+  virtual ~RecordingWriter() = default;
+  virtual Status append(int point, const AccelerationBlock& block) = 0;
+  virtual Status append(int point, const TorqueBlock& block) = 0;
+  virtual Status end_point(const PointResult& result) = 0;
+  virtual Status note(double time_s, const std::string& event) = 0;
+  virtual Status close() = 0;  ///< also done by the destructor, without a report
+};
+
+/// Puts right what a killed writer left behind; no-op on a sound file.
+Status repair_recording(const std::filesystem::path& file);
+
+/// Reads a recording made by RecordingWriter, point by point.
+class RecordingReader {
+ public:
+  static Result<std::unique_ptr<RecordingReader>> open(const std::filesystem::path& file);
+  virtual ~RecordingReader() = default;
+  virtual const RecordingLayout& layout() const = 0;
+  virtual const std::vector<PointResult>& results() const = 0;  ///< of the points that ended
+  virtual const std::vector<std::pair<double, std::string>>& events() const = 0;
+
+  /// Point `index` with its acceleration channels, input_torque and input_angle.
+  virtual Result<Recording> read(int point) = 0;
+};
+
+}  // namespace rvbench::hal

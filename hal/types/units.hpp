@@ -1,0 +1,19 @@
+#pragma once
+
+#include <numbers>
+
+/// The only conversion factors in the house. rpm and degrees live at the edges (roles, plans,
+/// reports); sim and analysis compute in SI.
+namespace rvbench::units {
+
+inline constexpr double two_pi = 2 * std::numbers::pi;
+inline constexpr double standard_gravity_m_s2 = 9.80665;
+
+constexpr double rad_s_from_rpm(double rpm) { return rpm * two_pi / 60; }
+constexpr double rpm_from_rad_s(double rad_s) { return rad_s * 60 / two_pi; }
+constexpr double Hz_from_rpm(double rpm) { return rpm / 60; }
+constexpr double rpm_from_Hz(double hz) { return hz * 60; }
+constexpr double m_s2_from_g(double g) { return g * standard_gravity_m_s2; }
+constexpr double g_from_m_s2(double m_s2) { return m_s2 / standard_gravity_m_s2; }
+
+}  // namespace rvbench::units
