@@ -1,0 +1,108 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/kinematics.hpp"
+#include "hal/types/recording.hpp"
+
+namespace rvbench::analysis {
+
+/// What is wrong with the data, and whether it forbids a verdict.
+struct QualityNote {
+  std::string where;  ///< "point 012, accel_1x"
+  std::string what;   ///< "clipped: 31 samples at full scale"
+  bool invalidates = false;
+};
+
+/// How much of a characteristic family of lines one record shows.
+struct SignatureScore {
+  int signature = 0;      ///< index into Kinematics::signatures
+  double order = 0;       ///< where it was found; strays from the nominal one only within slip
+  double depth = 0;       ///< modulation depth: rms of the family's envelope lines over the mean
+                          ///< envelope, noise floor taken out; 1 = fully modulated
+  double statistic = 0;   ///< line power over the local noise floor, summed over the family
+  double p_value = 1;     ///< of `statistic`, for all lines, IMFs and channels searched
+  int imf = 0;            ///< 1-based: where the depth was read
+  int channel = 0;        ///< index into Examination::channels
+  std::vector<double> line_orders;  ///< the lines of the family, and
+  std::vector<double> line_depths;  ///< the modulation depth of each
+};
+
+/// A line of the order spectrum of the signal itself, well above its surroundings.
+struct SpectralLine {
+  double order = 0;
+  double frequency_Hz = 0;
+  double amplitude = 0;  ///< 0-to-peak, in the unit of the channel
+  double p_value = 1;
+  std::string meaning;   ///< "sun-planet mesh x2"; empty if the kinematics does not explain it
+};
+
+struct ChannelExamination {
+  std::string name;
+  std::string unit;
+  double rms = 0;
+  double peak = 0;
+  double kurtosis = 0;
+  std::vector<double> imf_correlation;  ///< with the signal, IMF 1..K (the article's Table 5)
+  std::vector<SpectralLine> lines;      ///< strongest first
+};
+
+/// One record, examined.
+struct Examination {
+  std::string source;
+  double speed_rpm = not_known;
+  double load_pct = not_known;
+  int repeat = 0;
+  double periods = 0;  ///< output turns (or input turns) that the record spans
+  bool resolvable = false;  ///< long enough to part the orders that the kinematics asks for
+  std::vector<ChannelExamination> channels;
+  std::vector<SignatureScore> scores;  ///< one per signature, best channel and IMF
+  std::vector<QualityNote> quality;
+};
+
+/// One part that is not as it should be.
+struct Finding {
+  std::string component;
+  std::string mechanism;
+  std::string table4_item;
+  double order = 0;
+  double frequency_Hz = 0;           ///< at the first point that shows it
+  std::vector<std::string> points;   ///< sources of the records that show it
+  std::vector<int> imfs;
+  double statistic = 0;
+  double p_value = 1;   ///< over all points, for everything searched
+  double severity = 0;  ///< modulation depth, median over the points that show it
+  double limit = 0;     ///< of severity
+  double confidence = 0;  ///< 0..1: share of severity over its limit among all findings
+  std::string advice;
+  std::vector<double> line_orders;  ///< evidence: the envelope lines, strongest first
+  std::vector<double> line_depths;
+};
+
+struct Diagnosis {
+  std::vector<Finding> findings;      ///< above their limit, gravest first
+  std::vector<Finding> below_limit;   ///< significant, but within limits
+  std::vector<SpectralLine> unexplained;  ///< families of lines no kinematics accounts for
+  std::vector<QualityNote> quality;
+  bool resolvable = false;  ///< at least one record could be judged
+};
+
+struct ExamineOptions {
+  int imfs = 9;
+  int sifts = 10;
+  double clip_level = not_known;  ///< full scale of the channels, if known
+};
+
+/// Examines the acceleration channels of one record: quality, EMD, envelope spectra of the
+/// relevant IMFs over the measured shaft angle, and the score of every signature.
+///
+/// Shape   channels of one rate and length, or groups of such; angle and torque channels may differ
+/// Errors  never throws for what was measured: bad data becomes quality notes
+Examination examine(const Recording& record, const Kinematics& kinematics,
+                    const ExamineOptions& options = {});
+
+/// Weighs the examinations of all points of a run (or of one file) into findings.
+Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kinematics);
+
+}  // namespace rvbench::analysis

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rvbench::analysis {
+
+/// One row of the characteristic-order table: events per revolution of the input shaft.
+struct CharacteristicOrder {
+  std::string name;         ///< "sun-planet mesh"
+  double order = 0;         ///< 1080/121
+  std::string fraction;     ///< "1080/121"; empty if it is no fraction (bearings)
+  std::string component;    ///< the part whose motion it is, as in DESIGN §4
+  std::string table4_item;  ///< the row of the article's Table 4; empty if it has none
+};
+
+/// One way a part can be bad, and the family of envelope lines that it leaves:
+/// harmonics 1..harmonics of `order`, each with its sidebands.
+struct Signature {
+  std::string component;
+  std::string mechanism;
+  std::string table4_item;  ///< empty: none
+  double order = 0;
+  int harmonics = 1;
+  std::vector<double> sidebands;  ///< spacings in orders, searched on both sides
+  double slip = 0;                ///< relative: how far rolling elements may stray from `order`
+  double depth_limit = 0;         ///< modulation depth above which the part counts as bad
+  std::string limit_why;
+  std::string advice;
+};
+
+/// A machine as the diagnosis sees it.
+struct Kinematics {
+  std::string machine;
+  double period_turns = 1;  ///< input turns after which the gear train repeats; 121 for RV-20E
+  std::vector<CharacteristicOrder> orders;
+  std::vector<Signature> signatures;
+};
+
+/// Tooth counts of a two-stage RV reducer: sun drives the planets, each planet turns a crank, the
+/// cranks swing the cycloid discs inside the pin shell. Output is the carrier, the shell is fixed.
+struct RvGeometry {
+  int sun_teeth = 0;     ///< z1
+  int planet_teeth = 0;  ///< z2
+  int planets = 0;       ///< N, one crank each
+  int lobes = 0;         ///< of a cycloid disc, zc
+  int pins = 0;          ///< zp = zc + 1
+};
+
+/// Rolling bearing; inner race on the shaft, outer race in what it is carried by.
+struct BearingGeometry {
+  int rolling_elements = 0;
+  double ball_diameter_mm = 0;
+  double pitch_diameter_mm = 0;
+  double contact_angle_deg = 0;
+};
+
+/// Defect orders of a bearing per revolution of its inner race against its outer race.
+/// Source  Harris, Rolling Bearing Analysis, ch. 25: no slip, rigid races
+struct BearingOrders {
+  double cage = 0;   ///< FTF
+  double outer = 0;  ///< BPFO
+  double inner = 0;  ///< BPFI
+  double ball = 0;   ///< 2·BSF: a ball defect strikes both races in one ball turn
+};
+
+/// @throws std::invalid_argument naming the first value out of range
+BearingOrders bearing_orders(const BearingGeometry& bearing);
+
+}  // namespace rvbench::analysis
