@@ -1,0 +1,46 @@
+# Fails where a file includes a room that it may not see: STYLE §2 as a test.
+#   cmake -DROOT=<source dir> -P tests/layering.cmake
+set(may_hal       hal)
+set(may_sequences sequences hal)
+set(may_analysis  analysis hal/types)
+set(may_sim       sim hal)
+set(may_bench     bench sequences analysis hal)
+foreach(file IN ITEMS rig_factory twin)  # the only users of sim
+  set(may_bench/${file}.cpp ${may_bench} sim)
+endforeach()
+
+# The simulator reads the manuals for itself: it shares no register or frame table with the drivers.
+set(never_sim "hal/modbus/|hal/can/can_frames")
+# Device libraries stay behind .cpp files; analysis has no I/O, no clock and no threads of its own.
+set(device_headers "<(modbus/|linux/can|hdf5|matio|sys/socket)")
+set(never_system_analysis "<(fstream|iostream|cstdio|chrono|thread|mutex|future|filesystem)>")
+
+set(bad "")
+foreach(room IN ITEMS hal sequences analysis sim bench)
+  file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/${room}/*.hpp ${ROOT}/${room}/*.cpp)
+  foreach(file IN LISTS files)
+    set(may ${may_${room}})
+    if(DEFINED may_${file})
+      set(may ${may_${file}})
+    endif()
+    if(file MATCHES "^hal/types/")
+      set(may hal/types)
+    endif()
+    list(JOIN may "|" allowed)
+    file(STRINGS ${ROOT}/${file} includes REGEX "^#include ")
+    foreach(line IN LISTS includes)
+      if(line MATCHES "^#include \"")
+        if(NOT line MATCHES "^#include \"(${allowed})/" OR
+           (DEFINED never_${room} AND line MATCHES "${never_${room}}"))
+          string(APPEND bad "  ${file}: ${line}\n")
+        endif()
+      elseif((file MATCHES "\\.hpp$" AND line MATCHES "${device_headers}") OR
+             (DEFINED never_system_${room} AND line MATCHES "${never_system_${room}}"))
+        string(APPEND bad "  ${file}: ${line}\n")
+      endif()
+    endforeach()
+  endforeach()
+endforeach()
+if(bad)
+  message(FATAL_ERROR "layering broken:\n${bad}")
+endif()
