@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string_view>
+
+namespace rvbench::sim {
+
+/// State of n bodies; each is rotational (rad, rad/s) or translational (m, m/s), as declared.
+struct PlantState {
+  Eigen::VectorXd q;  ///< coordinates, size n
+  Eigen::VectorXd v;  ///< speeds, size n
+};
+
+/// One physical effect. The plant sums its terms; a term never knows its neighbours.
+///
+/// Each term keeps its energy book, so that the plant's books must balance:
+/// d/dt(kinetic + Σ stored) = Σ supplied − Σ dissipated.
+class PhysicsTerm {
+ public:
+  virtual ~PhysicsTerm() = default;
+  virtual std::string_view name() const = 0;  ///< stable: plant files and reports use it
+
+  /// Adds (never assigns) this term's generalized force on every body.
+  /// @param f  size n, in/out; N·m on a rotational body, N on a translational one
+  virtual void add_force(const PlantState& s, Eigen::Ref<Eigen::VectorXd> f) const = 0;
+
+  virtual double stored_energy_J(const PlantState& s) const = 0;     ///< 0 if purely dissipative
+  virtual double dissipated_power_W(const PlantState& s) const = 0;  ///< >= 0
+  virtual double supplied_power_W(const PlantState&) const { return 0; }  ///< by a source
+
+  /// Adds the linear, constant part of the force, f = −K·q − C·v: the plant integrates it exactly.
+  virtual void add_linear(Eigen::MatrixXd& stiffness, Eigen::MatrixXd& damping) const {
+    (void)stiffness;
+    (void)damping;
+  }
+
+  /// Adds what add_force() gives beyond the linear part: evaluated once per step.
+  virtual void add_remainder(const PlantState& s, Eigen::Ref<Eigen::VectorXd> f) const {
+    add_force(s, f);
+  }
+};
+
+}  // namespace rvbench::sim

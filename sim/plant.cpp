@@ -1,0 +1,62 @@
+#include "sim/plant.hpp"
+
+#include <stdexcept>
+#include <unsupported/Eigen/MatrixFunctions>
+
+namespace rvbench::sim {
+
+Plant::Plant(Eigen::VectorXd inertia, std::vector<std::unique_ptr<PhysicsTerm>> terms,
+             double step_s)
+    : inertia_(std::move(inertia)), terms_(std::move(terms)), step_s_(step_s) {
+  if (!(inertia_.array() > 0).all()) throw std::invalid_argument("Plant: inertia must be > 0");
+  if (!(step_s > 0)) throw std::invalid_argument("Plant: step_s must be > 0");
+
+  const Eigen::Index n = inertia_.size();
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
+  Eigen::MatrixXd damping = Eigen::MatrixXd::Zero(n, n);
+  for (const auto& term : terms_) term->add_linear(stiffness, damping);
+
+  // exp of [A·h B·h 0; 0 0 I; 0 0 0] holds phi, gamma0 and gamma1 side by side.
+  const Eigen::VectorXd inverse_inertia = inertia_.cwiseInverse();
+  Eigen::MatrixXd block = Eigen::MatrixXd::Zero(4 * n, 4 * n);
+  block.block(0, n, n, n).setIdentity();
+  block.block(n, 0, n, n) = -(inverse_inertia.asDiagonal() * stiffness);
+  block.block(n, n, n, n) = -(inverse_inertia.asDiagonal() * damping);
+  block.block(n, 2 * n, n, n) = inverse_inertia.asDiagonal();
+  block.topRows(2 * n) *= step_s;
+  block.block(2 * n, 3 * n, n, n).setIdentity();
+  const Eigen::MatrixXd exponential = block.exp();
+  phi_ = exponential.topLeftCorner(2 * n, 2 * n);
+  gamma0_ = exponential.block(0, 2 * n, 2 * n, n);
+  gamma1_ = exponential.block(0, 3 * n, 2 * n, n);
+
+  x_ = Eigen::VectorXd::Zero(2 * n);
+  next_ = x_;
+  r_ = Eigen::VectorXd::Zero(n);
+  r_before_ = r_;
+  load();
+}
+
+void Plant::load() {
+  const Eigen::Index n = inertia_.size();
+  state_.q = x_.head(n);
+  state_.v = x_.tail(n);
+}
+
+void Plant::step() {
+  r_.setZero();
+  for (const auto& term : terms_) term->add_remainder(state_, r_);
+  if (!has_before_) r_before_ = r_;
+  has_before_ = true;
+
+  next_.noalias() = phi_ * x_;
+  next_.noalias() += gamma0_ * r_;
+  next_.noalias() += gamma1_ * (r_ - r_before_);
+  x_.swap(next_);
+  r_before_.swap(r_);
+  load();
+}
+
+double Plant::kinetic_energy_J() const { return 0.5 * inertia_.dot(state_.v.cwiseAbs2()); }
+
+}  // namespace rvbench::sim
