@@ -1,0 +1,58 @@
+#pragma once
+
+#include <limits>
+#include <mutex>
+
+namespace rvbench::sim {
+
+/// How a device on a wire misbehaves.
+enum class WireFault {
+  none,
+  late,     ///< does what it was asked, answers after the client's patience has ended
+  silent,   ///< reads the request, does nothing and never answers
+  garbled,  ///< does what it was asked, answers nonsense
+  busy,     ///< answers that it cannot now, and does nothing
+  dead      ///< closes the connection and every new one
+};
+
+/// When a fault holds: from `from_s` on, after `after_requests` more sound ones, for `requests`.
+struct WireFaultPlan {
+  WireFault fault = WireFault::none;
+  double from_s = 0;       ///< virtual time
+  int after_requests = 0;  ///< counted from inject(), once `from_s` has come
+  int requests = std::numeric_limits<int>::max();
+};
+
+/// The fault plan of one device; a new one replaces the old. All calls may overlap.
+class WireFaultSwitch {
+ public:
+  void inject(const WireFaultPlan& plan) {
+    const std::lock_guard lock(mutex_);
+    plan_ = plan;
+  }
+
+  /// What to do with the request that has just come at virtual time `now_s`; counts it.
+  WireFault take(double now_s) {
+    const std::lock_guard lock(mutex_);
+    if (now_s < plan_.from_s || plan_.requests <= 0) return WireFault::none;
+    if (plan_.after_requests > 0) {
+      --plan_.after_requests;
+      return WireFault::none;
+    }
+    --plan_.requests;
+    return plan_.fault;
+  }
+
+  /// True if a new connection is to be closed at once; does not count.
+  bool is_dead(double now_s) const {
+    const std::lock_guard lock(mutex_);
+    return plan_.fault == WireFault::dead && now_s >= plan_.from_s && plan_.after_requests <= 0 &&
+           plan_.requests > 0;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  WireFaultPlan plan_;
+};
+
+}  // namespace rvbench::sim
