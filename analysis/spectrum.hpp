@@ -18,7 +18,8 @@ enum class Window { rectangular, hann };
 /// Amplitude spectrum of x, calibrated so that a sine of amplitude a on a line reads a.
 ///
 /// Shape   N uniform samples → N/2 + 1 lines, resolution = rate / N
-/// Units   that of x, 0-to-peak; line 0 is the mean
+/// Units   that of x, 0-to-peak; line 0 is the magnitude of the mean, which is taken out before the
+///         window is applied: an offset does not leak into line 1
 /// Limits  a Hann line between two lines reads up to 1.42 dB low, a rectangular one 3.92 dB
 /// Errors  throws std::invalid_argument: N < 2, rate ≤ 0, sample not finite
 /// Source  Heinzel, Rüdiger & Schilling, Spectrum and spectral density estimation by the DFT (2002)

@@ -1,0 +1,70 @@
+#include "analysis/fft.hpp"
+
+#include <fftw3.h>
+
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+namespace rvbench::analysis {
+namespace {
+
+struct DestroyPlan {
+  void operator()(fftw_plan plan) const { fftw_destroy_plan(plan); }
+};
+using Plan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, DestroyPlan>;
+
+// Planning costs about as much as executing, so each thread keeps the plans of its last lengths.
+// FFTW's planner shares state between threads; its own lock makes planning and destroying safe,
+// executing is so anyway.
+class Plans {
+ public:
+  template <class Make>
+  fftw_plan find_or_make(Eigen::Index n, Make make) {
+    static const bool planner_is_safe = (fftw_make_planner_thread_safe(), true);
+    static_cast<void>(planner_is_safe);
+    if (const auto known = plans_.find(n); known != plans_.end()) return known->second.get();
+    if (plans_.size() == most_lengths) plans_.clear();
+    return plans_.emplace(n, Plan(make(static_cast<int>(n)))).first->second.get();
+  }
+
+ private:
+  static constexpr std::size_t most_lengths = 8;
+  std::map<Eigen::Index, Plan> plans_;
+};
+
+fftw_complex* as_fftw(Eigen::VectorXcd& lines) {
+  return reinterpret_cast<fftw_complex*>(lines.data());
+}
+
+}  // namespace
+
+Eigen::VectorXcd fft(const Eigen::Ref<const Eigen::VectorXd>& x) {
+  // A copy, aligned as Eigen aligns all: a plan holds for one alignment, and rounds alike then.
+  Eigen::VectorXd in = x;
+  Eigen::VectorXcd lines(x.size() / 2 + 1);
+  thread_local Plans plans;
+  const fftw_plan plan = plans.find_or_make(x.size(), [&](int n) {
+    return fftw_plan_dft_r2c_1d(n, in.data(), as_fftw(lines), FFTW_ESTIMATE);
+  });
+  fftw_execute_dft_r2c(plan, in.data(), as_fftw(lines));
+  return lines;
+}
+
+Eigen::VectorXd inverse_fft(Eigen::VectorXcd lines, Eigen::Index n) {
+  if (n < 1 || lines.size() != n / 2 + 1) {
+    throw std::invalid_argument("inverse_fft: " + std::to_string(lines.size()) +
+                                " lines cannot make " + std::to_string(n) + " samples");
+  }
+  Eigen::VectorXd x(n);
+  thread_local Plans plans;
+  const fftw_plan plan = plans.find_or_make(n, [&](int size) {
+    return fftw_plan_dft_c2r_1d(size, as_fftw(lines), x.data(), FFTW_ESTIMATE);
+  });
+  fftw_execute_dft_c2r(plan, as_fftw(lines), x.data());
+  return x / static_cast<double>(n);
+}
+
+}  // namespace rvbench::analysis
