@@ -82,7 +82,7 @@ class BrakeNode {
 
   double setpoint_Nm() const { return engaged_ ? setpoint_Nm_ : 0; }  ///< what the plant applies
   bool engaged() const { return engaged_; }
-  void trip() { tripped_ = true, engaged_ = false; }   ///< until a command with enable = 0
+  void trip();                                         ///< releases until a command with enable = 0
   void set_fault(NodeFault fault) { fault_ = fault; }  ///< silent: it does not listen either
 
  private:

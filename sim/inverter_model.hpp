@@ -23,6 +23,8 @@ inline constexpr int fault_comm_loss = 1;
 inline constexpr int fault_overcurrent = 2;
 
 struct InverterState {
+  RunCommand run = RunCommand::stop;
+  double setpoint_Hz = 0;          ///< magnitude
   double output_frequency_Hz = 0;  ///< signed: negative turns backwards
   bool output_enabled = false;     ///< false: the motor coasts
   bool tripped = false;
@@ -70,8 +72,6 @@ class InverterModel {
 
   const InverterParameters parameters_;
   mutable std::mutex mutex_;
-  RunCommand run_ = RunCommand::stop;
-  double setpoint_Hz_ = 0;
   bool reset_level_ = false;
   double silence_s_ = 0;
   double time_s_ = 0;
