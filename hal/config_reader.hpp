@@ -79,6 +79,7 @@ class ConfigReader {
   struct Document;
   struct Node;
   ConfigReader(std::shared_ptr<Document> document, std::shared_ptr<Node> node);
+  void require(std::string_view key);
 
   std::shared_ptr<Document> document_;
   std::shared_ptr<Node> node_;
