@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/diagnosis.hpp"
@@ -9,11 +12,74 @@
 
 namespace rvbench::bench {
 
+/// One point of the matrix (or one stored file), judged.
+struct JudgedPoint {
+  std::string status = "ok";  ///< "not_recorded", or as the recording says: "unsettled", ...
+  double planned_speed_rpm = not_known;
+  double torque_Nm = not_known;  ///< measured mean input torque
+  analysis::Examination examination;
+};
+
+/// A limit of the plan, held against what was measured.
+struct LimitCheck {
+  std::string measure;
+  std::string component;  ///< empty: any
+  std::string unit;
+  double max = 0;
+  double measured = not_known;  ///< the worst; NaN if nothing could be measured
+  std::string where;            ///< the point and channel of the worst
+  bool passed = false;
+  std::string why;
+};
+
+/// Circumstances of a run; of a stored recording only `software` and `started_utc` are known.
+struct RunFacts {
+  std::string serial;
+  std::string started_utc;
+  std::string plan;
+  std::string rig;
+  std::string preset;
+  std::optional<std::uint64_t> seed;
+  std::string software;
+  double duration_s = not_known;  ///< of the rig's time
+  int drive_retries = 0;
+  bool shaft_stopped = false;
+  bool brake_released = false;
+  std::optional<int> resumed_at_point;
+  std::vector<std::pair<double, std::string>> events;
+};
+
 /// Everything a run or a judgement came to: verdict.json in C++.
 struct Judgement {
   Ending ending;
+  RunFacts facts;
+  std::string machine;
   analysis::Diagnosis diagnosis;
-  std::vector<analysis::Examination> points;
+  std::vector<LimitCheck> limits;
+  std::vector<JudgedPoint> points;
 };
+
+/// A name that is safe as one path component. Characters other than letters, digits, '.', '_' and
+/// '-' become '_' and a short hash keeps different serials apart.
+/// @throws std::invalid_argument if `serial` is empty
+std::string folder_name_of(const std::string& serial);
+
+/// Makes <root>/<folder_name_of(serial)>/<utc>/; a folder that exists is never used again.
+std::filesystem::path create_run_folder(const std::filesystem::path& root,
+                                        const std::string& serial, const std::string& utc);
+
+/// The newest run of that serial that did not come to PASS, FAIL or INVALID.
+std::optional<std::filesystem::path> newest_unfinished_run(const std::filesystem::path& root,
+                                                           const std::string& serial);
+
+/// "20261121T114559Z"
+std::string utc_now();
+
+/// Replaces the file in one step: after a crash it holds the old text or the new one.
+/// @throws std::system_error
+void write_file(const std::filesystem::path& file, const std::string& text);
+
+/// The text of a file; nullopt if it cannot be read.
+std::optional<std::string> read_file(const std::filesystem::path& file);
 
 }  // namespace rvbench::bench

@@ -1,0 +1,127 @@
+#include "bench/cli.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+
+#include "bench/software_version.hpp"
+#include "hal/did_you_mean.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+void add_option(CLI::App& app, const Option& option) {
+  const auto add = [&](auto* target) -> CLI::Option* {
+    using Target = std::remove_pointer_t<decltype(target)>;
+    if constexpr (std::is_same_v<Target, bool>) {
+      return app.add_flag(option.name, *target, option.help);
+    } else {
+      return app.add_option(option.name, *target, option.help);
+    }
+  };
+  CLI::Option* added = std::visit(add, option.target);
+  added->required(option.required);
+  if (std::holds_alternative<std::optional<std::uint64_t>*>(option.target)) {
+    added->check([](const std::string& text) {  // CLI11 would wrap -1 to 2^64 - 1
+      return text.starts_with('-') ? "must not be negative: " + text : std::string();
+    });
+  }
+  if (!option.choices.empty()) added->check(CLI::IsMember(option.choices));
+}
+
+std::vector<std::string> option_names(Command& command) {
+  std::vector<std::string> names = {"--help"};
+  for (const Option& option : command.options()) {
+    if (option.name.starts_with("--")) names.push_back(option.name);
+  }
+  return names;
+}
+
+/// The first argument that looks like an option and is none of the command's.
+std::string unknown_option(const std::vector<std::string>& arguments, Command& command) {
+  const std::vector<std::string> known = option_names(command);
+  for (const std::string& argument : arguments) {
+    const std::string name = argument.substr(0, argument.find('='));
+    if (name.starts_with("--") && name != "--" && std::ranges::find(known, name) == known.end()) {
+      return name;
+    }
+  }
+  return "";
+}
+
+int complain(Console& console, const std::string& message, const std::string& help_of) {
+  console.err << "rvbench: " << message << "\nTry: rvbench " << help_of << "--help\n";
+  return exit_codes::usage;
+}
+
+int general_help(const std::vector<std::unique_ptr<Command>>& commands, std::ostream& out) {
+  out << "rvbench " << software_version() << "\nAcceptance test bench for RV reducers\n\n"
+      << "Usage: rvbench COMMAND [OPTIONS]\n\nCommands:\n";
+  for (const auto& command : commands) {
+    out << "  " << command->name()
+        << std::string(10 - std::min<std::size_t>(9, command->name().size()), ' ')
+        << command->summary() << '\n';
+  }
+  out << "\nrvbench COMMAND --help explains a command, with examples.\n"
+         "Exit codes: 0 PASS, 1 internal error, 2 usage, 3 file invalid, 10 FAIL, 20 INVALID,\n"
+         "            30 ERROR, 40 safety trip, 50 aborted, 60 station not qualified\n";
+  return exit_codes::done;
+}
+
+int run_command(Command& command, Console& console) {
+  try {
+    return command.run(console);
+  } catch (const std::exception& error) {
+    console.err << "rvbench: internal error in " << command.name() << ": " << error.what() << '\n';
+    return exit_codes::internal_error;
+  }
+}
+
+int parse_and_run(Command& command, std::vector<std::string> arguments, Console& console) {
+  const std::string unknown = unknown_option(arguments, command);
+  if (!unknown.empty()) {
+    return complain(console,
+                    "unknown option " + unknown + hal::did_you_mean(unknown, option_names(command)),
+                    command.name() + " ");
+  }
+  CLI::App app(command.summary(), "rvbench " + command.name());
+  for (const Option& option : command.options()) add_option(app, option);
+  app.footer("\nExamples:\n" + command.examples());
+  try {
+    std::ranges::reverse(arguments);  // CLI11 takes them from the back
+    app.parse(std::move(arguments));
+  } catch (const CLI::CallForHelp&) {
+    console.out << app.help();
+    return exit_codes::done;
+  } catch (const CLI::ParseError& error) {
+    return complain(console, command.name() + ": " + error.what(), command.name() + " ");
+  }
+  return run_command(command, console);
+}
+
+}  // namespace
+
+int run_cli(const std::vector<std::string>& arguments,
+            const std::vector<std::unique_ptr<Command>>& commands, Console& console) {
+  const std::string word = arguments.empty() ? "" : arguments.front();
+  if (word == "--help" || word == "-h" || word == "help")
+    return general_help(commands, console.out);
+  if (word == "--version") {
+    console.out << "rvbench " << software_version() << '\n';
+    return exit_codes::done;
+  }
+  if (word.empty()) {
+    general_help(commands, console.err);
+    return exit_codes::usage;
+  }
+  std::vector<std::string> names;
+  for (const auto& command : commands) {
+    if (command->name() == word) {
+      return parse_and_run(*command, {arguments.begin() + 1, arguments.end()}, console);
+    }
+    names.push_back(command->name());
+  }
+  return complain(console, "unknown command \"" + word + "\"" + hal::did_you_mean(word, names), "");
+}
+
+}  // namespace rvbench::bench

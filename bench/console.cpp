@@ -1,0 +1,64 @@
+#include "bench/console.hpp"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <iostream>
+
+namespace rvbench::bench {
+namespace {
+
+const char* escape_of(Tone tone) {
+  switch (tone) {
+    case Tone::good: return "\x1b[1;32m";
+    case Tone::bad: return "\x1b[1;31m";
+    case Tone::warning: return "\x1b[1;33m";
+    case Tone::faint: return "\x1b[2m";
+    case Tone::strong: return "\x1b[1m";
+  }
+  return "";
+}
+
+bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
+
+}  // namespace
+
+Console system_console() {
+  const char* no_colour = std::getenv("NO_COLOR");
+  const bool colour_wanted = no_colour == nullptr || *no_colour == '\0';
+  return {std::cout, std::cerr, colour_wanted && isatty(STDOUT_FILENO) == 1,
+          isatty(STDERR_FILENO) == 1};
+}
+
+int terminal_columns() {
+  winsize size{};
+  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : 80;
+}
+
+std::string paint(const Console& console, Tone tone, std::string_view text) {
+  if (!console.colour) return std::string(text);
+  return std::string(escape_of(tone)) + std::string(text) + "\x1b[0m";
+}
+
+Tone tone_of(Outcome outcome) {
+  if (outcome == Outcome::pass) return Tone::good;
+  return outcome == Outcome::fail ? Tone::bad : Tone::warning;
+}
+
+int shown_width(std::string_view text) {
+  int width = 0;
+  for (const char byte : text) width += continues_character(byte) ? 0 : 1;
+  return width;
+}
+
+std::string clipped_to(std::string_view text, int columns) {
+  int width = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (!continues_character(text[i]) && ++width > columns) return std::string(text.substr(0, i));
+  }
+  return std::string(text);
+}
+
+}  // namespace rvbench::bench

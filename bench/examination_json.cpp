@@ -1,0 +1,186 @@
+#include "bench/examination_json.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using analysis::ChannelExamination;
+using analysis::Finding;
+using analysis::QualityNote;
+using analysis::SignatureScore;
+using analysis::SpectralLine;
+
+template <typename Item>
+Json list_of(const std::vector<Item>& items, Json (*one)(const Item&)) {
+  Json list = Json::array();
+  for (const Item& item : items) list.push_back(one(item));
+  return list;
+}
+
+template <typename Item>
+std::vector<Item> list_from(const Json& json, Item (*one)(const Json&)) {
+  std::vector<Item> items;
+  for (const Json& item : json) items.push_back(one(item));
+  return items;
+}
+
+std::vector<double> numbers_from(const Json& json) {
+  return list_from<double>(json, number_or_nan);
+}
+
+Json json_of_note(const QualityNote& note) {
+  return {{"where", note.where}, {"what", note.what}, {"invalidates", note.invalidates}};
+}
+
+QualityNote note_from(const Json& json) {
+  return {json.at("where"), json.at("what"), json.at("invalidates")};
+}
+
+Json json_of_line(const SpectralLine& line) {
+  return {{"order", line.order},
+          {"frequency_Hz", line.frequency_Hz},
+          {"amplitude", line.amplitude},
+          {"p_value", line.p_value},
+          {"meaning", line.meaning}};
+}
+
+SpectralLine line_from(const Json& json) {
+  return {number_or_nan(json.at("order")), number_or_nan(json.at("frequency_Hz")),
+          number_or_nan(json.at("amplitude")), number_or_nan(json.at("p_value")),
+          json.at("meaning")};
+}
+
+Json json_of_finding(const Finding& finding) {
+  Json json = {{"component", finding.component},
+               {"mechanism", finding.mechanism},
+               {"table4_item", nullptr},
+               {"order", finding.order},
+               {"frequency_Hz", finding.frequency_Hz},
+               {"points", finding.points},
+               {"imfs", finding.imfs},
+               {"statistic", finding.statistic},
+               {"p_value", finding.p_value},
+               {"severity", finding.severity},
+               {"confidence", finding.confidence},
+               {"advice", finding.advice},
+               {"limit", finding.limit},
+               {"line_orders", finding.line_orders},
+               {"line_depths", finding.line_depths}};
+  if (!finding.table4_item.empty()) json["table4_item"] = finding.table4_item;
+  return json;
+}
+
+Finding finding_from(const Json& json) {
+  Finding finding;
+  json.at("component").get_to(finding.component);
+  json.at("mechanism").get_to(finding.mechanism);
+  if (!json.at("table4_item").is_null()) json["table4_item"].get_to(finding.table4_item);
+  finding.order = number_or_nan(json.at("order"));
+  finding.frequency_Hz = number_or_nan(json.at("frequency_Hz"));
+  json.at("points").get_to(finding.points);
+  json.at("imfs").get_to(finding.imfs);
+  finding.statistic = number_or_nan(json.at("statistic"));
+  finding.p_value = number_or_nan(json.at("p_value"));
+  finding.severity = number_or_nan(json.at("severity"));
+  finding.confidence = number_or_nan(json.at("confidence"));
+  json.at("advice").get_to(finding.advice);
+  finding.limit = number_or_nan(json.at("limit"));
+  finding.line_orders = numbers_from(json.at("line_orders"));
+  finding.line_depths = numbers_from(json.at("line_depths"));
+  return finding;
+}
+
+Json json_of_score(const SignatureScore& score) {
+  return {{"signature", score.signature},
+          {"order", score.order},
+          {"depth", score.depth},
+          {"statistic", score.statistic},
+          {"p_value", score.p_value},
+          {"imf", score.imf},
+          {"channel", score.channel},
+          {"line_orders", score.line_orders},
+          {"line_depths", score.line_depths}};
+}
+
+SignatureScore score_from(const Json& json) {
+  SignatureScore score;
+  json.at("signature").get_to(score.signature);
+  score.order = number_or_nan(json.at("order"));
+  score.depth = number_or_nan(json.at("depth"));
+  score.statistic = number_or_nan(json.at("statistic"));
+  score.p_value = number_or_nan(json.at("p_value"));
+  json.at("imf").get_to(score.imf);
+  json.at("channel").get_to(score.channel);
+  score.line_orders = numbers_from(json.at("line_orders"));
+  score.line_depths = numbers_from(json.at("line_depths"));
+  return score;
+}
+
+Json json_of_channel(const ChannelExamination& channel) {
+  return {{"name", channel.name},
+          {"unit", channel.unit},
+          {"rms", channel.rms},
+          {"peak", channel.peak},
+          {"kurtosis", channel.kurtosis},
+          {"imf_correlation", channel.imf_correlation},
+          {"lines", list_of(channel.lines, json_of_line)}};
+}
+
+ChannelExamination channel_from(const Json& json) {
+  ChannelExamination channel;
+  json.at("name").get_to(channel.name);
+  json.at("unit").get_to(channel.unit);
+  channel.rms = number_or_nan(json.at("rms"));
+  channel.peak = number_or_nan(json.at("peak"));
+  channel.kurtosis = number_or_nan(json.at("kurtosis"));
+  channel.imf_correlation = numbers_from(json.at("imf_correlation"));
+  channel.lines = list_from(json.at("lines"), line_from);
+  return channel;
+}
+
+}  // namespace
+
+double number_or_nan(const Json& json) { return json.is_null() ? not_known : json.get<double>(); }
+
+Json json_of(const analysis::Diagnosis& diagnosis) {
+  return {{"findings", list_of(diagnosis.findings, json_of_finding)},
+          {"quality", list_of(diagnosis.quality, json_of_note)},
+          {"resolvable", diagnosis.resolvable},
+          {"below_limit", list_of(diagnosis.below_limit, json_of_finding)},
+          {"unexplained", list_of(diagnosis.unexplained, json_of_line)}};
+}
+
+Json json_of(const analysis::Examination& examination) {
+  return {{"source", examination.source},
+          {"speed_rpm", examination.speed_rpm},
+          {"load_pct", examination.load_pct},
+          {"repeat", examination.repeat},
+          {"periods", examination.periods},
+          {"resolvable", examination.resolvable},
+          {"quality", list_of(examination.quality, json_of_note)},
+          {"scores", list_of(examination.scores, json_of_score)},
+          {"channels", list_of(examination.channels, json_of_channel)}};
+}
+
+analysis::Diagnosis diagnosis_from_json(const Json& json) {
+  return {list_from(json.at("findings"), finding_from),
+          list_from(json.at("below_limit"), finding_from),
+          list_from(json.at("unexplained"), line_from), list_from(json.at("quality"), note_from),
+          json.at("resolvable")};
+}
+
+analysis::Examination examination_from_json(const Json& json) {
+  analysis::Examination examination;
+  json.at("source").get_to(examination.source);
+  examination.speed_rpm = number_or_nan(json.at("speed_rpm"));
+  examination.load_pct = number_or_nan(json.at("load_pct"));
+  json.at("repeat").get_to(examination.repeat);
+  examination.periods = number_or_nan(json.at("periods"));
+  json.at("resolvable").get_to(examination.resolvable);
+  examination.quality = list_from(json.at("quality"), note_from);
+  examination.scores = list_from(json.at("scores"), score_from);
+  examination.channels = list_from(json.at("channels"), channel_from);
+  return examination;
+}
+
+}  // namespace rvbench::bench

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/diagnosis.hpp"
+#include "bench/run_folder.hpp"
+#include "hal/types/recording.hpp"
+#include "sequences/plan.hpp"
+
+namespace rvbench::bench {
+
+/// The kinematics with the plan's limits on "modulation_depth" in place of its own: first those
+/// for every component, then those for one.
+analysis::Kinematics with_limits(analysis::Kinematics kinematics,
+                                 const std::vector<sequences::Limit>& limits);
+
+/// Examines one record. One whose status is not "ok" is not examined: it is listed, and invalid.
+JudgedPoint judge_point(const Recording& record, const analysis::Kinematics& kinematics,
+                        const analysis::ExamineOptions& options);
+
+/// Draws the conclusion from judgement.points: diagnosis, limits, and the ending.
+/// @param measured  how the sequence itself ended; the graver of both becomes the ending
+void conclude(Judgement& judgement, const analysis::Kinematics& kinematics,
+              const std::vector<sequences::Limit>& limits, const Ending& measured);
+
+}  // namespace rvbench::bench

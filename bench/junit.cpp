@@ -1,0 +1,149 @@
+#include "bench/junit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rvbench::bench {
+namespace {
+
+enum class Result { passed, failure, error, skipped };
+
+struct TestCase {
+  std::string group;
+  std::string name;
+  Result result = Result::passed;
+  std::string message;
+};
+
+const char* element_of(Result result) {
+  switch (result) {
+    case Result::failure: return "failure";
+    case Result::error: return "error";
+    case Result::skipped: return "skipped";
+    case Result::passed: break;
+  }
+  return "";
+}
+
+TestCase case_of(const JudgedPoint& point) {
+  const analysis::Examination& seen = point.examination;
+  TestCase test{"points", seen.source, Result::passed, ""};
+  if (std::isfinite(point.planned_speed_rpm)) {
+    test.name = fmt::format("{:.0f} rpm, {:.0f} %, repeat {}", point.planned_speed_rpm,
+                            seen.load_pct, seen.repeat);
+  }
+  if (point.status == "not_recorded")
+    return {test.group, test.name, Result::skipped, "not recorded"};
+  if (point.status != "ok") return {test.group, test.name, Result::error, point.status};
+  for (const analysis::QualityNote& note : seen.quality) {
+    if (note.invalidates)
+      return {test.group, test.name, Result::error, note.where + ": " + note.what};
+  }
+  if (!seen.resolvable) {
+    return {test.group, test.name, Result::error,
+            fmt::format("not resolvable: {:.2f} periods recorded", seen.periods)};
+  }
+  return test;
+}
+
+TestCase case_of(const LimitCheck& check) {
+  TestCase test{"limits", check.measure, Result::passed, ""};
+  if (!check.component.empty()) test.name += " of " + check.component;
+  if (std::isnan(check.measured)) return {test.group, test.name, Result::skipped, "not measured"};
+  if (!check.passed) {
+    test.result = Result::failure;
+    test.message = fmt::format("{:.3g} {} is above {:.3g} {} ({}; {})", check.measured, check.unit,
+                               check.max, check.unit, check.where, check.why);
+  }
+  return test;
+}
+
+TestCase case_of(const analysis::Finding& finding) {
+  return {"findings", finding.component + ": " + finding.mechanism, Result::failure,
+          fmt::format("severity {:.3g}, limit {:.3g}; order {:.4g}; {}", finding.severity,
+                      finding.limit, finding.order, finding.advice)};
+}
+
+TestCase case_of(const Ending& ending) {
+  TestCase test{"run", "verdict " + std::string(to_string(ending.outcome)), Result::error,
+                ending.reason};
+  if (ending.outcome == Outcome::pass) test.result = Result::passed;
+  if (ending.outcome == Outcome::fail) test.result = Result::failure;
+  return test;
+}
+
+std::vector<TestCase> cases_of(const Judgement& judgement) {
+  std::vector<TestCase> tests = {case_of(judgement.ending)};
+  for (const JudgedPoint& point : judgement.points) tests.push_back(case_of(point));
+  for (const LimitCheck& check : judgement.limits) tests.push_back(case_of(check));
+  for (const analysis::Finding& finding : judgement.diagnosis.findings)
+    tests.push_back(case_of(finding));
+  return tests;
+}
+
+std::string xml_of(const TestCase& test) {
+  std::string xml = fmt::format(R"(  <testcase classname="rvbench.{}" name="{}")",
+                                xml_escaped(test.group), xml_escaped(test.name));
+  if (test.result == Result::passed) return xml + "/>\n";
+  const char* element = element_of(test.result);
+  return xml +
+         fmt::format("><{} message=\"{}\"/></testcase>\n", element, xml_escaped(test.message));
+}
+
+/// Length of the UTF-8 sequence that starts at text[i]; 0 if it is malformed.
+std::size_t sequence_length(const std::string& text, std::size_t i) {
+  const auto first = static_cast<unsigned char>(text[i]);
+  const std::size_t length = first < 0x80 ? 1 : first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if ((first >= 0x80 && first < 0xC2) || first > 0xF4 || i + length > text.size()) return 0;
+  for (std::size_t k = 1; k < length; ++k) {
+    if ((static_cast<unsigned char>(text[i + k]) & 0xC0U) != 0x80U) return 0;
+  }
+  return length;
+}
+
+}  // namespace
+
+std::string xml_escaped(const std::string& text) {
+  std::string escaped;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = sequence_length(text, i);
+    const char c = text[i];
+    const bool control =
+        static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r';
+    if (length == 0 || control) {
+      escaped += "\xEF\xBF\xBD";
+    } else if (c == '<') {
+      escaped += "&lt;";
+    } else if (c == '>') {
+      escaped += "&gt;";
+    } else if (c == '&') {
+      escaped += "&amp;";
+    } else if (c == '"') {
+      escaped += "&quot;";
+    } else {
+      escaped += text.substr(i, length);
+    }
+    i += std::max<std::size_t>(1, length);
+  }
+  return escaped;
+}
+
+std::string junit_xml(const Judgement& judgement) {
+  const std::vector<TestCase> tests = cases_of(judgement);
+  const auto count = [&](Result result) {
+    return std::ranges::count(tests, result, &TestCase::result);
+  };
+  const double seconds = std::isfinite(judgement.facts.duration_s) ? judgement.facts.duration_s : 0;
+  std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+  xml += fmt::format(
+      R"(<testsuite name="rvbench {}" tests="{}" failures="{}" errors="{}" skipped="{}" time="{:.3f}">)",
+      xml_escaped(judgement.facts.serial), tests.size(), count(Result::failure),
+      count(Result::error), count(Result::skipped), seconds);
+  xml += '\n';
+  for (const TestCase& test : tests) xml += xml_of(test);
+  return xml + "</testsuite>\n";
+}
+
+}  // namespace rvbench::bench

@@ -1,0 +1,119 @@
+#include "bench/sha256.hpp"
+
+#include <sodium.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "bench/run_folder.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+constexpr const char* sums_name = "SHA256SUMS";
+constexpr std::size_t hex_digits = 2 * crypto_hash_sha256_BYTES;
+
+class Sha256 {
+ public:
+  Sha256() { crypto_hash_sha256_init(&state_); }
+
+  void add(const char* bytes, std::size_t count) {
+    crypto_hash_sha256_update(&state_, reinterpret_cast<const unsigned char*>(bytes), count);
+  }
+
+  std::string hex() {
+    std::array<unsigned char, crypto_hash_sha256_BYTES> digest{};
+    crypto_hash_sha256_final(&state_, digest.data());
+    std::array<char, hex_digits + 1> text{};
+    sodium_bin2hex(text.data(), text.size(), digest.data(), digest.size());
+    return text.data();
+  }
+
+ private:
+  crypto_hash_sha256_state state_{};
+};
+
+/// Plain files of the folder but for the list itself, sorted by name.
+std::vector<std::string> files_of(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_regular_file() && name != sums_name) names.push_back(name);
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+/// "<64 hex digits>  <name>" → name and hash; nullopt if the line is something else.
+std::optional<std::pair<std::string, std::string>> parse_sum(const std::string& line) {
+  const bool shaped = line.size() > hex_digits + 2 && line[hex_digits] == ' ' &&
+                      (line[hex_digits + 1] == ' ' || line[hex_digits + 1] == '*') &&
+                      line.find_first_not_of("0123456789abcdef") == hex_digits;
+  if (!shaped) return std::nullopt;
+  const std::string name = line.substr(hex_digits + 2);
+  if (name.find('/') != std::string::npos) return std::nullopt;  // never leaves the folder
+  return std::pair{name, line.substr(0, hex_digits)};
+}
+
+}  // namespace
+
+std::string sha256_of_text(const std::string& text) {
+  Sha256 sum;
+  sum.add(text.data(), text.size());
+  return sum.hex();
+}
+
+std::optional<std::string> sha256_of_file(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return std::nullopt;
+  Sha256 sum;
+  std::vector<char> block(1U << 16U);
+  while (in) {
+    in.read(block.data(), static_cast<std::streamsize>(block.size()));
+    sum.add(block.data(), static_cast<std::size_t>(in.gcount()));
+  }
+  if (in.bad()) return std::nullopt;
+  return sum.hex();
+}
+
+void write_sums(const std::filesystem::path& folder) {
+  std::string text;
+  for (const std::string& name : files_of(folder)) {
+    const std::optional<std::string> sum = sha256_of_file(folder / name);
+    if (sum) text += *sum + "  " + name + "\n";
+  }
+  write_file(folder / sums_name, text);
+}
+
+std::vector<std::string> verify_sums(const std::filesystem::path& folder) {
+  const std::optional<std::string> list = read_file(folder / sums_name);
+  if (!list) return {std::string(sums_name) + ": missing; the run did not finish"};
+  std::vector<std::string> faults;
+  std::map<std::string, std::string> sums;
+  std::istringstream lines(*list);
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    const auto sum = parse_sum(line);
+    if (sum) {
+      sums.insert(*sum);
+    } else {
+      faults.push_back(std::string(sums_name) + ":" + std::to_string(number) +
+                       ": not a line of sha256sum");
+    }
+  }
+  for (const auto& [name, sum] : sums) {
+    const std::optional<std::string> actual = sha256_of_file(folder / name);
+    if (!actual) faults.push_back(name + ": missing");
+    if (actual && *actual != sum) faults.push_back(name + ": does not match its hash");
+  }
+  for (const std::string& name : files_of(folder)) {
+    if (!sums.contains(name)) faults.push_back(name + ": not listed in " + sums_name);
+  }
+  return faults;
+}
+
+}  // namespace rvbench::bench

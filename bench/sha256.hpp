@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rvbench::bench {
+
+/// 64 lower-case hex digits.
+std::string sha256_of_text(const std::string& text);
+std::optional<std::string> sha256_of_file(
+    const std::filesystem::path& file);  ///< nullopt: unreadable
+
+/// Writes SHA256SUMS over every other file of the folder; `sha256sum -c SHA256SUMS` reads it.
+void write_sums(const std::filesystem::path& folder);
+
+/// What is wrong with a folder and its SHA256SUMS: "recording.h5: does not match its hash".
+/// Empty if every file listed is there unchanged and none is unlisted.
+std::vector<std::string> verify_sums(const std::filesystem::path& folder);
+
+}  // namespace rvbench::bench

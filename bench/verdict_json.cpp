@@ -1,0 +1,142 @@
+#include "bench/verdict_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "bench/examination_json.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+nlohmann::ordered_json to_json(const RunFacts& facts) {
+  nlohmann::ordered_json events = nlohmann::json::array();
+  for (const auto& [time_s, text] : facts.events)
+    events.push_back({{"time_s", time_s}, {"event", text}});
+  nlohmann::ordered_json json = {{"serial", facts.serial},
+                                 {"started_utc", facts.started_utc},
+                                 {"plan", facts.plan},
+                                 {"rig", facts.rig},
+                                 {"preset", facts.preset},
+                                 {"duration_s", facts.duration_s},
+                                 {"drive_retries", facts.drive_retries},
+                                 {"shaft_stopped", facts.shaft_stopped},
+                                 {"brake_released", facts.brake_released},
+                                 {"resumed_at_point", nullptr},
+                                 {"events", events}};
+  if (facts.resumed_at_point) json["resumed_at_point"] = *facts.resumed_at_point;
+  return json;
+}
+
+RunFacts facts_from_json(const nlohmann::ordered_json& json) {
+  RunFacts facts;
+  json.at("serial").get_to(facts.serial);
+  json.at("started_utc").get_to(facts.started_utc);
+  json.at("plan").get_to(facts.plan);
+  json.at("rig").get_to(facts.rig);
+  json.at("preset").get_to(facts.preset);
+  facts.duration_s = number_or_nan(json.at("duration_s"));
+  json.at("drive_retries").get_to(facts.drive_retries);
+  json.at("shaft_stopped").get_to(facts.shaft_stopped);
+  json.at("brake_released").get_to(facts.brake_released);
+  if (!json.at("resumed_at_point").is_null())
+    facts.resumed_at_point = json["resumed_at_point"].get<int>();
+  for (const auto& event : json.at("events")) {
+    facts.events.emplace_back(number_or_nan(event.at("time_s")),
+                              event.at("event").get<std::string>());
+  }
+  return facts;
+}
+
+nlohmann::ordered_json to_json(const LimitCheck& check) {
+  return {{"measure", check.measure},   {"component", check.component},
+          {"unit", check.unit},         {"max", check.max},
+          {"measured", check.measured}, {"where", check.where},
+          {"passed", check.passed},     {"why", check.why}};
+}
+
+LimitCheck limit_from_json(const nlohmann::ordered_json& json) {
+  LimitCheck check;
+  json.at("measure").get_to(check.measure);
+  json.at("component").get_to(check.component);
+  json.at("unit").get_to(check.unit);
+  check.max = number_or_nan(json.at("max"));
+  check.measured = number_or_nan(json.at("measured"));
+  json.at("where").get_to(check.where);
+  json.at("passed").get_to(check.passed);
+  json.at("why").get_to(check.why);
+  return check;
+}
+
+nlohmann::ordered_json to_json(const JudgedPoint& point) {
+  nlohmann::ordered_json json = {{"status", point.status},
+                                 {"planned_speed_rpm", point.planned_speed_rpm},
+                                 {"torque_Nm", point.torque_Nm}};
+  json.update(json_of(point.examination));
+  return json;
+}
+
+JudgedPoint point_from_json(const nlohmann::ordered_json& json) {
+  JudgedPoint point;
+  json.at("status").get_to(point.status);
+  point.planned_speed_rpm = number_or_nan(json.at("planned_speed_rpm"));
+  point.torque_Nm = number_or_nan(json.at("torque_Nm"));
+  point.examination = examination_from_json(json);
+  return point;
+}
+
+Ending ending_from_json(const nlohmann::ordered_json& json) {
+  Ending ending;
+  for (const Outcome outcome :
+       {Outcome::pass, Outcome::fail, Outcome::invalid, Outcome::error, Outcome::aborted}) {
+    if (json.at("verdict") == to_string(outcome)) ending.outcome = outcome;
+  }
+  for (const ErrorKind kind : {ErrorKind::none, ErrorKind::device_lost, ErrorKind::safety_trip,
+                               ErrorKind::not_qualified}) {
+    if (json.at("error_kind") == to_string(kind)) ending.error_kind = kind;
+  }
+  json.at("reason").get_to(ending.reason);
+  return ending;
+}
+
+Judgement parsed(const nlohmann::ordered_json& json) {
+  Judgement judgement;
+  judgement.ending = ending_from_json(json);
+  judgement.facts = facts_from_json(json.at("run"));
+  json.at("software").get_to(judgement.facts.software);
+  if (!json.at("seed").is_null()) judgement.facts.seed = json["seed"].get<std::uint64_t>();
+  json.at("machine").get_to(judgement.machine);
+  judgement.diagnosis = diagnosis_from_json(json);
+  for (const auto& check : json.at("limits")) judgement.limits.push_back(limit_from_json(check));
+  for (const auto& point : json.at("points")) judgement.points.push_back(point_from_json(point));
+  return judgement;
+}
+
+}  // namespace
+
+std::string judgement_to_json(const Judgement& judgement) {
+  nlohmann::ordered_json json = {{"verdict", to_string(judgement.ending.outcome)},
+                                 {"reason", judgement.ending.reason},
+                                 {"exit_code", exit_code(judgement.ending)},
+                                 {"error_kind", to_string(judgement.ending.error_kind)}};
+  json.update(json_of(judgement.diagnosis));
+  json["machine"] = judgement.machine;
+  json["software"] = judgement.facts.software;
+  json["seed"] = nullptr;
+  if (judgement.facts.seed) json["seed"] = *judgement.facts.seed;
+  json["run"] = to_json(judgement.facts);
+  json["limits"] = nlohmann::json::array();
+  for (const LimitCheck& check : judgement.limits) json["limits"].push_back(to_json(check));
+  json["points"] = nlohmann::json::array();
+  for (const JudgedPoint& point : judgement.points) json["points"].push_back(to_json(point));
+  // Names out of foreign files need not be UTF-8: what is not is replaced, not thrown.
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::optional<Judgement> judgement_from_json(const std::string& text) {
+  try {
+    return parsed(nlohmann::ordered_json::parse(text));
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace rvbench::bench

@@ -1,0 +1,98 @@
+#include "bench/cli.hpp"
+
+#include <catch2/catch.hpp>
+#include <sstream>
+#include <stdexcept>
+
+namespace rvbench::bench {
+namespace {
+
+using Catch::Matchers::Contains;
+
+/// A command that only tells what it was given.
+class Echo final : public Command {
+ public:
+  std::string name() const override { return "judge"; }
+  std::string summary() const override { return "echoes"; }
+  std::string examples() const override { return "  rvbench judge a.mat --rate 12000"; }
+  std::vector<Option> options() override {
+    return {{"REC", "files", &files_, true, {}},
+            {"--rate", "Hz", &rate_Hz_, false, {}},
+            {"--seed", "number", &seed_, false, {}},
+            {"--json", "machine output", &json_, false, {}},
+            {"--catalogue", "which", &catalogue_, false, {"derived", "published"}}};
+  }
+  int run(Console& console) override {
+    if (catalogue_ == "published") throw std::runtime_error("out of luck");
+    for (const std::string& file : files_) console.out << file << ' ';
+    if (rate_Hz_) console.out << *rate_Hz_;
+    if (seed_) console.out << ' ' << *seed_;
+    return json_ ? 10 : 0;
+  }
+
+ private:
+  std::vector<std::string> files_;
+  std::optional<double> rate_Hz_;
+  std::optional<std::uint64_t> seed_;
+  bool json_ = false;
+  std::string catalogue_;
+};
+
+struct Answer {
+  int code = -1;
+  std::string out;
+  std::string err;
+};
+
+Answer ask(const std::vector<std::string>& arguments) {
+  std::ostringstream out;
+  std::ostringstream err;
+  Console console{out, err};
+  std::vector<std::unique_ptr<Command>> commands;
+  commands.push_back(std::make_unique<Echo>());
+  const int code = run_cli(arguments, commands, console);
+  return {code, out.str(), err.str()};
+}
+
+}  // namespace
+
+TEST_CASE("arguments reach the command and its exit code comes back", "[bench]") {
+  const Answer answer = ask(
+      {"judge", "a.mat", "b.mat", "--rate", "12000", "--seed", "18446744073709551615", "--json"});
+  CHECK(answer.code == 10);
+  CHECK(answer.out == "a.mat b.mat 12000 18446744073709551615");
+  CHECK(answer.err.empty());
+}
+
+TEST_CASE("help names every command, and examples", "[bench]") {
+  CHECK(ask({"--help"}).code == 0);
+  CHECK_THAT(ask({"--help"}).out, Contains("judge"));
+  CHECK(ask({"judge", "--help"}).code == 0);
+  CHECK_THAT(ask({"judge", "--help"}).out, Contains("rvbench judge a.mat --rate 12000"));
+}
+
+TEST_CASE("arguments that make no sense end with 2 and a hint on standard error", "[bench]") {
+  const auto refused = [](const std::vector<std::string>& arguments, const char* hint) {
+    const Answer answer = ask(arguments);
+    INFO(answer.err);
+    CHECK(answer.code == 2);
+    CHECK(answer.out.empty());
+    CHECK_THAT(answer.err, Contains(hint));
+  };
+  refused({}, "Usage");
+  refused({"jugde"}, "did you mean \"judge\"?");
+  refused({"judge", "a.mat", "--rat", "5"}, "did you mean \"--rate\"?");
+  refused({"judge", "a.mat", "--rat=5"}, "did you mean \"--rate\"?");
+  refused({"judge"}, "REC");
+  refused({"judge", "a.mat", "--rate", "fast"}, "--rate");
+  refused({"judge", "a.mat", "--seed", "-1"}, "--seed");
+  refused({"judge", "a.mat", "--catalogue", "other"}, "--catalogue");
+}
+
+TEST_CASE("an exception is an internal error, never a verdict", "[bench]") {
+  const Answer answer = ask({"judge", "a.mat", "--catalogue", "published"});
+  CHECK(answer.code == 1);
+  CHECK_THAT(answer.err, Contains("out of luck"));
+}
+
+}  // namespace rvbench::bench

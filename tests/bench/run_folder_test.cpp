@@ -1,0 +1,103 @@
+#include "bench/run_folder.hpp"
+
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+
+#include "bench/sha256.hpp"
+#include "bench/verdict_json.hpp"
+#include "tests/bench/judgements.hpp"
+#include "tests/bench/scratch_folder.hpp"
+
+namespace rvbench::bench {
+
+using test::ScratchFolder;
+
+TEST_CASE("a serial never leaves its folder", "[bench]") {
+  for (const char* serial :
+       {"../../etc", "/etc/passwd", "..", ".", "a/b", "a\\b", ".hidden", "-rf", "x\n", "RV 20E"}) {
+    INFO(serial);
+    const std::filesystem::path name = folder_name_of(serial);
+    CHECK(std::distance(name.begin(), name.end()) == 1);
+    CHECK(name != "..");
+    CHECK(name.string().find_first_of("/\\ \n") == std::string::npos);
+    CHECK(name.string().find_first_of(".-") != 0);
+  }
+  CHECK(folder_name_of("A17-b_2.0") == "A17-b_2.0");
+  CHECK(folder_name_of(std::string(5000, 'x')).size() < 100);
+  CHECK_THROWS_AS(folder_name_of(""), std::invalid_argument);
+}
+
+TEST_CASE("different serials do not share a folder", "[bench]") {
+  CHECK(folder_name_of("A/1") != folder_name_of("A_1"));
+  CHECK(folder_name_of("A/1") != folder_name_of("A:1"));
+  CHECK(folder_name_of(std::string(70, 'x') + "1") != folder_name_of(std::string(70, 'x') + "2"));
+}
+
+TEST_CASE("two runs in one second get two folders", "[bench]") {
+  const ScratchFolder scratch;
+  const auto first = create_run_folder(scratch.path(), "A17", "20260102T030405Z");
+  const auto second = create_run_folder(scratch.path(), "A17", "20260102T030405Z");
+  CHECK(first == scratch.path() / "A17" / "20260102T030405Z");
+  CHECK(first != second);
+  CHECK(std::filesystem::is_directory(second));
+}
+
+TEST_CASE("only a run without a verdict on the unit can be resumed", "[bench]") {
+  const ScratchFolder scratch;
+  CHECK_FALSE(newest_unfinished_run(scratch.path(), "A17"));
+  const auto older = create_run_folder(scratch.path(), "A17", "20260102T030405Z");
+  const auto newer = create_run_folder(scratch.path(), "A17", "20260102T030406Z");
+  write_file(older / "plan.json", "{}");
+  write_file(newer / "plan.json", "{}");
+  CHECK(newest_unfinished_run(scratch.path(), "A17") == newer);
+
+  Judgement judgement = test::failed_run();
+  judgement.ending = {Outcome::aborted, ErrorKind::none, "stopped by the operator"};
+  write_file(newer / "verdict.json", judgement_to_json(judgement));
+  CHECK(newest_unfinished_run(scratch.path(), "A17") == newer);
+  write_file(newer / "verdict.json", judgement_to_json(test::failed_run()));
+  CHECK_FALSE(newest_unfinished_run(scratch.path(), "A17"));
+}
+
+TEST_CASE("SHA-256 is the one of FIPS 180-4", "[bench][literature]") {
+  CHECK(sha256_of_text("abc") ==
+        "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  CHECK(sha256_of_text("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+}
+
+TEST_CASE("SHA256SUMS tells a sound folder from a tampered one", "[bench]") {
+  const ScratchFolder folder;
+  write_file(folder.path() / "verdict.json", "{}");
+  write_file(folder.path() / "name with space.txt", "x");
+  CHECK(verify_sums(folder.path()).size() == 1);
+  write_sums(folder.path());
+  CHECK(verify_sums(folder.path()).empty());
+
+  SECTION("sha256sum agrees") {
+    const std::string command =
+        "cd '" + folder.path().string() + "' && sha256sum --strict --quiet -c SHA256SUMS";
+    CHECK(std::system(command.c_str()) == 0);
+  }
+  SECTION("a changed file is named") {
+    write_file(folder.path() / "verdict.json", "{ }");
+    CHECK(verify_sums(folder.path()) ==
+          std::vector<std::string>{"verdict.json: does not match its hash"});
+  }
+  SECTION("a removed file is named") {
+    std::filesystem::remove(folder.path() / "verdict.json");
+    CHECK(verify_sums(folder.path()) == std::vector<std::string>{"verdict.json: missing"});
+  }
+  SECTION("an added file is named") {
+    write_file(folder.path() / "extra", "");
+    CHECK(verify_sums(folder.path()) ==
+          std::vector<std::string>{"extra: not listed in SHA256SUMS"});
+  }
+  SECTION("the list cannot point out of the folder") {
+    write_file(folder.path() / "SHA256SUMS", std::string(64, 'a') + "  ../../etc/passwd\n");
+    CHECK(verify_sums(folder.path()).front() == "SHA256SUMS:1: not a line of sha256sum");
+  }
+}
+
+}  // namespace rvbench::bench

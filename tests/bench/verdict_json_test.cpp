@@ -1,0 +1,61 @@
+#include "bench/verdict_json.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/bench/judgements.hpp"
+
+namespace rvbench::bench {
+
+TEST_CASE("verdict.json has the keys that other tools rely on", "[bench]") {
+  const auto json = nlohmann::json::parse(judgement_to_json(test::failed_run()));
+  CHECK(json.at("verdict") == "FAIL");
+  CHECK(json.at("quality").is_array());
+  const auto& finding = json.at("findings").at(0);
+  for (const char* key :
+       {"component", "mechanism", "table4_item", "order", "frequency_Hz", "points", "imfs",
+        "statistic", "p_value", "severity", "confidence", "advice"}) {
+    INFO(key);
+    CHECK(finding.contains(key));
+  }
+  CHECK(finding.at("component") == "input_shaft");
+  CHECK(finding.at("imfs") == nlohmann::json({1, 2}));
+  CHECK(finding.at("table4_item") == "drive shaft");
+}
+
+TEST_CASE("what is not known is null, not zero", "[bench]") {
+  Judgement judgement = test::failed_run();
+  judgement.facts.duration_s = not_known;
+  judgement.facts.seed.reset();
+  judgement.diagnosis.findings.front().table4_item.clear();
+  const auto json = nlohmann::json::parse(judgement_to_json(judgement));
+  CHECK(json.at("run").at("duration_s").is_null());
+  CHECK(json.at("seed").is_null());
+  CHECK(json.at("findings").at(0).at("table4_item").is_null());
+}
+
+TEST_CASE("a judgement read back says the same", "[bench]") {
+  const Judgement judgement = test::failed_run();
+  const std::string text = judgement_to_json(judgement);
+  const auto again = judgement_from_json(text);
+  REQUIRE(again);
+  CHECK(judgement_to_json(*again) == text);
+  CHECK(again->facts.seed == 18446744073709551615ULL);
+  CHECK(std::isnan(again->points.at(1).torque_Nm));
+  CHECK(again->points.at(0).examination.channels.at(0).imf_correlation.size() == 9);
+}
+
+TEST_CASE("text that is no verdict is not read as one", "[bench]") {
+  CHECK_FALSE(judgement_from_json(""));
+  CHECK_FALSE(judgement_from_json("[]"));
+  CHECK_FALSE(judgement_from_json("{\"verdict\": \"PASS\"}"));
+}
+
+TEST_CASE("names that are not UTF-8 do not break the document", "[bench]") {
+  Judgement judgement = test::failed_run();
+  judgement.points.front().examination.source = "caf\xe9.mat";
+  CHECK(nlohmann::json::accept(judgement_to_json(judgement)));
+}
+
+}  // namespace rvbench::bench
