@@ -26,9 +26,14 @@ void check(const Eigen::Ref<const Eigen::VectorXd>& x, const EmdOptions& options
 // Fewer extrema are no oscillation: a maximum between two minima is the least.
 constexpr std::size_t least_extrema = 3;
 
+// How far the end rule reaches in: beyond it an IMF is within 1 % of its rms of what a longer
+// record gives, at 19 of 20 ends. Measured in mean periods of the IMF on white noise and on gear
+// signals, 1 to 40 sifts. The power: what an envelope leaves of a slow swing of frequency f goes
+// with f⁴, so n sifts see swings down to n^(-1/4) of the IMF's own.
 Eigen::Index unreliable_end(Eigen::Index n, std::size_t extrema, int sifts) {
   const double period = 2 * static_cast<double>(n) / static_cast<double>(extrema);
-  return std::min(n, static_cast<Eigen::Index>(std::ceil(period * std::sqrt(sifts))));
+  const double reach = 6 * period * std::pow(sifts, 0.25);
+  return static_cast<Eigen::Index>(std::ceil(std::min(reach, static_cast<double>(n))));
 }
 
 }  // namespace
@@ -56,7 +61,8 @@ Emd emd(const Eigen::Ref<const Eigen::VectorXd>& x, const EmdOptions& options) {
       find_extrema(imf, extrema);
     }
     result.residue -= imf;
-    result.unreliable_ends.push_back(unreliable_end(n, count, options.sifts));
+    const Eigen::Index inherited = found > 0 ? result.unreliable_ends.back() : 0;
+    result.unreliable_ends.push_back(std::max(inherited, unreliable_end(n, count, options.sifts)));
   }
   result.imfs.conservativeResize(n, found);
   result.residue.array() += offset;

@@ -23,8 +23,9 @@ class MeanEnvelope {
  private:
   void solve(const Extrema& extrema);
 
-  std::vector<double> curvature_;    ///< second derivative of its own envelope at each extremum
-  std::vector<double> elimination_;  ///< what the forward pass leaves for the backward one
+  std::vector<double> curvature_;      ///< second derivative of its own envelope at each extremum
+  std::vector<double> elimination_;    ///< what the forward pass leaves for the backward one
+  std::vector<double> inverse_width_;  ///< 1 / distance to the next knot of the same envelope
 };
 
 }  // namespace rvbench::analysis

@@ -1,0 +1,67 @@
+#include "analysis/fft.hpp"
+
+#include <catch2/catch.hpp>
+#include <complex>
+#include <vector>
+
+#include "hal/types/parallel_for.hpp"
+#include "tests/support/signals.hpp"
+
+using namespace rvbench;
+using analysis::fft;
+using analysis::inverse_fft;
+
+namespace {
+
+// The definition, one line at a time.
+Eigen::VectorXcd dft(const Eigen::VectorXd& x) {
+  const Eigen::Index n = x.size();
+  Eigen::VectorXcd lines = Eigen::VectorXcd::Zero(n / 2 + 1);
+  for (Eigen::Index k = 0; k < lines.size(); ++k) {
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const auto turns = static_cast<double>(i * k % n) / static_cast<double>(n);
+      lines[k] += std::polar(x[i], -2 * std::numbers::pi * turns);
+    }
+  }
+  return lines;
+}
+
+}  // namespace
+
+TEST_CASE("fft is the discrete Fourier transform, at any length", "[analysis][fft][law]") {
+  for (const Eigen::Index n : {1, 2, 3, 4, 7, 64, 101, 360, 1009}) {
+    CAPTURE(n);
+    const Eigen::VectorXd x = test::white_noise(n, 1);
+    CHECK((fft(x) - dft(x)).cwiseAbs().maxCoeff() < 1e-11);
+    CHECK((inverse_fft(fft(x), n) - x).cwiseAbs().maxCoeff() < 1e-14);
+  }
+}
+
+TEST_CASE("more lengths than plans are kept all come out right", "[analysis][fft]") {
+  for (int round = 0; round < 2; ++round) {
+    for (Eigen::Index n = 2; n < 40; ++n) {
+      const Eigen::VectorXd x = test::white_noise(n, 2);
+      CHECK((inverse_fft(fft(x), n) - x).cwiseAbs().maxCoeff() < 1e-14);
+    }
+  }
+}
+
+TEST_CASE("an inverse of the wrong size is refused", "[analysis][fft][errors]") {
+  CHECK_THROWS_AS(inverse_fft(Eigen::VectorXcd::Zero(5), 10), std::invalid_argument);
+  CHECK_THROWS_AS(inverse_fft(Eigen::VectorXcd::Zero(1), 0), std::invalid_argument);
+}
+
+TEST_CASE("neither threads nor memory addresses change a bit", "[analysis][fft][threads]") {
+  const Eigen::VectorXd x = test::white_noise(5003, 3);
+  const std::vector<Eigen::Index> lengths{1024, 1009, 4960, 5000};
+  std::vector<Eigen::VectorXcd> alone, together(32);
+  for (const Eigen::Index n : lengths) alone.push_back(fft(x.head(n)));
+
+  parallel_for(
+      together.size(), [&](std::size_t i) { together[i] = fft(x.head(lengths[i % 4])); }, 4);
+  for (std::size_t i = 0; i < together.size(); ++i) CHECK(together[i] == alone[i % 4]);
+
+  Eigen::VectorXd shifted(x.size() + 1);
+  shifted.tail(x.size()) = x;  // aligned differently from x
+  CHECK(fft(shifted.segment(1, 4960)) == alone[2]);
+}
