@@ -1,0 +1,126 @@
+#include "hal/can/can_brake.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace rvbench::hal {
+namespace {
+
+IoError failure(IoErrc code, const std::string& what) { return {code, "brake: " + what}; }
+
+void require_positive(double value, const char* name) {
+  if (!std::isfinite(value) || value <= 0) {
+    throw std::invalid_argument(
+        fmt::format("CanBrake: {} is {}, must be finite and above 0", name, value));
+  }
+}
+
+}  // namespace
+
+CanBrake::CanBrake(std::unique_ptr<CanTransport> transport, const CanBrakeOptions& options,
+                   Clock& clock)
+    : transport_(std::move(transport)), options_(options), clock_(clock) {
+  if (!transport_) throw std::invalid_argument("CanBrake: transport is null");
+  require_positive(options.limits.max_torque_Nm, "max_torque_Nm");
+  require_positive(options.deadline_s, "deadline_s");
+  require_positive(options.poll_s, "poll_s");
+  if (options.limits.max_torque_Nm > can_frames::max_brake_torque_Nm) {
+    throw std::invalid_argument(fmt::format("CanBrake: max_torque_Nm is {}, at most {}",
+                                            options.limits.max_torque_Nm,
+                                            can_frames::max_brake_torque_Nm));
+  }
+}
+
+Status CanBrake::connect() {
+  connected_ = false;
+  const Status opened = transport_->open();
+  if (!opened) return opened;
+  was_opened_ = true;
+  while (transport_->receive()) {
+    // What waited before connect() is old.
+  }
+  has_status_ = saw_repeats_ = false;
+  const Status released = send(0, false);
+  if (!released) return released;
+  const double sent_s = clock_.now_s();
+  fresh_s_ = sent_s;
+  do {
+    clock_.wait_until(clock_.now_s() + options_.poll_s);
+    const Status answered = await_status();
+    if (!answered) return answered;
+    connected_ = !status_.engaged && !status_.tripped && !status_.command_lost;
+  } while (!connected_ && clock_.now_s() - sent_s <= options_.deadline_s);
+  if (connected_) return Done{};
+  return failure(IoErrc::refused, status_.tripped ? "connect: tripped" : "connect: not released");
+}
+
+Status CanBrake::set_torque(double torque_Nm) {
+  const double max_Nm = options_.limits.max_torque_Nm;
+  if (!(torque_Nm >= 0 && torque_Nm <= max_Nm)) {
+    throw std::invalid_argument(
+        fmt::format("CanBrake::set_torque: {} N·m is not within 0 to {}", torque_Nm, max_Nm));
+  }
+  if (!connected_) return failure(IoErrc::disconnected, "set torque");
+  return send(torque_Nm, true);
+}
+
+Result<BrakeStatus> CanBrake::read() {
+  if (!connected_) return failure(IoErrc::disconnected, "read");
+  const Status answered = await_status();
+  if (!answered) return answered.error();
+  return BrakeStatus{.torque_Nm = status_.torque_Nm,
+                     .tripped = status_.tripped || status_.command_lost};
+}
+
+void CanBrake::release() noexcept {
+  try {
+    if (was_opened_) (void)send(0, false);
+  } catch (...) {
+    // Out of memory: the brake releases by itself when commands stop coming.
+  }
+}
+
+Status CanBrake::send(double torque_Nm, bool enable) {
+  return transport_->send(
+      can_frames::frame_from_brake_command({torque_Nm, enable, ++command_counter_}));
+}
+
+/// Keeps the newest status.
+Status CanBrake::take_waiting_frames() {
+  for (;;) {
+    const Result<CanFrame> received = transport_->receive();
+    if (!received) {
+      if (received.error().code == IoErrc::timeout) return Done{};
+      return received.error();
+    }
+    const auto frame = can_frames::brake_status_from_frame(received.value());
+    if (!frame) return failure(IoErrc::bad_reply, "read: not a status frame");
+    if (has_status_ && frame->counter == status_.counter) {
+      saw_repeats_ = true;
+      continue;
+    }
+    status_ = *frame;
+    has_status_ = true;
+    saw_repeats_ = false;
+    fresh_s_ = received.value().time_s;
+  }
+}
+
+Status CanBrake::await_status() {
+  for (;;) {
+    const Status taken = take_waiting_frames();
+    if (!taken) return taken;
+    const double now_s = clock_.now_s();
+    if (now_s - fresh_s_ > options_.deadline_s) {
+      return saw_repeats_ ? failure(IoErrc::stale, "read: the counter stands still")
+                          : failure(IoErrc::timeout, "read: no status");
+    }
+    if (has_status_) return Done{};
+    clock_.wait_until(now_s + options_.poll_s);
+  }
+}
+
+}  // namespace rvbench::hal

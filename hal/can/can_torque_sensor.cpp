@@ -1,0 +1,126 @@
+#include "hal/can/can_torque_sensor.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "hal/types/units.hpp"
+
+namespace rvbench::hal {
+namespace {
+
+void require_positive(double value, const char* name) {
+  if (!std::isfinite(value) || value <= 0) {
+    throw std::invalid_argument(
+        fmt::format("CanTorqueSensor: {} is {}, must be finite and above 0", name, value));
+  }
+}
+
+const char* flaw(const can_frames::TorqueFrame& frame) {
+  if (frame.overload) return "overload";
+  if (frame.shunt_on) return "shunt calibration is on";
+  if (frame.zeroing) return "zeroing";
+  return nullptr;
+}
+
+IoError failure(IoErrc code, const std::string& what) {
+  return {code, "torque transducer: " + what};
+}
+
+}  // namespace
+
+CanTorqueSensor::CanTorqueSensor(std::unique_ptr<CanTransport> transport,
+                                 const CanTorqueSensorOptions& options, Clock& clock)
+    : transport_(std::move(transport)), options_(options), clock_(clock) {
+  if (!transport_) throw std::invalid_argument("CanTorqueSensor: transport is null");
+  require_positive(options.rate_Hz, "rate_Hz");
+  require_positive(options.deadline_s, "deadline_s");
+}
+
+Status CanTorqueSensor::connect() {
+  connected_ = false;
+  const Status opened = transport_->open();
+  if (!opened) return opened;
+  while (transport_->receive()) {
+    // What waited before connect() is old.
+  }
+  track_ = Track{};
+  saw_repeats_ = false;
+  fresh_s_ = clock_.now_s();
+  connected_ = true;
+  const Result<TorqueBlock> first = read();
+  if (first) return Done{};
+  connected_ = false;
+  return first.error();
+}
+
+Result<TorqueBlock> CanTorqueSensor::read() {
+  if (!connected_) return failure(IoErrc::disconnected, "read");
+  Track track = track_;
+  TorqueBlock block;
+  for (;;) {
+    const Status taken = take_waiting_frames(track, block);
+    if (!taken) return taken.error();
+    const double now_s = clock_.now_s();
+    if (!block.samples.empty()) fresh_s_ = track.time_s;
+    if (now_s - fresh_s_ > options_.deadline_s) {
+      return saw_repeats_ ? failure(IoErrc::stale, "read: the counter stands still")
+                          : failure(IoErrc::timeout, "read: no frame");
+    }
+    if (!block.samples.empty()) break;
+    clock_.wait_until(now_s + 1 / options_.rate_Hz);
+  }
+  saw_repeats_ = false;
+  track_ = track;
+  block.t0_s = track.time_s - static_cast<double>(block.samples.size() - 1) / options_.rate_Hz;
+  return block;
+}
+
+Status CanTorqueSensor::take_waiting_frames(Track& track, TorqueBlock& block) {
+  for (;;) {
+    const Result<CanFrame> received = transport_->receive();
+    if (!received) {
+      if (received.error().code == IoErrc::timeout) return Done{};
+      return received.error();
+    }
+    const auto frame = can_frames::torque_from_frame(received.value());
+    if (!frame) return failure(IoErrc::bad_reply, "read: not a torque frame");
+    if (const char* what = flaw(*frame)) return failure(IoErrc::bad_reply, what);
+    append(*frame, received.value().time_s, track, block);
+  }
+}
+
+/// Samples from the newest one to this one: 1 if none was lost, 0 or less if it is not new.
+std::int64_t CanTorqueSensor::samples_since(const Track& track, std::uint8_t counter,
+                                            double time_s) const {
+  const int step = static_cast<std::uint8_t>(counter - track.counter);
+  const double elapsed = (time_s - track.heard_s) * options_.rate_Hz;
+  return step + 256 * std::llround((elapsed - step) / 256);
+}
+
+void CanTorqueSensor::append(const can_frames::TorqueFrame& frame, double time_s, Track& track,
+                             TorqueBlock& block) {
+  if (!track.started) {
+    track = {true, frame.counter, time_s, time_s, frame.angle_turns, 0};
+    block.samples.push_back({frame.torque_Nm, units::two_pi * track.angle_turns});
+    return;
+  }
+  const std::int64_t steps = samples_since(track, frame.counter, time_s);
+  track.heard_s = time_s;
+  if (steps < 1) {
+    saw_repeats_ = true;
+    return;
+  }
+  block.samples.resize(block.samples.size() + static_cast<std::size_t>(steps - 1));
+  block.lost += static_cast<int>(steps - 1);
+  const auto samples = static_cast<double>(steps);
+  const double expected_turns = track.angle_turns + samples * track.turns_per_sample;
+  const double turns = frame.angle_turns + std::round(expected_turns - frame.angle_turns);
+  track = {true, frame.counter, time_s, time_s, turns, (turns - track.angle_turns) / samples};
+  block.samples.push_back({frame.torque_Nm, units::two_pi * turns});
+}
+
+}  // namespace rvbench::hal

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "hal/can/can_frames.hpp"
+#include "hal/can_transport.hpp"
+#include "hal/clock.hpp"
+#include "hal/torque_sensor.hpp"
+
+namespace rvbench::hal {
+
+struct CanTorqueSensorOptions {
+  double rate_Hz = 500;     ///< the transducer's own sample rate
+  double deadline_s = 0.2;  ///< how old the newest sample may be
+};
+
+/// Torque transducer over CAN frames 0x181, one per sample.
+///
+/// Samples  lost frames are found by the rolling counter (and by the time of arrival, for 256 and
+///          more) and filled with NaN; the angle is unwrapped over gaps at the last known speed,
+///          which holds as long as the speed changes by less than half a turn per gap
+/// Errors   timeout: nothing came; stale: the counter stood still; bad_reply: a frame of wrong
+///          length, or one that says zeroing, overload or shunt on. Samples of a failed read()
+///          count as lost in the next one
+/// Time     read() waits on the clock, until a sample is there or the deadline has passed
+class CanTorqueSensor final : public TorqueSensor {
+ public:
+  /// @param transport  receives the transducer's frames only
+  /// @param clock      must outlive the sensor
+  /// @throws std::invalid_argument if an option is not finite and positive
+  CanTorqueSensor(std::unique_ptr<CanTransport> transport, const CanTorqueSensorOptions& options,
+                  Clock& clock);
+
+  double rate_Hz() const override { return options_.rate_Hz; }
+  Status connect() override;
+  Result<TorqueBlock> read() override;
+
+ private:
+  /// Where the stream of samples stands.
+  struct Track {
+    bool started = false;
+    std::uint8_t counter = 0;
+    double time_s = 0;            ///< when the newest sample came
+    double heard_s = 0;           ///< when any frame came, repeated ones too
+    double angle_turns = 0;       ///< unwrapped
+    double turns_per_sample = 0;  ///< at the newest sample
+  };
+
+  Status take_waiting_frames(Track& track, TorqueBlock& block);
+  void append(const can_frames::TorqueFrame& frame, double time_s, Track& track,
+              TorqueBlock& block);
+  std::int64_t samples_since(const Track& track, std::uint8_t counter, double time_s) const;
+
+  std::unique_ptr<CanTransport> transport_;
+  CanTorqueSensorOptions options_;
+  Clock& clock_;
+  bool connected_ = false;
+  bool saw_repeats_ = false;
+  double fresh_s_ = 0;  ///< when the newest sample came
+  Track track_;
+};
+
+}  // namespace rvbench::hal

@@ -1,0 +1,61 @@
+#include "hal/daq_accelerometers.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace rvbench::hal {
+namespace {
+
+constexpr double poll_s = 0.001;
+
+IoError failure(IoErrc code, const char* what) {
+  return {code, std::string("accelerometers: ") + what};
+}
+
+}  // namespace
+
+DaqAccelerometers::DaqAccelerometers(PlantPort& port, Clock& clock, double deadline_s)
+    : port_(port), clock_(clock), deadline_s_(deadline_s) {
+  if (!std::isfinite(deadline_s) || deadline_s <= 0) {
+    throw std::invalid_argument("DaqAccelerometers: deadline_s is " + std::to_string(deadline_s) +
+                                ", must be finite and above 0");
+  }
+}
+
+const std::vector<ChannelInfo>& DaqAccelerometers::channels() const {
+  return port_.acceleration_channels();
+}
+
+Status DaqAccelerometers::connect() {
+  connected_ = true;
+  running_ = false;
+  return Done{};
+}
+
+Status DaqAccelerometers::start() {
+  if (!connected_) return failure(IoErrc::disconnected, "start");
+  (void)port_.take_accelerations();  // what came before start() is not asked for
+  fresh_s_ = clock_.now_s();
+  running_ = true;
+  return Done{};
+}
+
+Result<AccelerationBlock> DaqAccelerometers::read() {
+  if (!running_) return failure(IoErrc::disconnected, "read: not started");
+  for (;;) {
+    AccelerationBlock block = port_.take_accelerations();
+    const double now_s = clock_.now_s();
+    if (block.scans.rows() > 0) {
+      if (block.scans.cols() != static_cast<Eigen::Index>(channels().size())) {
+        return failure(IoErrc::bad_reply, "read: wrong number of channels");
+      }
+      fresh_s_ = now_s;
+      return block;
+    }
+    if (now_s - fresh_s_ > deadline_s_) return failure(IoErrc::timeout, "read: no scan");
+    clock_.wait_until(now_s + poll_s);
+  }
+}
+
+}  // namespace rvbench::hal
