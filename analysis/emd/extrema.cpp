@@ -1,6 +1,7 @@
 #include "analysis/emd/extrema.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rvbench::analysis {
 namespace {
@@ -24,13 +25,13 @@ std::vector<Extremum> past_end(Extremum end, Nth nth, std::size_t count) {
 
   std::vector<Extremum> out;
   if (end_lies_between) {
-    const bool is_left = outermost.at < next.at;
-    std::size_t past = 0;
-    for (std::size_t i = 1; i < count && past < beyond_end; ++i) {
+    for (std::size_t i = 1; i <= std::min(count - 1, beyond_end); ++i) {
       out.push_back(reflected(nth(i), outermost.at));
-      past += static_cast<std::size_t>(is_left ? out.back().at <= end.at : out.back().at >= end.at);
     }
-    if (past >= 2) return out;  // one of each kind: both envelopes span the end
+    // One of each kind past the end: the distances from the axis tell for either end.
+    const double to_end = std::abs(end.at - outermost.at);
+    const bool span = std::abs(out[out.size() - 2].at - outermost.at) >= to_end;
+    if (span) return out;
     out.clear();
   }
   out.push_back(end);

@@ -22,7 +22,7 @@ void find_extrema(const Eigen::Ref<const Eigen::VectorXd>& h, Extrema& found);
 /// The axis is the outermost extremum if the end sample lies between it and the next one and the
 /// mirrored ones reach past the end; otherwise the end sample itself, which then counts as one.
 ///
-/// Shape   at least 2 extrema, as find_extrema(h) gave them; they still alternate afterwards
+/// Shape   at least 3 extrema, as find_extrema(h) gave them; they still alternate afterwards
 /// Source  Rilling, Flandrin & Gonçalvès, IEEE-EURASIP NSIP-03 (2003)
 void mirror_ends(const Eigen::Ref<const Eigen::VectorXd>& h, Extrema& extrema);
 
