@@ -39,28 +39,37 @@ struct PointResult {
   double torque_Nm = not_known;
 };
 
-/// Writes a recording as DESIGN §6 lays it out: /points/<nnn>/{acceleration,torque}/data with
-/// attributes, /points/index, /events. HDF5 in SWMR mode; readable by h5py and MATLAB.
+/// Writes a recording: /points/<nnn>/{acceleration,torque,angle}/data with attributes,
+/// /points/index, /events. HDF5 in SWMR mode; readable by h5py and MATLAB, also while it grows.
 ///
-/// Order    create() → { append*() | note() | end_point() }* → close()
+/// Order    create() → { append*() | note() | end_point() }* → close(); one point at a time, and
+///          a point that ended takes no more samples
 /// Loss     flushed every 100 ms, fdatasync every second (of real time): samples survive kill -9
+/// Errors   IoError with file and place; after the first one nothing more is written.
+///          @throws std::invalid_argument: a point not within the layout or out of order, another
+///          number of channels, no points, a rate that is not above 0
 /// Threads  one caller at a time
 class RecordingWriter {
  public:
+  /// Without acceleration channels, or with torque_rate_Hz 0, those groups are left out.
+  /// An existing file is refused, never overwritten.
   static Result<std::unique_ptr<RecordingWriter>> create(const std::filesystem::path& file,
                                                          const RecordingLayout& layout);
   virtual ~RecordingWriter() = default;
   virtual Status append(int point, const AccelerationBlock& block) = 0;
   virtual Status append(int point, const TorqueBlock& block) = 0;
   virtual Status end_point(const PointResult& result) = 0;
-  virtual Status note(double time_s, const std::string& event) = 0;
+  virtual Status note(double time_s, const std::string& event) = 0;  ///< cut at 255 bytes
   virtual Status close() = 0;  ///< also done by the destructor, without a report
 };
 
-/// Puts right what a killed writer left behind; no-op on a sound file.
+/// Puts right what a killed writer left behind; no-op on a sound file. Refuses a file that a
+/// living program has open.
 Status repair_recording(const std::filesystem::path& file);
 
-/// Reads a recording made by RecordingWriter, point by point.
+/// Reads a recording made by RecordingWriter, point by point; also one that is being written, as
+/// it was when opened, or that a killed writer left behind.
+/// Of other programs' files, see hal/hdf5/point_reader.hpp for what they may leave out.
 class RecordingReader {
  public:
   static Result<std::unique_ptr<RecordingReader>> open(const std::filesystem::path& file);
@@ -69,7 +78,9 @@ class RecordingReader {
   virtual const std::vector<PointResult>& results() const = 0;  ///< of the points that ended
   virtual const std::vector<std::pair<double, std::string>>& events() const = 0;
 
-  /// Point `index` with its acceleration channels, input_torque and input_angle.
+  /// The point's acceleration channels, input_torque and input_angle. Channels without samples
+  /// if it was never begun; status "interrupted" if it never ended.
+  /// @throws std::invalid_argument if point is not within layout().points
   virtual Result<Recording> read(int point) = 0;
 };
 

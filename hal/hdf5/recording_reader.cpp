@@ -1,0 +1,145 @@
+#include <hdf5.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "hal/hdf5/attributes.hpp"
+#include "hal/hdf5/point_reader.hpp"
+#include "hal/hdf5/tables.hpp"
+#include "hal/recording_file.hpp"
+
+namespace rvbench::hal {
+namespace {
+
+using namespace hdf5;
+
+std::string text_of(const char* bytes, std::size_t size) {
+  return std::string(bytes, std::find(bytes, bytes + size, '\0'));
+}
+
+/// Also a file that is being written, or that a killed writer left behind: as an SWMR reader.
+Handle open_file(const std::filesystem::path& path) {
+  if (!std::filesystem::is_regular_file(path)) {
+    throw FileFailure(IoErrc::disconnected, "no such file");
+  }
+  Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  if (file) return file;
+  Handle live(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, H5P_DEFAULT), H5Fclose);
+  if (live) return live;
+  // The plain way's reason is the better one: repeat it, for HDF5 keeps only the last.
+  return own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open");
+}
+
+int number_of(const std::string& name) {
+  int number = -1;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  return error == std::errc() && end == name.data() + name.size() ? number : -1;
+}
+
+class Hdf5RecordingReader final : public RecordingReader {
+ public:
+  explicit Hdf5RecordingReader(std::filesystem::path path)
+      : path_(std::move(path)),
+        file_(open_file(path_)),
+        file_bytes_(std::filesystem::file_size(path_)) {
+    read_points();
+    read_tables();
+  }
+
+  const RecordingLayout& layout() const override { return layout_; }
+  const std::vector<PointResult>& results() const override { return results_; }
+  const std::vector<std::pair<double, std::string>>& events() const override { return events_; }
+  Result<Recording> read(int point) override;
+
+ private:
+  void read_points();
+  void read_layout(const std::string& point);
+  void read_tables();
+  void apply_index(int number, Recording& recording) const;
+
+  std::filesystem::path path_;
+  Handle file_;
+  std::size_t file_bytes_;
+  RecordingLayout layout_;
+  std::vector<std::string> names_;  ///< of the points' groups: "000", "001", ...
+  std::vector<IndexRow> index_;
+  std::vector<PointResult> results_;
+  std::vector<std::pair<double, std::string>> events_;
+};
+
+void Hdf5RecordingReader::read_points() {
+  layout_.software = read_text(file_, "software").value_or("");
+  const double version = read_number(file_, "format_version").value_or(1);
+  if (version > 1) {
+    throw FileFailure(IoErrc::bad_reply, "format_version: written by a newer rvbench");
+  }
+  names_ = groups_in(file_, "/points");
+  if (names_.empty()) throw FileFailure(IoErrc::bad_reply, "/points: no points");
+  for (const std::string& name : names_) {
+    layout_.points.push_back(read_plan(file_, "/points/" + name));
+  }
+  read_layout("/points/" + names_.front());
+}
+
+void Hdf5RecordingReader::read_layout(const std::string& point) {
+  for (const std::string& name : groups_in(file_, point)) {
+    const SampleGroup samples = read_group_info(file_, point, name, file_bytes_);
+    if (name == "acceleration") {
+      layout_.acceleration_channels = samples.channels;
+      layout_.acceleration_rate_Hz = samples.rate_Hz;
+      layout_.acceleration_range_m_s2 = samples.full_scale;
+    }
+    if (name == "torque") layout_.torque_rate_Hz = samples.rate_Hz;
+  }
+}
+
+void Hdf5RecordingReader::read_tables() {
+  index_ = read_index(file_, file_bytes_);
+  for (const IndexRow& row : index_) {
+    results_.push_back({row.point, row.t0_s, text_of(row.status, sizeof(row.status)), row.speed_rpm,
+                        row.torque_Nm});
+  }
+  for (const EventRow& row : read_events(file_, file_bytes_)) {
+    events_.emplace_back(row.time_s, text_of(row.text, sizeof(row.text)));
+  }
+}
+
+Result<Recording> Hdf5RecordingReader::read(int point) {
+  if (point < 0 || static_cast<std::size_t>(point) >= names_.size()) {
+    throw std::invalid_argument("RecordingReader::read: point " + std::to_string(point) +
+                                " is not within [0, " + std::to_string(names_.size()) + ")");
+  }
+  const std::string& name = names_[static_cast<std::size_t>(point)];
+  return guarded(path_, [&]() -> Result<Recording> {
+    Recording recording = read_point(file_, "/points/" + name, file_bytes_);
+    recording.source = path_.string() + "#" + name;
+    apply_index(number_of(name), recording);
+    return recording;
+  });
+}
+
+void Hdf5RecordingReader::apply_index(int number, Recording& recording) const {
+  const auto row = std::find_if(index_.begin(), index_.end(),
+                                [number](const IndexRow& r) { return r.point == number; });
+  if (row == index_.end()) return;
+  recording.status = text_of(row->status, sizeof(row->status));
+  recording.speed_rpm = row->speed_rpm;
+  recording.torque_Nm = row->torque_Nm;
+  for (Channel& channel : recording.channels) {
+    const bool torque = channel.info.name == channel_names::input_torque ||
+                        channel.info.name == channel_names::input_angle;
+    const double first_s = torque ? row->torque_t0_s : row->acceleration_t0_s;
+    channel.start_s = std::isnan(first_s) ? row->t0_s : first_s;
+  }
+}
+
+}  // namespace
+
+Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const std::filesystem::path& file) {
+  return hdf5::guarded(file, [&]() -> Result<std::unique_ptr<RecordingReader>> {
+    return std::unique_ptr<RecordingReader>(std::make_unique<Hdf5RecordingReader>(file));
+  });
+}
+
+}  // namespace rvbench::hal
