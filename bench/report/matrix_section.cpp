@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "bench/junit.hpp"
+#include "bench/report/html.hpp"
+#include "bench/report/sections.hpp"
+
+namespace rvbench::bench::report {
+namespace {
+
+constexpr double significant_p = 0.01;
+
+/// The worst modulation depth of a record in units of its limit; NaN if nothing could be scored.
+double worst_share(const analysis::Examination& seen, const analysis::Kinematics& kinematics) {
+  double worst = seen.resolvable ? 0 : not_known;
+  for (const analysis::SignatureScore& score : seen.scores) {
+    const auto index = static_cast<std::size_t>(score.signature);
+    if (index >= kinematics.signatures.size() || score.p_value > significant_p) continue;
+    const double limit = kinematics.signatures[index].depth_limit;
+    if (limit > 0) worst = std::fmax(worst, score.depth / limit);
+  }
+  return worst;
+}
+
+std::string cell_of(const JudgedPoint& point, const analysis::Kinematics& kinematics) {
+  const auto cell = [&](const char* level, const std::string& text) {
+    return fmt::format("<span class=\"cell {}\" title=\"{}\">{}</span>", level,
+                       xml_escaped(caption_of(point)), xml_escaped(text));
+  };
+  if (point.status == "not_recorded") return cell("absent", "none");
+  if (point.status != "ok") return cell("spoiled", point.status);
+  if (std::ranges::any_of(point.examination.quality, &analysis::QualityNote::invalidates)) {
+    return cell("spoiled", "data");
+  }
+  const double share = worst_share(point.examination, kinematics);
+  if (std::isnan(share)) return cell("spoiled", "short");
+  const char* level = share > 1 ? "high" : share > 0.5 ? "mid-level" : "low";
+  return cell(level, fmt::format("{:.2f}", share));
+}
+
+}  // namespace
+
+std::string matrix_section(const ReportInput& input) {
+  std::set<double> speeds;
+  std::map<double, std::map<double, std::string>, std::greater<>> rows;  // load, then speed
+  for (const JudgedPoint& point : input.judgement.points) {
+    const double load = point.examination.load_pct;
+    if (!std::isfinite(point.planned_speed_rpm) || !std::isfinite(load)) continue;
+    speeds.insert(point.planned_speed_rpm);
+    rows[load][point.planned_speed_rpm] += cell_of(point, input.kinematics);
+  }
+  if (speeds.empty()) return "";
+  std::vector<std::string> head = {"load"};
+  for (const double speed : speeds) head.push_back(fmt::format("{:.0f} rpm", speed));
+  std::vector<std::vector<std::string>> cells;
+  for (const auto& [load, by_speed] : rows) {
+    std::vector<std::string> line = {fmt::format("{:.0f} %", load)};
+    for (const double speed : speeds) {
+      const auto found = by_speed.find(speed);
+      line.push_back(found == by_speed.end() ? "" : found->second);
+    }
+    cells.push_back(line);
+  }
+  return section(
+      "Matrix of speed and load",
+      paragraph("Each box is one record, repeats from left to right. The number is the worst "
+                "significant modulation depth in units of its limit; 0 means that no "
+                "signature rose above the noise. Hatched records cannot be trusted.") +
+          "<div class=\"map\">" + table(head, cells) +
+          "<p class=\"note\"><span class=\"cell low\">to 0.5</span> <span class=\"cell "
+          "mid-level\">0.5 to 1</span> <span class=\"cell high\">above 1</span> <span "
+          "class=\"cell spoiled\">not trusted</span> <span class=\"cell absent\">not "
+          "recorded</span></p></div>\n");
+}
+
+}  // namespace rvbench::bench::report

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "analysis/spectrum.hpp"
+#include "hal/types/recording.hpp"
+
+namespace rvbench::bench {
+
+/// Amplitude spectrum of `x`, sampled at the times of `like`, over orders of the input shaft. With
+/// an "input_angle" channel x is resampled to equal steps of the measured angle; without one the
+/// recording's mean speed stands in.
+///
+/// Shape   x: as many samples as `like` → N/2 + 1 lines, Hann window
+/// Units   that of x, 0-to-peak; the mean is taken out first
+/// Errors  throws std::invalid_argument if neither angle nor speed is known
+analysis::Spectrum order_spectrum(const Eigen::VectorXd& x, const Channel& like,
+                                  const Recording& recording);
+
+}  // namespace rvbench::bench

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/report/report.hpp"
+
+/// The sections of the report, in their order. Each is HTML; empty if it has nothing to say.
+namespace rvbench::bench::report {
+
+std::string verdict_section(const ReportInput& input);
+std::string matrix_section(const ReportInput& input);
+std::string findings_section(const ReportInput& input);
+std::string frequency_section(const ReportInput& input);
+std::string signal_section(const ReportInput& input);  ///< time, spectra, IMFs, envelope spectra
+std::string correlation_section(const ReportInput& input);
+std::string limits_section(const ReportInput& input);
+std::string settings_section(const ReportInput& input);
+std::string signature_section(const ReportInput& input);
+std::string style_sheet();
+
+/// Points that stand for all: of each speed, the first good record with the least load and the one
+/// nearest to 100 %. Without planned speeds: the first six. Indices into judgement.points.
+std::vector<std::size_t> representative_points(const Judgement& judgement);
+
+/// Index of the channel to show: where the strongest signature was read, else the loudest.
+std::size_t shown_channel(const analysis::Examination& examination);
+
+/// "605 rpm, 100 % load, repeat 1", or the name of the file.
+std::string caption_of(const JudgedPoint& point);
+
+}  // namespace rvbench::bench::report

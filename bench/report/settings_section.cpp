@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include "bench/junit.hpp"
+#include "bench/report/html.hpp"
+#include "bench/report/sections.hpp"
+
+namespace rvbench::bench::report {
+namespace {
+
+constexpr std::size_t most_events = 200;
+
+std::string document(const char* name, const std::string& json) {
+  if (json.empty()) return "";
+  return fmt::format("<h3>{}</h3>\n<pre>{}</pre>\n", name, xml_escaped(json));
+}
+
+std::string events_table(const RunFacts& facts) {
+  if (facts.events.empty()) return "";
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& [time_s, text] : facts.events) {
+    if (rows.size() == most_events) {
+      rows.push_back({"…", fmt::format("{} more in log.jsonl", facts.events.size() - most_events)});
+      break;
+    }
+    rows.push_back({fmt::format("{:.2f}", time_s), xml_escaped(text)});
+  }
+  return "<h3>Events</h3>\n" + table({"time [s]", "event"}, rows);
+}
+
+std::string hashes_table(const ReportInput& input) {
+  if (input.hashes.empty()) return "";
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& [file, hash] : input.hashes) {
+    rows.push_back({xml_escaped(file), "<span class=\"hash\">" + xml_escaped(hash) + "</span>"});
+  }
+  return "<h3>Hashes (SHA-256)</h3>\n" + table({"file", "hash"}, rows);
+}
+
+std::string bench_facts(const RunFacts& facts) {
+  if (facts.rig.empty()) return "";  // a stored recording: no bench took part
+  const std::string seed = facts.seed ? std::to_string(*facts.seed) : "–";
+  return fmt::format(
+      "<dl><dt>Seed</dt><dd>{}</dd><dt>Requests repeated by the drive's driver</dt><dd>{}</dd>"
+      "<dt>Shaft seen at standstill</dt><dd>{}</dd><dt>Brake released</dt><dd>{}</dd></dl>\n",
+      seed, facts.drive_retries, facts.shaft_stopped ? "yes" : "no",
+      facts.brake_released ? "yes" : "no");
+}
+
+}  // namespace
+
+std::string limits_section(const ReportInput& input) {
+  std::string html;
+  std::vector<std::vector<std::string>> rows;
+  for (const LimitCheck& check : input.judgement.limits) {
+    rows.push_back({xml_escaped(check.measure),
+                    xml_escaped(check.component.empty() ? "any" : check.component),
+                    number(check.measured), number(check.max), xml_escaped(check.unit),
+                    check.passed ? "within" : "<b>above</b>", xml_escaped(check.where),
+                    xml_escaped(check.why)});
+  }
+  if (!rows.empty()) {
+    html += "<h3>Limits of the plan</h3>\n" +
+            table({"measure", "part", "measured", "limit", "unit", "", "worst at", "why"}, rows);
+  }
+  std::vector<std::vector<std::string>> notes;
+  for (const analysis::QualityNote& note : input.judgement.diagnosis.quality) {
+    notes.push_back({xml_escaped(note.where), xml_escaped(note.what),
+                     note.invalidates ? "<b>invalid</b>" : "noted"});
+  }
+  for (const JudgedPoint& point : input.judgement.points) {
+    if (point.status == "ok" || point.status == "not_recorded") continue;
+    notes.push_back({xml_escaped(caption_of(point)), xml_escaped(point.status), "<b>invalid</b>"});
+  }
+  html += notes.empty() ? paragraph("No fault was seen in the data.")
+                        : "<h3>Quality of the data</h3>\n" + table({"where", "what", ""}, notes);
+  return section("Limits and data quality", html);
+}
+
+std::string settings_section(const ReportInput& input) {
+  return section("Settings and traceability",
+                 bench_facts(input.judgement.facts) + events_table(input.judgement.facts) +
+                     hashes_table(input) +
+                     document("Plan, every default spelled out", input.plan_json) +
+                     document("Rig, every default spelled out", input.rig_json));
+}
+
+}  // namespace rvbench::bench::report

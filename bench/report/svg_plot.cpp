@@ -1,0 +1,180 @@
+#include "bench/report/svg_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "bench/junit.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+constexpr int left_px = 64;
+constexpr int right_px = 14;
+constexpr int top_px = 46;  // the title and two rows of mark labels
+constexpr int bottom_px = 38;
+constexpr int label_row_px = 11;
+constexpr int label_rows = 2;
+constexpr double label_character_px = 5.6;
+
+void check(const PlotAxis& axis) {
+  if (!std::isfinite(axis.min) || !std::isfinite(axis.max) || !(axis.max > axis.min)) {
+    throw std::invalid_argument(
+        fmt::format("SvgPlot: axis \"{}\" from {} to {} is empty", axis.label, axis.min, axis.max));
+  }
+}
+
+std::string tick_text(double value) {
+  return fmt::format("{:.6g}", std::abs(value) < 1e-12 ? 0.0 : value);
+}
+
+/// Collects points into SVG path data; a break starts a new stroke.
+class Path {
+ public:
+  void point(double x_px, double y_px) {
+    data_ += fmt::format("{}{:.1f},{:.1f}", pen_down_ ? "L" : "M", x_px, y_px);
+    pen_down_ = true;
+  }
+  void lift() { pen_down_ = false; }
+  const std::string& data() const { return data_; }
+
+ private:
+  std::string data_;
+  bool pen_down_ = false;
+};
+
+}  // namespace
+
+SvgPlot::SvgPlot(std::string title, PlotAxis x, PlotAxis y, int width_px, int height_px)
+    : title_(std::move(title)),
+      x_(std::move(x)),
+      y_(std::move(y)),
+      width_px_(width_px),
+      height_px_(height_px) {
+  check(x_);
+  check(y_);
+}
+
+double SvgPlot::px(double x) const {
+  return left_px + (x - x_.min) / (x_.max - x_.min) * (width_px_ - left_px - right_px);
+}
+
+double SvgPlot::py(double y) const {
+  const double share = std::clamp((y - y_.min) / (y_.max - y_.min), 0.0, 1.0);
+  return height_px_ - bottom_px - share * (height_px_ - top_px - bottom_px);
+}
+
+void SvgPlot::add_trace(double x0, double dx, const Eigen::Ref<const Eigen::VectorXd>& y) {
+  const auto first = static_cast<Eigen::Index>(std::max(0.0, std::ceil((x_.min - x0) / dx)));
+  const auto last =
+      std::min(y.size() - 1, static_cast<Eigen::Index>(std::floor((x_.max - x0) / dx)));
+  Path path;
+  for (Eigen::Index i = first; i <= last;) {
+    const auto column = std::floor(px(x0 + double(i) * dx));
+    double least = y[i];
+    double greatest = y[i];
+    Eigen::Index next = i;
+    while (next <= last && std::floor(px(x0 + double(next) * dx)) <= column) {
+      least = std::fmin(least, y[next]);
+      greatest = std::fmax(greatest, y[next]);
+      ++next;
+    }
+    if (std::isnan(least)) {
+      path.lift();
+    } else if (least == greatest) {
+      path.point(px(x0 + double(i) * dx), py(least));
+    } else {
+      path.point(column, py(least));
+      path.point(column, py(greatest));
+    }
+    i = next;
+  }
+  traces_ += "<path class=\"trace\" d=\"" + path.data() + "\"/>";
+}
+
+void SvgPlot::add_mark(double x, std::string label) {
+  if (x >= x_.min && x <= x_.max) marks_.emplace_back(x, std::move(label));
+}
+
+std::string SvgPlot::axes() const {
+  const int bottom = height_px_ - bottom_px;
+  std::string text;
+  for (const double tick : round_ticks(x_.min, x_.max, 8)) {
+    text += fmt::format(
+        R"(<path class="grid" d="M{0:.1f},{1}V{2}"/><text x="{0:.1f}" y="{3}" class="mid">{4}</text>)",
+        px(tick), top_px, bottom, bottom + 13, tick_text(tick));
+  }
+  for (const double tick : round_ticks(y_.min, y_.max, 4)) {
+    text += fmt::format(
+        R"(<path class="grid" d="M{0},{1:.1f}H{2}"/><text x="{3}" y="{4:.1f}" class="end">{5}</text>)",
+        left_px, py(tick), width_px_ - right_px, left_px - 5, py(tick) + 3.5, tick_text(tick));
+  }
+  text += fmt::format(R"(<rect class="frame" x="{}" y="{}" width="{}" height="{}"/>)", left_px,
+                      top_px, width_px_ - left_px - right_px, bottom - top_px);
+  text += fmt::format(R"(<text x="{:.1f}" y="{}" class="mid">{}</text>)", px((x_.min + x_.max) / 2),
+                      height_px_ - 6, xml_escaped(x_.label));
+  const double middle = (top_px + bottom) / 2.0;
+  return text + fmt::format(
+                    R"x(<text transform="translate(13,{:.1f}) rotate(-90)" class="mid">{}</text>)x",
+                    middle, xml_escaped(y_.label));
+}
+
+std::string SvgPlot::marks() const {
+  auto sorted = marks_;
+  std::ranges::stable_sort(sorted, {}, &std::pair<double, std::string>::first);
+  double row_ends_px[label_rows] = {};
+  std::string text;
+  for (const auto& [x, label] : sorted) {
+    const double at = px(x);
+    text += fmt::format(R"(<path class="mark" d="M{:.1f},{}V{}"/>)", at, top_px,
+                        height_px_ - bottom_px);
+    const double half = label_character_px * double(label.size()) / 2;
+    const double centre = std::clamp(at, half, width_px_ - half);
+    for (int row = 0; row < label_rows; ++row) {
+      if (centre - half < row_ends_px[row]) continue;
+      row_ends_px[row] = centre + half + 4;
+      text += fmt::format(R"(<text x="{:.1f}" y="{}" class="mid marklabel">{}</text>)", centre,
+                          top_px - 4 - row * label_row_px, xml_escaped(label));
+      break;
+    }
+  }
+  return text;
+}
+
+std::string SvgPlot::svg() const {
+  return fmt::format(
+             R"(<svg viewBox="0 0 {} {}" role="img" aria-label="{}"><text x="{}" y="14" class="title">{}</text>)",
+             width_px_, height_px_, xml_escaped(title_), left_px, xml_escaped(title_)) +
+         axes() + traces_ + marks() + "</svg>\n";
+}
+
+std::vector<double> round_ticks(double min, double max, int count) {
+  const double rough = (max - min) / count;
+  const double decade = std::pow(10.0, std::floor(std::log10(rough)));
+  const double lead = rough / decade;
+  const double step = decade * (lead <= 1 ? 1 : lead <= 2 ? 2 : lead <= 5 ? 5 : 10);
+  std::vector<double> ticks;
+  for (double i = std::ceil(min / step - 1e-9); i * step <= max + 1e-9 * step; ++i)
+    ticks.push_back(i * step);
+  return ticks;
+}
+
+PlotAxis axis_around(std::string label, const Eigen::Ref<const Eigen::VectorXd>& y) {
+  double least = 0;
+  double greatest = 0;
+  for (const double value : y) {
+    least = std::fmin(least, value);
+    greatest = std::fmax(greatest, value);
+  }
+  if (least < 0) {
+    greatest = std::max(greatest, -least);
+    least = -greatest;
+  }
+  if (!(greatest > 0)) greatest = 1;  // a silent channel still gets a plot
+  return {std::move(label), 1.05 * least, 1.05 * greatest};
+}
+
+}  // namespace rvbench::bench

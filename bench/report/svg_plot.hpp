@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace rvbench::bench {
+
+struct PlotAxis {
+  std::string label;  ///< with its unit: "frequency [Hz]"
+  double min = 0;
+  double max = 1;
+};
+
+/// A line plot as one inline <svg>: axes with ticks, traces, and marks at places of interest.
+/// Colours come from the style sheet of the page.
+class SvgPlot {
+ public:
+  /// @throws std::invalid_argument if an axis is empty or not finite
+  SvgPlot(std::string title, PlotAxis x, PlotAxis y, int width_px = 720, int height_px = 220);
+
+  /// Samples at x0, x0 + dx, ... Where they are denser than the plot can show, each column draws
+  /// its least and its greatest value: no peak is lost. A NaN interrupts the trace.
+  void add_trace(double x0, double dx, const Eigen::Ref<const Eigen::VectorXd>& y);
+
+  /// A dashed line at x with a label on top; labels that would overlap go to further rows, and are
+  /// left out (the line stays) when there is no room.
+  void add_mark(double x, std::string label);
+
+  std::string svg() const;
+
+ private:
+  double px(double x) const;
+  double py(double y) const;
+  std::string axes() const;
+  std::string marks() const;
+
+  std::string title_;
+  PlotAxis x_;
+  PlotAxis y_;
+  int width_px_;
+  int height_px_;
+  std::string traces_;
+  std::vector<std::pair<double, std::string>> marks_;
+};
+
+/// Round values that part [min, max] into about `count` steps of 1, 2 or 5 times a power of ten.
+std::vector<double> round_ticks(double min, double max, int count);
+
+/// An axis that holds all of y with a little air; symmetric about zero if y has both signs.
+PlotAxis axis_around(std::string label, const Eigen::Ref<const Eigen::VectorXd>& y);
+
+}  // namespace rvbench::bench

@@ -1,0 +1,113 @@
+#include "bench/report/report.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <regex>
+
+#include "bench/report/order_spectrum.hpp"
+#include "hal/types/units.hpp"
+#include "tests/bench/judgements.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+using Catch::Matchers::Contains;
+
+constexpr double rate_Hz = 4960;
+
+analysis::Kinematics rv20e() {
+  analysis::Kinematics kinematics;
+  kinematics.machine = "RV-20E";
+  kinematics.period_turns = 121;
+  kinematics.orders = {
+      {"input shaft", 1, "1", "input_shaft", "drive shaft"},
+      {"sun-planet mesh", 1080.0 / 121, "1080/121", "sun_gear", "planetary gear meshing"},
+      {"cycloid orbit", 39.0 / 121, "39/121", "crank", "cycloid meshing"},
+      {"crank in carrier", 40.0 / 121, "40/121", "crank", ""},
+      {"pin pass", 78.0 / 121, "78/121", "pin_housing", "pin tooth meshing"}};
+  analysis::Signature signature;
+  signature.component = "input_shaft";
+  signature.depth_limit = 0.2;
+  kinematics.signatures = {signature};
+  return kinematics;
+}
+
+/// A 700 Hz carrier whose amplitude swings once per turn of a shaft that speeds up from 9 to 11
+/// turns a second.
+Recording chirped(double seconds) {
+  const auto count = static_cast<Eigen::Index>(seconds * rate_Hz);
+  Channel accel{{"accel_1x", "m/s²", "+X", not_known}, rate_Hz, 0, Eigen::VectorXd(count)};
+  Channel angle{{"input_angle", "rad", "", not_known}, rate_Hz, 0, Eigen::VectorXd(count)};
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double t = double(i) / rate_Hz;
+    angle.samples[i] = units::two_pi * (9 * t + t * t / seconds);
+    accel.samples[i] = (1 + 0.5 * std::cos(angle.samples[i])) * std::sin(units::two_pi * 700 * t);
+  }
+  Recording record;
+  record.source = "recording.h5#000";
+  record.speed_rpm = 600;
+  record.channels = {accel, angle};
+  return record;
+}
+
+ReportInput failed_input() {
+  ReportInput input;
+  input.judgement = test::failed_run();
+  input.kinematics = rv20e();
+  input.load = [](std::size_t) { return std::optional<Recording>(chirped(4)); };
+  input.plan_json = "{ \"name\": \"<quick>\" }";
+  input.rig_json = "{}";
+  input.hashes = {{"plan.json", std::string(64, 'a')}};
+  return input;
+}
+
+}  // namespace
+
+TEST_CASE("orders follow a shaft that changes its speed", "[bench]") {
+  const Recording record = chirped(20);
+  const Eigen::VectorXd swing = record.find("input_angle")->samples.array().cos();
+  const auto spectrum = order_spectrum(swing, record.channels.front(), record);
+  Eigen::Index peak = 0;
+  CHECK(spectrum.amplitude.maxCoeff(&peak) == Approx(1).epsilon(0.02));
+  CHECK(spectrum.axis(peak) == Approx(1).margin(spectrum.resolution));
+}
+
+TEST_CASE("without angle and speed there are no orders", "[bench]") {
+  Recording record = chirped(1);
+  record.channels.pop_back();
+  record.speed_rpm = not_known;
+  CHECK_THROWS_AS(order_spectrum(record.channels[0].samples, record.channels[0], record),
+                  std::invalid_argument);
+}
+
+TEST_CASE("the report says first what the verdict is", "[bench]") {
+  const std::string html = make_report(failed_input());
+  CHECK(html.find("FAIL") < html.find("input_shaft: misalignment"));
+  CHECK(html.find("class=\"verdict fail\"") < html.find("<h2>"));
+  for (const char* expected :
+       {"Matrix of speed and load", "Findings", "Stiffen, shorten or support", "39/121",
+        "Envelope spectrum of IMF 5", "IMF 9", "3.6 / 7.1 / 10.3 Hz", "87.3 / 175.5 / 263.7",
+        "Signature", "A-17 &lt;&amp;&quot;", "&lt;quick&gt;"}) {
+    INFO(expected);
+    CHECK_THAT(html, Contains(expected));
+  }
+}
+
+TEST_CASE("the report needs nothing but itself", "[bench]") {
+  const std::string html = make_report(failed_input());
+  CHECK_FALSE(std::regex_search(html, std::regex("(src|href) *=|url\\(|@import|<script|https?:")));
+  CHECK(html.size() < 3000000);
+  CHECK_THAT(html, !Contains("nan"));
+}
+
+TEST_CASE("a report without samples, points or findings is still a report", "[bench]") {
+  ReportInput input;
+  input.judgement.facts.serial = "A18";
+  const std::string html = make_report(input);
+  CHECK_THAT(html, Contains("ERROR"));
+  CHECK_THAT(html, Contains("the run did not end"));
+  CHECK_THAT(html, Contains("Nothing could be judged"));
+}
+
+}  // namespace rvbench::bench

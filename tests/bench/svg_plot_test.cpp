@@ -1,0 +1,70 @@
+#include "bench/report/svg_plot.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+namespace rvbench::bench {
+
+using Catch::Matchers::Contains;
+
+namespace {
+
+std::string trace_of(const SvgPlot& plot) {
+  const std::string svg = plot.svg();
+  const std::size_t begin = svg.find("class=\"trace\"");
+  return svg.substr(begin, svg.find("/>", begin) - begin);
+}
+
+}  // namespace
+
+TEST_CASE("ticks are round and lie on the axis", "[bench]") {
+  const auto near = [](const std::vector<double>& ticks, const std::vector<double>& expected) {
+    REQUIRE(ticks.size() == expected.size());
+    for (std::size_t i = 0; i < ticks.size(); ++i)
+      CHECK(ticks[i] == Approx(expected[i]).margin(1e-9));
+  };
+  near(round_ticks(0, 10, 5), {0, 2, 4, 6, 8, 10});
+  near(round_ticks(-0.13, 0.11, 5), {-0.1, -0.05, 0, 0.05, 0.1});
+  near(round_ticks(990, 1040, 5), {990, 1000, 1010, 1020, 1030, 1040});
+}
+
+TEST_CASE("one sample's peak in a million stays visible", "[bench]") {
+  Eigen::VectorXd flat = Eigen::VectorXd::Zero(1000000);
+  SvgPlot without("quiet", {"t", 0, 1}, {"x", -1, 1});
+  without.add_trace(0, 1e-6, flat);
+  flat[654321] = 1;
+  SvgPlot with("peak", {"t", 0, 1}, {"x", -1, 1});
+  with.add_trace(0, 1e-6, flat);
+  // y = 1 is the upper edge of the frame, 46 px from the top.
+  CHECK_THAT(trace_of(with), Contains(",46.0"));
+  CHECK_THAT(trace_of(without), !Contains(",46.0"));
+  CHECK(with.svg().size() < 40000);
+}
+
+TEST_CASE("a gap in the samples is a gap in the trace", "[bench]") {
+  Eigen::VectorXd y(4);
+  y << 0, 1, std::nan(""), 1;
+  SvgPlot plot("gap", {"t", 0, 3}, {"x", 0, 2});
+  plot.add_trace(0, 1, y);
+  const std::string trace = trace_of(plot);
+  CHECK(std::count(trace.begin(), trace.end(), 'M') == 2);
+  CHECK_THAT(trace, !Contains("nan"));
+}
+
+TEST_CASE("labels are escaped, and marks off the axis are left out", "[bench]") {
+  SvgPlot plot("a < b", {"t", 0, 1}, {"x", 0, 1});
+  plot.add_mark(0.5, "<here>");
+  plot.add_mark(7, "elsewhere");
+  CHECK_THAT(plot.svg(), Contains("a &lt; b"));
+  CHECK_THAT(plot.svg(), Contains("&lt;here&gt;"));
+  CHECK_THAT(plot.svg(), !Contains("elsewhere"));
+}
+
+TEST_CASE("an empty axis is the caller's bug", "[bench]") {
+  CHECK_THROWS_AS(SvgPlot("", {"t", 1, 1}, {"x", 0, 1}), std::invalid_argument);
+  CHECK_THROWS_AS(SvgPlot("", {"t", 0, std::nan("")}, {"x", 0, 1}), std::invalid_argument);
+  CHECK(axis_around("x", Eigen::VectorXd::Zero(3)).max > 0);
+}
+
+}  // namespace rvbench::bench
