@@ -17,14 +17,14 @@ struct QualityNote {
 
 /// How much of a characteristic family of lines one record shows.
 struct SignatureScore {
-  int signature = 0;      ///< index into Kinematics::signatures
-  double order = 0;       ///< where it was found; strays from the nominal one only within slip
-  double depth = 0;       ///< modulation depth: rms of the family's envelope lines over the mean
-                          ///< envelope, noise floor taken out; 1 = fully modulated
-  double statistic = 0;   ///< line power over the local noise floor, summed over the family
-  double p_value = 1;     ///< of `statistic`, for all lines, IMFs and channels searched
-  int imf = 0;            ///< 1-based: where the depth was read
-  int channel = 0;        ///< index into Examination::channels
+  int signature = 0;     ///< index into Kinematics::signatures
+  double order = 0;      ///< where it was found; strays from the nominal one only within slip
+  double depth = 0;      ///< modulation depth: rms of the family's envelope lines over the mean
+                         ///< envelope, noise floor taken out; 1 = fully modulated
+  double statistic = 0;  ///< line power over the local noise floor, summed over the family
+  double p_value = 1;    ///< of `statistic`, for all lines, IMFs and channels searched
+  int imf = 0;           ///< 1-based: where the depth was read
+  int channel = 0;       ///< index into Examination::channels
   std::vector<double> line_orders;  ///< the lines of the family, and
   std::vector<double> line_depths;  ///< the modulation depth of each
 };
@@ -35,7 +35,7 @@ struct SpectralLine {
   double frequency_Hz = 0;
   double amplitude = 0;  ///< 0-to-peak, in the unit of the channel
   double p_value = 1;
-  std::string meaning;   ///< "sun-planet mesh x2"; empty if the kinematics does not explain it
+  std::string meaning;  ///< "sun-planet mesh x2"; empty if the kinematics does not explain it
 };
 
 struct ChannelExamination {
@@ -54,7 +54,7 @@ struct Examination {
   double speed_rpm = not_known;
   double load_pct = not_known;
   int repeat = 0;
-  double periods = 0;  ///< output turns (or input turns) that the record spans
+  double periods = 0;       ///< output turns (or input turns) that the record spans
   bool resolvable = false;  ///< long enough to part the orders that the kinematics asks for
   std::vector<ChannelExamination> channels;
   std::vector<SignatureScore> scores;  ///< one per signature, best channel and IMF
@@ -67,13 +67,13 @@ struct Finding {
   std::string mechanism;
   std::string table4_item;
   double order = 0;
-  double frequency_Hz = 0;           ///< at the first point that shows it
-  std::vector<std::string> points;   ///< sources of the records that show it
+  double frequency_Hz = 0;          ///< at the first point that shows it
+  std::vector<std::string> points;  ///< sources of the records that show it
   std::vector<int> imfs;
   double statistic = 0;
-  double p_value = 1;   ///< over all points, for everything searched
-  double severity = 0;  ///< modulation depth, median over the points that show it
-  double limit = 0;     ///< of severity
+  double p_value = 1;     ///< over all points, for everything searched
+  double severity = 0;    ///< modulation depth, median over the points that show it
+  double limit = 0;       ///< of severity
   double confidence = 0;  ///< 0..1: share of severity over its limit among all findings
   std::string advice;
   std::vector<double> line_orders;  ///< evidence: the envelope lines, strongest first
@@ -81,8 +81,8 @@ struct Finding {
 };
 
 struct Diagnosis {
-  std::vector<Finding> findings;      ///< above their limit, gravest first
-  std::vector<Finding> below_limit;   ///< significant, but within limits
+  std::vector<Finding> findings;          ///< above their limit, gravest first
+  std::vector<Finding> below_limit;       ///< significant, but within limits
   std::vector<SpectralLine> unexplained;  ///< families of lines no kinematics accounts for
   std::vector<QualityNote> quality;
   bool resolvable = false;  ///< at least one record could be judged

@@ -1,0 +1,106 @@
+#include "analysis/envelope_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/hilbert.hpp"
+#include "analysis/statistics.hpp"
+
+namespace rvbench::analysis {
+namespace {
+
+/// Even angle steps fine enough for all the envelope's bandwidth, rate/4 at the most.
+int samples_per_turn(double rate_Hz, double speed_Hz) {
+  int samples = 32;
+  while (samples < 1024 && samples * speed_Hz < rate_Hz / 2) samples *= 2;
+  return samples;
+}
+
+Eigen::VectorXd without_average_period(const Eigen::VectorXd& x, Eigen::Index periods) {
+  const Eigen::Index length = x.size() / periods;
+  const Eigen::Map<const Eigen::MatrixXd> folded(x.data(), length, periods);
+  const Eigen::VectorXd average = folded.rowwise().mean();
+  return x - average.replicate(periods, 1);
+}
+
+struct Sums {
+  double statistic = 0;
+  double excess = 0;  ///< power above the floor
+  int lines = 0;
+};
+
+Sums sum_lines(const LineFloor& floor, double resolution, const std::vector<double>& lines,
+               double stretch, std::vector<double>* excess_of_line) {
+  Sums sums;
+  for (const double order : lines) {
+    const auto line = static_cast<Eigen::Index>(std::lround(order * stretch / resolution));
+    const bool inside = line >= 2 && line < floor.power.size() - 1;
+    const double excess = inside ? floor.power[line] - floor.floor[line] : 0;
+    if (excess_of_line != nullptr) excess_of_line->push_back(std::max(excess, 0.0));
+    if (!inside) continue;
+    sums.statistic += floor.power[line] / floor.floor[line];
+    sums.excess += excess;
+    ++sums.lines;
+  }
+  return sums;
+}
+
+}  // namespace
+
+EnvelopeSpectra envelope_spectra(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz,
+                                 double start_s, const ShaftAngle& angle, double period_turns) {
+  EnvelopeSpectra result;
+  const int per_turn = samples_per_turn(rate_Hz, angle.mean_speed_Hz());
+  const Eigen::VectorXd over_angle =
+      angle.resample(envelope(x), rate_Hz, start_s, period_turns, per_turn);
+  if (over_angle.size() < 16) return result;
+
+  result.mean = over_angle.mean();
+  result.periods = std::round(static_cast<double>(over_angle.size()) / per_turn / period_turns);
+  const auto periods = static_cast<Eigen::Index>(result.periods);
+  const Eigen::VectorXd swing = over_angle.array() - result.mean;
+  result.whole = amplitude_spectrum(swing, per_turn, Window::hann);
+  result.lines = line_floor(result.whole, periods);
+  if (periods >= 2 && over_angle.size() % periods == 0) {
+    result.unlocked = line_floor(
+        amplitude_spectrum(without_average_period(over_angle, periods), per_turn, Window::hann),
+        periods);
+  } else {
+    result.unlocked = result.lines;
+  }
+  return result;
+}
+
+FamilyScore score_family(const EnvelopeSpectra& envelope, const Signature& signature,
+                         const std::vector<double>& lines) {
+  FamilyScore score;
+  score.order = signature.order;
+  if (lines.empty() || !(envelope.mean > 0)) return score;
+  const double resolution = envelope.whole.resolution;
+  const LineFloor& floor = signature.slip > 0 ? envelope.unlocked : envelope.lines;
+
+  // Orders are tried so densely that the highest line moves by half a line from try to try.
+  const double highest = *std::max_element(lines.begin(), lines.end());
+  const auto tries = static_cast<int>(std::ceil(2 * signature.slip * highest / resolution));
+  double best_stretch = 1;
+  Sums best = sum_lines(floor, resolution, lines, 1, nullptr);
+  for (int i = -tries; i <= tries; ++i) {
+    const double stretch = tries == 0 ? 1 : 1 + signature.slip * i / tries;
+    const Sums sums = sum_lines(floor, resolution, lines, stretch, nullptr);
+    if (sums.statistic > best.statistic) {
+      best = sums;
+      best_stretch = stretch;
+    }
+  }
+  std::vector<double> excess;
+  sum_lines(floor, resolution, lines, best_stretch, &excess);
+  for (const double power : excess) score.line_depths.push_back(std::sqrt(power) / envelope.mean);
+  score.order = signature.order * best_stretch;
+  score.statistic = best.statistic;
+  score.p_value =
+      std::min(1.0, line_p_value(best.statistic, best.lines, floor.floor_lines) * (2 * tries + 1));
+  score.depth = std::sqrt(std::max(best.excess, 0.0)) / envelope.mean;
+  return score;
+}
+
+}  // namespace rvbench::analysis

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "analysis/kinematics.hpp"
+#include "analysis/line_floor.hpp"
+#include "analysis/shaft_angle.hpp"
+#include "analysis/spectrum.hpp"
+
+namespace rvbench::analysis {
+
+/// Envelope order spectrum of one IMF, with and without what repeats every period.
+struct EnvelopeSpectra {
+  double mean = 0;     ///< of the envelope: what modulation depth refers to
+  double periods = 0;  ///< whole periods spanned
+  Spectrum whole;      ///< over orders; Hann window
+  LineFloor lines;     ///< of `whole`
+  LineFloor unlocked;  ///< of the envelope minus its average over periods: what rolls or slips
+};
+
+/// Envelope of x, sampled over the shaft angle. Empty mean and spectra if no period fits.
+EnvelopeSpectra envelope_spectra(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz,
+                                 double start_s, const ShaftAngle& angle, double period_turns);
+
+/// What one signature shows in one IMF.
+struct FamilyScore {
+  double order = 0;                 ///< fundamental as found
+  double statistic = 0;             ///< Σ power/floor over the family's lines
+  double p_value = 1;               ///< for all orders tried within slip
+  double depth = 0;                 ///< modulation depth of the family, noise taken out
+  std::vector<double> line_depths;  ///< of each line, same order as `lines` given
+};
+
+/// @param lines  orders from signature_lines(); scaled together within the signature's slip
+FamilyScore score_family(const EnvelopeSpectra& envelope, const Signature& signature,
+                         const std::vector<double>& lines);
+
+}  // namespace rvbench::analysis

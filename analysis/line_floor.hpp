@@ -1,0 +1,23 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "analysis/spectrum.hpp"
+
+namespace rvbench::analysis {
+
+/// Power of a spectrum and of the noise around each of its lines.
+///
+/// The floor of a line is the median power of its neighbours, as the mean of the exponential
+/// distribution that noise lines have. Lines on, or next to, multiples of `locked_every` are left
+/// out where enough others remain: a gear train puts power on all of them.
+struct LineFloor {
+  Eigen::VectorXd power;   ///< amplitude², in the unit of the signal squared
+  Eigen::VectorXd floor;   ///< the same unit; > 0
+  double floor_lines = 1;  ///< independent lines that each floor value is worth
+};
+
+/// @param locked_every  lines from one shaft-locked line to the next; 0: there are none
+LineFloor line_floor(const Spectrum& spectrum, Eigen::Index locked_every);
+
+}  // namespace rvbench::analysis

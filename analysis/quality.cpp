@@ -1,0 +1,57 @@
+#include "analysis/quality.hpp"
+
+#include <cmath>
+
+namespace rvbench::analysis {
+namespace {
+
+constexpr Eigen::Index fewest_samples = 256;
+
+/// Samples in runs of three or more that stay at the largest magnitude: what clipping leaves.
+Eigen::Index samples_at_extreme(const Eigen::VectorXd& x) {
+  const double top = x.cwiseAbs().maxCoeff();
+  Eigen::Index count = 0;
+  Eigen::Index run = 0;
+  for (Eigen::Index i = 0; i <= x.size(); ++i) {
+    if (i < x.size() && std::abs(x[i]) >= top * (1 - 1e-9)) {
+      ++run;
+    } else {
+      if (run >= 3) count += run;
+      run = 0;
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+std::vector<const Channel*> acceleration_channels(const Recording& record) {
+  std::vector<const Channel*> channels;
+  for (const Channel& c : record.channels) {
+    if (c.info.unit.empty() || c.info.unit == "m/s²" || c.info.unit == "g") channels.push_back(&c);
+  }
+  return channels;
+}
+
+std::vector<QualityNote> channel_quality(const Channel& channel, double clip_level) {
+  const Eigen::VectorXd& x = channel.samples;
+  const auto bad = [&channel](std::string what) {
+    return std::vector<QualityNote>{{channel.info.name, std::move(what), true}};
+  };
+  if (x.size() < fewest_samples) {
+    return bad("too short: " + std::to_string(x.size()) + " samples, " +
+               std::to_string(fewest_samples) + " are the least");
+  }
+  if (!(channel.rate_Hz > 0)) return bad("no sample rate");
+  const Eigen::Index lost = x.size() - x.array().isFinite().count();
+  if (lost > 0)
+    return bad("lost samples: " + std::to_string(lost) + " of " + std::to_string(x.size()));
+  if (x.maxCoeff() == x.minCoeff()) return bad("dead: every sample is the same");
+  const Eigen::Index clipped = std::isfinite(clip_level)
+                                   ? (x.array().abs() >= 0.999 * clip_level).count()
+                                   : samples_at_extreme(x);
+  if (clipped > 0) return bad("clipped: " + std::to_string(clipped) + " samples at full scale");
+  return {};
+}
+
+}  // namespace rvbench::analysis

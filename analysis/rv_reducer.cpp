@@ -1,0 +1,156 @@
+#include "analysis/rv_reducer.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace rvbench::analysis {
+namespace {
+
+struct Rates {
+  double unit;   ///< carrier: 1/i
+  double sun;    ///< against the carrier
+  double crank;  ///< and planet, against the carrier
+  double orbit;  ///< crank in the housing
+};
+
+void check(const RvGeometry& g) {
+  if (g.sun_teeth < 1 || g.planet_teeth < 1 || g.planets < 1 || g.lobes < 1) {
+    throw std::invalid_argument("rv_reducer: counts must be positive");
+  }
+  if (g.pins != g.lobes + 1) throw std::invalid_argument("rv_reducer: pins must be lobes + 1");
+}
+
+double ratio(const RvGeometry& g) {
+  return 1 + static_cast<double>(g.planet_teeth) / g.sun_teeth * g.pins;
+}
+
+/// "1080/121" where the ratio is whole, else empty.
+std::string fraction(double order, double i) {
+  const double numerator = order * i;
+  if (std::abs(i - std::round(i)) > 1e-9 || std::abs(numerator - std::round(numerator)) > 1e-6) {
+    return {};
+  }
+  const auto whole = std::lround(numerator);
+  const auto denominator = std::lround(i);
+  return whole == denominator ? "1" : std::to_string(whole) + "/" + std::to_string(denominator);
+}
+
+std::vector<CharacteristicOrder> order_table(const RvGeometry& g, const Rates& r) {
+  std::vector<CharacteristicOrder> orders{
+      {"input shaft", 1, {}, "input_shaft", "Drive shaft frequency"},
+      {"sun against carrier", r.sun, {}, "sun_gear", ""},
+      {"planet and crank against carrier", r.crank, {}, "planet_gear", ""},
+      {"crank in housing", r.orbit, {}, "crank", "Cycloid meshing frequency"},
+      {"planet in housing", r.orbit, {}, "planet_gear", "Planetary gear rotation frequency"},
+      {"sun-planet mesh", g.sun_teeth * r.sun, {}, "sun_gear", "Planetary gear meshing frequency"},
+      {"pin strike, both discs", 2 * r.orbit, {}, "pin_housing", "Pin tooth meshing frequency"},
+      {"pin-lobe pass", g.pins * r.orbit, {}, "cycloid_disc", ""},
+      {"carrier and cycloid disc", r.unit, {}, "carrier", "Cycloidal gear rotation frequency"},
+      {"planet pass",
+       g.planets * r.unit,
+       {},
+       "carrier",
+       "Pin tooth shell characteristic frequency"},
+  };
+  for (CharacteristicOrder& o : orders) o.fraction = fraction(o.order, 1 / r.unit);
+  return orders;
+}
+
+std::vector<Signature> gear_signatures(const Rates& r) {
+  return {
+      {.component = "input_shaft",
+       .mechanism = "misalignment",
+       .table4_item = "Drive shaft frequency",
+       .order = 1,
+       .harmonics = 2,
+       .sidebands = {},
+       .depth_limit = 0.25,
+       .limit_why = "a shaft within tolerance leans on its bearing by less than a quarter of its "
+                    "preload",
+       .advice = "stiffen or shorten the input shaft, or support its free end with a bearing; "
+                 "check the run-out at the sun and the alignment of the coupling"},
+      {.component = "sun_gear",
+       .mechanism = "profile_error",
+       .table4_item = "Planetary gear meshing frequency",
+       .order = r.sun,
+       .harmonics = 8,
+       .sidebands = {r.unit, 2 * r.unit},
+       .depth_limit = 0.25,
+       .limit_why = "teeth of one quality class share the load within a quarter",
+       .advice = "measure the sun gear's tooth profile and pitch; replace the input gear"},
+      {.component = "crank",
+       .mechanism = "eccentricity",
+       .table4_item = "Cycloid meshing frequency",
+       .order = r.orbit,
+       .harmonics = 1,
+       .sidebands = {r.unit},
+       .depth_limit = 0.3,
+       .limit_why = "equal cranks load the discs alike all the way round",
+       .advice = "measure the eccentricity of the cranks against each other"},
+      {.component = "planet_gear",
+       .mechanism = "tooth_damage",
+       .table4_item = "Planetary gear rotation frequency",
+       .order = r.crank,
+       .harmonics = 24,
+       .sidebands = {r.unit},
+       .depth_limit = 0.3,
+       .limit_why = "one tooth among many may not stand out by more than its share",
+       .advice = "open the reducer and look at the planets' flanks; replace the planet pair"},
+      {.component = "pin_housing",
+       .mechanism = "pin_damage",
+       .table4_item = "Pin tooth meshing frequency",
+       .order = r.orbit,
+       .harmonics = 16,
+       .sidebands = {},
+       .depth_limit = 0.3,
+       .limit_why = "pins of one class share the load alike",
+       .advice = "look at the pins and their grooves in the shell; replace pins as a set"},
+  };
+}
+
+}  // namespace
+
+Kinematics rv_reducer(const std::string& machine, const RvGeometry& geometry,
+                      const BearingGeometry& crank_bearing) {
+  check(geometry);
+  const double i = ratio(geometry);
+  const Rates rates{
+      .unit = 1 / i, .sun = (i - 1) / i, .crank = geometry.pins / i, .orbit = geometry.lobes / i};
+  Kinematics k;
+  k.machine = machine;
+  k.period_turns = i;
+  k.orders = order_table(geometry, rates);
+  k.signatures = gear_signatures(rates);
+  if (crank_bearing.rolling_elements > 0) {
+    for (Signature& s : bearing_signatures(crank_bearing, rates.crank, 0.02)) {
+      k.orders.push_back({"crank " + s.component, s.order, {}, s.component, ""});
+      k.signatures.push_back(std::move(s));
+    }
+  }
+  return k;
+}
+
+std::vector<Signature> bearing_signatures(const BearingGeometry& bearing, double race_order,
+                                          double slip) {
+  const BearingOrders o = bearing_orders(bearing);
+  const auto signature = [&](const char* component, double order, int harmonics,
+                             std::vector<double> sidebands) {
+    return Signature{
+        .component = component,
+        .mechanism = "spall",
+        .table4_item = "",
+        .order = order * race_order,
+        .harmonics = harmonics,
+        .sidebands = std::move(sidebands),
+        .slip = slip,
+        .depth_limit = 0.15,
+        .limit_why = "a sound race leaves no periodic blows; what noise leaves is less",
+        .advice = "replace the bearing; look for the cause in load, fit and grease"};
+  };
+  return {signature("bearing_inner", o.inner, 4, {race_order}),
+          signature("bearing_outer", o.outer, 4, {}),
+          signature("bearing_ball", o.ball, 4, {o.cage * race_order}),
+          signature("bearing_cage", o.cage, 4, {})};
+}
+
+}  // namespace rvbench::analysis

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/kinematics.hpp"
+
+namespace rvbench::analysis {
+
+/// Characteristic orders and signatures of an RV reducer, every one a multiple of one turn of the
+/// carrier. Housing fixed, carrier is the output; signs are dropped.
+///
+///     i = 1 + (z2/z1)·zp;   sun against carrier (i − 1)/i;   crank against carrier zp/i;
+///     crank in the housing zc/i;   sun-planet mesh z1·(i − 1)/i;   pin-lobe pass zp·zc/i
+///
+/// @param crank_bearing  of each crank, inner race on the crank; rolling_elements 0: not known
+/// @throws std::invalid_argument naming what is not positive, or pins != lobes + 1
+Kinematics rv_reducer(const std::string& machine, const RvGeometry& geometry,
+                      const BearingGeometry& crank_bearing);
+
+/// Signatures of a bearing whose inner race turns at `race_order` against the outer one.
+std::vector<Signature> bearing_signatures(const BearingGeometry& bearing, double race_order,
+                                          double slip);
+
+}  // namespace rvbench::analysis

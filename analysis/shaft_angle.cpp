@@ -1,0 +1,109 @@
+#include "analysis/shaft_angle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hal/types/units.hpp"
+
+namespace rvbench::analysis {
+namespace {
+
+/// Catmull-Rom through four neighbours; x between p1 and p2, 0..1.
+double cubic(double p0, double p1, double p2, double p3, double x) {
+  return p1 +
+         0.5 * x * (p2 - p0 + x * (2 * p0 - 5 * p1 + 4 * p2 - p3 + x * (3 * (p1 - p2) + p3 - p0)));
+}
+
+double at(const Eigen::Ref<const Eigen::VectorXd>& x, double place) {
+  const Eigen::Index last = x.size() - 1;
+  const auto i = std::clamp(static_cast<Eigen::Index>(std::floor(place)), Eigen::Index{0}, last);
+  return cubic(x[std::max(i - 1, Eigen::Index{0})], x[i], x[std::min(i + 1, last)],
+               x[std::min(i + 2, last)], place - static_cast<double>(i));
+}
+
+double end_s(const Channel& channel) {
+  return channel.start_s + static_cast<double>(channel.samples.size()) / channel.rate_Hz;
+}
+
+/// Lost angle samples are bridged: the shaft cannot jump.
+Eigen::VectorXd bridged_turns(const Channel& angle) {
+  Eigen::VectorXd turns = angle.samples / units::two_pi;
+  Eigen::Index good = -1;
+  for (Eigen::Index i = 0; i < turns.size(); ++i) {
+    if (!std::isfinite(turns[i])) continue;
+    for (Eigen::Index k = good + 1; k < i; ++k) {
+      turns[k] = good < 0 ? turns[i]
+                          : turns[good] + (turns[i] - turns[good]) * static_cast<double>(k - good) /
+                                              static_cast<double>(i - good);
+    }
+    good = i;
+  }
+  return good < 0 ? Eigen::VectorXd{} : Eigen::VectorXd(turns.head(good + 1));
+}
+
+}  // namespace
+
+std::optional<ShaftAngle> ShaftAngle::of(const Recording& record) {
+  ShaftAngle shaft;
+  const Channel* angle = record.find(channel_names::input_angle);
+  if (angle != nullptr && angle->samples.size() > 1) {
+    shaft.start_s_ = angle->start_s;
+    shaft.step_s_ = 1 / angle->rate_Hz;
+    shaft.turns_ = bridged_turns(*angle);
+    if (shaft.turns_.size() < 2) return std::nullopt;
+  } else if (std::isfinite(record.speed_rpm) && !record.channels.empty()) {
+    const Channel& any = record.channels.front();
+    if (!(any.rate_Hz > 0)) return std::nullopt;
+    shaft.start_s_ = any.start_s;
+    shaft.step_s_ = end_s(any) - any.start_s;
+    shaft.turns_.resize(2);
+    shaft.turns_ << 0, units::Hz_from_rpm(std::abs(record.speed_rpm)) * shaft.step_s_;
+  } else {
+    return std::nullopt;
+  }
+  if (shaft.turns_[shaft.turns_.size() - 1] < shaft.turns_[0]) shaft.turns_ = -shaft.turns_;
+  const Eigen::Index n = shaft.turns_.size();
+  const bool turns_back =
+      (shaft.turns_.tail(n - 1).array() < shaft.turns_.head(n - 1).array()).any();
+  if (turns_back || !(shaft.turns_[n - 1] > shaft.turns_[0])) return std::nullopt;
+  shaft.turns_.array() -= shaft.turns_[0];
+  return shaft;
+}
+
+double ShaftAngle::mean_speed_Hz() const {
+  return turns_[turns_.size() - 1] / (step_s_ * static_cast<double>(turns_.size() - 1));
+}
+
+double ShaftAngle::turns_at(double time_s) const {
+  const double place = (time_s - start_s_) / step_s_;
+  const auto last = turns_.size() - 2;
+  const auto i = std::clamp(static_cast<Eigen::Index>(std::floor(place)), Eigen::Index{0}, last);
+  return turns_[i] + (turns_[i + 1] - turns_[i]) * (place - static_cast<double>(i));
+}
+
+double ShaftAngle::time_at(double turns) const {
+  const auto* begin = turns_.data();
+  const auto* end = begin + turns_.size();
+  const auto after =
+      std::clamp<Eigen::Index>(std::upper_bound(begin, end, turns) - begin, 1, turns_.size() - 1);
+  const double rise = std::max(turns_[after] - turns_[after - 1], 1e-300);
+  return start_s_ + step_s_ * (static_cast<double>(after - 1) + (turns - turns_[after - 1]) / rise);
+}
+
+Eigen::VectorXd ShaftAngle::resample(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz,
+                                     double start_s, double period_turns,
+                                     int samples_per_turn) const {
+  const double first = turns_at(start_s);
+  const double last = turns_at(start_s + static_cast<double>(x.size()) / rate_Hz);
+  const double periods = std::floor((last - first) / period_turns + 1e-6);
+  if (periods < 1) return {};
+  const auto n = static_cast<Eigen::Index>(std::llround(periods * period_turns * samples_per_turn));
+  Eigen::VectorXd even(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double time_s = time_at(first + static_cast<double>(i) / samples_per_turn);
+    even[i] = at(x, (time_s - start_s) * rate_Hz);
+  }
+  return even;
+}
+
+}  // namespace rvbench::analysis

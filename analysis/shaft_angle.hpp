@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "hal/types/recording.hpp"
+
+namespace rvbench::analysis {
+
+/// Where the input shaft stood at any time of a record, in turns from the record's first sample.
+class ShaftAngle {
+ public:
+  /// From the channel input_angle if the record has one, else from its mean speed.
+  /// Empty if it has neither, if the shaft turned back, or if it never turned.
+  static std::optional<ShaftAngle> of(const Recording& record);
+
+  double mean_speed_Hz() const;
+  double turns_at(double time_s) const;  ///< extrapolates at the ends
+  double time_at(double turns) const;    ///< the inverse
+  double first_s() const { return start_s_; }
+
+  /// Samples x, taken at rate_Hz from start_s on, anew at even steps of the shaft angle, over the
+  /// largest whole number of periods that fits. Empty if not even one fits.
+  ///
+  /// Third-order interpolation: sound up to a fifth of rate_Hz.
+  /// @param period_turns      input turns per period
+  /// @param samples_per_turn  > 0; their product with period_turns is whole
+  Eigen::VectorXd resample(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz,
+                           double start_s, double period_turns, int samples_per_turn) const;
+
+ private:
+  double start_s_ = 0;
+  double step_s_ = 0;
+  Eigen::VectorXd turns_;  ///< at start_s_ + i·step_s_
+};
+
+}  // namespace rvbench::analysis

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/kinematics.hpp"
+
+namespace rvbench::analysis {
+
+/// The envelope lines that speak for each signature and for no other.
+///
+/// A line that is a lower harmonic of another part belongs to that part: the planet's third
+/// harmonic is the sun's first, and says nothing about the planet. Of two equal claims the first
+/// listed wins. Sidebands that fall on another part's harmonics are dropped.
+///
+/// @param resolution  orders per line: what lies closer than 0.75 of it is the same line
+/// @return one list of orders per signature, ascending harmonics, sidebands behind their harmonic
+std::vector<std::vector<double>> signature_lines(const Kinematics& kinematics, double resolution);
+
+}  // namespace rvbench::analysis

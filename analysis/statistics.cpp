@@ -1,0 +1,45 @@
+#include "analysis/statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <unsupported/Eigen/SpecialFunctions>
+
+namespace rvbench::analysis {
+
+double median(std::vector<double> values) {
+  if (values.empty()) throw std::invalid_argument("median: no values");
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+double correlation(const Eigen::Ref<const Eigen::VectorXd>& a,
+                   const Eigen::Ref<const Eigen::VectorXd>& b) {
+  const Eigen::ArrayXd da = a.array() - a.mean();
+  const Eigen::ArrayXd db = b.array() - b.mean();
+  const double spread = std::sqrt(da.square().sum() * db.square().sum());
+  return spread > 0 ? (da * db).sum() / spread : 0;
+}
+
+double kurtosis(const Eigen::Ref<const Eigen::VectorXd>& x) {
+  const Eigen::ArrayXd d2 = (x.array() - x.mean()).square();
+  const double variance = d2.mean();
+  return variance > 0 ? d2.square().mean() / (variance * variance) : 0;
+}
+
+double line_p_value(double statistic, double lines, double floor_lines) {
+  if (!(statistic > 0)) return 1;
+  return Eigen::numext::betainc(floor_lines, lines, floor_lines / (floor_lines + statistic));
+}
+
+double combined_p_value(const std::vector<double>& p_values) {
+  if (p_values.empty()) return 1;
+  double sum = 0;
+  for (const double p : p_values) sum -= std::log(std::clamp(p, 1e-300, 1.0));
+  if (sum == 0) return 1;
+  return Eigen::numext::igammac(static_cast<double>(p_values.size()), sum);
+}
+
+}  // namespace rvbench::analysis

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace rvbench::analysis {
+
+/// Middle value; the mean of the two middle ones if their number is even.
+/// @throws std::invalid_argument if there is none
+double median(std::vector<double> values);
+
+/// Pearson correlation of two signals of one length; 0 if either is constant.
+double correlation(const Eigen::Ref<const Eigen::VectorXd>& a,
+                   const Eigen::Ref<const Eigen::VectorXd>& b);
+
+/// Fourth standardised moment: 3 for Gaussian noise, 1.5 for a sine; 0 for a constant.
+double kurtosis(const Eigen::Ref<const Eigen::VectorXd>& x);
+
+/// Probability that `lines` noise lines together reach `statistic` = Σ power/floor or more, where
+/// the floor itself was estimated from `floor_lines` independent noise lines.
+///
+/// Each line's power is exponentially distributed, so statistic/lines is F(2·lines, 2·floor_lines).
+/// Source  Percival & Walden, Spectral Analysis for Physical Applications (1993), §10.9
+double line_p_value(double statistic, double lines, double floor_lines);
+
+/// Fisher's combination of independent p-values. Empty: 1.
+double combined_p_value(const std::vector<double>& p_values);
+
+}  // namespace rvbench::analysis
