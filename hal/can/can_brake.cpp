@@ -39,9 +39,7 @@ Status CanBrake::connect() {
   const Status opened = transport_->open();
   if (!opened) return opened;
   was_opened_ = true;
-  while (transport_->receive()) {
-    // What waited before connect() is old.
-  }
+  drop_waiting_frames();
   has_status_ = saw_repeats_ = false;
   const Status released = send(0, false);
   if (!released) return released;
@@ -88,6 +86,10 @@ Status CanBrake::send(double torque_Nm, bool enable) {
       can_frames::frame_from_brake_command({torque_Nm, enable, ++command_counter_}));
 }
 
+void CanBrake::drop_waiting_frames() {
+  while (transport_->receive()) continue;
+}
+
 /// Keeps the newest status.
 Status CanBrake::take_waiting_frames() {
   for (;;) {
@@ -112,7 +114,10 @@ Status CanBrake::take_waiting_frames() {
 Status CanBrake::await_status() {
   for (;;) {
     const Status taken = take_waiting_frames();
-    if (!taken) return taken;
+    if (!taken) {
+      drop_waiting_frames();
+      return taken;
+    }
     const double now_s = clock_.now_s();
     if (now_s - fresh_s_ > options_.deadline_s) {
       return saw_repeats_ ? failure(IoErrc::stale, "read: the counter stands still")

@@ -37,6 +37,7 @@ class CanBrake final : public Brake {
 
  private:
   Status send(double torque_Nm, bool enable);
+  void drop_waiting_frames();
   Status take_waiting_frames();
   Status await_status();
 

@@ -44,9 +44,7 @@ Status CanTorqueSensor::connect() {
   connected_ = false;
   const Status opened = transport_->open();
   if (!opened) return opened;
-  while (transport_->receive()) {
-    // What waited before connect() is old.
-  }
+  drop_waiting_frames();
   track_ = Track{};
   saw_repeats_ = false;
   fresh_s_ = clock_.now_s();
@@ -63,7 +61,10 @@ Result<TorqueBlock> CanTorqueSensor::read() {
   TorqueBlock block;
   for (;;) {
     const Status taken = take_waiting_frames(track, block);
-    if (!taken) return taken.error();
+    if (!taken) {
+      drop_waiting_frames();
+      return taken.error();
+    }
     const double now_s = clock_.now_s();
     if (!block.samples.empty()) fresh_s_ = track.time_s;
     if (now_s - fresh_s_ > options_.deadline_s) {
@@ -77,6 +78,10 @@ Result<TorqueBlock> CanTorqueSensor::read() {
   track_ = track;
   block.t0_s = track.time_s - static_cast<double>(block.samples.size() - 1) / options_.rate_Hz;
   return block;
+}
+
+void CanTorqueSensor::drop_waiting_frames() {
+  while (transport_->receive()) continue;
 }
 
 Status CanTorqueSensor::take_waiting_frames(Track& track, TorqueBlock& block) {

@@ -1,0 +1,109 @@
+#include "hal/can/can_brake.hpp"
+
+#include <catch2/catch.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "tests/hal/can_bench.hpp"
+
+using namespace rvbench;
+
+namespace {
+
+struct Bench {
+  test::CanBench world;
+  hal::CanBrake brake{std::move(world.bus.bench), {.limits = {.max_torque_Nm = 600}}, world};
+
+  Bench() { world.transducer.set_fault(sim::NodeFault::silent); }  // no frames but the brake's
+
+  void hold(double torque_Nm, double duration_s) {
+    const double end_s = world.now_s() + duration_s;
+    while (world.now_s() < end_s) {
+      REQUIRE(brake.set_torque(torque_Nm));
+      world.wait_until(world.now_s() + 0.1);
+    }
+  }
+};
+
+}  // namespace
+
+SCENARIO("the brake holds what it is told, to 0.1 N·m", "[hal][can]") {
+  Bench bench;
+  REQUIRE(bench.brake.connect());
+  CHECK_FALSE(bench.world.brake.engaged());
+  bench.hold(167.04, 3);
+  CHECK(bench.world.brake.setpoint_Nm() == Approx(167.0));
+  const auto status = bench.brake.read();
+  REQUIRE(status);
+  CHECK(status.value().torque_Nm == Approx(167.0));
+  CHECK_FALSE(status.value().tripped);
+  bench.brake.release();
+  bench.world.wait_until(bench.world.now_s() + 0.02);
+  CHECK_FALSE(bench.world.brake.engaged());
+}
+
+SCENARIO("a brake that hears no more commands releases, and stays released", "[hal][can]") {
+  Bench bench;
+  REQUIRE(bench.brake.connect());
+  bench.hold(100, 0.5);
+  const double last_command_s = bench.world.now_s() - 0.1;
+  bench.world.wait_until(last_command_s + 0.99);
+  CHECK(bench.world.brake.engaged());
+  bench.world.wait_until(last_command_s + 1.01);
+  CHECK_FALSE(bench.world.brake.engaged());
+  WHEN("its status is read") {
+    bench.world.wait_until(bench.world.now_s() + 0.02);
+    THEN("it says that it is not as it should be") { CHECK(bench.brake.read().value().tripped); }
+  }
+  WHEN("commands come again") {
+    bench.hold(100, 0.5);
+    THEN("nothing resumes by itself") { CHECK_FALSE(bench.world.brake.engaged()); }
+  }
+  WHEN("it is connected anew") {
+    REQUIRE(bench.brake.connect());
+    bench.hold(100, 0.5);
+    THEN("it obeys again") { CHECK(bench.world.brake.engaged()); }
+  }
+}
+
+SCENARIO("a brake that misbehaves is an error, each in its own word", "[hal][can]") {
+  Bench bench;
+  REQUIRE(bench.brake.connect());
+  bench.hold(100, 0.3);
+  REQUIRE(bench.brake.read());
+  const auto code_after = [&](sim::NodeFault fault) {
+    bench.world.brake.set_fault(fault);
+    bench.world.wait_until(bench.world.now_s() + 0.3);
+    const auto status = bench.brake.read();
+    REQUIRE_FALSE(status);
+    return status.error().code;
+  };
+  SECTION("silent") { CHECK(code_after(sim::NodeFault::silent) == IoErrc::timeout); }
+  SECTION("frozen") { CHECK(code_after(sim::NodeFault::frozen) == IoErrc::stale); }
+  SECTION("garbled") { CHECK(code_after(sim::NodeFault::garbled) == IoErrc::bad_reply); }
+  SECTION("its own trip is told, and a new connect resets it") {
+    bench.world.brake.trip();
+    bench.world.wait_until(bench.world.now_s() + 0.02);
+    CHECK(bench.brake.read().value().tripped);
+    bench.hold(100, 0.3);
+    CHECK_FALSE(bench.world.brake.engaged());
+    CHECK(bench.brake.connect());
+  }
+}
+
+SCENARIO("a brake that does not answer is found at connect", "[hal][can]") {
+  Bench bench;
+  bench.world.brake.set_fault(sim::NodeFault::silent);
+  const auto connected = bench.brake.connect();
+  REQUIRE_FALSE(connected);
+  CHECK(connected.error().code == IoErrc::timeout);
+  CHECK_FALSE(bench.brake.set_torque(10));
+}
+
+TEST_CASE("a brake beyond what its frames can tell is the caller's bug", "[hal][can]") {
+  test::CanBench world;
+  CHECK_THROWS_AS(hal::CanBrake(nullptr, {}, world), std::invalid_argument);
+  CHECK_THROWS_AS(
+      hal::CanBrake(std::move(world.bus.bench), {.limits = {.max_torque_Nm = 7000}}, world),
+      std::invalid_argument);
+}

@@ -1,0 +1,184 @@
+#include "hal/can/can_torque_sensor.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "hal/types/units.hpp"
+#include "tests/hal/can_bench.hpp"
+
+using namespace rvbench;
+
+namespace {
+
+constexpr double rate_Hz = test::CanBench::rate_Hz;
+constexpr double deadline_s = 0.2;
+constexpr double count_rad = units::two_pi / 65536;
+
+struct Bench {
+  Bench() {
+    world.brake.set_fault(sim::NodeFault::silent);  // no frames but the transducer's
+    REQUIRE(sensor.connect());
+  }
+
+  void wait_until(double time_s) { world.wait_until(time_s); }
+  double newest_sample_s() const { return std::floor(world.now_s() * rate_Hz + 1e-6) / rate_Hz; }
+
+  test::CanBench world;
+  hal::CanTorqueSensor sensor{
+      std::move(world.bus.bench), {.rate_Hz = rate_Hz, .deadline_s = deadline_s}, world};
+};
+
+int count_nan(const hal::TorqueBlock& block) {
+  int lost = 0;
+  for (const auto& sample : block.samples) lost += std::isnan(sample.torque_Nm) ? 1 : 0;
+  return lost;
+}
+
+}  // namespace
+
+SCENARIO("torque and angle arrive as the transducer has them", "[hal][can]") {
+  Bench bench;
+  WHEN("the shaft turns at 3000 rpm for a second") {
+    bench.wait_until(0.1);
+    REQUIRE(bench.sensor.read());
+    std::size_t samples = 0;
+    hal::TorqueSample last;
+    for (int i = 2; i <= 11; ++i) {
+      bench.wait_until(0.1 * i);
+      const auto block = bench.sensor.read();
+      REQUIRE(block);
+      CHECK(block.value().lost == 0);
+      samples += block.value().samples.size();
+      last = block.value().samples.back();
+    }
+    THEN("all samples are there") { CHECK(samples == 500); }
+    THEN("the torque is right to a µN·m") {
+      CHECK(last.torque_Nm == Approx(test::CanBench::torque_Nm).margin(1e-6).epsilon(0));
+    }
+    THEN("the angle is unwrapped over 55 turns, to one count") {
+      const double angle_rad = test::CanBench::angle_rad(bench.newest_sample_s());
+      CHECK(last.angle_rad == Approx(angle_rad).margin(1.01 * count_rad).epsilon(0));
+      CHECK(last.angle_rad > 54.9 * units::two_pi);
+    }
+  }
+  WHEN("nothing new has come since the last call") {
+    const double now_s = bench.world.now_s();
+    const auto block = bench.sensor.read();
+    THEN("read waits for the next sample") {
+      REQUIRE(block);
+      CHECK(block.value().samples.size() == 1);
+      CHECK(bench.world.now_s() - now_s <= 1.01 / rate_Hz);
+    }
+  }
+}
+
+SCENARIO("lost frames become NaN, in their place and counted", "[hal][can]") {
+  Bench bench;
+  bench.wait_until(0.1);
+  REQUIRE(bench.sensor.read());
+  const int lost = GENERATE(1, 7, 90, 255, 256, 300, 700);
+  bench.world.transducer.lose_frames(lost);
+  bench.wait_until(0.1 + (lost + 10) / rate_Hz);
+  const auto block = bench.sensor.read();
+  REQUIRE(block);
+  CHECK(block.value().lost == lost);
+  CHECK(count_nan(block.value()) == lost);
+  CHECK(block.value().samples.size() == static_cast<std::size_t>(lost) + 10);
+  CHECK_FALSE(std::isnan(block.value().samples.back().torque_Nm));
+  THEN("the angle goes on through the gap without losing a turn") {
+    const double angle_rad = test::CanBench::angle_rad(bench.newest_sample_s());
+    CHECK(block.value().samples.back().angle_rad ==
+          Approx(angle_rad).margin(1.01 * count_rad).epsilon(0));
+  }
+}
+
+SCENARIO("a transducer that misbehaves is an error, each in its own word", "[hal][can]") {
+  Bench bench;
+  bench.wait_until(0.1);
+  REQUIRE(bench.sensor.read());
+  WHEN("it falls silent") {
+    bench.world.transducer.set_fault(sim::NodeFault::silent);
+    const auto block = bench.sensor.read();
+    THEN("that is a time-out at the deadline") {
+      REQUIRE_FALSE(block);
+      CHECK(block.error().code == IoErrc::timeout);
+      CHECK(bench.world.now_s() == Approx(0.1 + deadline_s).margin(1.1 / rate_Hz));
+    }
+  }
+  WHEN("it sends its last frame again and again") {
+    bench.world.transducer.set_fault(sim::NodeFault::frozen);
+    bench.wait_until(bench.world.now_s() + GENERATE(0.0, 0.15, 5.0));
+    const auto block = bench.sensor.read();
+    THEN("that is stale, however long it lasts") {
+      REQUIRE_FALSE(block);
+      CHECK(block.error().code == IoErrc::stale);
+    }
+  }
+  WHEN("it sends each frame twice") {
+    bench.world.transducer.set_fault(sim::NodeFault::duplicated);
+    bench.wait_until(0.2);
+    THEN("each counts once") {
+      const auto block = bench.sensor.read();
+      REQUIRE(block);
+      CHECK(block.value().samples.size() == 50);
+      CHECK(block.value().lost == 0);
+    }
+  }
+  WHEN("a frame has the wrong length") {
+    bench.world.transducer.set_fault(sim::NodeFault::garbled);
+    bench.wait_until(0.11);
+    const auto block = bench.sensor.read();
+    REQUIRE_FALSE(block);
+    CHECK(block.error().code == IoErrc::bad_reply);
+  }
+  WHEN("it is being zeroed, overloaded or has its shunt on") {
+    bench.world.transducer.set_flags(GENERATE(sim::TransducerFlags{.zeroing = true},
+                                              sim::TransducerFlags{.overload = true},
+                                              sim::TransducerFlags{.shunt_on = true}));
+    bench.wait_until(0.11);
+    const auto block = bench.sensor.read();
+    THEN("its values are not passed on; afterwards they count as lost") {
+      REQUIRE_FALSE(block);
+      CHECK(block.error().code == IoErrc::bad_reply);
+      bench.world.transducer.set_flags({});
+      bench.wait_until(0.15);
+      const auto next = bench.sensor.read();
+      REQUIRE(next);
+      CHECK(next.value().lost == 5);
+    }
+  }
+  WHEN("what waits is older than the deadline, because nothing came since") {
+    bench.wait_until(0.15);
+    bench.world.transducer.set_fault(sim::NodeFault::silent);
+    bench.wait_until(1);
+    const auto block = bench.sensor.read();
+    THEN("it is not taken for fresh") {
+      REQUIRE_FALSE(block);
+      CHECK(block.error().code == IoErrc::timeout);
+    }
+  }
+}
+
+TEST_CASE("a transducer that never answers is found at connect", "[hal][can]") {
+  test::CanBench world;
+  world.transducer.set_fault(sim::NodeFault::silent);
+  world.brake.set_fault(sim::NodeFault::silent);
+  hal::CanTorqueSensor sensor(std::move(world.bus.bench), {.rate_Hz = rate_Hz, .deadline_s = 0.2},
+                              world);
+  const auto connected = sensor.connect();
+  REQUIRE_FALSE(connected);
+  CHECK(connected.error().code == IoErrc::timeout);
+  CHECK(sensor.read().error().code == IoErrc::disconnected);
+}
+
+TEST_CASE("a torque sensor without rate, deadline or transport is the caller's bug", "[hal][can]") {
+  test::CanBench world;
+  CHECK_THROWS_AS(hal::CanTorqueSensor(nullptr, {}, world), std::invalid_argument);
+  CHECK_THROWS_AS(hal::CanTorqueSensor(std::move(world.bus.bench), {.rate_Hz = 0}, world),
+                  std::invalid_argument);
+  test::CanBench other;
+  CHECK_THROWS_AS(hal::CanTorqueSensor(std::move(other.bus.bench), {.deadline_s = NAN}, other),
+                  std::invalid_argument);
+}
