@@ -16,17 +16,20 @@ struct Emd {
   Eigen::MatrixXd imfs;     ///< N x K, fastest first
   Eigen::VectorXd residue;  ///< x minus the sum of the IMFs
 
-  /// For each IMF, how many samples at either end the end rule makes unreliable.
+  /// For each IMF, how many samples at either end the end rule makes unreliable: further in, the
+  /// IMF is within 1 % of its rms of that of a longer record, at 19 of 20 ends. Six of its mean
+  /// periods times the fourth root of the sifts; at most N.
   std::vector<Eigen::Index> unreliable_ends;
 };
 
 /// Empirical mode decomposition.
 ///
-/// Envelopes are cubic splines through maxima and minima; extrema are mirrored at the ends. A
-/// plateau counts as one extremum at its middle. Scale, offset and time reversal of x scale,
-/// leave and reverse the IMFs (to rounding).
+/// Envelopes are natural cubic splines through maxima and minima, two of each mirrored past either
+/// end. A plateau counts as one extremum at its middle; with fewer than three extrema x is all
+/// residue. Scale, offset and time reversal of x scale, leave and reverse the IMFs (to rounding).
 ///
-/// Shape   N samples → up to options.imfs columns
+/// Shape   N samples → up to options.imfs columns; any N
+/// Threads any number at once; the result does not depend on them
 /// Errors  throws std::invalid_argument: sample not finite, options not positive
 /// Source  Huang et al., Proc. R. Soc. A 454, 903-995 (1998); Rilling & Flandrin (2008)
 Emd emd(const Eigen::Ref<const Eigen::VectorXd>& x, const EmdOptions& options = {});

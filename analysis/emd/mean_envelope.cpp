@@ -21,6 +21,10 @@ Cubic mean(const Cubic& a, const Cubic& b) {
           0.5 * (a.twist + b.twist)};
 }
 
+// The first sample at or after an extremum, which lies on a sample or half-way between two. Up to
+// sample 0 any answer that is not positive will do. (std::ceil is a call on older processors.)
+Eigen::Index sample_from(double at) { return (static_cast<Eigen::Index>(2 * at) + 1) / 2; }
+
 // Not in 64 bits: vector units convert only 32-bit integers.
 void subtract(const Cubic& cubic, double u_first, double* samples, int count) {
   for (int i = 0; i < count; ++i) {
@@ -50,10 +54,8 @@ void MeanEnvelope::subtract_from(Eigen::Ref<Eigen::VectorXd> h, const Extrema& e
     const Cubic own = segment(j);
     const Cubic both = mean(own, other.moved(at[j] - at[j - 1]));
     other = own;
-    // Extrema lie on samples or half-way between: adding a half and truncating is ceil.
     const bool is_last = j + 3 == extrema.count;
-    const Eigen::Index end =
-        is_last ? h.size() : std::min(h.size(), static_cast<Eigen::Index>(at[j + 1] + 0.5));
+    const Eigen::Index end = is_last ? h.size() : std::min(h.size(), sample_from(at[j + 1]));
     if (end <= i) continue;
     subtract(both, static_cast<double>(i) - at[j], h.data() + i, static_cast<int>(end - i));
     i = end;

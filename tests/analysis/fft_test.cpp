@@ -20,7 +20,7 @@ Eigen::VectorXcd dft(const Eigen::VectorXd& x) {
   for (Eigen::Index k = 0; k < lines.size(); ++k) {
     for (Eigen::Index i = 0; i < n; ++i) {
       const auto turns = static_cast<double>(i * k % n) / static_cast<double>(n);
-      lines[k] += std::polar(x[i], -2 * std::numbers::pi * turns);
+      lines[k] += x[i] * std::polar(1.0, -2 * std::numbers::pi * turns);
     }
   }
   return lines;
