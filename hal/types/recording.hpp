@@ -36,6 +36,7 @@ struct Recording {
   int repeat = 0;                ///< 1, 2, ... ; 0 if it is not part of a matrix
   std::string status;            ///< "ok", or why the record cannot be used
   std::vector<Channel> channels;
+  std::vector<std::string> notes;  ///< how the file was read, where it was not obvious
 
   /// The channel of that name; nullptr if there is none.
   const Channel* find(std::string_view name) const {

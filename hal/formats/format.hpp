@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hal/types/recording.hpp"
+#include "hal/types/result.hpp"
+
+namespace rvbench::hal::formats {
+
+/// One file format. A new one is a new file with a function that returns this, named in the list
+/// of read_recordings.cpp.
+struct Format {
+  std::string_view name;
+  /// By the file's first bytes (up to 4096).
+  bool (*recognises)(std::string_view head);
+  std::vector<std::string_view> extensions;  ///< of files that nobody recognises; lower case
+  /// `file` is a regular file, readable and not empty. Leaves rate_Hz 0 where it is not stated.
+  Result<std::vector<Recording>> (*read)(const std::filesystem::path& file);
+};
+
+Format hdf5_format();
+Format mat5_format();
+Format csv_format();
+
+/// "<file>: <what>", as bad_reply
+IoError bad_file(const std::filesystem::path& file, const std::string& what);
+
+}  // namespace rvbench::hal::formats

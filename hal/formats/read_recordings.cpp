@@ -1,0 +1,140 @@
+#include "hal/formats/read_recordings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <optional>
+
+#include "hal/formats/format.hpp"
+#include "hal/formats/printable.hpp"
+
+namespace rvbench::hal {
+namespace {
+
+using formats::bad_file;
+using formats::Format;
+
+std::vector<Format> known_formats() {
+  return {formats::hdf5_format(), formats::mat5_format(), formats::csv_format()};
+}
+
+std::optional<IoError> find_obstacle(const std::filesystem::path& file) {
+  const auto because = [&file](IoErrc code, const std::string& why) {
+    return IoError{code, file.string() + ": " + why};
+  };
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) {
+    return because(IoErrc::disconnected, error && status.type() == std::filesystem::file_type::none
+                                             ? error.message()
+                                             : "no such file");
+  }
+  if (std::filesystem::is_directory(status)) return because(IoErrc::refused, "is a folder");
+  if (!std::filesystem::is_regular_file(status)) return because(IoErrc::refused, "is no file");
+  if (!std::ifstream(file)) return because(IoErrc::refused, std::strerror(errno));
+  if (std::filesystem::file_size(file, error) == 0) return bad_file(file, "is empty");
+  return std::nullopt;
+}
+
+std::string head_of(const std::filesystem::path& file) {
+  std::string head(4096, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(stream.gcount()));
+  return head;
+}
+
+std::string lower_extension(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+std::optional<Format> choose_format(const std::filesystem::path& file) {
+  const std::string head = head_of(file);
+  const std::string extension = lower_extension(file);
+  const std::vector<Format> formats = known_formats();
+  for (const Format& format : formats) {
+    if (format.recognises(head)) return format;
+  }
+  for (const Format& format : formats) {
+    const auto& own = format.extensions;
+    if (std::find(own.begin(), own.end(), extension) != own.end()) return format;
+  }
+  return std::nullopt;
+}
+
+void apply_rate(double rate_Hz, Recording& recording) {
+  bool differs = false;
+  for (Channel& channel : recording.channels) {
+    differs = differs || (channel.rate_Hz > 0 && channel.rate_Hz != rate_Hz);
+    channel.rate_Hz = rate_Hz;
+  }
+  if (differs)
+    recording.notes.push_back(fmt::format("rate {} Hz as given: the file says otherwise", rate_Hz));
+}
+
+void apply_speed(double speed_rpm, Recording& recording) {
+  if (recording.speed_rpm > 0 && recording.speed_rpm != speed_rpm) {
+    recording.notes.push_back(
+        fmt::format("speed {} rpm as given: the file says {}", speed_rpm, recording.speed_rpm));
+  }
+  recording.speed_rpm = speed_rpm;
+}
+
+/// Foreign text goes into reports and JSON.
+void make_printable(Recording& recording) {
+  for (Channel& channel : recording.channels) {
+    channel.info.name = formats::printable(channel.info.name);
+    channel.info.unit = formats::printable(channel.info.unit);
+    channel.info.direction = formats::printable(channel.info.direction);
+  }
+  for (std::string& note : recording.notes) note = formats::printable(note);
+  recording.status = formats::printable(recording.status);
+}
+
+void check_hint(const char* name, double value) {
+  if (std::isnan(value) || (value > 0 && std::isfinite(value))) return;
+  throw std::invalid_argument(fmt::format("read_recordings: {} {} is not above 0", name, value));
+}
+
+bool has_samples(const Recording& recording) {
+  return std::any_of(recording.channels.begin(), recording.channels.end(),
+                     [](const Channel& channel) { return channel.samples.size() > 0; });
+}
+
+}  // namespace
+
+IoError formats::bad_file(const std::filesystem::path& file, const std::string& what) {
+  return IoError{IoErrc::bad_reply, file.string() + ": " + what};
+}
+
+Result<std::vector<Recording>> read_recordings(const std::filesystem::path& file,
+                                               const RecordingHints& hints) {
+  check_hint("rate_Hz", hints.rate_Hz);
+  check_hint("speed_rpm", hints.speed_rpm);
+  if (const auto obstacle = find_obstacle(file)) return *obstacle;
+  const std::optional<Format> format = choose_format(file);
+  if (!format) return bad_file(file, "no known format (HDF5, MAT v5, CSV)");
+  Result<std::vector<Recording>> read = format->read(file);
+  if (!read) return IoError{read.error().code, formats::printable(read.error().where)};
+
+  std::vector<Recording> recordings = std::move(read).value();
+  std::erase_if(recordings, [](const Recording& recording) { return !has_samples(recording); });
+  if (recordings.empty()) return bad_file(file, "holds no samples");
+  for (Recording& recording : recordings) {
+    make_printable(recording);
+    if (!std::isnan(hints.rate_Hz)) apply_rate(hints.rate_Hz, recording);
+    if (!std::isnan(hints.speed_rpm)) apply_speed(hints.speed_rpm, recording);
+  }
+  return recordings;
+}
+
+}  // namespace rvbench::hal

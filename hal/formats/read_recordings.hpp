@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "hal/types/recording.hpp"
+#include "hal/types/result.hpp"
+
+namespace rvbench::hal {
+
+/// What the user knows about a file. It goes before what the file says; a note tells if the two
+/// differ.
+struct RecordingHints {
+  double rate_Hz = not_known;
+  double speed_rpm = not_known;
+};
+
+/// Reads a recording of any supported format, chosen by content, then by extension: rvbench's own
+/// HDF5, MAT v5 (numeric arrays), CSV.
+///
+/// Rate     of channels is 0 if neither file nor hints give it: it is never guessed, ask the user
+/// Units    as the file says; "" if it says none
+/// Samples  NaN where the file says so: a lost sample
+/// Errors   "<file>: <variable or line:column>: <what>"; at least one recording with samples
+///          otherwise. @throws std::invalid_argument if a hint is not above 0
+Result<std::vector<Recording>> read_recordings(const std::filesystem::path& file,
+                                               const RecordingHints& hints = {});
+
+}  // namespace rvbench::hal

@@ -1,0 +1,215 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+
+#include "hal/formats/printable.hpp"
+#include "hal/formats/read_recordings.hpp"
+#include "tests/hal/mat5_builder.hpp"
+#include "tests/hal/recording_fixture.hpp"
+
+namespace rvbench::hal {
+namespace {
+
+using Catch::Contains;
+using test::Scratch;
+
+std::filesystem::path written(const Scratch& scratch, const std::string& name,
+                              const std::string& bytes) {
+  std::ofstream(scratch / name, std::ios::binary) << bytes;
+  return scratch / name;
+}
+
+/// What is said about a file that must be refused; the text of the error.
+std::string complaint(const std::filesystem::path& file) {
+  const auto read = read_recordings(file);
+  REQUIRE_FALSE(read);
+  CHECK_THAT(read.error().where, Contains(file.filename().string()));
+  return read.error().where;
+}
+
+}  // namespace
+
+TEST_CASE("a CSV file is one recording, a channel per column, of unknown rate", "[hal][formats]") {
+  const Scratch scratch;
+  const auto file = written(scratch, "a.csv", "a1, \"a2\"\r\n1.5,-2e3\r\n+2,NaN\r\n\r\n");
+  const auto read = read_recordings(file);
+  REQUIRE(read);
+  REQUIRE(read.value().size() == 1);
+  const Recording& recording = read.value()[0];
+  CHECK(recording.source == file.string());
+  CHECK(recording.status == "ok");
+  CHECK(std::isnan(recording.speed_rpm));
+  REQUIRE(recording.channels.size() == 2);
+  CHECK(recording.channels[0].info.name == "a1");
+  CHECK(recording.channels[1].info.name == "a2");
+  CHECK(recording.channels[0].rate_Hz == 0);
+  CHECK(recording.channels[0].samples == Eigen::Vector2d(1.5, 2));
+  CHECK(recording.channels[1].samples[0] == -2000);
+  CHECK(std::isnan(recording.channels[1].samples[1]));
+}
+
+TEST_CASE("CSV dialects: semicolons, no header, a separator at the line's end", "[hal][formats]") {
+  const Scratch scratch;
+  const auto semicolons = read_recordings(written(scratch, "s.csv", "a;b\n1;2\n3;4\n"));
+  REQUIRE(semicolons);
+  CHECK(semicolons.value()[0].channels[1].samples == Eigen::Vector2d(2, 4));
+  const auto headless = read_recordings(written(scratch, "h.csv", "1,2\n3,4"));
+  REQUIRE(headless);
+  CHECK(headless.value()[0].channels[0].info.name == "column_1");
+  CHECK(headless.value()[0].channels[0].samples == Eigen::Vector2d(1, 3));
+  const auto trailing = read_recordings(written(scratch, "t.csv", "\"V1\",\"V2\",\n1,2,\n3,4,\n"));
+  REQUIRE(trailing);
+  CHECK(trailing.value()[0].channels.size() == 2);
+}
+
+TEST_CASE("a bad CSV file is refused with the place of its fault", "[hal][formats]") {
+  const Scratch scratch;
+  const auto said = [&](const std::string& bytes) {
+    return complaint(written(scratch, "bad.csv", bytes));
+  };
+  CHECK_THAT(said("a,b\n1,2\n3\n"), Contains("bad.csv: 3: 1 values, not 2"));
+  CHECK_THAT(said("a,b\n1,2\n3,4,5\n"), Contains("3: 3 values, not 2"));
+  CHECK_THAT(said("a,b\n1,2\n3,x7\n"), Contains("3:2: \"x7\" is not a number"));
+  CHECK_THAT(said("a,b\n1,\n"), Contains("2: 1 values, not 2"));
+  CHECK_THAT(said("a,b\n,1\n"), Contains("2:1: \"\" is not a number"));
+  CHECK_THAT(said("a,b\ninf,1\n"), Contains("2:1: \"inf\" is not a number"));
+  CHECK_THAT(said("a,b\n1e999,1\n"), Contains("2:1: \"1e999\" is not a number"));
+  CHECK_THAT(said("a,b\n"), Contains("holds no samples"));
+  CHECK_THAT(said("a,a\n1,2\n"), Contains("1:2: channel \"a\" is there twice"));
+  CHECK_THAT(said("a,,b\n1,2,3\n"), Contains("1:2: a channel without name"));
+  CHECK_THAT(said(std::string("a,b\n1,\0\n", 8)), Contains("2: not text"));
+  CHECK_THAT(said("a,b\n1,\xFF\n"), Contains("2:2: \"?\" is not a number"));
+  CHECK_THAT(said("\n1\n"), Contains("1: no channel names"));
+}
+
+TEST_CASE("what is no readable file is refused", "[hal][formats]") {
+  const Scratch scratch;
+  CHECK_THAT(complaint(scratch / "none.csv"), Contains("no such file"));
+  CHECK_THAT(complaint(written(scratch, "empty.mat", "")), Contains("is empty"));
+  std::filesystem::create_directory(scratch / "folder.csv");
+  CHECK_THAT(complaint(scratch / "folder.csv"), Contains("is a folder"));
+  CHECK_THAT(complaint(written(scratch, "x.bin", std::string("\x01\x02\0\x03", 4))),
+             Contains("no known format"));
+  if (::geteuid() != 0) {
+    const auto file = written(scratch, "secret.csv", "a,b\n1,2\n");
+    std::filesystem::permissions(file, std::filesystem::perms::none);
+    CHECK_THAT(complaint(file), Contains("Permission denied"));
+  }
+}
+
+TEST_CASE("hints go before the file, and a note tells", "[hal][formats]") {
+  const Scratch scratch;
+  const auto file = written(scratch, "a.csv", "a,b\n1,2\n");
+  const auto read = read_recordings(file, {.rate_Hz = 12000, .speed_rpm = 1797});
+  REQUIRE(read);
+  CHECK(read.value()[0].channels[1].rate_Hz == 12000);
+  CHECK(read.value()[0].speed_rpm == 1797);
+  CHECK(read.value()[0].notes.empty());
+
+  const auto mat = written(scratch, "a.mat",
+                           test::mat5_file({test::mat5_array("x", 3, 1, {1, 2, 3}),
+                                            test::mat5_array("XRPM", 1, 1, {1772})}));
+  const auto corrected = read_recordings(mat, {.speed_rpm = 1750});
+  REQUIRE(corrected);
+  CHECK(corrected.value()[0].speed_rpm == 1750);
+  REQUIRE(corrected.value()[0].notes.size() == 2);
+  CHECK_THAT(corrected.value()[0].notes[1], Contains("1772"));
+
+  CHECK_THROWS_AS(read_recordings(file, {.rate_Hz = 0}), std::invalid_argument);
+  CHECK_THROWS_AS(read_recordings(file, {.speed_rpm = -5}), std::invalid_argument);
+}
+
+TEST_CASE("MAT v5: the longer side of an array is time", "[hal][formats]") {
+  const Scratch scratch;
+  const auto read = read_recordings(
+      written(scratch, "a.mat",
+              test::mat5_file({test::mat5_array("wide", 2, 3, {1, 10, 2, 20, 3, 30}),
+                               test::mat5_array("fs", 1, 1, {25600})})));
+  REQUIRE(read);
+  const Recording& recording = read.value()[0];
+  REQUIRE(recording.channels.size() == 2);
+  CHECK(recording.channels[0].info.name == "wide_1");
+  CHECK(recording.channels[1].samples == Eigen::Vector3d(10, 20, 30));
+  CHECK(recording.channels[0].rate_Hz == 25600);
+  CHECK(std::isnan(recording.speed_rpm));
+}
+
+TEST_CASE("MAT v5: rates that contradict each other are not taken", "[hal][formats]") {
+  const Scratch scratch;
+  const auto read = read_recordings(written(
+      scratch, "a.mat",
+      test::mat5_file({test::mat5_array("x", 2, 1, {1, 2}), test::mat5_array("fs", 1, 1, {25600}),
+                       test::mat5_array("SampFreq", 1, 1, {256000})})));
+  REQUIRE(read);
+  CHECK(read.value()[0].channels[0].rate_Hz == 0);
+  CHECK_THAT(read.value()[0].notes.back(), Contains("neither is taken"));
+}
+
+TEST_CASE("MAT v5: of a variable that is there twice, zeros only are left out", "[hal][formats]") {
+  const Scratch scratch;
+  const auto zeros = test::mat5_array("Data1", 1, 3, {0, 0, 0});
+  const auto data = test::mat5_array("Data1", 1, 3, {1, 2, 3});
+  const auto twice = read_recordings(written(scratch, "twice.mat", test::mat5_file({zeros, data})));
+  REQUIRE(twice);
+  REQUIRE(twice.value()[0].channels.size() == 1);
+  CHECK(twice.value()[0].channels[0].samples == Eigen::Vector3d(1, 2, 3));
+  CHECK_THAT(twice.value()[0].notes.at(0), Contains("Data1 is there more than once"));
+
+  const auto both = read_recordings(written(scratch, "both.mat", test::mat5_file({data, data})));
+  REQUIRE(both);
+  REQUIRE(both.value()[0].channels.size() == 2);
+  CHECK(both.value()[0].channels[1].info.name == "Data1_2");
+  const auto silent = read_recordings(written(scratch, "z.mat", test::mat5_file({zeros, zeros})));
+  REQUIRE(silent);
+  CHECK(silent.value()[0].channels.size() == 2);
+}
+
+TEST_CASE("a bad MAT file is refused with the variable of its fault", "[hal][formats]") {
+  const Scratch scratch;
+  const auto said = [&](const std::string& bytes) {
+    return complaint(written(scratch, "bad.mat", bytes));
+  };
+  const std::string good = test::mat5_array("x", 3, 1, {1, 2, 3});
+  CHECK_THAT(said("MATLAB"), Contains("shorter than the header"));
+  CHECK_THAT(said(std::string(200, 'x')), Contains("not a MAT v5 file"));
+  CHECK_THAT(said(test::mat5_file({})), Contains("holds no samples"));
+  CHECK_THAT(said(test::mat5_file({test::mat5_array("x", 1, 1, {4})})),
+             Contains("holds no samples"));
+  CHECK_THAT(said(test::mat5_file({good}).substr(0, 190)),
+             Contains("variable at byte 128: claims"));
+  CHECK_THAT(said(test::mat5_file({good, test::mat5_array("y", 250'000'000, 1, {1, 2, 3})})),
+             Contains("y: has 3 values, its size says 250000000"));
+  CHECK_THAT(said(test::mat5_file({test::mat5_array("y", -1, 1, {1})})),
+             Contains("y: has a negative size"));
+  CHECK_THAT(said(test::mat5_file({test::mat5_array("y", 300, 300, std::vector<double>(90000))})),
+             Contains("y: 300 x 300 is no set of signals"));
+}
+
+TEST_CASE("rvbench's own recordings come through the same door", "[hal][formats]") {
+  const Scratch scratch;
+  {
+    const auto made = RecordingWriter::create(scratch / "r.h5", test::layout_of(3, 2));
+    REQUIRE(made);
+    REQUIRE(made.value()->append(1, test::acceleration_block(0, 0, 50, 2)));
+    REQUIRE(made.value()->end_point({1, 0, "ok", 604, 2}));
+  }
+  const auto read = read_recordings(scratch / "r.h5");
+  REQUIRE(read);
+  REQUIRE(read.value().size() == 1);  // the points never begun hold nothing
+  CHECK(read.value()[0].source == (scratch / "r.h5").string() + "#001");
+  CHECK(read.value()[0].speed_rpm == 604);
+  CHECK(read.value()[0].find("accel_1")->rate_Hz == 4960);
+}
+
+TEST_CASE("foreign text is made printable", "[hal][formats]") {
+  using formats::printable;
+  CHECK(printable("m/s²") == "m/s²");
+  CHECK(printable("a\nb") == "a?b");
+  CHECK(printable("\xB2") == "?");
+  CHECK(printable("\xC0\x80") == "??");       // overlong
+  CHECK(printable("\xED\xA0\x80") == "???");  // a surrogate
+  CHECK(printable("\xF0\x9F\x94\xA9") == "🔩");
+  CHECK(printable("\xF0\x9F") == "??");  // cut off
+}
+
+}  // namespace rvbench::hal

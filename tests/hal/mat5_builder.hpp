@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace rvbench::test {
+
+/// MAT v5 files byte by byte ("MAT-File Format", level 5), so that they can also be wrong.
+inline std::string mat5_word(std::uint32_t value) {
+  std::string bytes(4, '\0');
+  std::memcpy(bytes.data(), &value, 4);
+  return bytes;
+}
+
+inline std::string mat5_element(std::uint32_t type, std::string data) {
+  const std::string tag = mat5_word(type) + mat5_word(static_cast<std::uint32_t>(data.size()));
+  data.resize((data.size() + 7) / 8 * 8);
+  return tag + data;
+}
+
+/// An array of doubles that says it has rows x columns values, column by column.
+inline std::string mat5_array(const std::string& name, int rows, int columns,
+                              const std::vector<double>& values) {
+  std::string data(values.size() * sizeof(double), '\0');
+  if (!values.empty()) std::memcpy(data.data(), values.data(), data.size());
+  return mat5_element(14, mat5_element(6, mat5_word(6) + mat5_word(0)) +
+                              mat5_element(5, mat5_word(static_cast<std::uint32_t>(rows)) +
+                                                  mat5_word(static_cast<std::uint32_t>(columns))) +
+                              mat5_element(1, name) + mat5_element(9, data));
+}
+
+inline std::string mat5_file(const std::vector<std::string>& variables) {
+  std::string file = "MATLAB 5.0 MAT-file";
+  file.resize(124, ' ');
+  file += std::string("\0\x01IM", 4);
+  for (const std::string& variable : variables) file += variable;
+  return file;
+}
+
+}  // namespace rvbench::test
