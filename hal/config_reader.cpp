@@ -93,9 +93,8 @@ std::string integer_fault(const JsonNode& json, Bounds bounds) {
 }  // namespace
 
 std::string describe(const std::filesystem::path& file, const ConfigFault& fault) {
-  std::string text = file.string();
-  if (fault.line > 0) text += ':' + std::to_string(fault.line);
-  text += ": ";
+  std::string text =
+      file.string() + (fault.line > 0 ? ':' + std::to_string(fault.line) : "") + ": ";
   if (!fault.pointer.empty()) text += fault.pointer + ": ";
   return text + fault.message;
 }
@@ -107,8 +106,7 @@ ConfigReader ConfigReader::from_file(const std::filesystem::path& file) {
   std::error_code ignored;
   std::string problem = "it is a folder";
   if (!std::filesystem::is_directory(file, ignored)) {
-    std::ifstream in(file, std::ios::binary);
-    if (in) {
+    if (std::ifstream in(file, std::ios::binary); in) {
       std::string text(max_config_bytes + 1, '\0');  // one too many: the parser will say so
       in.read(text.data(), std::streamsize(text.size()));
       text.resize(std::size_t(in.gcount()));
@@ -284,6 +282,8 @@ void ConfigReader::fault(std::string_view key, std::string message) {
   document_->note({at == nullptr ? node_->json->line : at->line,
                    key.empty() ? node_->pointer : node_->place(key), std::move(message)});
 }
+
+void ConfigReader::disregard() { node_->finished = true; }
 
 void ConfigReader::finish() {
   for (const auto& child : node_->children) ConfigReader(document_, child.second).finish();

@@ -70,6 +70,9 @@ class ConfigReader {
   /// Notes a fault at `key` of this object ("" for the object itself).
   void fault(std::string_view key, std::string message);
 
+  /// Leaves the other keys of this object unchecked: without its kind nobody can tell.
+  void disregard();
+
   /// Adds a fault for each key of this object, and of all children read, that nobody asked for.
   void finish();
   const std::vector<ConfigFault>& faults() const;  ///< of the whole file, in order of lines

@@ -19,9 +19,9 @@ struct Specimen;
 
 /// One stretch of the timeline that --dry-run prints.
 struct Segment {
-  std::string what;         ///< "warm up", "settle", "record 605 rpm, 50 %, repeat 2"
-  double duration_s = 0;    ///< planned; settling counts with its shortest time
-  double speed_rpm = 0;     ///< at its end
+  std::string what;       ///< "warm up", "settle", "record 605 rpm, 50 %, repeat 2"
+  double duration_s = 0;  ///< planned; settling counts with its shortest time
+  double speed_rpm = 0;   ///< at its end
   double output_torque_Nm = 0;
   bool recorded = false;
 };

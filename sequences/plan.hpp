@@ -61,6 +61,8 @@ struct TestPlan {
 /// The plan, or every fault of the file at once.
 std::variant<TestPlan, std::vector<hal::ConfigFault>> read_plan(const std::filesystem::path& file);
 
+std::variant<TestPlan, std::vector<hal::ConfigFault>> parse_plan(hal::ConfigReader root);
+
 /// The resolved plan: parses back to an equal plan.
 std::string plan_to_json(const TestPlan& plan);
 

@@ -1,0 +1,152 @@
+#include "sequences/bench_devices.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hal/types/units.hpp"
+
+namespace rvbench::sequences {
+namespace {
+
+constexpr double angles_kept_s = 0.3;
+constexpr double fresh_within_s = 0.25;  // for telling standstill: the drive is polled every 50 ms
+
+double backoff_s(int failures) { return std::min(0.5, 0.01 * std::pow(2.0, failures)); }
+
+}  // namespace
+
+BenchDevices::BenchDevices(hal::Rig& rig) : rig_(rig) {
+  // Never seen yet: nothing counts as fresh before its first answer.
+  for (Watch* watch :
+       {&drive_, &drive_command_, &brake_, &brake_command_, &safety_, &torque_, &accelerations_}) {
+    watch->seen_s = -1e9;
+  }
+}
+
+void BenchDevices::start() {
+  for (Watch* watch :
+       {&drive_, &drive_command_, &brake_, &brake_command_, &safety_, &torque_, &accelerations_}) {
+    watch->seen_s = rig_.clock->now_s();
+  }
+}
+
+template <typename T>
+std::optional<T> BenchDevices::ask(Watch& watch, const std::function<Result<T>()>& call) {
+  if (rig_.clock->now_s() < watch.due_s - 1e-6) return std::nullopt;
+  Result<T> answer = call();
+  const double now_s = rig_.clock->now_s();
+  if (!answer) {
+    watch.error = describe(answer.error());
+    watch.due_s = now_s + backoff_s(++watch.failures);
+    return std::nullopt;
+  }
+  watch.failures = 0;
+  watch.error.clear();
+  watch.seen_s = now_s;
+  watch.due_s = now_s + watch.period_s;
+  return std::move(answer).value();
+}
+
+void BenchDevices::read() {
+  fresh_ = {};
+  fresh_.torque_rate_Hz = rig_.torque_sensor->rate_Hz();
+  fresh_.acceleration_rate_Hz = rig_.accelerometers->rate_Hz();
+  // The slow ones first: what interlocks act on is then as new as can be.
+  fresh_.drive = ask<hal::DriveStatus>(drive_, [this] { return rig_.drive->read(); });
+  fresh_.brake = ask<hal::BrakeStatus>(brake_, [this] { return rig_.brake->read(); });
+  fresh_.safety = ask<hal::SafetyStatus>(safety_, [this] { return rig_.safety->read(); });
+  const double torque_seen_s = torque_.seen_s;
+  const double accelerations_seen_s = accelerations_.seen_s;
+  auto torque = ask<hal::TorqueBlock>(torque_, [this] { return rig_.torque_sensor->read(); });
+  auto accelerations =
+      ask<hal::AccelerationBlock>(accelerations_, [this] { return rig_.accelerometers->read(); });
+  torque_.seen_s = torque_seen_s;
+  accelerations_.seen_s = accelerations_seen_s;
+  if (torque) take_torque(std::move(*torque));
+  if (accelerations) take_accelerations(std::move(*accelerations));
+  if (fresh_.drive) values_.drive = *fresh_.drive;
+  if (fresh_.brake) values_.brake = *fresh_.brake;
+  if (fresh_.safety) values_.safety = *fresh_.safety;
+}
+
+void BenchDevices::take_torque(hal::TorqueBlock block) {
+  const double end_s = block.t0_s + double(block.samples.size()) / fresh_.torque_rate_Hz;
+  double sum_Nm = 0;
+  int known = 0;
+  AnglePoint last{not_known, not_known};
+  for (std::size_t i = 0; i < block.samples.size(); ++i) {
+    const hal::TorqueSample& sample = block.samples[i];
+    if (!std::isfinite(sample.torque_Nm) || !std::isfinite(sample.angle_rad)) continue;
+    sum_Nm += sample.torque_Nm;
+    ++known;
+    last = {block.t0_s + double(i) / fresh_.torque_rate_Hz, sample.angle_rad};
+  }
+  if (known == 0 || (!angles_.empty() && last.time_s <= angles_.back().time_s)) {
+    torque_.error = "its samples do not go on";
+    return;
+  }
+  torque_.seen_s = std::min(end_s, rig_.clock->now_s());
+  angles_.push_back(last);
+  while (angles_.front().time_s < last.time_s - angles_kept_s) angles_.pop_front();
+  values_.angle_s = last.time_s;
+  values_.angle_rad = last.angle_rad;
+  values_.torque_Nm = sum_Nm / known;
+  if (angles_.size() > 1) {
+    const AnglePoint& before = angles_[angles_.size() - 2];
+    fresh_.speed_rpm =
+        units::rpm_from_rad_s((last.angle_rad - before.angle_rad) / (last.time_s - before.time_s));
+  }
+  fresh_.torque = std::move(block);
+}
+
+void BenchDevices::take_accelerations(hal::AccelerationBlock block) {
+  const double end_s = block.t0_s + double(block.scans.rows()) / fresh_.acceleration_rate_Hz;
+  if (block.lost >= block.scans.rows() || end_s <= accelerations_end_s_) {
+    accelerations_.error = "its samples do not go on";
+    return;
+  }
+  accelerations_end_s_ = end_s;
+  accelerations_.seen_s = std::min(end_s, rig_.clock->now_s());
+  fresh_.accelerations = std::move(block);
+}
+
+void BenchDevices::write(double speed_rpm, double brake_torque_Nm) {
+  ask<Done>(drive_command_, [&] { return rig_.drive->set_speed(speed_rpm); });
+  hold_brake(brake_torque_Nm);
+}
+
+void BenchDevices::hold_brake(double torque_Nm) {
+  ask<Done>(brake_command_, [&] { return rig_.brake->set_torque(torque_Nm); });
+}
+
+std::string BenchDevices::lost(double stale_after_s) const {
+  std::string all;
+  for (const Watch* watch :
+       {&drive_, &drive_command_, &brake_, &brake_command_, &safety_, &torque_, &accelerations_}) {
+    const double age_s = rig_.clock->now_s() - watch->seen_s;
+    if (age_s <= stale_after_s + 1e-6) continue;
+    all += fmt::format("{}{} silent for {:.2f} s{}", all.empty() ? "" : "; ", watch->device, age_s,
+                       watch->error.empty() ? "" : " (" + watch->error + ")");
+  }
+  return all;
+}
+
+double BenchDevices::measured_speed_rpm(double window_s) const {
+  if (angles_.empty() || rig_.clock->now_s() - torque_.seen_s > fresh_within_s) return not_known;
+  const AnglePoint& last = angles_.back();
+  for (auto point = angles_.rbegin(); point != angles_.rend(); ++point) {
+    const double length_s = last.time_s - point->time_s;
+    if (length_s >= window_s - 1e-6) {
+      return units::rpm_from_rad_s((last.angle_rad - point->angle_rad) / length_s);
+    }
+  }
+  return not_known;
+}
+
+bool BenchDevices::drive_is_fresh() const {
+  return rig_.clock->now_s() - drive_.seen_s <= fresh_within_s;
+}
+
+}  // namespace rvbench::sequences

@@ -1,0 +1,179 @@
+#include "sequences/bench_loop.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sequences/interlock_check.hpp"
+#include "sequences/timeline.hpp"
+
+namespace rvbench::sequences {
+namespace {
+
+constexpr double tick_s = 0.01;
+constexpr double write_period_s = 0.1;  // well within any watchdog
+constexpr double report_period_s = 0.5;
+// The drive's own speed may be an estimate that leaves slip out; a dead angle is far off.
+constexpr double speeds_apart_rpm = 60;
+constexpr double speeds_apart_share = 0.15;
+constexpr double speeds_apart_s = 1.0;
+
+Ending lost(std::string reason) {
+  return {Outcome::error, ErrorKind::device_lost, std::move(reason)};
+}
+
+Ending recording_failed(const IoError& error) {
+  return {Outcome::error, ErrorKind::none, "the recording cannot be written: " + describe(error)};
+}
+
+}  // namespace
+
+double load_torque_Nm(const Specimen& specimen, double load_pct) {
+  return load_pct / 100 * specimen.rated_output_torque_Nm;
+}
+
+BenchLoop::BenchLoop(const TestPlan& plan, hal::Rig& rig, hal::RecordingWriter& recording,
+                     RunObserver& observer, std::stop_token stop, int first_point)
+    : plan_(plan),
+      rig_(rig),
+      recording_(recording),
+      observer_(observer),
+      stop_(std::move(stop)),
+      first_point_(first_point),
+      devices_(rig),
+      recorder_(recording),
+      total_s_(planned_duration_s(plan)) {}
+
+std::optional<Ending> BenchLoop::tick() {
+  if (ended_) return ended_;
+  rig_.clock->wait_until(next_tick_s_);
+  next_tick_s_ = std::max(next_tick_s_, now_s()) + tick_s;
+  devices_.read();
+  if (auto ending = trouble()) return end(*ending);
+  if (now_s() >= next_write_s_) {
+    next_write_s_ = now_s() + write_period_s - tick_s / 2;
+    devices_.write(speed_rpm_, brake_torque_Nm_);
+  }
+  if (Status kept = recorder_.take(devices_.fresh()); !kept) {
+    return end(recording_failed(kept.error()));
+  }
+  report_progress();
+  return std::nullopt;
+}
+
+std::optional<Ending> BenchLoop::trouble() {
+  if (auto ending = check_interlocks(plan_.interlocks, devices_.fresh())) return ending;
+  if (stop_.stop_requested()) {
+    return Ending{Outcome::aborted, ErrorKind::none, "stopped on request"};
+  }
+  if (auto ending = check_devices(devices_.fresh())) return ending;
+  if (std::string silent = devices_.lost(plan_.interlocks.stale_after_s); !silent.empty()) {
+    return lost(std::move(silent));
+  }
+  if (speeds_disagree()) {
+    return lost(fmt::format("the drive reports {:.0f} rpm, the torque sensor's angle {:.0f} rpm",
+                            devices_.values().drive.speed_rpm, devices_.measured_speed_rpm(0.1)));
+  }
+  return std::nullopt;
+}
+
+bool BenchLoop::speeds_disagree() {
+  const double measured_rpm = devices_.measured_speed_rpm(0.1);
+  const double apart_rpm = std::abs(devices_.values().drive.speed_rpm - measured_rpm);
+  // Not known is no contradiction: the comparison is false for NaN.
+  const bool apart = apart_rpm > speeds_apart_rpm + speeds_apart_share * std::abs(measured_rpm);
+  if (!apart) agreed_s_ = now_s();
+  return now_s() - agreed_s_ > speeds_apart_s;
+}
+
+Ending BenchLoop::end(const Ending& ending) {
+  rig_.drive->stop();  // first of all
+  ended_ = ending;
+  event(ending.reason);
+  return ending;
+}
+
+std::optional<Ending> BenchLoop::arm() {
+  next_tick_s_ = next_write_s_ = agreed_s_ = now_s();
+  devices_.start();
+  event("armed");
+  return run_for(2 * tick_s);
+}
+
+void BenchLoop::command(double speed_rpm, double brake_torque_Nm) {
+  speed_rpm_ = speed_rpm;
+  brake_torque_Nm_ = brake_torque_Nm;
+  next_write_s_ = now_s();
+}
+
+std::optional<Ending> BenchLoop::run_for(double duration_s) {
+  return run_until([](const BenchValues&) { return false; }, duration_s).ending;
+}
+
+Waited BenchLoop::run_until(const std::function<bool(const BenchValues&)>& met, double timeout_s) {
+  const double until_s = now_s() + timeout_s;
+  while (now_s() < until_s - 1e-6) {
+    if (auto ending = tick()) return {ending, false};
+    if (met(devices_.values())) return {std::nullopt, true};
+  }
+  return {};
+}
+
+std::optional<int> BenchLoop::next_point() {
+  const int point = next_point_++;
+  return point < first_point_ ? std::nullopt : std::optional(point);
+}
+
+std::optional<Ending> BenchLoop::record_point(int point, double input_turns, double timeout_s) {
+  recorder_.open(point);
+  const Waited waited =
+      run_until([&](const BenchValues&) { return recorder_.covers(input_turns); }, timeout_s);
+  if (waited.ending) {
+    interrupt_record();
+    return waited.ending;
+  }
+  const auto result = recorder_.close(waited.met ? "ok" : "too_short");
+  if (!result) return end(recording_failed(result.error()));
+  points_.push_back(result.value());
+  if (result.value().status != "ok") {
+    event(fmt::format("point {}: {}", point, result.value().status));
+  }
+  return std::nullopt;
+}
+
+void BenchLoop::interrupt_record() {
+  if (!recorder_.is_open()) return;
+  const auto result = recorder_.close("interrupted");
+  if (result) points_.push_back(result.value());
+}
+
+void BenchLoop::give_up_point(const hal::PointResult& result) {
+  points_.push_back(result);
+  event(fmt::format("point {}: {}", result.point, result.status));
+  if (Status written = recording_.end_point(result); !written) {
+    end(recording_failed(written.error()));  // the next tick returns it
+  }
+}
+
+void BenchLoop::enter(const Segment& segment) {
+  done_s_ += segment_.duration_s;
+  segment_ = segment;
+  segment_start_s_ = now_s();
+}
+
+void BenchLoop::event(const std::string& text) {
+  observer_.event(now_s(), text);
+  // A recording that cannot take a note cannot take samples either: those are checked.
+  static_cast<void>(recording_.note(now_s(), text));
+}
+
+void BenchLoop::report_progress() {
+  if (now_s() < next_report_s_) return;
+  next_report_s_ = now_s() + report_period_s;
+  // Settling may take longer than planned: progress waits for it.
+  const double here_s = std::min(now_s() - segment_start_s_, segment_.duration_s);
+  observer_.progress(done_s_ + here_s, total_s_, segment_.what);
+}
+
+}  // namespace rvbench::sequences

@@ -1,0 +1,174 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "sequences/phase_registry.hpp"
+#include "sequences/plan.hpp"
+#include "sequences/timeline.hpp"
+
+namespace rvbench::sequences {
+namespace {
+
+Specimen parse_specimen(hal::ConfigReader json) {
+  Specimen specimen;
+  specimen.kinematics = json.text("kinematics");
+  specimen.gear_ratio = json.number("gear_ratio", {1.01, 10000});
+  specimen.rated_output_torque_Nm = json.number("rated_output_torque_Nm", {0.1, 100000});
+  return specimen;
+}
+
+Interlocks parse_interlocks(hal::ConfigReader& json) {
+  Interlocks limits;  // without fallbacks: whoever writes a plan decides what is safe
+  limits.input_speed_rpm = json.number("input_speed_rpm", {1, 20000});
+  limits.input_torque_Nm = json.number("input_torque_Nm", {0.01, 10000});
+  limits.acceleration_m_s2 = json.number("acceleration_m_s2", {0.1, 100000});
+  limits.housing_temp_degC = json.number("housing_temp_degC", {0, 200});
+  limits.stale_after_s = json.number("stale_after_s", {0.15, 2});
+  return limits;
+}
+
+std::vector<std::unique_ptr<Phase>> parse_phases(hal::ConfigReader& root, const char* stage) {
+  std::vector<std::unique_ptr<Phase>> phases;
+  for (hal::ConfigReader& json : root.objects(stage)) {
+    auto phase = parse_phase(json);
+    if (!phase) continue;
+    const bool first_of_all = std::string_view(stage) == "setup" && phases.empty();
+    if ((phase->kind() == "connect") != first_of_all) {
+      json.fault("phase", "\"connect\" comes once, as the first phase of setup");
+    }
+    if (!phase->points().empty() && std::string_view(stage) == "setup") {
+      json.fault("phase", "nothing is recorded in setup: this belongs into main");
+    }
+    phases.push_back(std::move(phase));
+  }
+  if (phases.empty() && root.faults().empty()) root.fault(stage, "must not be empty");
+  return phases;
+}
+
+Teardown parse_teardown(hal::ConfigReader& root) {
+  Teardown teardown;
+  if (auto json = root.optional_object("teardown")) {
+    teardown.standstill_timeout_s = json->number("standstill_timeout_s", {5, 600}, 30);
+    teardown.standstill_rpm = json->number("standstill_rpm", {0.1, 100}, 5);
+  }
+  return teardown;
+}
+
+std::vector<Limit> parse_limits(hal::ConfigReader& root) {
+  std::vector<Limit> limits;
+  for (hal::ConfigReader& json : root.objects("limits", false)) {
+    Limit limit;
+    limit.measure =
+        json.choice("measure", {"modulation_depth", "acceleration_rms", "acceleration_peak"});
+    limit.component = json.text("component", "");
+    if (limit.measure == "modulation_depth") {
+      limit.unit = json.text("unit", "");
+    } else {
+      limit.unit = json.choice("unit", {"g", "m/s²"});
+    }
+    limit.max = json.number("max", {0, 1e9});
+    limit.why = json.text("why");
+    limits.push_back(limit);
+  }
+  return limits;
+}
+
+/// An interlock that the plan itself must run into is a fault of the plan.
+void check_against_interlocks(const TestPlan& plan, hal::ConfigReader& interlocks) {
+  double fastest_rpm = 0;
+  double largest_Nm = 0;
+  for (const Segment& segment : timeline(plan)) {
+    fastest_rpm = std::max(fastest_rpm, segment.speed_rpm);
+    largest_Nm = std::max(largest_Nm, segment.output_torque_Nm / plan.specimen.gear_ratio);
+  }
+  if (fastest_rpm >= plan.interlocks.input_speed_rpm) {
+    interlocks.fault("input_speed_rpm",
+                     fmt::format("{:g} is not above the plan's fastest speed, {:g} rpm",
+                                 plan.interlocks.input_speed_rpm, fastest_rpm));
+  }
+  if (largest_Nm >= plan.interlocks.input_torque_Nm) {
+    interlocks.fault("input_torque_Nm",
+                     fmt::format("{:g} is not above what the plan's largest load takes, {:.3g} N·m",
+                                 plan.interlocks.input_torque_Nm, largest_Nm));
+  }
+}
+
+nlohmann::ordered_json phases_json(const std::vector<std::unique_ptr<Phase>>& phases) {
+  auto json = nlohmann::ordered_json::array();
+  for (const auto& phase : phases) json.push_back(nlohmann::ordered_json::parse(phase->to_json()));
+  return json;
+}
+
+nlohmann::ordered_json limits_json(const std::vector<Limit>& limits) {
+  auto json = nlohmann::ordered_json::array();
+  for (const Limit& limit : limits) {
+    json.push_back({{"measure", limit.measure},
+                    {"component", limit.component},
+                    {"unit", limit.unit},
+                    {"max", limit.max},
+                    {"why", limit.why}});
+  }
+  return json;
+}
+
+}  // namespace
+
+std::vector<hal::PlannedPoint> TestPlan::points() const {
+  std::vector<hal::PlannedPoint> all;
+  for (const auto& phase : main) {
+    const auto points = phase->points();
+    all.insert(all.end(), points.begin(), points.end());
+  }
+  return all;
+}
+
+std::variant<TestPlan, std::vector<hal::ConfigFault>> read_plan(const std::filesystem::path& file) {
+  return parse_plan(hal::ConfigReader::from_file(file));
+}
+
+std::variant<TestPlan, std::vector<hal::ConfigFault>> parse_plan(hal::ConfigReader root) {
+  TestPlan plan;
+  plan.name = root.text("name");
+  plan.description = root.text("description", "");
+  plan.specimen = parse_specimen(root.object("specimen"));
+  plan.acceleration_rate_Hz = root.number("acceleration_rate_Hz", {100, 102400}, 4960);
+  hal::ConfigReader interlocks = root.object("interlocks");
+  plan.interlocks = parse_interlocks(interlocks);
+  plan.setup = parse_phases(root, "setup");
+  plan.main = parse_phases(root, "main");
+  plan.teardown = parse_teardown(root);
+  plan.limits = parse_limits(root);
+  root.finish();
+  if (root.faults().empty() && plan.points().empty()) root.fault("main", "it records nothing");
+  if (root.faults().empty()) check_against_interlocks(plan, interlocks);
+  if (!root.faults().empty()) return root.faults();
+  return plan;
+}
+
+std::string plan_to_json(const TestPlan& plan) {
+  const Interlocks& limits = plan.interlocks;
+  const nlohmann::ordered_json json = {
+      {"name", plan.name},
+      {"description", plan.description},
+      {"specimen",
+       {{"kinematics", plan.specimen.kinematics},
+        {"gear_ratio", plan.specimen.gear_ratio},
+        {"rated_output_torque_Nm", plan.specimen.rated_output_torque_Nm}}},
+      {"acceleration_rate_Hz", plan.acceleration_rate_Hz},
+      {"interlocks",
+       {{"input_speed_rpm", limits.input_speed_rpm},
+        {"input_torque_Nm", limits.input_torque_Nm},
+        {"acceleration_m_s2", limits.acceleration_m_s2},
+        {"housing_temp_degC", limits.housing_temp_degC},
+        {"stale_after_s", limits.stale_after_s}}},
+      {"setup", phases_json(plan.setup)},
+      {"main", phases_json(plan.main)},
+      {"teardown",
+       {{"standstill_timeout_s", plan.teardown.standstill_timeout_s},
+        {"standstill_rpm", plan.teardown.standstill_rpm}}},
+      {"limits", limits_json(plan.limits)}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace rvbench::sequences

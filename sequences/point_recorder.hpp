@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+
+#include "hal/recording_file.hpp"
+#include "sequences/bench_devices.hpp"
+
+namespace rvbench::sequences {
+
+/// Hands the blocks of one point to the recording and measures the record as it grows.
+///
+/// Turns are counted on the measured angle where both sample clocks have samples, so that neither
+/// stream of a finished record is short of them.
+class PointRecorder {
+ public:
+  explicit PointRecorder(hal::RecordingWriter& recording) : recording_(recording) {}
+
+  void open(int point);
+  bool is_open() const { return is_open_; }
+  Status take(const FreshValues& fresh);
+  bool covers(double input_turns) const;
+
+  /// Ends the point. A record in which samples are missing is never "ok".
+  Result<hal::PointResult> close(std::string status);
+
+ private:
+  void take_sample(double time_s, const hal::TorqueSample& sample);
+
+  struct SoFar {
+    double t0_s = not_known;  ///< of the first acceleration
+    double accelerations_end_s = not_known;
+    double first_s = not_known, first_rad = not_known;
+    double last_s = not_known, last_rad = not_known;
+    double torque_sum_Nm = 0;
+    long torque_known = 0;  ///< samples in the sum
+    long torque_samples = 0;
+    long torque_lost = 0;
+    long scans_lost = 0;
+  };
+
+  hal::RecordingWriter& recording_;
+  bool is_open_ = false;
+  int point_ = 0;
+  SoFar so_far_;
+};
+
+}  // namespace rvbench::sequences

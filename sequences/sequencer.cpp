@@ -1,0 +1,149 @@
+#include "sequences/sequencer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "sequences/bench_loop.hpp"
+#include "sequences/standstill.hpp"
+#include "sequences/timeline.hpp"
+
+namespace rvbench::sequences {
+namespace {
+
+const Ending all_well{Outcome::pass, ErrorKind::none, "everything was measured"};
+
+Ending bench_fault(std::string reason) {
+  return {Outcome::error, ErrorKind::none, std::move(reason)};
+}
+
+/// The only place on the run path where exceptions end.
+Ending guarded(const std::function<Ending()>& work) {
+  try {
+    return work();
+  } catch (const std::exception& exception) {
+    return bench_fault(std::string("internal error: ") + exception.what());
+  } catch (...) {
+    return bench_fault("internal error");
+  }
+}
+
+/// What the plan asks for and the rig cannot do; known before anything turns.
+std::optional<Ending> check_rig(const TestPlan& plan, const hal::Rig& rig) {
+  const double max_speed_rpm = rig.drive->limits().max_speed_rpm;
+  const double max_torque_Nm = rig.brake->limits().max_torque_Nm;
+  for (const Segment& segment : timeline(plan)) {
+    if (std::abs(segment.speed_rpm) > max_speed_rpm) {
+      return bench_fault(fmt::format("the plan asks for {:g} rpm, the drive can do {:g} rpm",
+                                     segment.speed_rpm, max_speed_rpm));
+    }
+    if (segment.output_torque_Nm > max_torque_Nm) {
+      return bench_fault(fmt::format("the plan asks for {:g} N·m, the brake can do {:g} N·m",
+                                     segment.output_torque_Nm, max_torque_Nm));
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Ending> check_rate(const TestPlan& plan, const hal::Rig& rig) {
+  const double rate_Hz = rig.accelerometers->rate_Hz();
+  if (std::abs(rate_Hz - plan.acceleration_rate_Hz) <= 0.01 * plan.acceleration_rate_Hz) {
+    return std::nullopt;
+  }
+  return bench_fault(fmt::format("the accelerometers run at {:g} Hz, the plan asks for {:g} Hz",
+                                 rate_Hz, plan.acceleration_rate_Hz));
+}
+
+Ending verdict_on(const std::vector<hal::PointResult>& points) {
+  const auto bad = std::ranges::count_if(
+      points, [](const hal::PointResult& point) { return point.status != "ok"; });
+  if (bad == 0) return all_well;
+  const auto first =
+      std::ranges::find_if(points, [](const auto& point) { return point.status != "ok"; });
+  return {Outcome::invalid, ErrorKind::none,
+          fmt::format("{} of {} points cannot be used; the first is point {}: {}", bad,
+                      points.size(), first->point, first->status)};
+}
+
+Ending set_up_and_measure(const TestPlan& plan, BenchLoop& loop) {
+  if (auto ending = check_rig(plan, loop.rig())) return *ending;
+  for (const auto* stage : {&plan.setup, &plan.main}) {
+    for (const auto& phase : *stage) {
+      loop.event(fmt::format("phase {}", phase->kind()));
+      if (auto ending = phase->run(loop, plan.specimen)) return *ending;
+    }
+    if (auto ending = check_rate(plan, loop.rig())) return *ending;
+  }
+  return verdict_on(loop.points());
+}
+
+/// The brake lets go within a second, or something is wrong with it.
+bool brake_lets_go(hal::Rig& rig) {
+  const double enough_Nm = 0.02 * rig.brake->limits().max_torque_Nm;
+  for (int attempt = 0; attempt < 10; ++attempt) {
+    rig.clock->wait_until(rig.clock->now_s() + 0.1);
+    const auto status = rig.brake->read();
+    if (status && status.value().torque_Nm <= enough_Nm) return true;
+    rig.brake->release();
+  }
+  return false;
+}
+
+/// Stop, standstill or time-out, release: each step is tried whatever became of the others.
+Ending tear_down(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
+  hal::Rig& rig = loop.rig();
+  const double until_s = rig.clock->now_s() + plan.teardown.standstill_timeout_s;
+  rig.drive->stop();
+  Ending ending = guarded([&] {
+    summary.shaft_stopped =
+        wait_for_standstill(rig, loop.devices(), plan.teardown, loop.brake_torque_Nm());
+    return all_well;
+  });
+  rig.drive->stop();
+  if (!summary.shaft_stopped) rig.clock->wait_until(until_s);
+  rig.brake->release();
+  ending = graver(ending, guarded([&] {
+                    summary.brake_released = brake_lets_go(rig);
+                    return all_well;
+                  }));
+  rig.accelerometers->stop();
+  std::string fault;
+  if (!summary.shaft_stopped) fault = "standstill was not seen";
+  if (!summary.brake_released)
+    fault += (fault.empty() ? "" : ", ") + std::string("the brake ") +
+             "does not confirm that it has released";
+  if (fault.empty()) return ending;
+  return graver(ending, {Outcome::error, ErrorKind::device_lost, "teardown: " + fault});
+}
+
+}  // namespace
+
+RunSummary run_sequence(const TestPlan& plan, hal::Rig& rig, hal::RecordingWriter& recording,
+                        RunObserver& observer, std::stop_token stop, int first_point) {
+  RunSummary summary;
+  const double start_s = rig.clock->now_s();
+  BenchLoop loop(plan, rig, recording, observer, std::move(stop), first_point);
+  const Ending measured = guarded([&] { return set_up_and_measure(plan, loop); });
+  Ending torn_down = tear_down(plan, loop, summary);
+  torn_down = graver(torn_down, guarded([&] {
+                       loop.interrupt_record();
+                       return all_well;
+                     }));
+  summary.ending = graver(measured, torn_down);
+  summary.points = loop.points();
+  summary.drive_retries = rig.drive->retries();
+  summary.duration_s = rig.clock->now_s() - start_s;
+  const Ending told = guarded([&] {
+    loop.event(fmt::format("{}: {}; shaft {}, brake {}", to_string(summary.ending.outcome),
+                           summary.ending.reason,
+                           summary.shaft_stopped ? "at standstill" : "not seen at standstill",
+                           summary.brake_released ? "released" : "not seen released"));
+    return all_well;
+  });
+  summary.ending = graver(summary.ending, told);
+  return summary;
+}
+
+}  // namespace rvbench::sequences
