@@ -169,7 +169,7 @@ void BenchLoop::event(const std::string& text) {
 }
 
 void BenchLoop::report_progress() {
-  if (now_s() < next_report_s_) return;
+  if (segment_.what.empty() || now_s() < next_report_s_) return;
   next_report_s_ = now_s() + report_period_s;
   // Settling may take longer than planned: progress waits for it.
   const double here_s = std::min(now_s() - segment_start_s_, segment_.duration_s);

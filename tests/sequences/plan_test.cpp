@@ -1,0 +1,146 @@
+#include "sequences/plan.hpp"
+
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "sequences/timeline.hpp"
+#include "tests/sequences/run_fixture.hpp"
+
+using namespace rvbench;
+using sequences::TestPlan;
+
+namespace {
+
+TestPlan shipped(const std::string& name) {
+  auto read =
+      sequences::read_plan(std::string(RVBENCH_SOURCE_DIR "/sequences/plans/") + name + ".json");
+  REQUIRE(std::holds_alternative<TestPlan>(read));
+  return std::get<TestPlan>(std::move(read));
+}
+
+std::string faults_of(const std::string& text) {
+  const auto read = sequences::parse_plan(hal::ConfigReader::from_text(text, "plan.json"));
+  std::string all;
+  if (const auto* faults = std::get_if<std::vector<hal::ConfigFault>>(&read)) {
+    for (const auto& fault : *faults) all += describe("plan.json", fault) + '\n';
+  }
+  return all;
+}
+
+std::string small_with(const std::string& from, const std::string& to) {
+  std::string text = test::small_plan;
+  const auto at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+}  // namespace
+
+TEST_CASE("the acceptance plan is the article's procedure", "[sequences][plan]") {
+  const TestPlan plan = shipped("rv20e_acceptance");
+  const auto points = plan.points();
+  REQUIRE(points.size() == 63);
+  CHECK(points[0].speed_rpm == 605);
+  CHECK(points[6].load_pct == 150);  // at each speed all loads ...
+  CHECK(points[7].load_pct == 0);    // ... and again
+  CHECK(points[7].repeat == 2);
+  CHECK(points[20].speed_rpm == 605);
+  CHECK(points[21].speed_rpm == 1210);
+  CHECK(points[62].speed_rpm == 1815);
+
+  // 600 s of warm-up; 21 points each of 48, 24 and 16 s; 2 s of settling before each.
+  CHECK(sequences::planned_duration_s(plan) == Approx(600 + 21 * (48 + 24 + 16) + 63 * 2));
+  double most_Nm = 0;
+  double recorded_s = 0;
+  for (const auto& segment : sequences::timeline(plan)) {
+    most_Nm = std::max(most_Nm, segment.output_torque_Nm);
+    if (segment.recorded) recorded_s += segment.duration_s;
+  }
+  CHECK(most_Nm == Approx(250.5));
+  CHECK(recorded_s == Approx(1848));
+}
+
+TEST_CASE("the quick plan has four points", "[sequences][plan]") {
+  CHECK(shipped("quick").points().size() == 4);
+  CHECK(sequences::planned_duration_s(shipped("quick")) == Approx(5 + 2 * (24 + 16) + 4 * 2));
+}
+
+TEST_CASE("a resolved plan spells out every default and reads back the same", "[sequences][plan]") {
+  for (const char* name : {"rv20e_acceptance", "quick"}) {
+    const std::string once = plan_to_json(shipped(name));
+    const TestPlan again = test::plan_of(once);
+    CHECK(plan_to_json(again) == once);
+    CHECK(again.points().size() == shipped(name).points().size());
+    for (const char* key : {"watchdog_max_s", "torque_band_Nm", "load_tolerance_pct", "order",
+                            "standstill_rpm", "component"}) {
+      CHECK_THAT(once, Catch::Contains('"' + std::string(key) + '"'));
+    }
+  }
+}
+
+TEST_CASE("a randomised matrix has the same points in another order, by its seed",
+          "[sequences][plan]") {
+  const auto points = [](const std::string& order) {
+    std::vector<std::pair<double, double>> list;
+    const auto text =
+        small_with("\"loads_pct\": [100]", "\"loads_pct\": [0, 25, 50, 75, 100, 125], " + order);
+    const TestPlan plan = test::plan_of(text);
+    CHECK(plan_to_json(test::plan_of(plan_to_json(plan))) == plan_to_json(plan));
+    for (const auto& point : plan.points()) list.emplace_back(point.speed_rpm, point.load_pct);
+    return list;
+  };
+  const auto nested = points("\"order\": \"nested\"");
+  const auto one = points("\"order\": \"randomised\", \"seed\": 1");
+  CHECK(one == points("\"order\": \"randomised\", \"seed\": 1"));
+  CHECK(one != points("\"order\": \"randomised\", \"seed\": 2"));
+  CHECK(one != nested);
+  CHECK(std::set(one.begin(), one.end()) == std::set(nested.begin(), nested.end()));
+}
+
+TEST_CASE("every fault of a plan is told at once", "[sequences][plan]") {
+  CHECK(faults_of("{\n"
+                  "  \"name\": \"bad\",\n"
+                  "  \"specimen\": {\"kinematics\": \"rv20e\", \"gear_ratio\": 0.5},\n"
+                  "  \"interlocks\": {\"input_speed_rpm\": 2200, \"input_torque_Nm\": 8,\n"
+                  "    \"acceleration_m_s2\": 300, \"housing_temp_degC\": 60,\n"
+                  "    \"stale_after\": 0.3},\n"
+                  "  \"setup\": [{\"phase\": \"conect\"}],\n"
+                  "  \"main\": [{\"phase\": \"matrix\", \"speed_rpm\": [605],\n"
+                  "    \"loads_pct\": [-25],\n"
+                  "    \"record\": {\"output_turns\": 2}}],\n"
+                  "  \"limits\": [{\"measure\": \"acceleration_peak\", \"unit\": \"g\",\n"
+                  "    \"max\": \"high\"}]\n"
+                  "}\n") ==
+        "plan.json:3: /specimen/gear_ratio: 0.5 is below 1.01\n"
+        "plan.json:3: /specimen/rated_output_torque_Nm: this key is missing\n"
+        "plan.json:4: /interlocks/stale_after_s: this key is missing\n"
+        "plan.json:6: /interlocks/stale_after: unknown key, did you mean \"stale_after_s\"?\n"
+        "plan.json:7: /setup/0/phase: there is no such phase, did you mean \"connect\"?\n"
+        "plan.json:8: /main/0/speeds_rpm: this key is missing\n"
+        "plan.json:8: /main/0/speed_rpm: unknown key, did you mean \"speeds_rpm\"?\n"
+        "plan.json:9: /main/0/loads_pct/0: -25 is below 0\n"
+        "plan.json:10: /main/0/record/output_turns: 2 is below 4\n"
+        "plan.json:11: /limits/0/why: this key is missing\n"
+        "plan.json:12: /limits/0/max: expected a number, found \"high\"\n");
+}
+
+TEST_CASE("a plan that contradicts itself is refused", "[sequences][plan]") {
+  CHECK(faults_of(test::small_plan) == "");
+  CHECK_THAT(faults_of(small_with("\"input_speed_rpm\": 2200", "\"input_speed_rpm\": 1815")),
+             Catch::Contains("1815 is not above the plan's fastest speed, 1815 rpm"));
+  CHECK_THAT(faults_of(small_with("\"input_torque_Nm\": 8", "\"input_torque_Nm\": 1")),
+             Catch::Contains("1 is not above what the plan's largest load takes, 1.38 N·m"));
+  CHECK_THAT(faults_of(small_with("{\"phase\": \"connect\"},", "")),
+             Catch::Contains("\"connect\" comes once, as the first phase of setup"));
+  CHECK_THAT(faults_of(small_with("\"main\": [", "\"main\": [{\"phase\": \"connect\"},")),
+             Catch::Contains("/main/0/phase: \"connect\" comes once"));
+  CHECK_THAT(faults_of(small_with("\"loads_pct\": [100]",
+                                  "\"loads_pct\": [100], "
+                                  "\"settling\": {\"hold_s\": 40}")),
+             Catch::Contains("/main/0/settling/timeout_s: must be above hold_s"));
+  std::string many = "[0";
+  for (int i = 0; i < 200; ++i) many += ",1";
+  CHECK_THAT(faults_of(small_with("\"loads_pct\": [100]",
+                                  "\"loads_pct\": " + many + "], \"repeats\": 1000")),
+             Catch::Contains("201000 points are more than 10000"));
+}
