@@ -8,13 +8,13 @@ namespace rvbench::analysis {
 namespace {
 
 constexpr std::array<Table4Row, 7> rows = {{
-    {"drive shaft", "input_shaft", {10.0, 20.0, 30.0}},
-    {"planetary gear meshing", "sun_gear", {87.3, 175.5, 263.7}},
-    {"cycloid meshing", "cycloid_disc", {3.2, 6.4, 9.5}},
-    {"pin tooth meshing", "pin_housing", {6.5, 13.0, 19.5}},
-    {"pin tooth shell", "pin_housing", {0.2, 0.3, 0.5}},
-    {"cycloidal gear rotation", "cycloid_disc", {0.1, 0.2, 0.3}},
-    {"planetary gear rotation", "planet_gear", {3.2, 6.4, 9.5}},
+    {"Drive shaft frequency", "input_shaft", {10.0, 20.0, 30.0}},
+    {"Planetary gear meshing frequency", "sun_gear", {87.3, 175.5, 263.7}},
+    {"Cycloid meshing frequency", "cycloid_disc", {3.2, 6.4, 9.5}},
+    {"Pin tooth meshing frequency", "pin_housing", {6.5, 13.0, 19.5}},
+    {"Pin tooth shell characteristic frequency", "pin_housing", {0.2, 0.3, 0.5}},
+    {"Cycloidal gear rotation frequency", "cycloid_disc", {0.1, 0.2, 0.3}},
+    {"Planetary gear rotation frequency", "planet_gear", {3.2, 6.4, 9.5}},
 }};
 
 constexpr double rounding_Hz = 0.05;

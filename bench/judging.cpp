@@ -76,8 +76,8 @@ Ending trust_in(const Judgement& judgement) {
     const bool noted = note != point.examination.quality.end();
     if (point.status == "ok" && !noted) continue;
     if (spoiled++ == 0) {
-      first = point.examination.source + ": " +
-              (noted ? note->where + ": " + note->what : point.status);
+      first =
+          noted ? note->where + ": " + note->what : point.examination.source + ": " + point.status;
     }
   }
   if (spoiled == 1) return invalid(first);

@@ -70,7 +70,7 @@ std::string imf_figure(const Shown& shown, const Eigen::VectorXd& imf, int numbe
   const double length_s = std::min(imf_window_s, double(imf.size()) / shown.channel.rate_Hz);
   const auto count = static_cast<Eigen::Index>(length_s * shown.channel.rate_Hz);
   SvgPlot plot(fmt::format("IMF {}", number), {"time [s]", 0, length_s},
-               axis_around(shown.channel.info.unit, imf.head(count)), 720, 170);
+               axis_around(shown.channel.info.unit, imf.head(count)), 540, 165);
   plot.add_trace(0, 1 / shown.channel.rate_Hz, imf.head(count));
   return figure(plot);
 }
@@ -82,13 +82,17 @@ std::string envelope_figure(const Shown& shown, const Eigen::VectorXd& imf, int 
                              static_cast<Eigen::Index>(envelope_orders / spectrum.resolution) + 1);
   SvgPlot plot(fmt::format("Envelope spectrum of IMF {}", number),
                {"order of the input shaft", 0, envelope_orders},
-               axis_around(shown.channel.info.unit, spectrum.amplitude.head(lines)), 720, 170);
+               axis_around(shown.channel.info.unit, spectrum.amplitude.head(lines)), 540, 165);
   plot.add_trace(0, spectrum.resolution, spectrum.amplitude.head(lines));
   for (const analysis::CharacteristicOrder& line : shown.kinematics.orders)
     plot.add_mark(line.order, mark_text(line));
   for (double harmonic = 2; harmonic < envelope_orders; ++harmonic)
     plot.add_mark(harmonic, fmt::format("{:.0f}", harmonic));
   return figure(plot);
+}
+
+double length_s(const Shown& shown) {
+  return double(shown.channel.samples.size()) / shown.channel.rate_Hz;
 }
 
 std::string imf_figures(const Shown& shown) {
@@ -100,7 +104,7 @@ std::string imf_figures(const Shown& shown) {
     const Eigen::VectorXd imf = modes.imfs.col(k);
     const int number = static_cast<int>(k) + 1;
     html += imf_figure(shown, imf, number);
-    const bool has_orders = shown.turns_per_s() > 0;
+    const bool has_orders = shown.turns_per_s() * length_s(shown) > 1;
     if (number <= imfs_with_spectrum && has_orders) html += envelope_figure(shown, imf, number);
   }
   return html + "</div>\n";

@@ -17,7 +17,7 @@ struct PlotAxis {
 class SvgPlot {
  public:
   /// @throws std::invalid_argument if an axis is empty or not finite
-  SvgPlot(std::string title, PlotAxis x, PlotAxis y, int width_px = 720, int height_px = 220);
+  SvgPlot(std::string title, PlotAxis x, PlotAxis y, int width_px = 540, int height_px = 210);
 
   /// Samples at x0, x0 + dx, ... Where they are denser than the plot can show, each column draws
   /// its least and its greatest value: no peak is lost. A NaN interrupts the trace.

@@ -21,11 +21,11 @@ analysis::Kinematics rv20e() {
   kinematics.machine = "RV-20E";
   kinematics.period_turns = 121;
   kinematics.orders = {
-      {"input shaft", 1, "1", "input_shaft", "drive shaft"},
-      {"sun-planet mesh", 1080.0 / 121, "1080/121", "sun_gear", "planetary gear meshing"},
-      {"cycloid orbit", 39.0 / 121, "39/121", "crank", "cycloid meshing"},
+      {"input shaft", 1, "1", "input_shaft", "Drive shaft frequency"},
+      {"sun-planet mesh", 1080.0 / 121, "1080/121", "sun_gear", "Planetary gear meshing frequency"},
+      {"cycloid orbit", 39.0 / 121, "39/121", "crank", "Cycloid meshing frequency"},
       {"crank in carrier", 40.0 / 121, "40/121", "crank", ""},
-      {"pin pass", 78.0 / 121, "78/121", "pin_housing", "pin tooth meshing"}};
+      {"pin pass", 78.0 / 121, "78/121", "pin_housing", "Pin tooth meshing frequency"}};
   analysis::Signature signature;
   signature.component = "input_shaft";
   signature.depth_limit = 0.2;

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <stop_token>
+#include <string>
+
+#include "analysis/kinematics.hpp"
+#include "bench/progress_bar.hpp"
+#include "bench/run_folder.hpp"
+#include "hal/rig.hpp"
+#include "sequences/plan.hpp"
+
+namespace rvbench::bench {
+
+/// What one acceptance test works with.
+struct Acceptance {
+  const sequences::TestPlan& plan;
+  analysis::Kinematics kinematics;  ///< with the plan's limits
+  std::filesystem::path folder;     ///< of the run, with plan.json and rig.json in it
+  RunFacts facts;                   ///< what is known before the start
+};
+
+/// Measures and records, judges what was recorded, and leaves the run folder complete:
+/// recording, log.jsonl, verdict.json, junit.xml, report.html, SHA256SUMS. In a folder that holds
+/// recordings already it goes on at the next point. Whatever happens to the bench is in the
+/// judgement's ending.
+///
+/// @throws std::system_error if the folder cannot be written to
+Judgement run_acceptance(Acceptance acceptance, hal::Rig& rig, ProgressBar& bar,
+                         std::stop_token stop);
+
+/// verdict.json, junit.xml, report.html and SHA256SUMS of a run folder.
+void write_results(const std::filesystem::path& folder, const Judgement& judgement,
+                   const analysis::Kinematics& kinematics);
+
+/// report.html alone, out of what the folder holds.
+void write_report(const std::filesystem::path& folder, const Judgement& judgement,
+                  const analysis::Kinematics& kinematics);
+
+}  // namespace rvbench::bench

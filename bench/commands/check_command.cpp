@@ -1,0 +1,104 @@
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "bench/commands/commands.hpp"
+#include "bench/kinematics_file.hpp"
+#include "bench/rig_factory.hpp"
+#include "bench/run_folder.hpp"
+#include "bench/sha256.hpp"
+#include "sequences/plan.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+using Faults = std::vector<hal::ConfigFault>;
+
+Faults plan_faults(const std::string& file) {
+  auto plan = sequences::read_plan(file);
+  return plan.index() == 1 ? std::get<1>(std::move(plan)) : Faults{};
+}
+
+Faults kinematics_faults(const std::string& file) {
+  auto kinematics = read_kinematics(file);
+  return kinematics.index() == 1 ? std::get<1>(std::move(kinematics)) : Faults{};
+}
+
+Faults rig_faults(const std::string& file) { return check_rig(file); }
+
+/// What makes a file one of a kind: a key that only this kind has.
+struct Kind {
+  const char* name;
+  const char* key;
+  Faults (*check)(const std::string& file);
+};
+
+constexpr Kind kinds[] = {{"plan", "main", plan_faults},
+                          {"rig", "rig", rig_faults},
+                          {"kinematics", "machine", kinematics_faults}};
+
+const Kind* kind_of(const std::string& text) {
+  const auto json = nlohmann::json::parse(text, nullptr, false);
+  for (const Kind& kind : kinds) {
+    if (json.is_object() && json.contains(kind.key)) return &kind;
+  }
+  return nullptr;
+}
+
+int check_run(Console& console, const std::filesystem::path& folder) {
+  std::vector<std::string> faults = verify_sums(folder);
+  for (const std::string& fault : faults) console.err << (folder / fault).string() << '\n';
+  if (!faults.empty()) return exit_codes::bad_file;
+  console.out << folder.string() << ": run folder, every file matches its hash\n";
+  return exit_codes::done;
+}
+
+int check_file(Console& console, const std::string& file) {
+  const std::optional<std::string> text = read_file(file);
+  if (!text) return refuse_file(console, file, {{0, "", "cannot be read"}});
+  const Kind* kind = kind_of(*text);
+  if (kind == nullptr) {
+    // The reader says where the JSON breaks; sound JSON without a known key is told what is known.
+    Faults faults = hal::ConfigReader::from_text(*text, file).faults();
+    if (faults.empty()) {
+      faults = {{1, "", "neither plan (\"main\"), rig (\"rig\") nor kinematics (\"machine\")"}};
+    }
+    return refuse_file(console, file, faults);
+  }
+  const Faults faults = kind->check(file);
+  if (!faults.empty()) return refuse_file(console, file, faults);
+  console.out << file << ": " << kind->name << ", no fault\n";
+  return exit_codes::done;
+}
+
+class CheckCommand final : public Command {
+ public:
+  std::string name() const override { return "check"; }
+  std::string summary() const override {
+    return "validates plan, rig and kinematics files and run folders";
+  }
+  std::string examples() const override {
+    return "  rvbench check plans/mine.json bench_a.json\n"
+           "  rvbench check runs/A17/20260102T030405Z    verifies the hashes of a run\n";
+  }
+  std::vector<Option> options() override {
+    return {{"FILE", "files or run folders", &files_, true, {}}};
+  }
+
+  int run(Console& console) override {
+    int worst = exit_codes::done;
+    for (const std::string& file : files_) {
+      const bool folder = std::filesystem::is_directory(file);
+      worst = std::max(worst, folder ? check_run(console, file) : check_file(console, file));
+    }
+    return worst;
+  }
+
+ private:
+  std::vector<std::string> files_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_check_command() { return std::make_unique<CheckCommand>(); }
+
+}  // namespace rvbench::bench

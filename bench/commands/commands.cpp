@@ -1,0 +1,25 @@
+#include "bench/commands/commands.hpp"
+
+namespace rvbench::bench {
+
+std::vector<std::unique_ptr<Command>> make_commands() {
+  std::vector<std::unique_ptr<Command>> commands;
+  commands.push_back(make_run_command());
+  commands.push_back(make_check_command());
+  commands.push_back(make_judge_command());
+  commands.push_back(make_report_command());
+  return commands;
+}
+
+int refuse_file(Console& console, const std::filesystem::path& file,
+                const std::vector<hal::ConfigFault>& faults) {
+  for (const hal::ConfigFault& fault : faults) console.err << hal::describe(file, fault) << '\n';
+  return exit_codes::bad_file;
+}
+
+int refuse_usage(Console& console, const std::string& message) {
+  console.err << "rvbench: " << message << '\n';
+  return exit_codes::usage;
+}
+
+}  // namespace rvbench::bench

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "bench/command.hpp"
+#include "hal/config_reader.hpp"
+
+namespace rvbench::bench {
+
+std::unique_ptr<Command> make_run_command();
+std::unique_ptr<Command> make_check_command();
+std::unique_ptr<Command> make_judge_command();
+std::unique_ptr<Command> make_report_command();
+
+/// Prints every fault of a file on standard error, one a line. @return exit_codes::bad_file
+int refuse_file(Console& console, const std::filesystem::path& file,
+                const std::vector<hal::ConfigFault>& faults);
+
+/// Prints why the arguments make no sense. @return exit_codes::usage
+int refuse_usage(Console& console, const std::string& message);
+
+}  // namespace rvbench::bench

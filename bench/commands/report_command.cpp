@@ -1,0 +1,50 @@
+#include <filesystem>
+
+#include "bench/acceptance.hpp"
+#include "bench/commands/commands.hpp"
+#include "bench/judging.hpp"
+#include "bench/kinematics_file.hpp"
+#include "bench/sha256.hpp"
+#include "bench/verdict_json.hpp"
+#include "sequences/plan.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+class ReportCommand final : public Command {
+ public:
+  std::string name() const override { return "report"; }
+  std::string summary() const override { return "rebuilds report.html of a run folder"; }
+  std::string examples() const override { return "  rvbench report runs/A17/20260102T030405Z\n"; }
+  std::vector<Option> options() override { return {{"RUN", "run folder", &folder_, true, {}}}; }
+
+  int run(Console& console) override {
+    const std::filesystem::path folder = folder_;
+    const auto plan = sequences::read_plan(folder / "plan.json");
+    if (plan.index() == 1) return refuse_file(console, folder / "plan.json", std::get<1>(plan));
+    const sequences::TestPlan& test = std::get<0>(plan);
+    const auto kinematics = read_kinematics(test.specimen.kinematics);
+    if (kinematics.index() == 1) {
+      return refuse_file(console, test.specimen.kinematics, std::get<1>(kinematics));
+    }
+    const auto text = read_file(folder / "verdict.json");
+    const auto judgement = judgement_from_json(text.value_or(""));
+    if (!judgement) {
+      return refuse_file(console, folder / "verdict.json",
+                         {{0, "", text ? "is no verdict" : "cannot be read"}});
+    }
+    write_report(folder, *judgement, with_limits(std::get<0>(kinematics), test.limits));
+    write_sums(folder);
+    console.out << (folder / "report.html").string() << '\n';
+    return exit_codes::done;
+  }
+
+ private:
+  std::string folder_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_report_command() { return std::make_unique<ReportCommand>(); }
+
+}  // namespace rvbench::bench

@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "bench/acceptance.hpp"
+#include "bench/commands/commands.hpp"
+#include "bench/judging.hpp"
+#include "bench/kinematics_file.hpp"
+#include "bench/plan_files.hpp"
+#include "bench/progress_bar.hpp"
+#include "bench/rig_factory.hpp"
+#include "bench/software_version.hpp"
+#include "bench/stop_on_signal.hpp"
+#include "bench/summary.hpp"
+#include "bench/timeline_table.hpp"
+#include "bench/verdict_json.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+constexpr std::uint64_t default_seed = 1;
+
+class RunCommand final : public Command {
+ public:
+  std::string name() const override { return "run"; }
+  std::string summary() const override {
+    return "runs an acceptance test: measure, record, judge, report";
+  }
+  std::string examples() const override {
+    return "  rvbench run quick --rig sim --serial A17\n"
+           "  rvbench run quick --rig sim --preset input_shaft --seed 7 --serial A18 --json\n"
+           "  rvbench run rv20e_acceptance --rig sim --serial A17 --dry-run\n"
+           "  rvbench run plans/mine.json --rig bench_a.json --serial A17 --resume\n";
+  }
+  std::vector<Option> options() override {
+    return {
+        {"PLAN", "built-in plan or plan file", &plan_, true, {}},
+        {"--rig", "sim, or a rig file", &rig_, true, {}},
+        {"--serial", "serial number of the unit", &serial_, false, {}},
+        {"--preset", "simulated unit: healthy, input_shaft, ...", &preset_, false, {}},
+        {"--seed", "of everything that the simulation draws", &seed_, false, {}},
+        {"--dry-run", "print the timeline and its envelope; touch nothing", &dry_run_, false, {}},
+        {"--out", "folder for run folders", &out_, false, {}},
+        {"--resume", "go on with the newest unfinished run of this serial", &resume_, false, {}},
+        {"--json", "one JSON document on standard output", &json_, false, {}}};
+  }
+  int run(Console& console) override;
+
+ private:
+  int prepare_folder(Console& console, const sequences::TestPlan& plan);
+  RunFacts facts(const sequences::TestPlan& plan) const;
+  int measure(Console& console, const sequences::TestPlan& plan, analysis::Kinematics kinematics);
+
+  std::string plan_;
+  std::string rig_;
+  std::string serial_;
+  std::string preset_ = "healthy";
+  std::optional<std::uint64_t> seed_;
+  std::string out_ = "runs";
+  bool dry_run_ = false;
+  bool resume_ = false;
+  bool json_ = false;
+  std::filesystem::path folder_;
+};
+
+int RunCommand::run(Console& console) {
+  const auto plan = find_plan(plan_);
+  if (plan.index() == 1) return refuse_file(console, plan_, std::get<1>(plan));
+  const sequences::TestPlan& test = std::get<0>(plan);
+  if (dry_run_) {
+    console.out << (json_ ? timeline_json(test) : timeline_table(test));
+    return exit_codes::done;
+  }
+  if (serial_.empty()) return refuse_usage(console, "run: --serial is required");
+  auto kinematics = read_kinematics(test.specimen.kinematics);
+  if (kinematics.index() == 1) {
+    return refuse_file(console, test.specimen.kinematics, std::get<1>(kinematics));
+  }
+  return measure(console, test, with_limits(std::get<0>(std::move(kinematics)), test.limits));
+}
+
+/// A new run folder with the resolved plan, or the one to go on with.
+int RunCommand::prepare_folder(Console& console, const sequences::TestPlan& plan) {
+  const std::string resolved = sequences::plan_to_json(plan);
+  if (!resume_) {
+    folder_ = create_run_folder(out_, serial_, utc_now());
+    write_file(folder_ / "plan.json", resolved);
+    return exit_codes::done;
+  }
+  const auto unfinished = newest_unfinished_run(out_, serial_);
+  if (!unfinished)
+    return refuse_usage(console, "run: " + serial_ + " has no unfinished run to resume");
+  folder_ = *unfinished;
+  if (read_file(folder_ / "plan.json") != resolved) {
+    return refuse_usage(console, "run: " + (folder_ / "plan.json").string() +
+                                     " is another plan; resume with that one");
+  }
+  return exit_codes::done;
+}
+
+RunFacts RunCommand::facts(const sequences::TestPlan& plan) const {
+  RunFacts facts;
+  facts.serial = serial_;
+  facts.started_utc = utc_now();
+  facts.plan = plan.name;
+  facts.rig = rig_;
+  facts.preset = preset_;
+  facts.seed = seed_.value_or(default_seed);
+  facts.software = software_version();
+  return facts;
+}
+
+int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
+                        analysis::Kinematics kinematics) {
+  StopOnSignal signals;
+  const RigOptions options{.preset = preset_, .seed = seed_.value_or(default_seed)};
+  auto rig = make_rig(rig_, options);
+  if (rig.index() == 1) return refuse_file(console, rig_, std::get<1>(rig));
+  if (const int refused = prepare_folder(console, plan); refused != exit_codes::done)
+    return refused;
+  if (!resume_) write_file(folder_ / "rig.json", rig_to_json(rig_, options));
+  ProgressBar bar(console, progress_style(console, json_));
+  const Judgement judgement = run_acceptance({plan, kinematics, folder_, facts(plan)},
+                                             std::get<0>(rig), bar, signals.token());
+  if (json_) {
+    console.out << judgement_to_json(judgement);
+  } else {
+    print_summary(console, judgement, kinematics);
+    console.out << "\nReport: " << (folder_ / "report.html").string() << '\n';
+  }
+  return exit_code(judgement.ending);
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_run_command() { return std::make_unique<RunCommand>(); }
+
+}  // namespace rvbench::bench

@@ -1,0 +1,26 @@
+#include "bench/run_log.hpp"
+
+#include <cerrno>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "bench/run_folder.hpp"
+
+namespace rvbench::bench {
+
+RunLog::RunLog(const std::filesystem::path& file, ProgressBar& bar)
+    : file_(file, std::ios::app), bar_(bar) {
+  if (!file_) throw std::system_error(errno, std::generic_category(), file.string());
+}
+
+void RunLog::progress(double done_s, double total_s, const std::string& doing) {
+  bar_.show("measure", total_s > 0 ? done_s / total_s : 0, doing);
+}
+
+void RunLog::event(double time_s, const std::string& text) {
+  events_.emplace_back(time_s, text);
+  const nlohmann::ordered_json line = {{"utc", utc_now()}, {"time_s", time_s}, {"event", text}};
+  file_ << line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
+}
+
+}  // namespace rvbench::bench

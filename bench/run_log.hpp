@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/progress_bar.hpp"
+#include "sequences/sequencer.hpp"
+
+namespace rvbench::bench {
+
+/// What a run tells while it goes: progress to the bar, events to log.jsonl, one JSON object a
+/// line, each written out at once.
+class RunLog final : public sequences::RunObserver {
+ public:
+  /// Appends to the file. @throws std::system_error if it cannot be opened
+  RunLog(const std::filesystem::path& file, ProgressBar& bar);
+
+  void progress(double done_s, double total_s, const std::string& doing) override;
+  void event(double time_s, const std::string& text) override;
+
+  const std::vector<std::pair<double, std::string>>& events() const { return events_; }
+
+ private:
+  std::ofstream file_;
+  ProgressBar& bar_;
+  std::vector<std::pair<double, std::string>> events_;
+};
+
+}  // namespace rvbench::bench

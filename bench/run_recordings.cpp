@@ -1,0 +1,46 @@
+#include "bench/run_recordings.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace rvbench::bench {
+namespace {
+
+std::string recording_name(std::size_t number) {
+  return number == 1 ? "recording.h5" : fmt::format("recording-{}.h5", number);
+}
+
+}  // namespace
+
+Result<RunRecordings> RunRecordings::open(const std::filesystem::path& folder) {
+  RunRecordings run;
+  for (std::size_t number = 1; std::filesystem::exists(folder / recording_name(number)); ++number) {
+    const std::filesystem::path file = folder / recording_name(number);
+    const Status repaired = hal::repair_recording(file);
+    if (!repaired) return repaired.error();
+    Result<std::unique_ptr<hal::RecordingReader>> opened = hal::RecordingReader::open(file);
+    if (!opened) return opened.error();
+    run.readers_.push_back(std::move(opened).value());
+    const hal::RecordingReader& reader = *run.readers_.back();
+    for (const hal::PointResult& result : reader.results()) run.ended_[result.point] = number - 1;
+    run.events_.insert(run.events_.end(), reader.events().begin(), reader.events().end());
+    run.points_ = static_cast<int>(reader.layout().points.size());
+  }
+  return run;
+}
+
+int RunRecordings::next_point() const { return ended_.empty() ? 0 : ended_.rbegin()->first + 1; }
+
+Result<Recording> RunRecordings::read(int point) {
+  const auto found = ended_.find(point);
+  if (found == ended_.end()) {
+    throw std::invalid_argument(
+        fmt::format("RunRecordings::read: point {} was not recorded", point));
+  }
+  return readers_[found->second]->read(point);
+}
+
+std::string RunRecordings::next_name() const { return recording_name(readers_.size() + 1); }
+
+}  // namespace rvbench::bench

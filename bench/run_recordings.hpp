@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hal/recording_file.hpp"
+#include "hal/types/result.hpp"
+
+namespace rvbench::bench {
+
+/// The recordings of one run folder as one: recording.h5, and recording-2.h5 and so on where the
+/// run was resumed. A point that was recorded twice is the later one.
+class RunRecordings {
+ public:
+  /// Repairs what a killed run left behind. A folder without a recording has no points.
+  static Result<RunRecordings> open(const std::filesystem::path& folder);
+
+  int points() const { return points_; }  ///< planned
+  bool has(int point) const { return ended_.contains(point); }
+  int next_point() const;  ///< after the last that ended
+  const std::vector<std::pair<double, std::string>>& events() const { return events_; }
+  Result<Recording> read(int point);
+
+  /// The name that the next recording of the folder gets.
+  std::string next_name() const;
+
+ private:
+  std::vector<std::unique_ptr<hal::RecordingReader>> readers_;
+  std::map<int, std::size_t> ended_;  ///< point → reader
+  std::vector<std::pair<double, std::string>> events_;
+  int points_ = 0;
+};
+
+}  // namespace rvbench::bench

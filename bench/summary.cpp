@@ -1,0 +1,87 @@
+#include "bench/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/report/html.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+constexpr std::size_t most_lines = 8;
+
+std::string evidence_of(const analysis::Finding& finding, double period_turns) {
+  std::string text;
+  const std::size_t count = std::min(finding.line_orders.size(), finding.line_depths.size());
+  for (std::size_t i = 0; i < std::min(count, most_lines); ++i) {
+    text += fmt::format("{}{} {:.3f}", text.empty() ? "" : ", ",
+                        report::order_text(finding.line_orders[i], period_turns),
+                        finding.line_depths[i]);
+  }
+  return text;
+}
+
+void print_finding(Console& console, const analysis::Finding& finding, double period_turns) {
+  console.out << fmt::format(
+      "  {}: {}{}\n", finding.component, finding.mechanism,
+      finding.table4_item.empty() ? "" : " (Table 4: " + finding.table4_item + ")");
+  console.out << fmt::format(
+      "    depth {:.3f}, limit {:.3f}; order {}, {:.2f} Hz; p {:.1e}; confidence {:.0f} %\n",
+      finding.severity, finding.limit, report::order_text(finding.order, period_turns),
+      finding.frequency_Hz, finding.p_value, 100 * finding.confidence);
+  console.out << "    seen in " << finding.points.size()
+              << (finding.points.size() == 1 ? " point" : " points")
+              << "; envelope lines (order depth): " << evidence_of(finding, period_turns) << '\n';
+}
+
+void print_unexplained(Console& console, const std::vector<analysis::SpectralLine>& lines) {
+  if (lines.empty()) return;
+  console.out << "\nLines that the kinematics does not explain:\n";
+  for (std::size_t i = 0; i < std::min(lines.size(), most_lines); ++i) {
+    console.out << fmt::format("  {:9.2f} Hz  order {:8.4f}  amplitude {:.3g}\n",
+                               lines[i].frequency_Hz, lines[i].order, lines[i].amplitude);
+  }
+  if (lines.size() > most_lines) console.out << "  and " << lines.size() - most_lines << " more\n";
+}
+
+void print_quality(Console& console, const std::vector<analysis::QualityNote>& notes) {
+  if (notes.empty()) return;
+  console.out << "\nQuality of the data:\n";
+  for (std::size_t i = 0; i < std::min(notes.size(), most_lines); ++i) {
+    console.out << fmt::format("  {}: {}{}\n", notes[i].where, notes[i].what,
+                               notes[i].invalidates ? " (invalid)" : "");
+  }
+  if (notes.size() > most_lines) console.out << "  and " << notes.size() - most_lines << " more\n";
+}
+
+}  // namespace
+
+void print_summary(Console& console, const Judgement& judgement,
+                   const analysis::Kinematics& kinematics) {
+  const Outcome outcome = judgement.ending.outcome;
+  console.out << paint(console, tone_of(outcome), to_string(outcome)) << "  "
+              << judgement.ending.reason << '\n';
+  const analysis::Diagnosis& diagnosis = judgement.diagnosis;
+  if (!diagnosis.findings.empty()) console.out << "\nFindings above their limit:\n";
+  for (const auto& finding : diagnosis.findings) {
+    print_finding(console, finding, kinematics.period_turns);
+    console.out << "    advice: " << finding.advice << '\n';
+  }
+  if (!diagnosis.below_limit.empty()) console.out << "\nSignificant, but within limits:\n";
+  for (const auto& finding : diagnosis.below_limit)
+    print_finding(console, finding, kinematics.period_turns);
+  print_unexplained(console, diagnosis.unexplained);
+  if (!judgement.limits.empty()) console.out << "\nLimits:\n";
+  for (const LimitCheck& check : judgement.limits) {
+    const bool known = std::isfinite(check.measured);
+    console.out << fmt::format("  {} {}: {} {} (limit {} {})\n",
+                               known ? (check.passed ? "within" : "ABOVE ") : "no value",
+                               check.measure, report::number(check.measured), check.unit,
+                               report::number(check.max), check.unit);
+  }
+  print_quality(console, diagnosis.quality);
+}
+
+}  // namespace rvbench::bench
