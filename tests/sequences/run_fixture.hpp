@@ -59,11 +59,16 @@ class MemoryObserver final : public sequences::RunObserver {
     last_done_s = done_s;
     doings[doing]++;
   }
-  void event(double time_s, const std::string& text) override { events.emplace_back(time_s, text); }
+  void event(double, const std::string& text) override {
+    const bool stopped = world != nullptr && !world->speed_commands().empty() &&
+                         world->speed_commands().back().second == 0;
+    events.emplace_back(stopped, text);
+  }
 
   double last_done_s = 0;
   std::map<std::string, int> doings;
-  std::vector<std::pair<double, std::string>> events;
+  const hal::MirrorWorld* world = nullptr;
+  std::vector<std::pair<bool, std::string>> events;  ///< was the drive told to stop by then?
 };
 
 /// One point after two seconds of warm-up: about 25 s of rig time at 1815 rpm.
@@ -89,7 +94,9 @@ inline sequences::TestPlan plan_of(const std::string& text) {
 
 /// A run on the mirror rig, with all that can be seen of it.
 struct Run {
-  explicit Run(const hal::MirrorOptions& options = {}) : rig(hal::make_mirror_rig(options)) {}
+  explicit Run(const hal::MirrorOptions& options = {}) : rig(hal::make_mirror_rig(options)) {
+    observer.world = &world();
+  }
 
   const sequences::RunSummary& go(const std::string& plan_text = small_plan, int first_point = 0) {
     const auto plan = plan_of(plan_text);

@@ -97,6 +97,9 @@ TEST_CASE("an interlock stops the drive within 20 ms and before anything is writ
     CHECK_THAT(summary.ending.reason, Catch::Contains(reason));
     CHECK(run.stopped_s() >= at_s);
     CHECK(run.stopped_s() <= at_s + 0.02);
+    for (const auto& [stopped, text] : run.observer.events) {
+      if (text == summary.ending.reason) CHECK(stopped);  // stop first, log after
+    }
     CHECK(summary.shaft_stopped);
     CHECK(summary.brake_released);
     CHECK(run.world().speed_rpm() == 0);
