@@ -81,11 +81,7 @@ Finding make_finding(const Signature& signature, const Evidence& evidence, doubl
 /// What no kinematics accounts for, over all channels and points.
 std::vector<SpectralLine> unexplained_families(const std::vector<Examination>& points) {
   std::vector<SpectralLine> lines;
-  double resolution = 0;
   for (const Examination& point : points) {
-    if (point.periods > 0) {
-      resolution = std::max(resolution, 1e-4);
-    }
     for (const ChannelExamination& channel : point.channels) {
       for (const SpectralLine& line : channel.lines) {
         if (!line.meaning.empty()) continue;
@@ -103,7 +99,7 @@ std::vector<SpectralLine> unexplained_families(const std::vector<Examination>& p
   std::sort(lines.begin(), lines.end(),
             [](const SpectralLine& a, const SpectralLine& b) { return a.amplitude > b.amplitude; });
   if (lines.size() > 200) lines.resize(200);
-  std::vector<SpectralLine> result = families(std::move(lines), resolution);
+  std::vector<SpectralLine> result = families(std::move(lines));
   if (result.size() > families_listed) result.resize(families_listed);
   return result;
 }

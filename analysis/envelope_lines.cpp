@@ -23,18 +23,28 @@ Eigen::VectorXd without_average_period(const Eigen::VectorXd& x, Eigen::Index pe
   return x - average.replicate(periods, 1);
 }
 
+/// Mean frequency of x, from its zero crossings, as an order.
+double carrier_order(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz, double speed_Hz) {
+  const Eigen::Index n = x.size();
+  const auto crossings = (x.head(n - 1).array() * x.tail(n - 1).array() < 0).count();
+  return 0.5 * static_cast<double>(crossings) * rate_Hz / static_cast<double>(n) / speed_Hz;
+}
+
 struct Sums {
   double statistic = 0;
   double excess = 0;  ///< power above the floor
   int lines = 0;
 };
 
-Sums sum_lines(const LineFloor& floor, double resolution, const std::vector<double>& lines,
-               double stretch, std::vector<double>* excess_of_line) {
+Sums sum_lines(const LineFloor& floor, const EnvelopeSpectra& envelope,
+               const std::vector<double>& lines, double stretch,
+               std::vector<double>* excess_of_line) {
   Sums sums;
   for (const double order : lines) {
-    const auto line = static_cast<Eigen::Index>(std::lround(order * stretch / resolution));
-    const bool inside = line >= 2 && line < floor.power.size() - 1;
+    const auto line =
+        static_cast<Eigen::Index>(std::lround(order * stretch / envelope.whole.resolution));
+    const bool inside =
+        line >= 2 && line < floor.power.size() - 1 && order < envelope.highest_order;
     const double excess = inside ? floor.power[line] - floor.floor[line] : 0;
     if (excess_of_line != nullptr) excess_of_line->push_back(std::max(excess, 0.0));
     if (!inside) continue;
@@ -56,6 +66,7 @@ EnvelopeSpectra envelope_spectra(const Eigen::Ref<const Eigen::VectorXd>& x, dou
   if (over_angle.size() < 16) return result;
 
   result.mean = over_angle.mean();
+  result.highest_order = 0.5 * carrier_order(x, rate_Hz, angle.mean_speed_Hz());
   result.periods = std::round(static_cast<double>(over_angle.size()) / per_turn / period_turns);
   const auto periods = static_cast<Eigen::Index>(result.periods);
   const Eigen::VectorXd swing = over_angle.array() - result.mean;
@@ -83,17 +94,17 @@ FamilyScore score_family(const EnvelopeSpectra& envelope, const Signature& signa
   const double highest = *std::max_element(lines.begin(), lines.end());
   const auto tries = static_cast<int>(std::ceil(2 * signature.slip * highest / resolution));
   double best_stretch = 1;
-  Sums best = sum_lines(floor, resolution, lines, 1, nullptr);
+  Sums best = sum_lines(floor, envelope, lines, 1, nullptr);
   for (int i = -tries; i <= tries; ++i) {
     const double stretch = tries == 0 ? 1 : 1 + signature.slip * i / tries;
-    const Sums sums = sum_lines(floor, resolution, lines, stretch, nullptr);
+    const Sums sums = sum_lines(floor, envelope, lines, stretch, nullptr);
     if (sums.statistic > best.statistic) {
       best = sums;
       best_stretch = stretch;
     }
   }
   std::vector<double> excess;
-  sum_lines(floor, resolution, lines, best_stretch, &excess);
+  sum_lines(floor, envelope, lines, best_stretch, &excess);
   for (const double power : excess) score.line_depths.push_back(std::sqrt(power) / envelope.mean);
   score.order = signature.order * best_stretch;
   score.statistic = best.statistic;

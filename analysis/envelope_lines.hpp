@@ -12,14 +12,16 @@ namespace rvbench::analysis {
 
 /// Envelope order spectrum of one IMF, with and without what repeats every period.
 struct EnvelopeSpectra {
-  double mean = 0;     ///< of the envelope: what modulation depth refers to
-  double periods = 0;  ///< whole periods spanned
-  Spectrum whole;      ///< over orders; Hann window
-  LineFloor lines;     ///< of `whole`
+  double mean = 0;           ///< of the envelope: what modulation depth refers to
+  double periods = 0;        ///< whole periods spanned
+  double highest_order = 0;  ///< half the carrier's mean order: an envelope holds no more than that
+  Spectrum whole;            ///< over orders; Hann window
+  LineFloor lines;           ///< of `whole`
   LineFloor unlocked;  ///< of the envelope minus its average over periods: what rolls or slips
 };
 
 /// Envelope of x, sampled over the shaft angle. Empty mean and spectra if no period fits.
+/// Source  Bedrosian, Proc. IEEE 51(5), 868-869 (1963), for highest_order
 EnvelopeSpectra envelope_spectra(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz,
                                  double start_s, const ShaftAngle& angle, double period_turns);
 

@@ -82,7 +82,7 @@ Kinematics gear_train(const GearTrain& train) {
   }
   for (const GearTrain::Mesh& m : train.meshes) {
     const double driver = orders[static_cast<std::size_t>(m.driver)];
-    k.orders.push_back({m.name, m.driver_teeth * driver, {}, m.driver_component, ""});
+    k.orders.push_back({m.name, m.driver_teeth * driver, {}, m.driver_component, "", true});
     k.signatures.push_back(gear_signature(m.driver_component, driver));
     if (m.driven >= 0) {
       k.signatures.push_back(

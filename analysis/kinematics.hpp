@@ -12,15 +12,17 @@ struct CharacteristicOrder {
   std::string fraction;     ///< "1080/121"; empty if it is no fraction (bearings)
   std::string component;    ///< the part whose motion it is, as in DESIGN §4
   std::string table4_item;  ///< the row of the article's Table 4; empty if it has none
+  bool mesh = false;        ///< teeth or lobes passing, not a part going round
 };
 
-/// One way a part can be bad, and the family of envelope lines that it leaves:
-/// harmonics 1..harmonics of `order`, each with its sidebands.
+/// One way a part can be bad, and the family of envelope lines that it leaves: harmonics
+/// first_harmonic..harmonics of `order`, each with its sidebands.
 struct Signature {
   std::string component;
   std::string mechanism;
   std::string table4_item;  ///< empty: none
   double order = 0;
+  int first_harmonic = 1;  ///< above 1 where a sound machine shows the lower ones as well
   int harmonics = 1;
   std::vector<double> sidebands;  ///< spacings in orders, searched on both sides
   double slip = 0;                ///< relative: how far rolling elements may stray from `order`

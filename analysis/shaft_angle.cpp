@@ -47,6 +47,7 @@ std::optional<ShaftAngle> ShaftAngle::of(const Recording& record) {
   ShaftAngle shaft;
   const Channel* angle = record.find(channel_names::input_angle);
   if (angle != nullptr && angle->samples.size() > 1) {
+    shaft.is_measured_ = true;
     shaft.start_s_ = angle->start_s;
     shaft.step_s_ = 1 / angle->rate_Hz;
     shaft.turns_ = bridged_turns(*angle);

@@ -14,6 +14,7 @@ class ShaftAngle {
   /// Empty if it has neither, if the shaft turned back, or if it never turned.
   static std::optional<ShaftAngle> of(const Recording& record);
 
+  bool is_measured() const { return is_measured_; }  ///< else the speed was taken as constant
   double mean_speed_Hz() const;
   double turns_at(double time_s) const;  ///< extrapolates at the ends
   double time_at(double turns) const;    ///< the inverse
@@ -29,6 +30,7 @@ class ShaftAngle {
                            double start_s, double period_turns, int samples_per_turn) const;
 
  private:
+  bool is_measured_ = false;
   double start_s_ = 0;
   double step_s_ = 0;
   Eigen::VectorXd turns_;  ///< at start_s_ + i·step_s_

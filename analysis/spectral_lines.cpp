@@ -12,37 +12,33 @@ namespace {
 
 constexpr int most_harmonics = 12;
 constexpr int most_sidebands = 3;
-constexpr double same_order = 3e-4;  // relative: what a speed reading may be off
+constexpr double same_family = 1e-3;  // relative: what one line of an estimate may be off
+constexpr double speed_error = 3e-4;  // relative: what a stated mean speed may be off
 
-bool same(double a, double b, double resolution) {
-  return std::abs(a - b) <= resolution + same_order * b;
-}
+bool same(double a, double b, double near) { return std::abs(a - b) <= near; }
 
 std::string times(const std::string& name, int harmonic) {
   return harmonic == 1 ? name : name + " x" + std::to_string(harmonic);
 }
 
-/// A mesh turns by whole teeth: its order is high above that of the shafts around it.
-bool is_mesh(const CharacteristicOrder& o) { return o.order > 4; }
-
 }  // namespace
 
-std::string meaning_of(double order, double resolution, const Kinematics& kinematics) {
+std::string meaning_of(double order, double near, const Kinematics& kinematics) {
   for (const CharacteristicOrder& o : kinematics.orders) {
     const auto h = static_cast<int>(std::lround(order / o.order));
-    if (h >= 1 && h <= most_harmonics && same(order, h * o.order, resolution)) {
+    if (h >= 1 && h <= most_harmonics && same(order, h * o.order, near)) {
       return times(o.name, h);
     }
   }
   for (const CharacteristicOrder& mesh : kinematics.orders) {
-    if (!is_mesh(mesh)) continue;
+    if (!mesh.mesh) continue;
     const double nearest = std::max(1.0, std::round(order / mesh.order));
     for (const CharacteristicOrder& side : kinematics.orders) {
-      if (is_mesh(side) || side.order < 1.5 * resolution) continue;
+      if (side.mesh || side.order < 2 * near) continue;
       const double away = order - nearest * mesh.order;
       const auto k = static_cast<int>(std::lround(std::abs(away) / side.order));
       if (k >= 1 && k <= most_sidebands && nearest <= most_harmonics &&
-          same(std::abs(away), k * side.order, resolution)) {
+          same(std::abs(away), k * side.order, near)) {
         return times(mesh.name, static_cast<int>(nearest)) + (away < 0 ? " - " : " + ") +
                (k == 1 ? "" : std::to_string(k) + " ") + side.name;
       }
@@ -85,7 +81,7 @@ std::vector<SpectralLine> spectral_lines(const Channel& x, const ShaftAngle& ang
   return lines;
 }
 
-std::vector<SpectralLine> families(std::vector<SpectralLine> unexplained, double resolution) {
+std::vector<SpectralLine> families(std::vector<SpectralLine> unexplained) {
   std::vector<SpectralLine> result;
   while (!unexplained.empty()) {
     // The fundamental with the most members; of equals the strongest, as the list is sorted.
@@ -96,7 +92,8 @@ std::vector<SpectralLine> families(std::vector<SpectralLine> unexplained, double
       for (std::size_t i = 0; i < unexplained.size(); ++i) {
         const double h = std::round(unexplained[i].order / unexplained[f].order);
         if (h >= 1 && h <= most_harmonics &&
-            same(unexplained[i].order, h * unexplained[f].order, h * resolution)) {
+            same(unexplained[i].order, h * unexplained[f].order,
+                 same_family * unexplained[i].order)) {
           members.push_back(i);
         }
       }

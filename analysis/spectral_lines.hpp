@@ -12,15 +12,17 @@ namespace rvbench::analysis {
 /// strongest first, at most `most` of them, each with what the kinematics calls it.
 ///
 /// A line is explained if it is a harmonic of a characteristic order, or a sideband of a mesh line
-/// at up to three times the order of a shaft. Orders must agree within one line and 0.3 ‰.
+/// at up to three times the order of a shaft. Orders must agree within 0.6 lines, and 0.3 ‰ where
+/// the speed was stated instead of measured.
 std::vector<SpectralLine> spectral_lines(const Channel& x, const ShaftAngle& angle,
                                          const Kinematics& kinematics, std::size_t most = 40);
 
 /// What the kinematics calls this order; empty if it has no word for it.
-std::string meaning_of(double order, double resolution, const Kinematics& kinematics);
+/// @param near  how far orders may differ and still be the same
+std::string meaning_of(double order, double near, const Kinematics& kinematics);
 
 /// Unexplained lines that are harmonics of a common fundamental become one line each: the
 /// fundamental's, with the harmonics that were seen as its meaning. Strongest first.
-std::vector<SpectralLine> families(std::vector<SpectralLine> unexplained, double resolution);
+std::vector<SpectralLine> families(std::vector<SpectralLine> unexplained);
 
 }  // namespace rvbench::analysis

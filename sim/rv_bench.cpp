@@ -18,15 +18,17 @@ constexpr double gear_ratio = 121;
 constexpr double sun_base_radius_m = 5.3e-3;
 constexpr double planet_base_radius_m = 15.9e-3;
 constexpr double pin_circle_radius_m = 52e-3;
-constexpr double support_stiffness_N_m = 2e7;  // of the cantilevered shaft's bearing
-constexpr double support_preload_N = 200;
+constexpr double support_stiffness_N_m = 6e6;  // of the cantilevered shaft's bearing
+constexpr double support_preload_N = 250;
 constexpr double reference_speed_rad_s = 126.7;  // 1210 rpm: contact noise is stated there
 
 // Contact noise per N of contact force at the reference speed.
-constexpr double bearing_noise_gain = 1.0e-3;
+constexpr double bearing_noise_gain = 0.8e-3;
 constexpr double mesh_noise_gain = 1.0e-3;
 constexpr double pin_noise_gain = 1.0e-4;
 constexpr double crank_noise_gain = 3.0e-5;
+// A misaligned shaft carries on the edges of its bearing: rougher contact by this much per µm.
+constexpr double edge_roughness_per_um = 0.2;
 constexpr double sensor_noise_m_s2 = 0.01;
 
 constexpr double um = 1e-6;
@@ -203,7 +205,7 @@ void RvBench::add_input_bearing(double shaft_rad, double speed_ratio) {
   const double twice = std::cos(2 * shaft_rad + unit_.phases_rad[misalignment]);
   const Eigen::Vector2d load_N = Eigen::Vector2d(support_preload_N + bending_N * twice, 0) +
                                  runout_N * direction(shaft_rad + unit_.phases_rad[shaft]);
-  const double pressed_N = load_N.norm();
+  const double pressed_N = load_N.norm() * (1 + edge_roughness_per_um * d.shaft_misalignment_um);
   forces_N_.segment<2>(ports::input_bearing) += load_N;
   forces_N_[ports::input_bearing + 2] +=
       0.3 * bending_N * std::cos(shaft_rad + unit_.phases_rad[misalignment]);
@@ -244,7 +246,7 @@ void RvBench::add_pin_shell(double speed_ratio) {
   for (int disc = 0; disc < 2; ++disc) {
     const double share = 0.5 * (1 + (disc == 0 ? 1 : -1) * unit_.disc_mismatch);
     const double zone_rad = orbit_rad + disc * two_pi / 2;
-    const double wander = 1 + 0.02 * unit_.deviations.crank_error_um *
+    const double wander = 1 + 0.05 * unit_.deviations.crank_error_um *
                                   (std::cos(orbit_rad + unit_.phases_rad[crank]) +
                                    std::cos(crank_rad + 2 * unit_.phases_rad[crank]));
     const double load_N = share * torque_Nm / pin_circle_radius_m * wander;

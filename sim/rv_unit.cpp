@@ -103,7 +103,7 @@ RvUnit draw_unit(const std::string& preset, std::uint64_t seed) {
   unit.friction_factor = draw.uniform(0.8, 1.25);
   unit.noise_level_factor = draw.within_factor(1.5);
   unit.noise_colour = draw.uniform(-0.2, 0.4);
-  unit.disc_mismatch = draw.uniform(-0.15, 0.15);
+  unit.disc_mismatch = draw.uniform(-0.03, 0.03);
   for (int i = 0; i < sensors; ++i) unit.sensor_gains.push_back(draw.uniform(0.97, 1.03));
   unit.modes = draw_modes(draw);
   unit.noise_seed = draw.seed();

@@ -16,9 +16,9 @@ namespace rvbench::sim {
 class SpalledRace {
  public:
   struct Params {
-    int rolling_elements = 9;
-    double ball_diameter_mm = 5.5;
-    double pitch_diameter_mm = 25.7;
+    int rolling_elements = 11;
+    double ball_diameter_mm = 5;
+    double pitch_diameter_mm = 26;
     double slip = 0;          ///< relative
     double blow_N_per_N = 0;  ///< peak force per N of bearing load
     double duration_s = 0.3e-3;

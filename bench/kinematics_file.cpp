@@ -1,0 +1,132 @@
+#include "bench/kinematics_file.hpp"
+
+#include <map>
+#include <optional>
+
+#include "analysis/gear_train.hpp"
+#include "analysis/rv_reducer.hpp"
+#include "bench/kinematics_files.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+constexpr hal::Bounds teeth{1, 10000};
+constexpr hal::Bounds length_mm{1e-3, 1e5};
+
+hal::ConfigReader open(const std::string& name_or_path) {
+  for (const EmbeddedFile& file : kinematics_files()) {
+    if (file.name == name_or_path) {
+      return hal::ConfigReader::from_text(file.text, file.name + ".json");
+    }
+  }
+  return hal::ConfigReader::from_file(name_or_path);
+}
+
+analysis::BearingGeometry read_bearing(hal::ConfigReader& b) {
+  analysis::BearingGeometry geometry{
+      .rolling_elements = b.integer("rolling_elements", {2, 1000}),
+      .ball_diameter_mm = b.number("ball_diameter_mm", length_mm),
+      .pitch_diameter_mm = b.number("pitch_diameter_mm", length_mm),
+      .contact_angle_deg = b.number("contact_angle_deg", {0, 89}, 0)};
+  b.text("assumption", "");
+  if (geometry.ball_diameter_mm >= geometry.pitch_diameter_mm) {
+    b.fault("ball_diameter_mm", "must be below pitch_diameter_mm");
+  }
+  return geometry;
+}
+
+analysis::Kinematics read_rv_reducer(const std::string& machine, hal::ConfigReader& root) {
+  hal::ConfigReader rv = root.object("rv_reducer");
+  const analysis::RvGeometry geometry{.sun_teeth = rv.integer("sun_teeth", teeth),
+                                      .planet_teeth = rv.integer("planet_teeth", teeth),
+                                      .planets = rv.integer("planets", {1, 12}, 2),
+                                      .lobes = rv.integer("lobes", teeth),
+                                      .pins = rv.integer("pins", teeth)};
+  if (geometry.pins != geometry.lobes + 1) {
+    rv.fault("pins", "must be one more than lobes (" + std::to_string(geometry.lobes) + ")");
+  }
+  analysis::BearingGeometry bearing;
+  if (auto b = rv.optional_object("crank_bearing")) bearing = read_bearing(*b);
+  root.finish();
+  return root.faults().empty() ? analysis::rv_reducer(machine, geometry, bearing)
+                               : analysis::Kinematics{};
+}
+
+/// Names of shafts to their places in the list; a name that is not there is a fault.
+class ShaftNames {
+ public:
+  void add(hal::ConfigReader& at, const std::string& name) {
+    if (!index_.emplace(name, static_cast<int>(index_.size())).second) {
+      at.fault("name", "there is already a shaft \"" + name + "\"");
+    }
+  }
+  int find(hal::ConfigReader& at, const char* key) const {
+    const std::string name = at.text(key);
+    const auto found = index_.find(name);
+    if (found != index_.end()) return found->second;
+    at.fault(key, "no shaft is called \"" + name + "\"");
+    return 0;
+  }
+
+ private:
+  std::map<std::string, int> index_;
+};
+
+analysis::GearTrain::Mesh read_mesh(hal::ConfigReader& m, const ShaftNames& shafts) {
+  analysis::GearTrain::Mesh mesh;
+  mesh.name = m.text("name");
+  mesh.driver = shafts.find(m, "driver");
+  mesh.driver_teeth = m.integer("driver_teeth", teeth);
+  mesh.driver_component = m.text("driver_component", mesh.name + " driver");
+  if (m.has("driven")) {
+    mesh.driven = shafts.find(m, "driven");
+    mesh.driven_teeth = m.integer("driven_teeth", teeth);
+    mesh.driven_component = m.text("driven_component", mesh.name + " driven");
+  }
+  return mesh;
+}
+
+analysis::Kinematics read_gear_train(const std::string& machine, hal::ConfigReader& root) {
+  analysis::GearTrain train;
+  train.machine = machine;
+  ShaftNames names;
+  for (hal::ConfigReader& s : root.objects("shafts")) {
+    const std::string name = s.text("name");
+    names.add(s, name);
+    train.shafts.push_back({name, s.text("component", name)});
+  }
+  for (hal::ConfigReader& m : root.objects("meshes", false)) {
+    train.meshes.push_back(read_mesh(m, names));
+  }
+  for (hal::ConfigReader& b : root.objects("bearings", false)) {
+    analysis::GearTrain::Bearing bearing;
+    bearing.name = b.text("name");
+    bearing.shaft = names.find(b, "shaft");
+    bearing.slip = b.number("slip", {0, 0.1}, bearing.slip);
+    bearing.geometry = read_bearing(b);
+    train.bearings.push_back(std::move(bearing));
+  }
+  if (train.shafts.empty()) root.fault("shafts", "needs at least one shaft: the input");
+  root.finish();
+  if (!root.faults().empty()) return {};
+  const std::vector<double> orders = analysis::shaft_orders(train);
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    if (orders[i] == 0) root.fault("shafts", "no mesh leads to " + train.shafts[i].name);
+  }
+  return root.faults().empty() ? analysis::gear_train(train) : analysis::Kinematics{};
+}
+
+}  // namespace
+
+std::variant<analysis::Kinematics, std::vector<hal::ConfigFault>> read_kinematics(
+    const std::string& name_or_path) {
+  hal::ConfigReader root = open(name_or_path);
+  const std::string machine = root.text("machine");
+  root.text("source", "");
+  analysis::Kinematics kinematics =
+      root.has("rv_reducer") ? read_rv_reducer(machine, root) : read_gear_train(machine, root);
+  if (!root.faults().empty()) return root.faults();
+  return kinematics;
+}
+
+}  // namespace rvbench::bench

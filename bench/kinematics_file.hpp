@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "analysis/kinematics.hpp"
+#include "hal/config_reader.hpp"
+
+namespace rvbench::bench {
+
+/// A machine from a kinematics file: an RV reducer by its tooth counts, or shafts with their
+/// meshes and bearings.
+/// @param name_or_path  a shipped one ("rv20e", "cwru_6205", ...), or a path
+/// @return the machine, or every fault of the file
+std::variant<analysis::Kinematics, std::vector<hal::ConfigFault>> read_kinematics(
+    const std::string& name_or_path);
+
+}  // namespace rvbench::bench

@@ -1,0 +1,85 @@
+#include "bench/rig_factory.hpp"
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "bench/rig_file.hpp"
+#include "hal/replay_rig.hpp"
+#include "hal/simulated_rig.hpp"
+#include "sim/bench_world.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+using Made = std::variant<hal::Rig, std::vector<hal::ConfigFault>>;
+
+sim::WireFault wire_fault(const std::string& name) {
+  static const std::map<std::string, sim::WireFault> faults{{"late", sim::WireFault::late},
+                                                            {"silent", sim::WireFault::silent},
+                                                            {"garbled", sim::WireFault::garbled},
+                                                            {"busy", sim::WireFault::busy},
+                                                            {"dead", sim::WireFault::dead}};
+  return faults.at(name);
+}
+
+Made make(const SimRig& rig) {
+  try {
+    auto world = std::make_unique<sim::BenchWorld>(
+        rig.preset, rig.seed, sim::InverterParameters{.comm_loss_timeout_s = rig.watchdog_s});
+    for (const ScheduledFault& fault : rig.faults) {
+      world->inverter_server().inject({.fault = wire_fault(fault.fault), .from_s = fault.at_s});
+    }
+    const hal::SimulatedRigOptions options{.torque_rate_Hz = world->transducer().rate_Hz()};
+    return hal::make_simulated_rig(std::move(world), options);
+  } catch (const std::invalid_argument& error) {
+    return std::vector<hal::ConfigFault>{{0, "/preset", error.what()}};
+  }
+}
+
+Made make(const ReplayRig& rig) {
+  Result<hal::Rig> made =
+      hal::make_replay_rig(rig.recording, {.rated_output_torque_Nm = rig.rated_output_torque_Nm});
+  if (!made) return std::vector<hal::ConfigFault>{{0, "/recording", describe(made.error())}};
+  return std::move(made).value();
+}
+
+nlohmann::ordered_json to_json(const SimRig& rig) {
+  auto faults = nlohmann::ordered_json::array();
+  for (const ScheduledFault& fault : rig.faults) {
+    faults.push_back({{"at_s", fault.at_s}, {"device", fault.device}, {"fault", fault.fault}});
+  }
+  return {{"rig", "sim"},
+          {"preset", rig.preset},
+          {"seed", rig.seed},
+          {"watchdog_s", rig.watchdog_s},
+          {"faults", faults}};
+}
+
+nlohmann::ordered_json to_json(const ReplayRig& rig) {
+  return {{"rig", "replay"},
+          {"recording", rig.recording},
+          {"rated_output_torque_Nm", rig.rated_output_torque_Nm}};
+}
+
+}  // namespace
+
+Made make_rig(const std::string& rig, const RigOptions& options) {
+  auto file = read_rig(rig, options);
+  if (file.index() == 1) return std::get<1>(std::move(file));
+  return std::visit([](const auto& kind) { return make(kind); }, std::get<0>(file));
+}
+
+std::vector<hal::ConfigFault> check_rig(const std::string& file) {
+  auto rig = read_rig(file, {});
+  return rig.index() == 1 ? std::get<1>(std::move(rig)) : std::vector<hal::ConfigFault>{};
+}
+
+std::string rig_to_json(const std::string& rig, const RigOptions& options) {
+  const auto file = read_rig(rig, options);
+  if (file.index() == 1) throw std::invalid_argument("rig_to_json: " + rig + " has faults");
+  return std::visit([](const auto& kind) { return to_json(kind); }, std::get<0>(file)).dump(2) +
+         "\n";
+}
+
+}  // namespace rvbench::bench

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "hal/config_reader.hpp"
+#include "hal/rig.hpp"
+
+namespace rvbench::bench {
+
+/// What the command line says about a simulated unit; a rig on hardware has no use for it.
+struct RigOptions {
+  std::string preset = "healthy";
+  std::uint64_t seed = 1;
+};
+
+/// The composition root: the one place that knows which backend plays which role.
+///
+/// @param rig  "sim", or the path of a rig file: {"rig": "sim", ...} with faults to come at stated
+///             times, or {"rig": "replay", "recording": ...}
+/// @return the rig, not yet connected, or every fault of the file (of the options: line 0)
+std::variant<hal::Rig, std::vector<hal::ConfigFault>> make_rig(const std::string& rig,
+                                                               const RigOptions& options);
+
+/// Every fault of a rig file; opens nothing.
+std::vector<hal::ConfigFault> check_rig(const std::string& file);
+
+/// The rig with every default spelled out: a rig file again.
+std::string rig_to_json(const std::string& rig, const RigOptions& options);
+
+}  // namespace rvbench::bench

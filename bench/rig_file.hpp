@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "bench/rig_factory.hpp"
+
+namespace rvbench::bench {
+
+/// A device of the simulated bench that misbehaves from `at_s` of the rig's time on.
+struct ScheduledFault {
+  double at_s = 0;
+  std::string device;  ///< "inverter"
+  std::string fault;   ///< "late", "silent", "garbled", "busy", "dead"
+};
+
+/// {"rig": "sim"}
+struct SimRig {
+  std::string preset;
+  std::uint64_t seed = 1;
+  double watchdog_s = 1;  ///< of the inverter; 0 = off
+  std::vector<ScheduledFault> faults;
+};
+
+/// {"rig": "replay"}
+struct ReplayRig {
+  std::string recording;
+  double rated_output_torque_Nm = 167;
+};
+
+using RigFile = std::variant<SimRig, ReplayRig>;
+
+/// What a rig is, from "sim" or a file. Options fill in what the file leaves open.
+std::variant<RigFile, std::vector<hal::ConfigFault>> read_rig(const std::string& rig,
+                                                              const RigOptions& options);
+
+}  // namespace rvbench::bench

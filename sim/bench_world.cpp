@@ -1,0 +1,100 @@
+#include "sim/bench_world.hpp"
+
+#include <cmath>
+
+#include "hal/can/in_process_transport.hpp"
+#include "hal/types/units.hpp"
+
+namespace rvbench::sim {
+namespace {
+
+constexpr double transducer_rate_Hz = 496;  // every tenth DAQ sample
+constexpr double pcb_356a16_V_per_m_s2 = 0.0102;
+constexpr double ambient_degC = 22;
+constexpr double heat_K_per_W = 0.15;
+constexpr double heat_time_s = 1800;
+constexpr double rated_current_A = 3.4;
+constexpr double rated_torque_Nm = 5;
+
+std::vector<ChannelInfo> triaxial_channels() {
+  std::vector<ChannelInfo> channels;
+  for (const char* place : {"1", "2", "3", "4"}) {
+    for (const auto& [axis, direction] : {std::pair{"x", "+X"}, {"y", "+Y"}, {"z", "+Z"}}) {
+      channels.push_back({.name = std::string("accel_") + place + axis,
+                          .unit = "m/s²",
+                          .direction = direction,
+                          .sensitivity = pcb_356a16_V_per_m_s2});
+    }
+  }
+  return channels;
+}
+
+}  // namespace
+
+BenchWorld::BenchWorld(const std::string& preset, std::uint64_t seed,
+                       const InverterParameters& inverter)
+    : plant_(draw_unit(preset, seed)),
+      inverter_(inverter),
+      server_(inverter_),
+      channels_(triaxial_channels()),
+      scan_(RvBench::sensors) {
+  hal::InProcessBus bus = hal::make_in_process_bus([this] { return now_s_; });
+  bench_end_ = std::move(bus.bench);
+  node_end_ = std::move(bus.nodes);
+  transducer_ = std::make_unique<TransducerNode>(*node_end_, transducer_rate_Hz);
+  brake_ = std::make_unique<BrakeNode>(*node_end_, BrakeNode::Parameters{});
+}
+
+std::unique_ptr<hal::CanTransport> BenchWorld::make_can_transport() {
+  return std::move(bench_end_);
+}
+
+void BenchWorld::advance_to(double time_s) {
+  while (static_cast<double>(scans_ + 1) / RvBench::rate_Hz <= time_s) step();
+  now_s_ = std::max(now_s_, time_s);
+}
+
+void BenchWorld::step() {
+  constexpr double dt_s = 1 / RvBench::rate_Hz;
+  ++scans_;
+  now_s_ = static_cast<double>(scans_) / RvBench::rate_Hz;
+  inverter_.advance(dt_s);
+  plant_.set_supply(inverter_.output_frequency_Hz(), inverter_.output_enabled());
+  plant_.set_brake_torque(brake_->setpoint_Nm());
+  plant_.step(scan_);
+  waiting_.insert(waiting_.end(), scan_.data(), scan_.data() + scan_.size());
+  if (scans_ % 10 != 0) return;
+  transducer_->advance_to(now_s_, plant_.input_torque_Nm(), plant_.input_angle_rad());
+  brake_->advance_to(now_s_, plant_.brake_torque_Nm());
+  const double share = plant_.motor_torque_Nm() / rated_torque_Nm;
+  inverter_.set_measured(units::rpm_from_rad_s(plant_.motor_speed_rad_s()),
+                         rated_current_A * std::sqrt(0.16 + share * share));
+  heat(10 * dt_s);
+}
+
+// First-order warming of the housing by what the reducer does not pass on.
+void BenchWorld::heat(double dt_s) {
+  const double loss_W = std::abs(plant_.input_torque_Nm() * plant_.motor_speed_rad_s() -
+                                 plant_.brake_torque_Nm() * plant_.output_speed_rad_s());
+  const double target_degC = ambient_degC + heat_K_per_W * loss_W;
+  housing_temp_degC_ += (target_degC - housing_temp_degC_) * dt_s / heat_time_s;
+}
+
+hal::AccelerationBlock BenchWorld::take_accelerations() {
+  hal::AccelerationBlock block;
+  const auto channels = static_cast<Eigen::Index>(channels_.size());
+  const auto count = static_cast<Eigen::Index>(waiting_.size()) / channels;
+  block.t0_s = static_cast<double>(taken_ + 1) / RvBench::rate_Hz;
+  block.scans = Eigen::Map<const hal::AccelerationBlock::Scans>(waiting_.data(), count, channels);
+  waiting_.clear();
+  taken_ += count;
+  return block;
+}
+
+hal::SafetyStatus BenchWorld::safety_status() const {
+  return {.estop_pressed = estop_pressed_,
+          .guard_open = guard_open_,
+          .housing_temp_degC = housing_temp_degC_};
+}
+
+}  // namespace rvbench::sim

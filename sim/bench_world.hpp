@@ -1,0 +1,65 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "hal/plant_port.hpp"
+#include "sim/can_nodes.hpp"
+#include "sim/inverter_model.hpp"
+#include "sim/inverter_server.hpp"
+#include "sim/rv_bench.hpp"
+
+namespace rvbench::sim {
+
+/// The simulated bench as the HAL meets it: the RV-20E train behind a real Modbus inverter, a CAN
+/// transducer and brake, a DAQ and safety inputs. Time moves only in advance_to().
+///
+/// Threads  one caller at a time; the inverter's server has a thread of its own
+class BenchWorld final : public hal::PlantPort {
+ public:
+  /// @throws std::invalid_argument if there is no such preset
+  BenchWorld(const std::string& preset, std::uint64_t seed,
+             const InverterParameters& inverter = {});
+
+  double now_s() const override { return now_s_; }
+  void advance_to(double time_s) override;
+  std::uint16_t inverter_tcp_port() const override { return server_.port(); }
+  std::unique_ptr<hal::CanTransport> make_can_transport() override;
+  const std::vector<ChannelInfo>& acceleration_channels() const override { return channels_; }
+  double acceleration_rate_Hz() const override { return RvBench::rate_Hz; }
+  double acceleration_range_m_s2() const override { return 1000; }  ///< PCB 356A16
+  hal::AccelerationBlock take_accelerations() override;
+  hal::SafetyStatus safety_status() const override;
+
+  // For tests that make the world misbehave, or look behind the scenes.
+  InverterServer& inverter_server() { return server_; }
+  InverterModel& inverter() { return inverter_; }
+  TransducerNode& transducer() { return *transducer_; }
+  BrakeNode& brake() { return *brake_; }
+  const RvBench& plant() const { return plant_; }
+  void press_estop() { estop_pressed_ = true; }
+  void open_guard() { guard_open_ = true; }
+
+ private:
+  void step();
+  void heat(double dt_s);
+
+  RvBench plant_;
+  InverterModel inverter_;
+  InverterServer server_;
+  std::unique_ptr<hal::CanTransport> bench_end_, node_end_;
+  std::unique_ptr<TransducerNode> transducer_;
+  std::unique_ptr<BrakeNode> brake_;
+  std::vector<ChannelInfo> channels_;
+
+  double now_s_ = 0;
+  std::int64_t scans_ = 0;  ///< sampled since the start
+  std::int64_t taken_ = 0;  ///< handed over
+  std::vector<float> waiting_;
+  Eigen::VectorXf scan_;
+  double housing_temp_degC_ = 22;
+  bool estop_pressed_ = false;
+  bool guard_open_ = false;
+};
+
+}  // namespace rvbench::sim
