@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "bench/cli.hpp"
+#include "bench/plan_files.hpp"
+#include "bench/run_folder.hpp"
+#include "bench/sha256.hpp"
+#include "bench/verdict_json.hpp"
+#include "tests/bench/judgements.hpp"
+#include "tests/bench/scratch_folder.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+using Catch::Matchers::Contains;
+using test::ScratchFolder;
+
+struct Answer {
+  int code = -1;
+  std::string out;
+  std::string err;
+};
+
+Answer rvbench(const std::vector<std::string>& arguments) {
+  std::ostringstream out;
+  std::ostringstream err;
+  Console console{out, err};
+  const int code = run_cli(arguments, make_commands(), console);
+  return {code, out.str(), err.str()};
+}
+
+}  // namespace
+
+TEST_CASE("every command explains itself with an example", "[bench]") {
+  for (const char* command : {"run", "check", "judge", "report"}) {
+    const Answer help = rvbench({command, "--help"});
+    CHECK(help.code == 0);
+    CHECK_THAT(help.out, Contains(std::string("rvbench ") + command + " "));
+    CHECK_THAT(help.out, Contains("Examples:"));
+  }
+}
+
+TEST_CASE("a dry run tells time, torque, power and points of the article's procedure", "[bench]") {
+  const Answer answer = rvbench({"run", "rv20e_acceptance", "--rig", "sim", "--dry-run", "--json"});
+  REQUIRE(answer.code == 0);
+  const auto json = nlohmann::json::parse(answer.out);
+  CHECK(json.at("points") == 63);
+  CHECK(json.at("max_speed_rpm") == 1815);
+  // 150 % of 167 N·m, over 121, at 1815 rpm = 190.07 rad/s
+  CHECK(json.at("max_input_torque_Nm").get<double>() == Approx(1.5 * 167 / 121));
+  CHECK(json.at("max_input_power_W").get<double>() ==
+        Approx(1.5 * 167 / 121 * 190.066).epsilon(1e-4));
+  CHECK(json.at("total_s").get<double>() > 600);
+  CHECK_THAT(rvbench({"run", "quick", "--rig", "sim", "--dry-run"}).out, Contains("input W"));
+}
+
+TEST_CASE("a run without serial is a usage error, one without a plan a bad file", "[bench]") {
+  CHECK(rvbench({"run", "quick", "--rig", "sim"}).code == 2);
+  const Answer answer = rvbench({"run", "quikc", "--rig", "sim", "--serial", "A"});
+  CHECK(answer.code == 3);
+  CHECK_THAT(answer.err, Contains("did you mean \"quick\"?"));
+}
+
+TEST_CASE("nothing to resume is a usage error", "[bench]") {
+  const ScratchFolder scratch;
+  const Answer answer = rvbench({"run", "quick", "--rig", "sim", "--serial", "A", "--resume",
+                                 "--out", scratch.path().string()});
+  CHECK(answer.code == 2);
+  CHECK(std::filesystem::is_empty(scratch.path()));
+}
+
+TEST_CASE("judge never guesses a rate or a speed", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string file = (scratch.path() / "bare.csv").string();
+  std::string text = "a\n";
+  for (int i = 0; i < 100; ++i) text += std::to_string(i % 7) + "\n";
+  write_file(file, text);
+  const Answer no_rate = rvbench({"judge", file, "--kinematics", "cwru_6205", "--speed", "1797"});
+  CHECK(no_rate.code == 2);
+  CHECK_THAT(no_rate.err, Contains(file + " states no sample rate: give it with --rate HZ"));
+  const Answer no_speed = rvbench({"judge", file, "--kinematics", "cwru_6205", "--rate", "12000"});
+  CHECK(no_speed.code == 2);
+  CHECK_THAT(no_speed.err, Contains(file + " states no shaft speed: give it with --speed RPM"));
+  CHECK(rvbench({"judge", file, "--kinematics", "cwru_6205", "--rate", "-1"}).code == 2);
+}
+
+TEST_CASE("judge refuses what is not there or no recording", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string file = (scratch.path() / "cut.mat").string();
+  write_file(file, "MATLAB 5.0 MAT-file");
+  CHECK(rvbench({"judge", file, "--kinematics", "cwru_6205"}).code == 20);
+  CHECK(rvbench({"judge", file + "x", "--kinematics", "cwru_6205"}).code == 20);
+  CHECK(rvbench({"judge", file, "--kinematics", "cwru"}).code == 3);
+}
+
+TEST_CASE("check names file, line and fault, of all files at once", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string broken = (scratch.path() / "broken.json").string();
+  const std::string plan = (scratch.path() / "plan.json").string();
+  write_file(broken, "{\n  \"main\": [ 1, ]\n}");
+  write_file(plan, "{ \"main\": [], \"nmae\": \"x\" }");
+  const Answer answer = rvbench({"check", broken, plan, "nowhere.json"});
+  CHECK(answer.code == 3);
+  CHECK_THAT(answer.err, Contains("broken.json:2:"));
+  CHECK_THAT(answer.err, Contains("did you mean \"name\"?"));
+  CHECK_THAT(answer.err, Contains("nowhere.json"));
+  CHECK(answer.out.empty());
+}
+
+TEST_CASE("check and report refuse a run folder that was tampered with", "[bench]") {
+  const ScratchFolder run;
+  const std::string folder = run.path().string();
+  const auto quick = std::ranges::find(plan_files(), "quick", &EmbeddedFile::name);
+  write_file(run.path() / "plan.json", quick->text);
+  write_file(run.path() / "verdict.json", judgement_to_json(test::passed_run()));
+  CHECK(rvbench({"check", folder}).code == 3);
+  write_sums(run.path());
+  CHECK(rvbench({"check", folder}).code == 0);
+  CHECK(rvbench({"report", folder}).code == 0);
+  CHECK(rvbench({"check", folder}).code == 0);
+
+  write_file(run.path() / "verdict.json", judgement_to_json(test::failed_run()));
+  const Answer tampered = rvbench({"check", folder});
+  CHECK(tampered.code == 3);
+  CHECK_THAT(tampered.err, Contains("verdict.json: does not match its hash"));
+  CHECK(rvbench({"report", folder}).code == 3);
+}
+
+}  // namespace rvbench::bench
