@@ -12,11 +12,6 @@ namespace {
 using analysis::Finding;
 using analysis::SpectralLine;
 
-std::string spoken(std::string name) {
-  std::ranges::replace(name, '_', ' ');
-  return xml_escaped(name);
-}
-
 std::string evidence_of(const Finding& finding, double period_turns) {
   std::string text;
   const std::size_t lines = std::min(finding.line_orders.size(), finding.line_depths.size());
@@ -49,7 +44,7 @@ std::string block_of(const Finding& finding, const ReportInput& input, bool abov
   html += fmt::format("<dt>Seen in</dt><dd>{} of {} points, IMF {}</dd>", finding.points.size(),
                       input.judgement.points.size(), imfs_of(finding));
   html += fmt::format("<dt>Statistic</dt><dd>{} times the local noise floor, p {}</dd>",
-                      number(finding.statistic), p_value_text(finding.p_value));
+                      number(finding.statistic, 4), p_value_text(finding.p_value));
   html += fmt::format("<dt>Confidence</dt><dd>{:.0f} %</dd>", 100 * finding.confidence);
   if (above) html += "<dt>Advice</dt><dd>" + xml_escaped(finding.advice) + "</dd>";
   return html + "</dl></div>\n";

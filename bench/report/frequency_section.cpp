@@ -5,7 +5,6 @@
 #include <map>
 
 #include "analysis/table4.hpp"
-#include "bench/junit.hpp"
 #include "bench/report/html.hpp"
 #include "bench/report/sections.hpp"
 #include "hal/types/units.hpp"
@@ -126,7 +125,7 @@ std::string frequency_section(const ReportInput& input) {
   }
   std::vector<std::vector<std::string>> rows;
   for (const analysis::CharacteristicOrder& line : kinematics.orders) {
-    std::vector<std::string> row = {xml_escaped(line.name),
+    std::vector<std::string> row = {spoken(line.name),
                                     order_text(line.order, kinematics.period_turns)};
     if (has_published) row.push_back(published_text(line));
     for (const SpeedGroup& group : groups) {

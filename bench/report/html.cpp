@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bench/junit.hpp"
@@ -42,6 +43,11 @@ std::string order_text(double order, double period_turns) {
 std::string p_value_text(double p_value) {
   if (!std::isfinite(p_value)) return "–";
   return p_value < 1e-15 ? "&lt; 1e-15" : fmt::format("{:.1e}", p_value);
+}
+
+std::string spoken(std::string name) {
+  std::ranges::replace(name, '_', ' ');
+  return xml_escaped(name);
 }
 
 std::string paragraph(const std::string& text) { return "<p>" + xml_escaped(text) + "</p>\n"; }

@@ -22,6 +22,8 @@ std::string order_text(double order, double period_turns);
 /// "< 1e-15" where a p-value is too small to mean its digits.
 std::string p_value_text(double p_value);
 
+std::string spoken(std::string name);  ///< "input_shaft" → "input shaft", escaped
+
 std::string paragraph(const std::string& text);  ///< escapes `text`
 
 }  // namespace rvbench::bench::report

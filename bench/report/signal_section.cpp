@@ -46,6 +46,12 @@ std::string time_figure(const Shown& shown) {
   return figure(plot);
 }
 
+/// What an envelope spectrum marks. Orders close to 0 would only crowd its left edge; of a gear
+/// train, only lines that repeat with it.
+bool is_marked(const analysis::CharacteristicOrder& line, const analysis::Kinematics& kinematics) {
+  return line.order > 0.05 && (kinematics.period_turns <= 1 || !line.fraction.empty());
+}
+
 /// Labels of nearby orders are long; plots show the fraction or the number.
 std::string mark_text(const analysis::CharacteristicOrder& line) {
   return line.fraction.empty() ? line.name : line.fraction;
@@ -70,7 +76,7 @@ std::string imf_figure(const Shown& shown, const Eigen::VectorXd& imf, int numbe
   const double length_s = std::min(imf_window_s, double(imf.size()) / shown.channel.rate_Hz);
   const auto count = static_cast<Eigen::Index>(length_s * shown.channel.rate_Hz);
   SvgPlot plot(fmt::format("IMF {}", number), {"time [s]", 0, length_s},
-               axis_around(shown.channel.info.unit, imf.head(count)), 540, 165);
+               axis_around(shown.channel.info.unit, imf.head(count)), 540, 180);
   plot.add_trace(0, 1 / shown.channel.rate_Hz, imf.head(count));
   return figure(plot);
 }
@@ -82,10 +88,11 @@ std::string envelope_figure(const Shown& shown, const Eigen::VectorXd& imf, int 
                              static_cast<Eigen::Index>(envelope_orders / spectrum.resolution) + 1);
   SvgPlot plot(fmt::format("Envelope spectrum of IMF {}", number),
                {"order of the input shaft", 0, envelope_orders},
-               axis_around(shown.channel.info.unit, spectrum.amplitude.head(lines)), 540, 165);
+               axis_around(shown.channel.info.unit, spectrum.amplitude.head(lines)), 540, 180);
   plot.add_trace(0, spectrum.resolution, spectrum.amplitude.head(lines));
-  for (const analysis::CharacteristicOrder& line : shown.kinematics.orders)
-    plot.add_mark(line.order, mark_text(line));
+  for (const analysis::CharacteristicOrder& line : shown.kinematics.orders) {
+    if (is_marked(line, shown.kinematics)) plot.add_mark(line.order, mark_text(line));
+  }
   for (double harmonic = 2; harmonic < envelope_orders; ++harmonic)
     plot.add_mark(harmonic, fmt::format("{:.0f}", harmonic));
   return figure(plot);

@@ -14,11 +14,11 @@ namespace {
 
 constexpr int left_px = 64;
 constexpr int right_px = 14;
-constexpr int top_px = 46;  // the title and two rows of mark labels
+constexpr int top_px = 57;  // the title and three rows of mark labels
 constexpr int bottom_px = 38;
 constexpr int label_row_px = 11;
-constexpr int label_rows = 2;
-constexpr double label_character_px = 5.6;
+constexpr int label_rows = 3;
+constexpr double label_character_px = 5.0;
 
 void check(const PlotAxis& axis) {
   if (!std::isfinite(axis.min) || !std::isfinite(axis.max) || !(axis.max > axis.min)) {
@@ -96,7 +96,9 @@ void SvgPlot::add_trace(double x0, double dx, const Eigen::Ref<const Eigen::Vect
 }
 
 void SvgPlot::add_mark(double x, std::string label) {
-  if (x >= x_.min && x <= x_.max) marks_.emplace_back(x, std::move(label));
+  const std::pair<double, std::string> mark(x, std::move(label));
+  const bool known = std::ranges::find(marks_, mark) != marks_.end();
+  if (x >= x_.min && x <= x_.max && !known) marks_.push_back(mark);
 }
 
 std::string SvgPlot::axes() const {
@@ -107,7 +109,7 @@ std::string SvgPlot::axes() const {
         R"(<path class="grid" d="M{0:.1f},{1}V{2}"/><text x="{0:.1f}" y="{3}" class="mid">{4}</text>)",
         px(tick), top_px, bottom, bottom + 13, tick_text(tick));
   }
-  for (const double tick : round_ticks(y_.min, y_.max, 4)) {
+  for (const double tick : round_ticks(y_.min, y_.max, 6)) {
     text += fmt::format(
         R"(<path class="grid" d="M{0},{1:.1f}H{2}"/><text x="{3}" y="{4:.1f}" class="end">{5}</text>)",
         left_px, py(tick), width_px_ - right_px, left_px - 5, py(tick) + 3.5, tick_text(tick));

@@ -17,14 +17,14 @@ struct PlotAxis {
 class SvgPlot {
  public:
   /// @throws std::invalid_argument if an axis is empty or not finite
-  SvgPlot(std::string title, PlotAxis x, PlotAxis y, int width_px = 540, int height_px = 210);
+  SvgPlot(std::string title, PlotAxis x, PlotAxis y, int width_px = 540, int height_px = 215);
 
   /// Samples at x0, x0 + dx, ... Where they are denser than the plot can show, each column draws
   /// its least and its greatest value: no peak is lost. A NaN interrupts the trace.
   void add_trace(double x0, double dx, const Eigen::Ref<const Eigen::VectorXd>& y);
 
   /// A dashed line at x with a label on top; labels that would overlap go to further rows, and are
-  /// left out (the line stays) when there is no room.
+  /// left out (the line stays) when there is no room. The same mark twice is one.
   void add_mark(double x, std::string label);
 
   std::string svg() const;

@@ -36,9 +36,9 @@ TEST_CASE("one sample's peak in a million stays visible", "[bench]") {
   flat[654321] = 1;
   SvgPlot with("peak", {"t", 0, 1}, {"x", -1, 1});
   with.add_trace(0, 1e-6, flat);
-  // y = 1 is the upper edge of the frame, 46 px from the top.
-  CHECK_THAT(trace_of(with), Contains(",46.0"));
-  CHECK_THAT(trace_of(without), !Contains(",46.0"));
+  // y = 1 is the upper edge of the frame, 57 px from the top.
+  CHECK_THAT(trace_of(with), Contains(",57.0"));
+  CHECK_THAT(trace_of(without), !Contains(",57.0"));
   CHECK(with.svg().size() < 40000);
 }
 
