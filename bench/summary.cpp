@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "bench/report/html.hpp"
 
@@ -34,6 +35,33 @@ void print_finding(Console& console, const analysis::Finding& finding, double pe
   console.out << "    seen in " << finding.points.size()
               << (finding.points.size() == 1 ? " point" : " points")
               << "; envelope lines (order depth): " << evidence_of(finding, period_turns) << '\n';
+}
+
+/// Lines of the signals' own spectra that the kinematics names: strongest place, and in how many
+/// channels of all points.
+void print_explained(Console& console, const Judgement& judgement) {
+  std::map<std::string, std::pair<analysis::SpectralLine, std::size_t>> seen;
+  std::size_t channels = 0;
+  for (const JudgedPoint& point : judgement.points) {
+    for (const analysis::ChannelExamination& channel : point.examination.channels) {
+      ++channels;
+      std::map<std::string, analysis::SpectralLine> named;
+      for (const auto& line : channel.lines) {
+        if (!line.meaning.empty()) named.emplace(line.meaning, line);  // the strongest comes first
+      }
+      for (const auto& [meaning, line] : named) {
+        auto& [strongest, count] = seen[meaning];
+        if (line.amplitude > strongest.amplitude) strongest = line;
+        ++count;
+      }
+    }
+  }
+  if (!seen.empty()) console.out << "\nLines that the kinematics explains:\n";
+  for (const auto& [meaning, found] : seen) {
+    console.out << fmt::format("  {:9.2f} Hz  order {:8.4f}  {} ({} of {} channels)\n",
+                               found.first.frequency_Hz, found.first.order, meaning, found.second,
+                               channels);
+  }
 }
 
 void print_unexplained(Console& console, const std::vector<analysis::SpectralLine>& lines) {
@@ -72,6 +100,7 @@ void print_summary(Console& console, const Judgement& judgement,
   if (!diagnosis.below_limit.empty()) console.out << "\nSignificant, but within limits:\n";
   for (const auto& finding : diagnosis.below_limit)
     print_finding(console, finding, kinematics.period_turns);
+  print_explained(console, judgement);
   print_unexplained(console, diagnosis.unexplained);
   if (!judgement.limits.empty()) console.out << "\nLimits:\n";
   for (const LimitCheck& check : judgement.limits) {
