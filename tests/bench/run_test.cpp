@@ -1,0 +1,57 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "bench/cli.hpp"
+#include "bench/plan_files.hpp"
+#include "bench/run_folder.hpp"
+#include "bench/sha256.hpp"
+#include "tests/bench/scratch_folder.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+/// The built-in quick plan, with one point and the shortest record that a diagnosis can use.
+std::string one_point_plan() {
+  const auto quick = std::ranges::find(plan_files(), "quick", &EmbeddedFile::name);
+  auto plan = nlohmann::ordered_json::parse(quick->text);
+  plan["main"][0]["speeds_rpm"] = {1815};
+  plan["main"][0]["loads_pct"] = {100};
+  return plan.dump(2);
+}
+
+}  // namespace
+
+TEST_CASE("a run leaves a folder that says everything and agrees with its exit code", "[bench]") {
+  const test::ScratchFolder scratch;
+  write_file(scratch.path() / "one.json", one_point_plan());
+  std::ostringstream out;
+  std::ostringstream err;
+  Console console{out, err};
+  const std::string runs = (scratch.path() / "runs").string();
+  const int code =
+      run_cli({"run", (scratch.path() / "one.json").string(), "--rig", "sim", "--serial", "A17",
+               "--preset", "input_shaft", "--seed", "3", "--out", runs, "--json"},
+              make_commands(), console);
+  INFO(err.str());
+  const auto printed = nlohmann::json::parse(out.str());
+  CHECK(printed.at("exit_code") == code);
+  CHECK(printed.at("seed") == 3);
+  CHECK(printed.at("points").size() == 1);
+  CHECK(printed.at("points").at(0).at("status") == "ok");
+  CHECK(printed.at("run").at("shaft_stopped") == true);
+
+  const std::filesystem::path folder =
+      std::filesystem::directory_iterator(scratch.path() / "runs" / "A17")->path();
+  for (const char* name : {"plan.json", "rig.json", "recording.h5", "verdict.json", "junit.xml",
+                           "report.html", "log.jsonl", "SHA256SUMS"}) {
+    INFO(name);
+    CHECK(std::filesystem::file_size(folder / name) > 0);
+  }
+  CHECK(verify_sums(folder).empty());
+  CHECK(read_file(folder / "verdict.json") == out.str());
+  CHECK_FALSE(newest_unfinished_run(runs, "A17"));
+}
+
+}  // namespace rvbench::bench
