@@ -60,6 +60,7 @@ std::size_t value_bytes(std::uint32_t type) {
 struct Element {
   std::uint32_t type = 0;
   std::string_view data;
+  bool is_small = false;  ///< kept inside its tag
 };
 
 /// The elements in a stretch of bytes, one after the other.
@@ -77,7 +78,7 @@ class Elements {
     const std::size_t size = word(bytes_.substr(at_ + 4), swapped_);
     const std::size_t left = bytes_.size() - at_ - 8;
     if (size > left) throw Fault(fmt::format("claims {} bytes, {} are left", size, left));
-    const Element element{first, bytes_.substr(at_ + 8, size)};
+    const Element element{first, bytes_.substr(at_ + 8, size), false};
     at_ += 8 + (first == compressed ? size : (size + 7) / 8 * 8);
     return element;
   }
@@ -93,7 +94,7 @@ class Elements {
   Element small(std::uint32_t first) {
     const std::size_t size = first >> 16U;
     if (size > 4) throw Fault("a tag makes no sense");
-    const Element element{first & 0xFFFFU, bytes_.substr(at_ + 4, size)};
+    const Element element{first & 0xFFFFU, bytes_.substr(at_ + 4, size), true};
     at_ += 8;
     return element;
   }
@@ -143,10 +144,11 @@ void check_members(Elements& elements, std::size_t count, bool swapped, int dept
 
 void check_structure(Elements& elements, std::size_t count, bool swapped, int depth) {
   const Element length = expect(elements, int32, "length of field names");
-  if (length.data.size() != 4) throw Fault("its field names have no length");
+  // The format allows either form of tag here, but matio knows one only.
+  if (length.data.size() != 4 || !length.is_small) throw Fault("its field names have no length");
   const std::uint32_t bytes = Elements::word(length.data, swapped);
   const Element names = expect(elements, int8, "field names");
-  if (bytes == 0 || bytes > 64 || names.data.size() % bytes != 0) {
+  if (bytes == 0 || bytes > 64 || names.data.size() % bytes != 0 || names.is_small) {
     throw Fault("its field names make no sense");
   }
   for (std::size_t i = 0; i < names.data.size(); i += bytes) {

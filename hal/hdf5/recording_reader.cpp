@@ -6,6 +6,7 @@
 
 #include "hal/hdf5/attributes.hpp"
 #include "hal/hdf5/point_reader.hpp"
+#include "hal/hdf5/superblock.hpp"
 #include "hal/hdf5/tables.hpp"
 #include "hal/recording_file.hpp"
 
@@ -18,17 +19,15 @@ std::string text_of(const char* bytes, std::size_t size) {
   return std::string(bytes, std::find(bytes, bytes + size, '\0'));
 }
 
-/// Also a file that is being written, or that a killed writer left behind: as an SWMR reader.
+/// A file that is being written, or that a killed writer left behind, as an SWMR reader.
 Handle open_file(const std::filesystem::path& path) {
-  if (!std::filesystem::is_regular_file(path)) {
-    throw FileFailure(IoErrc::disconnected, "no such file");
-  }
-  Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-  if (file) return file;
-  Handle live(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, H5P_DEFAULT), H5Fclose);
-  if (live) return live;
-  // The plain way's reason is the better one: repeat it, for HDF5 keeps only the last.
-  return own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open");
+  const bool growing = is_marked_open(path);
+  const Handle access = file_access();
+  // A reader may meet metadata half written and tries again, with pauses that double: 20 times
+  // are some milliseconds, HDF5's default of 100 would hang on a damaged file.
+  check(H5Pset_metadata_read_attempts(access.id(), growing ? 20 : 1), "open");
+  const unsigned mode = H5F_ACC_RDONLY | (growing ? H5F_ACC_SWMR_READ : 0U);
+  return own(H5Fopen(path.c_str(), mode, access.id()), H5Fclose, "open");
 }
 
 int number_of(const std::string& name) {

@@ -3,31 +3,17 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 
 #include "hal/hdf5/hdf5_handle.hpp"
+#include "hal/hdf5/superblock.hpp"
 #include "hal/recording_file.hpp"
 
 namespace rvbench::hal {
 namespace {
 
 using namespace hdf5;
-
-/// True if the superblock says that somebody opened the file for writing and never closed it.
-/// HDF5 file format specification 3.0, II.A: version at byte 8, consistency flags at byte 11.
-bool was_left_open(const std::filesystem::path& path) {
-  std::array<char, 12> head{};
-  std::ifstream file(path, std::ios::binary);
-  file.read(head.data(), head.size());
-  if (!file) throw FileFailure(IoErrc::bad_reply, "not a recording: shorter than an HDF5 header");
-  if (std::memcmp(head.data(), "\x89HDF\r\n\x1a\n", 8) != 0) {
-    throw FileFailure(IoErrc::bad_reply, "not a recording: no HDF5 signature");
-  }
-  return head[8] == 3 && head[11] != 0;
-}
 
 void refuse_if_in_use(const std::filesystem::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -60,10 +46,7 @@ void put_right(const std::filesystem::path& path) {
 
 Status repair_recording(const std::filesystem::path& file) {
   return guarded(file, [&]() -> Status {
-    if (!std::filesystem::is_regular_file(file)) {
-      throw FileFailure(IoErrc::disconnected, "no such file");
-    }
-    if (was_left_open(file)) {
+    if (is_marked_open(file)) {
       refuse_if_in_use(file);
       put_right(file);
     }
