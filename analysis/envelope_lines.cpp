@@ -36,19 +36,29 @@ struct Sums {
   int lines = 0;
 };
 
+/// The line nearest to `order`; −1 where the spectrum or the carrier ends.
+Eigen::Index line_at(const EnvelopeSpectra& envelope, double order) {
+  const auto line = static_cast<Eigen::Index>(std::lround(order / envelope.whole.resolution));
+  const bool inside =
+      line >= 2 && line < envelope.whole.amplitude.size() - 1 && order < envelope.highest_order;
+  return inside ? line : -1;
+}
+
 Sums sum_lines(const LineFloor& floor, const EnvelopeSpectra& envelope,
-               const std::vector<double>& lines, double stretch,
+               const std::vector<SignatureLine>& lines, double stretch,
                std::vector<double>* excess_of_line) {
   Sums sums;
-  for (const double order : lines) {
-    const auto line =
-        static_cast<Eigen::Index>(std::lround(order * stretch / envelope.whole.resolution));
-    const bool inside =
-        line >= 2 && line < floor.power.size() - 1 && order < envelope.highest_order;
-    const double excess = inside ? floor.power[line] - floor.floor[line] : 0;
+  for (const SignatureLine& wanted : lines) {
+    const Eigen::Index line = line_at(envelope, wanted.order * stretch);
+    double base = line < 0 ? 0 : floor.floor[line];
+    for (const double rival : wanted.rivals) {
+      const Eigen::Index other = line_at(envelope, rival);
+      if (other >= 0) base = std::max(base, floor.power[other]);
+    }
+    const double excess = line < 0 ? 0 : floor.power[line] - base;
     if (excess_of_line != nullptr) excess_of_line->push_back(std::max(excess, 0.0));
-    if (!inside) continue;
-    sums.statistic += floor.power[line] / floor.floor[line];
+    if (line < 0) continue;
+    sums.statistic += floor.power[line] / base;
     sums.excess += excess;
     ++sums.lines;
   }
@@ -83,7 +93,7 @@ EnvelopeSpectra envelope_spectra(const Eigen::Ref<const Eigen::VectorXd>& x, dou
 }
 
 FamilyScore score_family(const EnvelopeSpectra& envelope, const Signature& signature,
-                         const std::vector<double>& lines) {
+                         const std::vector<SignatureLine>& lines) {
   FamilyScore score;
   score.order = signature.order;
   if (lines.empty() || !(envelope.mean > 0)) return score;
@@ -91,7 +101,8 @@ FamilyScore score_family(const EnvelopeSpectra& envelope, const Signature& signa
   const LineFloor& floor = signature.slip > 0 ? envelope.unlocked : envelope.lines;
 
   // Orders are tried so densely that the highest line moves by half a line from try to try.
-  const double highest = *std::max_element(lines.begin(), lines.end());
+  double highest = 0;
+  for (const SignatureLine& line : lines) highest = std::max(highest, line.order);
   const auto tries = static_cast<int>(std::ceil(2 * signature.slip * highest / resolution));
   double best_stretch = 1;
   Sums best = sum_lines(floor, envelope, lines, 1, nullptr);

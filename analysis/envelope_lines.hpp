@@ -6,6 +6,7 @@
 #include "analysis/kinematics.hpp"
 #include "analysis/line_floor.hpp"
 #include "analysis/shaft_angle.hpp"
+#include "analysis/signature_lines.hpp"
 #include "analysis/spectrum.hpp"
 
 namespace rvbench::analysis {
@@ -34,8 +35,8 @@ struct FamilyScore {
   std::vector<double> line_depths;  ///< of each line, same order as `lines` given
 };
 
-/// @param lines  orders from signature_lines(); scaled together within the signature's slip
+/// @param lines  from signature_lines(); their orders are scaled together within the slip
 FamilyScore score_family(const EnvelopeSpectra& envelope, const Signature& signature,
-                         const std::vector<double>& lines);
+                         const std::vector<SignatureLine>& lines);
 
 }  // namespace rvbench::analysis

@@ -68,7 +68,7 @@ void score_imfs(const Channel& channel, const Emd& modes, const Task& task, Chan
     relevant.push_back(k);
     total_share += c * c;
   }
-  std::vector<std::vector<double>> lines;
+  std::vector<std::vector<SignatureLine>> lines;
   for (const int k : relevant) {
     const EnvelopeSpectra envelope =
         envelope_spectra(modes.imfs.col(k), channel.rate_Hz, channel.start_s, task.angle,
@@ -85,9 +85,10 @@ void score_imfs(const Channel& channel, const Emd& modes, const Task& task, Chan
   for (std::size_t s = 0; s < out.scores.size(); ++s) {
     SignatureScore& score = out.scores[s];
     score.depth = std::sqrt(score.depth);
-    for (double& depth : score.line_depths) depth = std::sqrt(depth);
-    if (!lines.empty()) score.line_orders = lines[s];
     score.p_value = std::min(1.0, score.p_value * static_cast<double>(relevant.size()));
+    for (double& depth : score.line_depths) depth = std::sqrt(depth);
+    if (lines.empty()) continue;
+    for (const SignatureLine& line : lines[s]) score.line_orders.push_back(line.order);
   }
 }
 

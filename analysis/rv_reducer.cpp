@@ -69,9 +69,9 @@ std::vector<Signature> gear_signatures(const Rates& r) {
        .order = 1,
        .harmonics = 2,
        .sidebands = {},
-       .depth_limit = 0.25,
-       .limit_why = "a shaft within tolerance leans on its bearing by less than a quarter of its "
-                    "preload",
+       .depth_limit = 0.15,
+       .limit_why =
+           "a shaft within tolerance leans on its bearing by less than a sixth of its preload",
        .advice = "stiffen or shorten the input shaft, or support its free end with a bearing; "
                  "check the run-out at the sun and the alignment of the coupling"},
       {.component = "sun_gear",
@@ -80,8 +80,8 @@ std::vector<Signature> gear_signatures(const Rates& r) {
        .order = r.sun,
        .harmonics = 8,
        .sidebands = {r.unit, 2 * r.unit},
-       .depth_limit = 0.12,
-       .limit_why = "teeth of one quality class share the load within an eighth",
+       .depth_limit = 0.1,
+       .limit_why = "teeth of one quality class share the load within a tenth",
        .advice = "measure the sun gear's tooth profile and pitch; replace the input gear"},
       {.component = "crank",
        .mechanism = "eccentricity",
@@ -96,6 +96,7 @@ std::vector<Signature> gear_signatures(const Rates& r) {
        .mechanism = "tooth_damage",
        .table4_item = "Planetary gear rotation frequency",
        .order = r.crank,
+       .first_harmonic = 2,  // once per crank turn is what eccentricity does, too
        .harmonics = 24,
        .sidebands = {r.unit},
        .depth_limit = 0.3,

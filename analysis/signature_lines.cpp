@@ -6,30 +6,19 @@
 namespace rvbench::analysis {
 namespace {
 
-/// The harmonic of `s` that lies at `order`; 0 if none does.
-int harmonic_at(const Signature& s, double order, double near) {
+/// What lies closer than this is the same line.
+struct Nearness {
+  double near;
+  bool same(double a, double b) const { return std::abs(a - b) < near; }
+  bool among(const std::vector<double>& orders, double order) const {
+    return std::any_of(orders.begin(), orders.end(), [&](double o) { return same(o, order); });
+  }
+};
+
+/// Which harmonic of `s` lies at `order`, from `lowest` on; 0 if none does.
+int harmonic_at(const Signature& s, double order, int lowest, Nearness lines) {
   const auto h = static_cast<int>(std::lround(order / s.order));
-  return h >= s.first_harmonic && h <= s.harmonics && std::abs(h * s.order - order) < near ? h : 0;
-}
-
-/// Whether another part has the better claim to the line that is harmonic `h` of signature `mine`.
-bool claimed(const std::vector<Signature>& all, std::size_t mine, int h, double near) {
-  const double order = h * all[mine].order;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i == mine || all[i].slip > 0 || all[i].component == all[mine].component) continue;
-    const int other = harmonic_at(all[i], order, near);
-    if (other > 0 && (other < h || (other == h && i < mine))) return true;
-  }
-  return false;
-}
-
-bool is_harmonic_of_another(const std::vector<Signature>& all, std::size_t mine, double order,
-                            double near) {
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i == mine || all[i].slip > 0) continue;
-    if (harmonic_at(all[i], order, near) > 0) return true;
-  }
-  return false;
+  return h >= lowest && h <= s.harmonics && lines.same(h * s.order, order) ? h : 0;
 }
 
 /// Orders at which two strong mesh lines beat: their first and second harmonics, pair by pair.
@@ -46,30 +35,79 @@ std::vector<double> mesh_beats(const Kinematics& kinematics) {
   return beats;
 }
 
-bool is_among(const std::vector<double>& orders, double order, double near) {
-  return std::any_of(orders.begin(), orders.end(),
-                     [&](double other) { return std::abs(other - order) < near; });
-}
+/// The claims of all signatures on the lines of gear-locked parts.
+class Claims {
+ public:
+  Claims(const std::vector<Signature>& signatures, Nearness lines)
+      : signatures_(signatures), lines_(lines) {}
+
+  /// Whether another part has the better claim to harmonic `h` of signature `mine`.
+  bool lost(std::size_t mine, int h) const {
+    const double order = h * signatures_[mine].order;
+    for (std::size_t i = 0; i < signatures_.size(); ++i) {
+      if (!is_rival(mine, i)) continue;
+      const int other = harmonic_at(signatures_[i], order, signatures_[i].first_harmonic, lines_);
+      if (other > 0 && (other < h || (other == h && i < mine))) return true;
+    }
+    return false;
+  }
+
+  bool is_harmonic_of_another(std::size_t mine, double order) const {
+    for (std::size_t i = 0; i < signatures_.size(); ++i) {
+      if (i == mine || signatures_[i].slip > 0) continue;
+      if (harmonic_at(signatures_[i], order, signatures_[i].first_harmonic, lines_) > 0) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Neighbours of `order` in the combs of other parts that also have harmonic order `main`.
+  std::vector<double> rivals(std::size_t mine, double main, double order) const {
+    std::vector<double> result;
+    for (std::size_t i = 0; i < signatures_.size(); ++i) {
+      const Signature& other = signatures_[i];
+      if (!is_rival(mine, i) || harmonic_at(other, main, 2, lines_) == 0) continue;
+      for (const double side : {order - other.order, order + other.order}) {
+        if (side > other.order / 2) result.push_back(side);
+      }
+    }
+    return result;
+  }
+
+ private:
+  bool is_rival(std::size_t mine, std::size_t other) const {
+    return other != mine && signatures_[other].slip == 0 &&
+           signatures_[other].component != signatures_[mine].component;
+  }
+
+  const std::vector<Signature>& signatures_;
+  Nearness lines_;
+};
 
 }  // namespace
 
-std::vector<std::vector<double>> signature_lines(const Kinematics& kinematics, double resolution) {
+std::vector<std::vector<SignatureLine>> signature_lines(const Kinematics& kinematics,
+                                                        double resolution) {
   const std::vector<Signature>& all = kinematics.signatures;
-  const double near = 0.75 * resolution;
+  const Nearness near{0.75 * resolution};
   const std::vector<double> beats = mesh_beats(kinematics);
-  std::vector<std::vector<double>> lines(all.size());
-  const auto add = [&](std::size_t i, double order) {
-    if (order >= 2 * resolution && !is_among(beats, order, near)) lines[i].push_back(order);
-  };
+  const Claims claims(all, near);
+  std::vector<std::vector<SignatureLine>> lines(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool rolls = all[i].slip > 0;  // its orders are not those of any gear
     for (int h = all[i].first_harmonic; h <= all[i].harmonics; ++h) {
-      const double order = h * all[i].order;
-      if (all[i].slip == 0 && claimed(all, i, h, near)) continue;
-      add(i, order);
+      if (!rolls && claims.lost(i, h)) continue;
+      const double main = h * all[i].order;
+      std::vector<double> orders{main};
       for (const double spacing : all[i].sidebands) {
-        for (const double side : {order - spacing, order + spacing}) {
-          if (all[i].slip > 0 || !is_harmonic_of_another(all, i, side, near)) add(i, side);
+        for (const double side : {main - spacing, main + spacing}) {
+          if (rolls || !claims.is_harmonic_of_another(i, side)) orders.push_back(side);
         }
+      }
+      for (const double order : orders) {
+        if (order < 2 * resolution || near.among(beats, order)) continue;
+        lines[i].push_back({order, rolls ? std::vector<double>{} : claims.rivals(i, main, order)});
       }
     }
   }

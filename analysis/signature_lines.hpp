@@ -6,7 +6,16 @@
 
 namespace rvbench::analysis {
 
-/// The envelope lines that speak for each signature and for no other.
+/// One envelope line that a signature looks at.
+struct SignatureLine {
+  double order = 0;
+
+  /// Lines of other parts' combs to either side, where such a comb also falls on `order`: what
+  /// the line holds beyond the strongest of them is this signature's own.
+  std::vector<double> rivals;
+};
+
+/// The envelope lines that speak for each signature.
 ///
 /// A line that is a lower harmonic of another part belongs to that part: the planet's third
 /// harmonic is the sun's first, and says nothing about the planet. Of two equal claims the first
@@ -14,7 +23,8 @@ namespace rvbench::analysis {
 /// at which two mesh lines beat: an IMF that holds both swings there in a sound machine too.
 ///
 /// @param resolution  orders per line: what lies closer than 0.75 of it is the same line
-/// @return one list of orders per signature, ascending harmonics, sidebands behind their harmonic
-std::vector<std::vector<double>> signature_lines(const Kinematics& kinematics, double resolution);
+/// @return one list per signature, ascending harmonics, sidebands behind their harmonic
+std::vector<std::vector<SignatureLine>> signature_lines(const Kinematics& kinematics,
+                                                        double resolution);
 
 }  // namespace rvbench::analysis

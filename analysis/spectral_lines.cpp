@@ -44,6 +44,13 @@ std::string meaning_of(double order, double near, const Kinematics& kinematics) 
       }
     }
   }
+  // Whatever repeats with the gear train's period is made by the gear train.
+  const double turns = kinematics.period_turns;
+  const double multiple = std::round(order * turns);
+  if (turns > 1 && same(order * turns, multiple, near * turns)) {
+    return "gear train, " + std::to_string(std::lround(multiple)) + "/" +
+           std::to_string(std::lround(turns));
+  }
   return {};
 }
 
