@@ -11,6 +11,7 @@
 
 #include "hal/formats/format.hpp"
 #include "hal/formats/mat5_check.hpp"
+#include "hal/hdf5/hdf5_handle.hpp"
 
 namespace rvbench::hal::formats {
 namespace {
@@ -175,6 +176,7 @@ std::optional<std::string> read_variables(mat_t* mat, std::vector<NamedArray>& a
 Result<std::vector<Recording>> read(const std::filesystem::path& file) {
   // matio believes the sizes that it finds, and reads or allocates by them.
   if (const auto fault = find_fault(file)) return bad_file(file, *fault);
+  hdf5::prepare_thread();  // matio starts HDF5 as well
   Mat_LogInitFunc("rvbench", [](int, char*) {});
   const MatFile mat(Mat_Open(file.c_str(), MAT_ACC_RDONLY));
   if (!mat) return bad_file(file, "not a MAT v5 file");

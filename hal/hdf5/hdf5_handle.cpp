@@ -29,7 +29,8 @@ void prepare_thread() {
   // Files that could not be written to the end cannot be closed either; HDF5's own clean-up at
   // exit would then try in vain and complain on stderr. Every file here has an owner instead.
   [[maybe_unused]] static const herr_t no_clean_up = H5dont_atexit();
-  [[maybe_unused]] thread_local const herr_t silent = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  // Each time: matio puts a handler of its own there, which takes the reasons away.
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
 Handle own(Handle::Id id, Handle::Close close, const std::string& place) {

@@ -185,6 +185,16 @@ TEST_CASE("a bad MAT file is refused with the variable of its fault", "[hal][for
              Contains("y: 300 x 300 is no set of signals"));
 }
 
+TEST_CASE("HDF5 still says why after a MAT file was read", "[hal][formats]") {
+  const Scratch scratch;
+  const auto mat =
+      written(scratch, "a.mat", test::mat5_file({test::mat5_array("x", 2, 1, {1, 2})}));
+  REQUIRE(read_recordings(mat));
+  const auto made = RecordingWriter::create(scratch / "none/r.h5", test::layout_of(1, 1));
+  REQUIRE_FALSE(made);
+  CHECK_THAT(made.error().where, Contains("create: No such file or directory"));
+}
+
 TEST_CASE("rvbench's own recordings come through the same door", "[hal][formats]") {
   const Scratch scratch;
   {
