@@ -13,6 +13,8 @@ namespace {
 constexpr double redraw_s = 0.1;
 constexpr int least_bar = 10;
 constexpr int widest_bar = 30;
+constexpr int room_for_left = 12;  // "1:00:00 left": fixed, so that the bar keeps its width
+constexpr int least_doing = 15;
 
 double steady_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -36,7 +38,7 @@ std::string progress_line(std::string_view stage, double fraction, double left_s
   std::string line = fmt::format("{} {}", stage, percent);
   if (shown_width(line) > columns) return clipped_to(percent, columns);
 
-  const int room_for_bar = columns - shown_width(line) - shown_width(left) - 30;
+  const int room_for_bar = columns - shown_width(line) - room_for_left - least_doing;
   if (room_for_bar >= least_bar) {
     const int width = std::min(room_for_bar, widest_bar);
     const auto full = static_cast<std::size_t>(std::lround(shown * width));

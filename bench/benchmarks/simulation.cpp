@@ -17,8 +17,8 @@ void simulated_bench(benchmark::State& state) {
     for (int i = 0; i < scans_per_second; ++i) bench.step(scan);
     benchmark::DoNotOptimize(scan.data());
   }
-  state.counters["x_real_time"] = benchmark::Counter(
-      static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+  state.counters["x_real_time"] =
+      benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
   state.SetLabel("1 s of the bench, 12 channels; limit 40x");
 }
 BENCHMARK(simulated_bench)->Unit(benchmark::kMillisecond)->MinTime(3);

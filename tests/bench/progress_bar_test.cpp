@@ -20,9 +20,18 @@ TEST_CASE("a progress line fits the terminal, however small", "[bench]") {
 
 TEST_CASE("a wide terminal shows bar, percentage, time left and what is done", "[bench]") {
   CHECK(progress_line("measure", 0.5, 67.2, "record 605 rpm", 80) ==
-        "measure [##############..............]  50 %  1:08 left  record 605 rpm");
+        "measure [###############...............]  50 %  1:08 left  record 605 rpm");
   CHECK_THAT(progress_line("measure", 0.5, 3700, "", 80), Contains("1:01:40 left"));
   CHECK_THAT(progress_line("measure", 0.0, std::nan(""), "", 80), !Contains("left"));
+}
+
+TEST_CASE("the bar does not change its width when the time left becomes known", "[bench]") {
+  for (int columns = 40; columns < 120; ++columns) {
+    const std::string unknown = progress_line("measure", 0.5, std::nan(""), "record", columns);
+    const std::string known = progress_line("measure", 0.5, 3700, "record", columns);
+    INFO(columns);
+    CHECK(unknown.find(']') == known.find(']'));
+  }
 }
 
 TEST_CASE("a bar hides the cursor and gives it back", "[bench]") {
