@@ -20,8 +20,9 @@ struct AccelerationBlock {
 /// All accelerometers of the bench, sampled by one clock.
 ///
 /// Order    connect() → start() → read()* → stop()
-/// Time     read() returns what has come since the last call; an error if nothing new came
-///          within the deadline given at construction
+/// Time     read() returns what has come since the last call, if only an empty block, and does not
+///          wait for more: interlocks are not looked at meanwhile. It is an error if nothing new
+///          came within the deadline given at construction
 class Accelerometers {
  public:
   virtual ~Accelerometers() = default;

@@ -7,8 +7,6 @@
 namespace rvbench::hal {
 namespace {
 
-constexpr double poll_s = 0.001;
-
 IoError failure(IoErrc code, const char* what) {
   return {code, std::string("accelerometers: ") + what};
 }
@@ -43,19 +41,16 @@ Status DaqAccelerometers::start() {
 
 Result<AccelerationBlock> DaqAccelerometers::read() {
   if (!running_) return failure(IoErrc::disconnected, "read: not started");
-  for (;;) {
-    AccelerationBlock block = port_.take_accelerations();
-    const double now_s = clock_.now_s();
-    if (block.scans.rows() > 0) {
-      if (block.scans.cols() != static_cast<Eigen::Index>(channels().size())) {
-        return failure(IoErrc::bad_reply, "read: wrong number of channels");
-      }
-      fresh_s_ = now_s;
-      return block;
+  AccelerationBlock block = port_.take_accelerations();
+  if (block.scans.rows() > 0) {
+    if (block.scans.cols() != static_cast<Eigen::Index>(channels().size())) {
+      return failure(IoErrc::bad_reply, "read: wrong number of channels");
     }
-    if (now_s - fresh_s_ > deadline_s_) return failure(IoErrc::timeout, "read: no scan");
-    clock_.wait_until(now_s + poll_s);
+    fresh_s_ = clock_.now_s();
+  } else if (clock_.now_s() - fresh_s_ > deadline_s_) {
+    return failure(IoErrc::timeout, "read: no scan");
   }
+  return block;
 }
 
 }  // namespace rvbench::hal

@@ -23,8 +23,9 @@ struct TorqueBlock {
 /// Torque transducer with incremental angle.
 ///
 /// Order    connect() → read()*
-/// Time     read() returns what has come since the last call; an error if nothing new came
-///          within the deadline given at construction
+/// Time     read() returns what has come since the last call, if only an empty block, and does not
+///          wait for more: interlocks are not looked at meanwhile. It is an error if nothing new
+///          came within the deadline given at construction
 class TorqueSensor {
  public:
   virtual ~TorqueSensor() = default;

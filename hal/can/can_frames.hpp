@@ -34,6 +34,8 @@ struct TorqueFrame {
   bool zeroing = false;
   bool overload = false;
   bool shunt_on = false;
+
+  bool operator==(const TorqueFrame&) const = default;
 };
 
 struct BrakeCommandFrame {

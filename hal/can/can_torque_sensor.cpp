@@ -71,11 +71,12 @@ Result<TorqueBlock> CanTorqueSensor::read() {
       return saw_repeats_ ? failure(IoErrc::stale, "read: the counter stands still")
                           : failure(IoErrc::timeout, "read: no frame");
     }
-    if (!block.samples.empty()) break;
+    if (track.started) break;
     clock_.wait_until(now_s + 1 / options_.rate_Hz);
   }
-  saw_repeats_ = false;
   track_ = track;
+  if (block.samples.empty()) return block;
+  saw_repeats_ = false;
   block.t0_s = track.time_s - static_cast<double>(block.samples.size() - 1) / options_.rate_Hz;
   return block;
 }
@@ -98,23 +99,26 @@ Status CanTorqueSensor::take_waiting_frames(Track& track, TorqueBlock& block) {
   }
 }
 
-/// Samples from the newest one to this one: 1 if none was lost, 0 or less if it is not new.
-std::int64_t CanTorqueSensor::samples_since(const Track& track, std::uint8_t counter,
+/// Samples from the newest one to this one: 1 if none was lost, 0 or less if it is not new. The
+/// same frame again is never new, however long it took: that is a transducer that stands still,
+/// and not one of which exactly 255 samples were lost.
+std::int64_t CanTorqueSensor::samples_since(const Track& track,
+                                            const can_frames::TorqueFrame& frame,
                                             double time_s) const {
-  const int step = static_cast<std::uint8_t>(counter - track.counter);
-  const double elapsed = (time_s - track.heard_s) * options_.rate_Hz;
+  if (frame == track.newest) return 0;
+  const int step = static_cast<std::uint8_t>(frame.counter - track.newest.counter);
+  const double elapsed = (time_s - track.time_s) * options_.rate_Hz;
   return step + 256 * std::llround((elapsed - step) / 256);
 }
 
 void CanTorqueSensor::append(const can_frames::TorqueFrame& frame, double time_s, Track& track,
                              TorqueBlock& block) {
   if (!track.started) {
-    track = {true, frame.counter, time_s, time_s, frame.angle_turns, 0};
+    track = {true, frame, time_s, frame.angle_turns, 0};
     block.samples.push_back({frame.torque_Nm, units::two_pi * track.angle_turns});
     return;
   }
-  const std::int64_t steps = samples_since(track, frame.counter, time_s);
-  track.heard_s = time_s;
+  const std::int64_t steps = samples_since(track, frame, time_s);
   if (steps < 1) {
     saw_repeats_ = true;
     return;
@@ -124,7 +128,7 @@ void CanTorqueSensor::append(const can_frames::TorqueFrame& frame, double time_s
   const auto samples = static_cast<double>(steps);
   const double expected_turns = track.angle_turns + samples * track.turns_per_sample;
   const double turns = frame.angle_turns + std::round(expected_turns - frame.angle_turns);
-  track = {true, frame.counter, time_s, time_s, turns, (turns - track.angle_turns) / samples};
+  track = {true, frame, time_s, turns, (turns - track.angle_turns) / samples};
   block.samples.push_back({frame.torque_Nm, units::two_pi * turns});
 }
 

@@ -24,7 +24,7 @@ struct CanTorqueSensorOptions {
 /// Errors   timeout: nothing came; stale: the counter stood still; bad_reply: a frame of wrong
 ///          length, or one that says zeroing, overload or shunt on. Samples of a failed read()
 ///          count as lost in the next one
-/// Time     read() waits on the clock, until a sample is there or the deadline has passed
+/// Time     connect() waits on the clock for the first sample, until the deadline; read() never
 class CanTorqueSensor final : public TorqueSensor {
  public:
   /// @param transport  receives the transducer's frames only
@@ -41,9 +41,8 @@ class CanTorqueSensor final : public TorqueSensor {
   /// Where the stream of samples stands.
   struct Track {
     bool started = false;
-    std::uint8_t counter = 0;
+    can_frames::TorqueFrame newest;
     double time_s = 0;            ///< when the newest sample came
-    double heard_s = 0;           ///< when any frame came, repeated ones too
     double angle_turns = 0;       ///< unwrapped
     double turns_per_sample = 0;  ///< at the newest sample
   };
@@ -52,7 +51,8 @@ class CanTorqueSensor final : public TorqueSensor {
   Status take_waiting_frames(Track& track, TorqueBlock& block);
   void append(const can_frames::TorqueFrame& frame, double time_s, Track& track,
               TorqueBlock& block);
-  std::int64_t samples_since(const Track& track, std::uint8_t counter, double time_s) const;
+  std::int64_t samples_since(const Track& track, const can_frames::TorqueFrame& frame,
+                             double time_s) const;
 
   std::unique_ptr<CanTransport> transport_;
   CanTorqueSensorOptions options_;
