@@ -56,7 +56,7 @@ void BenchDevices::read() {
   // The slow ones first: what interlocks act on is then as new as can be.
   fresh_.drive = ask<hal::DriveStatus>(drive_, [this] { return rig_.drive->read(); });
   fresh_.brake = ask<hal::BrakeStatus>(brake_, [this] { return rig_.brake->read(); });
-  fresh_.safety = ask<hal::SafetyStatus>(safety_, [this] { return rig_.safety->read(); });
+  read_safety();
   const double torque_seen_s = torque_.seen_s;
   const double accelerations_seen_s = accelerations_.seen_s;
   auto torque = ask<hal::TorqueBlock>(torque_, [this] { return rig_.torque_sensor->read(); });
@@ -69,6 +69,19 @@ void BenchDevices::read() {
   if (fresh_.drive) values_.drive = *fresh_.drive;
   if (fresh_.brake) values_.brake = *fresh_.brake;
   if (fresh_.safety) values_.safety = *fresh_.safety;
+}
+
+/// A temperature that is not known would switch its interlock off: the sensor is lost. Only in
+/// virtual time, where nothing can get hot, may it never have been known: recordings hold none.
+void BenchDevices::read_safety() {
+  const double seen_s = safety_.seen_s;
+  fresh_.safety = ask<hal::SafetyStatus>(safety_, [this] { return rig_.safety->read(); });
+  if (!fresh_.safety) return;
+  const bool is_known = std::isfinite(fresh_.safety->housing_temp_degC);
+  temperature_was_known_ = temperature_was_known_ || is_known;
+  if (is_known || (!temperature_was_known_ && rig_.clock->is_virtual())) return;
+  safety_.seen_s = seen_s;
+  safety_.error = "the housing temperature is not known";
 }
 
 void BenchDevices::take_torque(hal::TorqueBlock block) {
@@ -120,6 +133,8 @@ void BenchDevices::write(double speed_rpm, double brake_torque_Nm) {
 void BenchDevices::hold_brake(double torque_Nm) {
   ask<Done>(brake_command_, [&] { return rig_.brake->set_torque(torque_Nm); });
 }
+
+void BenchDevices::leave_drive_alone(double until_s) { drive_.due_s = until_s; }
 
 std::string BenchDevices::lost(double stale_after_s) const {
   std::string all;

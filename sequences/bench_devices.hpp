@@ -45,7 +45,8 @@ class BenchDevices {
   void start();  ///< from now on everything must be seen
   void read();
   void write(double speed_rpm, double brake_torque_Nm);
-  void hold_brake(double torque_Nm);  ///< the brake alone, while the drive is stopped
+  void hold_brake(double torque_Nm);       ///< the brake alone, while the drive is stopped
+  void leave_drive_alone(double until_s);  ///< asks it nothing: each request feeds its watchdog
 
   const FreshValues& fresh() const { return fresh_; }
   const BenchValues& values() const { return values_; }
@@ -72,6 +73,7 @@ class BenchDevices {
 
   template <typename T>
   std::optional<T> ask(Watch& watch, const std::function<Result<T>()>& call);
+  void read_safety();
   void take_torque(hal::TorqueBlock block);
   void take_accelerations(hal::AccelerationBlock block);
 
@@ -87,6 +89,7 @@ class BenchDevices {
   BenchValues values_;
   std::deque<AnglePoint> angles_;
   double accelerations_end_s_ = -1;
+  bool temperature_was_known_ = false;
 };
 
 }  // namespace rvbench::sequences

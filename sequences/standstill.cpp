@@ -1,6 +1,7 @@
 #include "sequences/standstill.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace rvbench::sequences {
 namespace {
@@ -8,6 +9,8 @@ namespace {
 constexpr double tick_s = 0.01;
 constexpr double feed_period_s = 0.1;
 constexpr double stop_again_s = 1.0;
+constexpr double silence_s = 2.5;  // longer than any watchdog that the sequencer arms with
+constexpr double obeys_share = 0.95;
 constexpr double must_last_s = 0.3;
 
 bool stands_still(const BenchDevices& devices, double limit_rpm) {
@@ -21,6 +24,37 @@ bool stands_still(const BenchDevices& devices, double limit_rpm) {
   return drive_knows && drive_stopped;
 }
 
+/// Tells a drive to stop until it does. One that answers but does not obey would have its watchdog
+/// fed by every further request: after a stop in vain it hears nothing, so that the watchdog acts.
+class Stopper {
+ public:
+  Stopper(hal::Rig& rig, BenchDevices& devices, double now_s)
+      : rig_(rig), devices_(devices), next_s_(now_s + stop_again_s) {}
+
+  void tick(double now_s) {
+    if (std::isnan(speed_rpm_)) speed_rpm_ = speed_rpm();
+    if (now_s < next_s_) return;
+    const double before_rpm = std::exchange(speed_rpm_, speed_rpm());
+    const bool obeys = speed_rpm_ < obeys_share * before_rpm;  // false if one is not known
+    if (!obeys && !was_silent_) {
+      devices_.leave_drive_alone(now_s + silence_s);
+    } else {
+      rig_.drive->stop();
+    }
+    was_silent_ = !obeys && !was_silent_;
+    next_s_ = now_s + (was_silent_ ? silence_s : stop_again_s);
+  }
+
+ private:
+  double speed_rpm() const { return std::abs(devices_.measured_speed_rpm(0.2)); }
+
+  hal::Rig& rig_;
+  BenchDevices& devices_;
+  double next_s_;
+  double speed_rpm_ = not_known;  ///< when it was last told to stop
+  bool was_silent_ = false;
+};
+
 }  // namespace
 
 bool wait_for_standstill(hal::Rig& rig, BenchDevices& devices, const Teardown& teardown,
@@ -28,17 +62,14 @@ bool wait_for_standstill(hal::Rig& rig, BenchDevices& devices, const Teardown& t
   const double start_s = rig.clock->now_s();
   double moving_s = start_s;
   double next_feed_s = start_s;
-  double next_stop_s = start_s + stop_again_s;
+  Stopper stopper(rig, devices, start_s);
   for (double now_s = start_s; now_s < start_s + teardown.standstill_timeout_s;) {
     rig.clock->wait_until(now_s + tick_s);
     now_s = rig.clock->now_s();
     devices.read();
     if (!stands_still(devices, teardown.standstill_rpm)) moving_s = now_s;
     if (now_s - moving_s >= must_last_s) return true;
-    if (now_s >= next_stop_s) {
-      rig.drive->stop();
-      next_stop_s = now_s + stop_again_s;
-    }
+    stopper.tick(now_s);
     if (now_s >= next_feed_s) {
       devices.hold_brake(brake_torque_Nm);
       next_feed_s = now_s + feed_period_s;

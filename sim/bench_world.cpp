@@ -58,11 +58,16 @@ void BenchWorld::step() {
   constexpr double dt_s = 1 / RvBench::rate_Hz;
   ++scans_;
   now_s_ = static_cast<double>(scans_) / RvBench::rate_Hz;
+  while (!events_.empty() && events_.begin()->first <= now_s_) {
+    events_.extract(events_.begin()).mapped()();
+  }
   inverter_.advance(dt_s);
   plant_.set_supply(inverter_.output_frequency_Hz(), inverter_.output_enabled());
   plant_.set_brake_torque(brake_->setpoint_Nm());
   plant_.step(scan_);
-  waiting_.insert(waiting_.end(), scan_.data(), scan_.data() + scan_.size());
+  if (!daq_stopped_) {
+    waiting_.insert(waiting_.end(), scan_.data(), scan_.data() + scan_.size());
+  }
   if (scans_ % 10 != 0) return;
   transducer_->advance_to(now_s_, plant_.input_torque_Nm(), plant_.input_angle_rad());
   brake_->advance_to(now_s_, plant_.brake_torque_Nm());
@@ -94,7 +99,7 @@ hal::AccelerationBlock BenchWorld::take_accelerations() {
 hal::SafetyStatus BenchWorld::safety_status() const {
   return {.estop_pressed = estop_pressed_,
           .guard_open = guard_open_,
-          .housing_temp_degC = housing_temp_degC_};
+          .housing_temp_degC = housing_temp_is_known_ ? housing_temp_degC_ : not_known};
 }
 
 }  // namespace rvbench::sim

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <functional>
+#include <map>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "hal/plant_port.hpp"
 #include "sim/can_nodes.hpp"
@@ -39,6 +42,11 @@ class BenchWorld final : public hal::PlantPort {
   const RvBench& plant() const { return plant_; }
   void press_estop() { estop_pressed_ = true; }
   void open_guard() { guard_open_ = true; }
+  void stop_daq() { daq_stopped_ = true; }
+  void lose_temperature() { housing_temp_is_known_ = false; }
+
+  /// Does it once time has come to `time_s`, in the middle of advance_to().
+  void at(double time_s, std::function<void()> what) { events_.emplace(time_s, std::move(what)); }
 
  private:
   void step();
@@ -60,6 +68,9 @@ class BenchWorld final : public hal::PlantPort {
   double housing_temp_degC_ = 22;
   bool estop_pressed_ = false;
   bool guard_open_ = false;
+  bool daq_stopped_ = false;
+  bool housing_temp_is_known_ = true;
+  std::multimap<double, std::function<void()>> events_;
 };
 
 }  // namespace rvbench::sim
