@@ -1,0 +1,134 @@
+#include "sim/plant.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <stdexcept>
+
+#include "sim/terms/friction.hpp"
+#include "sim/terms/shaft_torsion.hpp"
+
+using namespace rvbench;
+
+namespace {
+
+/// A constant torque on body 0, from outside the tree of terms.
+class Push final : public sim::PhysicsTerm {
+ public:
+  explicit Push(double torque_Nm) : torque_Nm_(torque_Nm) {}
+  std::string_view name() const override { return "push"; }
+  void add_force(const sim::PlantState&, Eigen::Ref<Eigen::VectorXd> f) const override {
+    f[0] += torque_Nm_;
+  }
+  double stored_energy_J(const sim::PlantState&) const override { return 0; }
+  double dissipated_power_W(const sim::PlantState&) const override { return 0; }
+
+ private:
+  double torque_Nm_;
+};
+
+/// Drag of a fan on body 0: −c·v².
+class Fan final : public sim::PhysicsTerm {
+ public:
+  explicit Fan(double c) : c_(c) {}
+  std::string_view name() const override { return "fan"; }
+  void add_force(const sim::PlantState& s, Eigen::Ref<Eigen::VectorXd> f) const override {
+    f[0] -= c_ * s.v[0] * s.v[0];
+  }
+  double stored_energy_J(const sim::PlantState&) const override { return 0; }
+  double dissipated_power_W(const sim::PlantState& s) const override {
+    return c_ * std::pow(s.v[0], 3);
+  }
+
+ private:
+  double c_;
+};
+
+template <typename... Terms>
+sim::Plant plant_of(const Eigen::VectorXd& inertia, double step_s, const Terms&... terms) {
+  std::vector<std::unique_ptr<sim::PhysicsTerm>> list;
+  (list.push_back(std::make_unique<Terms>(terms)), ...);
+  return sim::Plant(inertia, std::move(list), step_s);
+}
+
+}  // namespace
+
+SCENARIO("a damped oscillator is stepped exactly, however long the step", "[sim][plant]") {
+  const Eigen::Vector2d inertia(0.02, 0.03);
+  const double k = 50, c = 0.05;
+  const double reduced = 0.02 * 0.03 / 0.05;
+  const double omega0 = std::sqrt(k / reduced);  // 64.5 rad/s: 10.3 Hz
+  const double decay = c / (2 * reduced);
+  const double omega = std::sqrt(omega0 * omega0 - decay * decay);
+  const double step_s = GENERATE(1e-4, 0.07, 0.3);  // the last is three periods
+  GIVEN("two flywheels on a shaft that was wound up by 1 rad and let go") {
+    auto plant = plant_of(
+        inertia, step_s,
+        sim::ShaftTorsion({.body_a = 0, .body_b = 1, .stiffness_Nm_rad = k, .damping_Nms_rad = c}));
+    plant.shift(Eigen::Vector2d(1, 0));
+    THEN("they swing as the closed form says, and their centre stays") {
+      for (int i = 1; i <= 10; ++i) {
+        plant.step();
+        const double t = i * step_s;
+        const double twist =
+            std::exp(-decay * t) * (std::cos(omega * t) + decay / omega * std::sin(omega * t));
+        CHECK(plant.state().q[0] - plant.state().q[1] == Approx(twist).margin(1e-11));
+        CHECK(inertia.dot(plant.state().v) == Approx(0).margin(1e-11));
+        CHECK(inertia.dot(plant.state().q) == Approx(0.02).epsilon(1e-11));
+      }
+    }
+  }
+  GIVEN("the same flywheels at rest, under a constant torque") {
+    auto plant = plant_of(
+        inertia, step_s,
+        sim::ShaftTorsion({.body_a = 0, .body_b = 1, .stiffness_Nm_rad = k, .damping_Nms_rad = c}),
+        Push(2));
+    THEN("they speed up together, and the twist rings about its static value") {
+      for (int i = 1; i <= 10; ++i) {
+        plant.step();
+        const double t = i * step_s;
+        const double ringing =
+            std::exp(-decay * t) * (std::cos(omega * t) + decay / omega * std::sin(omega * t));
+        const double settled = 2 * reduced / 0.02 / k;
+        CHECK(plant.state().q[0] - plant.state().q[1] ==
+              Approx(settled * (1 - ringing)).margin(1e-11));
+        CHECK(inertia.dot(plant.state().v) == Approx(2 * t).epsilon(1e-11));
+      }
+    }
+  }
+}
+
+TEST_CASE("a force that depends on the state converges with the square of the step",
+          "[sim][plant]") {
+  // A push against a fan: v = v∞·tanh(t/T), v∞ = √(F/c), T = M/√(F·c).
+  const auto error = [](double step_s) {
+    auto plant = plant_of(Eigen::VectorXd::Constant(1, 0.5), step_s, Push(2), Fan(0.5));
+    const auto steps = std::lround(0.4 / step_s);
+    for (long i = 0; i < steps; ++i) plant.step();
+    return plant.state().v[0] - 2 * std::tanh(0.4 / 0.5);
+  };
+  const double coarse = error(0.01), middle = error(0.005), fine = error(0.0025);
+  CHECK(std::abs(fine) > 1e-9);  // there is something to converge
+  CHECK(coarse / middle == Approx(4).epsilon(0.1));
+  CHECK(middle / fine == Approx(4).epsilon(0.05));
+}
+
+TEST_CASE("the plant's energy is that of its flywheels", "[sim][plant]") {
+  auto plant = plant_of(Eigen::Vector2d(0.02, 0.03), 0.01, Push(2));
+  for (int i = 0; i < 100; ++i) plant.step();
+  CHECK(plant.kinetic_energy_J() == Approx(0.5 * 0.02 * 100 * 100));  // v = F·t/M
+}
+
+TEST_CASE("a plant that nobody pushes stays where it is", "[sim][plant]") {
+  auto plant = plant_of(Eigen::Vector2d(0.02, 0.03), 0.01,
+                        sim::ShaftTorsion({.stiffness_Nm_rad = 50, .damping_Nms_rad = 1}),
+                        sim::Friction({.body = 1, .coulomb_Nm = 1}));
+  for (int i = 0; i < 100; ++i) plant.step();
+  CHECK(plant.state().q.norm() == 0);
+  CHECK(plant.state().v.norm() == 0);
+}
+
+TEST_CASE("a plant refuses bodies without inertia and time without steps", "[sim][plant]") {
+  CHECK_THROWS_AS(plant_of(Eigen::Vector2d(0.02, 0), 0.01, Push(1)), std::invalid_argument);
+  CHECK_THROWS_AS(plant_of(Eigen::Vector2d(0.02, NAN), 0.01, Push(1)), std::invalid_argument);
+  CHECK_THROWS_AS(plant_of(Eigen::Vector2d(0.02, 0.03), 0, Push(1)), std::invalid_argument);
+}

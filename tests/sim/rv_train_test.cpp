@@ -1,0 +1,127 @@
+#include "tests/sim/rv_train.hpp"
+
+#include <boost/numeric/odeint.hpp>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "analysis/spectrum.hpp"
+
+using namespace rvbench;
+
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+
+double stored_J(const sim::Plant& plant) {
+  double sum = 0;
+  for (const auto& term : plant.terms()) sum += term->stored_energy_J(plant.state());
+  return sum;
+}
+
+double dissipated_W(const sim::Plant& plant) {
+  double sum = 0;
+  for (const auto& term : plant.terms()) sum += term->dissipated_power_W(plant.state());
+  return sum;
+}
+
+/// The train's equations of motion for two planets, written out from the article's figure and not
+/// from the terms: angles q0 motor, q1 sun, q2 q3 planets in the carrier, q4 carrier, q5 brake.
+class WrittenOut {
+ public:
+  using State = std::vector<double>;
+
+  explicit WrittenOut(const test::RvTrainSpec& spec) : s_(spec) {}
+
+  void operator()(const State& x, State& dx, double) const {
+    const double* q = x.data();
+    const double* v = q + 6;
+    const double coupling = 600 * (q[0] - q[1]) + 0.05 * (v[0] - v[1]);
+    const double output = 6e4 * (q[4] - q[5]) + 20 * (v[4] - v[5]);
+    const double slip = (two_pi * s_.supply_Hz / 2 - v[0]) / (two_pi * 25);
+    const double motor = 2 * 12.0 / (slip / 0.15 + 0.15 / slip);
+    double on_sun = 0, on_carrier = 0;
+    for (int k = 0; k < 2; ++k) {
+      const double planet = q[2 + k], planet_speed = v[2 + k];
+      const double seen = q[1] - q[4] - std::numbers::pi * k;
+      const double pressed =
+          5e-3 * (q[1] - q[4]) - 15e-3 * planet + s_.profile_m * std::cos(9 * seen + 0.5);
+      const double rate = 5e-3 * (v[1] - v[4]) - 15e-3 * planet_speed;
+      const double tooth =
+          8e7 * (1 + s_.mesh_ripple * std::cos(9 * seen + 1)) * pressed + 1000 * rate;
+      const double orbit = planet - q[4];
+      const double lag = planet / 40 - q[4] + s_.crank_error_rad * std::cos(orbit + 0.2) +
+                         s_.pin_ripple_rad * std::cos(40 * orbit);
+      const double discs = 84e3 * lag + 40 * (planet_speed / 40 - v[4]);
+      on_sun -= 5e-3 * tooth;
+      on_carrier += 5e-3 * tooth + discs;
+      dx[static_cast<std::size_t>(8 + k)] = (15e-3 * tooth - discs / 40) / 2e-5;
+    }
+    for (std::size_t i = 0; i < 6; ++i) dx[i] = v[i];
+    const double bearing = s_.bearing_coulomb_Nm * std::tanh(v[1] / 2) + 5e-4 * v[1];
+    const double brake = s_.brake_coulomb_Nm * std::tanh(v[5] / 0.05) + 0.5 * v[5];
+    dx[6] = (motor - coupling) / s_.motor_inertia;
+    dx[7] = (coupling + on_sun - bearing) / 5e-5;
+    dx[10] = (on_carrier - output) / 0.03;
+    dx[11] = (output - brake) / 0.3;
+  }
+
+ private:
+  test::RvTrainSpec s_;
+};
+
+}  // namespace
+
+TEST_CASE("a wound-up train that is let go keeps its energy book", "[sim][plant][law]") {
+  const double damping = GENERATE(0.0, 1.0);
+  const double coulomb_Nm = GENERATE(0.0, 0.15);
+  auto train = test::make_rv_train(
+      {.step_s = 1e-6, .bearing_coulomb_Nm = coulomb_Nm, .damping_factor = damping});
+  sim::Plant& plant = *train.plant;
+  Eigen::VectorXd winding = Eigen::VectorXd::Zero(6);
+  winding[0] = 0.5;
+  plant.shift(winding);
+  const double start_J = stored_J(plant);
+  CHECK(start_J == Approx(0.5 * 600 * 0.25));
+  double lost_J = 0;
+  for (int i = 0; i < 50000; ++i) {
+    const double before_W = dissipated_W(plant);
+    plant.step();
+    lost_J += 0.5 * (before_W + dissipated_W(plant)) * plant.step_s();
+  }
+  CHECK(lost_J > 0.01 * start_J);
+  // The rule for the integral of the power leaves (10 kHz · 1 µs)² of it.
+  CHECK(plant.kinetic_energy_J() + stored_J(plant) + lost_J == Approx(start_J).epsilon(1e-4));
+}
+
+TEST_CASE("the train moves as an independent integrator says", "[sim][plant][literature]") {
+  const test::RvTrainSpec spec{.step_s = 1.0 / 19840,
+                               .supply_Hz = 40,
+                               .profile_m = 2e-6,
+                               .mesh_ripple = 0.08,
+                               .crank_error_rad = 4e-5,
+                               .pin_ripple_rad = 2e-5,
+                               .brake_coulomb_Nm = 40};
+  auto train = test::make_rv_train(spec);
+  WrittenOut::State x(12, 0.0);
+  namespace odeint = boost::numeric::odeint;
+  auto stepper =
+      odeint::make_controlled(1e-10, 1e-10, odeint::runge_kutta_dopri5<WrittenOut::State>());
+  const WrittenOut equations(spec);
+  double farthest_q = 0, farthest_v = 0;
+  for (int block = 0; block < 50; ++block) {  // from rest through the motor's pull-out
+    constexpr int steps = 200;
+    const double t0 = block * steps * spec.step_s, t1 = (block + 1) * steps * spec.step_s;
+    odeint::integrate_adaptive(stepper, std::cref(equations), x, t0, t1, 1e-6);
+    for (int i = 0; i < steps; ++i) train.plant->step();
+    for (int i = 0; i < 6; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      farthest_q = std::max(farthest_q, std::abs(train.plant->state().q[i] - x[at]));
+      farthest_v = std::max(farthest_v, std::abs(train.plant->state().v[i] - x[at + 6]));
+    }
+  }
+  CAPTURE(farthest_q, farthest_v, x[0], x[6]);
+  CHECK(x[6] > 100);  // it came up to speed
+  CHECK(farthest_q < 1e-3);
+  CHECK(farthest_v < 0.2);
+}
