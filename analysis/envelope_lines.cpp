@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "analysis/hilbert.hpp"
 #include "analysis/statistics.hpp"
@@ -30,12 +31,6 @@ double carrier_order(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz,
   return 0.5 * static_cast<double>(crossings) * rate_Hz / static_cast<double>(n) / speed_Hz;
 }
 
-struct Sums {
-  double statistic = 0;
-  double excess = 0;  ///< power above the floor
-  int lines = 0;
-};
-
 /// The line nearest to `order`; −1 where the spectrum or the carrier ends.
 Eigen::Index line_at(const EnvelopeSpectra& envelope, double order) {
   const auto line = static_cast<Eigen::Index>(std::lround(order / envelope.whole.resolution));
@@ -44,26 +39,108 @@ Eigen::Index line_at(const EnvelopeSpectra& envelope, double order) {
   return inside ? line : -1;
 }
 
-Sums sum_lines(const LineFloor& floor, const EnvelopeSpectra& envelope,
-               const std::vector<SignatureLine>& lines, double stretch,
-               std::vector<double>* excess_of_line) {
-  Sums sums;
-  for (const SignatureLine& wanted : lines) {
-    const Eigen::Index line = line_at(envelope, wanted.order * stretch);
-    double base = line < 0 ? 0 : floor.floor[line];
-    for (const double rival : wanted.rivals) {
-      const Eigen::Index other = line_at(envelope, rival);
-      if (other >= 0) base = std::max(base, floor.power[other]);
+struct Sums {
+  double statistic = 0;
+  double excess = 0;  ///< power above the floor
+  int lines = 0;
+  std::vector<double> ratios;    ///< of each line: power over what it must exceed
+  std::vector<double> excesses;  ///< of each line
+};
+
+/// The lines of one signature in one envelope.
+class Family {
+ public:
+  Family(const EnvelopeSpectra& envelope, const Signature& signature,
+         const std::vector<SignatureLine>& lines)
+      : envelope_(envelope),
+        signature_(signature),
+        lines_(lines),
+        rolls_(signature.slip > 0),
+        floor_(rolls_ ? envelope.unlocked : envelope.lines) {}
+
+  /// @param taken  lines of the spectrum that another family explains
+  FamilyScore score(const std::set<Eigen::Index>& taken) const {
+    FamilyScore score;
+    score.order = signature_.order;
+    score.line_depths.assign(lines_.size(), 0.0);
+    // Orders are tried so densely that the highest line moves by half a line from try to try.
+    double highest = 0;
+    for (const SignatureLine& line : lines_) highest = std::max(highest, line.order);
+    const auto tries =
+        static_cast<int>(std::ceil(2 * signature_.slip * highest / envelope_.whole.resolution));
+    double best_stretch = 1;
+    Sums best = sum_lines(1, taken);
+    for (int i = -tries; i <= tries && tries > 0; ++i) {
+      const double stretch = 1 + signature_.slip * i / tries;
+      Sums sums = sum_lines(stretch, taken);
+      if (sums.statistic <= best.statistic) continue;
+      best = std::move(sums);
+      best_stretch = stretch;
     }
-    const double excess = line < 0 ? 0 : floor.power[line] - base;
-    if (excess_of_line != nullptr) excess_of_line->push_back(std::max(excess, 0.0));
-    if (line < 0) continue;
-    sums.statistic += floor.power[line] / base;
-    sums.excess += excess;
-    ++sums.lines;
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      score.line_depths[i] = std::sqrt(std::max(best.excesses[i], 0.0)) / envelope_.mean;
+    }
+    score.order = signature_.order * best_stretch;
+    score.statistic = best.statistic;
+    score.p_value = std::min(
+        1.0, line_p_value(best.statistic, best.lines, floor_.floor_lines) * (2 * tries + 1));
+    score.depth = std::sqrt(std::max(best.excess, 0.0)) / envelope_.mean;
+    return score;
   }
-  return sums;
-}
+
+  /// Adds the lines of a score and all higher harmonics, with what leaks into their neighbours.
+  void take(const FamilyScore& score, std::set<Eigen::Index>& taken) const {
+    const auto take_line = [&](double order) {
+      const Eigen::Index at = line_at(envelope_, order);
+      for (Eigen::Index i = at - 2; at >= 0 && i <= at + 2; ++i) taken.insert(i);
+    };
+    for (const SignatureLine& line : lines_) {
+      take_line(line.order * score.order / signature_.order);
+    }
+    for (double order = score.order; order < envelope_.highest_order; order += score.order) {
+      take_line(order);
+    }
+  }
+
+ private:
+  Sums sum_lines(double stretch, const std::set<Eigen::Index>& taken) const {
+    Sums sums;
+    sums.ratios.resize(lines_.size());
+    sums.excesses.resize(lines_.size());
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      const Eigen::Index line = line_at(envelope_, lines_[i].order * stretch);
+      if (line < 0 || (rolls_ && floor_.is_locked(line)) || taken.contains(line)) continue;
+      const double base = base_of(lines_[i], line);
+      sums.ratios[i] = floor_.power[line] / base;
+      sums.excesses[i] = floor_.power[line] - base;
+      if (rolls_ && lines_[i].sideband_of >= 0) {
+        const auto harmonic = static_cast<std::size_t>(lines_[i].sideband_of);
+        sums.ratios[i] = std::min(sums.ratios[i], sums.ratios[harmonic]);
+        sums.excesses[i] = std::min(sums.excesses[i], sums.excesses[harmonic]);
+      }
+      sums.statistic += sums.ratios[i];
+      sums.excess += sums.excesses[i];
+      ++sums.lines;
+    }
+    return sums;
+  }
+
+  /// What a line must exceed to speak for this family.
+  double base_of(const SignatureLine& wanted, Eigen::Index line) const {
+    double base = floor_.floor[line];
+    for (const double rival : wanted.rivals) {
+      const Eigen::Index other = line_at(envelope_, rival);
+      if (other >= 0) base = std::max(base, floor_.power[other]);
+    }
+    return base;
+  }
+
+  const EnvelopeSpectra& envelope_;
+  const Signature& signature_;
+  const std::vector<SignatureLine>& lines_;
+  bool rolls_;
+  const LineFloor& floor_;
+};
 
 }  // namespace
 
@@ -92,37 +169,27 @@ EnvelopeSpectra envelope_spectra(const Eigen::Ref<const Eigen::VectorXd>& x, dou
   return result;
 }
 
-FamilyScore score_family(const EnvelopeSpectra& envelope, const Signature& signature,
-                         const std::vector<SignatureLine>& lines) {
-  FamilyScore score;
-  score.order = signature.order;
-  if (lines.empty() || !(envelope.mean > 0)) return score;
-  const double resolution = envelope.whole.resolution;
-  const LineFloor& floor = signature.slip > 0 ? envelope.unlocked : envelope.lines;
-
-  // Orders are tried so densely that the highest line moves by half a line from try to try.
-  double highest = 0;
-  for (const SignatureLine& line : lines) highest = std::max(highest, line.order);
-  const auto tries = static_cast<int>(std::ceil(2 * signature.slip * highest / resolution));
-  double best_stretch = 1;
-  Sums best = sum_lines(floor, envelope, lines, 1, nullptr);
-  for (int i = -tries; i <= tries; ++i) {
-    const double stretch = tries == 0 ? 1 : 1 + signature.slip * i / tries;
-    const Sums sums = sum_lines(floor, envelope, lines, stretch, nullptr);
-    if (sums.statistic > best.statistic) {
-      best = sums;
-      best_stretch = stretch;
+std::vector<FamilyScore> score_families(const EnvelopeSpectra& envelope,
+                                        const std::vector<Signature>& signatures,
+                                        const std::vector<std::vector<SignatureLine>>& lines) {
+  std::vector<FamilyScore> scores(signatures.size());
+  std::vector<std::size_t> waiting;  // those that roll, and have not explained their lines yet
+  for (std::size_t i = 0; i < signatures.size(); ++i) {
+    scores[i] = Family(envelope, signatures[i], lines[i]).score({});
+    if (signatures[i].slip > 0) waiting.push_back(i);
+  }
+  std::set<Eigen::Index> taken;
+  while (waiting.size() > 1) {
+    const auto deepest = std::max_element(
+        waiting.begin(), waiting.end(),
+        [&](std::size_t a, std::size_t b) { return scores[a].depth < scores[b].depth; });
+    Family(envelope, signatures[*deepest], lines[*deepest]).take(scores[*deepest], taken);
+    waiting.erase(deepest);
+    for (const std::size_t i : waiting) {
+      scores[i] = Family(envelope, signatures[i], lines[i]).score(taken);
     }
   }
-  std::vector<double> excess;
-  sum_lines(floor, envelope, lines, best_stretch, &excess);
-  for (const double power : excess) score.line_depths.push_back(std::sqrt(power) / envelope.mean);
-  score.order = signature.order * best_stretch;
-  score.statistic = best.statistic;
-  score.p_value =
-      std::min(1.0, line_p_value(best.statistic, best.lines, floor.floor_lines) * (2 * tries + 1));
-  score.depth = std::sqrt(std::max(best.excess, 0.0)) / envelope.mean;
-  return score;
+  return scores;
 }
 
 }  // namespace rvbench::analysis

@@ -35,8 +35,16 @@ struct FamilyScore {
   std::vector<double> line_depths;  ///< of each line, same order as `lines` given
 };
 
-/// @param lines  from signature_lines(); their orders are scaled together within the slip
-FamilyScore score_family(const EnvelopeSpectra& envelope, const Signature& signature,
-                         const std::vector<SignatureLine>& lines);
+/// Scores all signatures on one envelope.
+///
+/// Of the parts that roll, the deepest family explains its lines first, and the others count what
+/// is left: within the slip allowed, 3·BPFO of one race falls on 2·BPFI of the other. A sideband of
+/// theirs counts up to its harmonic: blows that a load modulates, which is never negative, have no
+/// sideband above it.
+///
+/// @param lines  from signature_lines(); those of a family are scaled together within its slip
+std::vector<FamilyScore> score_families(const EnvelopeSpectra& envelope,
+                                        const std::vector<Signature>& signatures,
+                                        const std::vector<std::vector<SignatureLine>>& lines);
 
 }  // namespace rvbench::analysis

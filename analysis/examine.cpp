@@ -77,9 +77,10 @@ void score_imfs(const Channel& channel, const Emd& modes, const Task& task, Chan
     out.periods = envelope.periods;
     if (lines.empty()) lines = signature_lines(task.kinematics, envelope.whole.resolution);
     const double c = correlations[static_cast<std::size_t>(k)];
-    for (std::size_t s = 0; s < lines.size(); ++s) {
-      weigh(out.scores[s], score_family(envelope, task.kinematics.signatures[s], lines[s]), k + 1,
-            c * c / total_share);
+    const std::vector<FamilyScore> scores =
+        score_families(envelope, task.kinematics.signatures, lines);
+    for (std::size_t s = 0; s < scores.size(); ++s) {
+      weigh(out.scores[s], scores[s], k + 1, c * c / total_share);
     }
   }
   for (std::size_t s = 0; s < out.scores.size(); ++s) {

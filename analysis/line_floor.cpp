@@ -13,6 +13,7 @@ namespace {
 
 constexpr Eigen::Index neighbours = 160;  // to either side
 constexpr Eigen::Index stride = 32;       // the floor is taken anew this often, and held between
+constexpr Eigen::Index dense = 16;        // locked lines this near to each other are everywhere
 
 bool is_clean(Eigen::Index line, Eigen::Index locked_every) {
   if (locked_every < 4) return true;  // too dense to step around
@@ -32,8 +33,13 @@ double floor_around(const Eigen::VectorXd& power, Eigen::Index line, Eigen::Inde
 
 }  // namespace
 
+bool LineFloor::is_locked(Eigen::Index line) const {
+  return locked_every >= dense && !is_clean(line, locked_every);
+}
+
 LineFloor line_floor(const Spectrum& spectrum, Eigen::Index locked_every) {
   LineFloor result;
+  result.locked_every = locked_every;
   result.power = spectrum.amplitude.cwiseAbs2();
   const Eigen::Index n = result.power.size();
   result.floor.resize(n);

@@ -15,6 +15,10 @@ struct LineFloor {
   Eigen::VectorXd power;   ///< amplitude², in the unit of the signal squared
   Eigen::VectorXd floor;   ///< the same unit; > 0
   double floor_lines = 1;  ///< independent lines that each floor value is worth
+  Eigen::Index locked_every = 0;
+
+  /// Whether a line cannot be told from a multiple of `locked_every`. Never where those are dense.
+  bool is_locked(Eigen::Index line) const;
 };
 
 /// @param locked_every  lines from one shaft-locked line to the next; 0: there are none

@@ -140,24 +140,26 @@ Kinematics rv_reducer(const std::string& machine, const RvGeometry& geometry,
 std::vector<Signature> bearing_signatures(const BearingGeometry& bearing, double race_order,
                                           double slip) {
   const BearingOrders o = bearing_orders(bearing);
-  const auto signature = [&](const char* component, double order, int harmonics,
-                             std::vector<double> sidebands) {
+  const auto signature = [&](const char* component, double order, std::vector<double> sidebands) {
     return Signature{
         .component = component,
         .mechanism = "spall",
         .table4_item = "",
         .order = order * race_order,
-        .harmonics = harmonics,
+        .harmonics = 4,
         .sidebands = std::move(sidebands),
         .slip = slip,
         .depth_limit = 0.15,
         .limit_why = "a sound race leaves no periodic blows; what noise leaves is less",
         .advice = "replace the bearing; look for the cause in load, fit and grease"};
   };
-  return {signature("bearing_inner", o.inner, 4, {race_order}),
-          signature("bearing_outer", o.outer, 4, {}),
-          signature("bearing_ball", o.ball, 4, {o.cage * race_order}),
-          signature("bearing_cage", o.cage, 4, {})};
+  Signature cage = signature("bearing_cage", o.cage, {});
+  cage.mechanism = "wear";
+  cage.depth_limit = 0.3;
+  cage.limit_why = "rolling elements of unequal size shift the load once per cage turn, too";
+  return {signature("bearing_inner", o.inner, {race_order}),
+          signature("bearing_outer", o.outer, {}),
+          signature("bearing_ball", o.ball, {o.cage * race_order}), std::move(cage)};
 }
 
 }  // namespace rvbench::analysis

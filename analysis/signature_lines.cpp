@@ -105,9 +105,14 @@ std::vector<std::vector<SignatureLine>> signature_lines(const Kinematics& kinema
           if (rolls || !claims.is_harmonic_of_another(i, side)) orders.push_back(side);
         }
       }
+      int harmonic = -1;
       for (const double order : orders) {
         if (order < 2 * resolution || near.among(beats, order)) continue;
-        lines[i].push_back({order, rolls ? std::vector<double>{} : claims.rivals(i, main, order)});
+        lines[i].push_back(
+            {.order = order,
+             .sideband_of = harmonic,
+             .rivals = rolls ? std::vector<double>{} : claims.rivals(i, main, order)});
+        if (order == main) harmonic = static_cast<int>(lines[i].size()) - 1;
       }
     }
   }

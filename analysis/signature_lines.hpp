@@ -9,6 +9,7 @@ namespace rvbench::analysis {
 /// One envelope line that a signature looks at.
 struct SignatureLine {
   double order = 0;
+  int sideband_of = -1;  ///< index of its harmonic in the same list; −1: a harmonic itself
 
   /// Lines of other parts' combs to either side, where such a comb also falls on `order`: what
   /// the line holds beyond the strongest of them is this signature's own.
