@@ -79,7 +79,8 @@ Finding make_finding(const Signature& signature, const Evidence& evidence, doubl
 }
 
 /// What no kinematics accounts for, over all channels and points.
-std::vector<SpectralLine> unexplained_families(const std::vector<Examination>& points) {
+std::vector<SpectralLine> unexplained_families(const std::vector<Examination>& points,
+                                               const Kinematics& kinematics) {
   std::vector<SpectralLine> lines;
   for (const Examination& point : points) {
     for (const ChannelExamination& channel : point.channels) {
@@ -99,7 +100,7 @@ std::vector<SpectralLine> unexplained_families(const std::vector<Examination>& p
   std::sort(lines.begin(), lines.end(),
             [](const SpectralLine& a, const SpectralLine& b) { return a.amplitude > b.amplitude; });
   if (lines.size() > 200) lines.resize(200);
-  std::vector<SpectralLine> result = families(std::move(lines));
+  std::vector<SpectralLine> result = families(std::move(lines), kinematics);
   if (result.size() > families_listed) result.resize(families_listed);
   return result;
 }
@@ -129,7 +130,7 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
   double total = 0;
   for (const Finding& f : d.findings) total += f.severity / f.limit;
   for (Finding& f : d.findings) f.confidence = f.severity / f.limit / total;
-  d.unexplained = unexplained_families(points);
+  d.unexplained = unexplained_families(points, kinematics);
   return d;
 }
 

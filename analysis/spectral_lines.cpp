@@ -1,7 +1,10 @@
 #include "analysis/spectral_lines.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "analysis/line_floor.hpp"
 #include "analysis/spectrum.hpp"
@@ -12,13 +15,69 @@ namespace {
 
 constexpr int most_harmonics = 12;
 constexpr int most_sidebands = 3;
-constexpr double same_family = 1e-3;  // relative: what one line of an estimate may be off
+constexpr double same_line = 0.6;     // of the resolution
+constexpr double same_family = 5e-4;  // relative: what one line of an estimate may be off
 constexpr double speed_error = 3e-4;  // relative: what a stated mean speed may be off
 
 bool same(double a, double b, double near) { return std::abs(a - b) <= near; }
 
 std::string times(const std::string& name, int harmonic) {
   return harmonic == 1 ? name : name + " x" + std::to_string(harmonic);
+}
+
+/// Where a tone lies whose two highest lines, under a Hann window, are `line` and a neighbour.
+/// Source  Grandke, IEEE Trans. Instrum. Meas. 32(2), 350-355 (1983)
+double place_of(const Eigen::VectorXd& amplitude, Eigen::Index line) {
+  const bool above = amplitude[line + 1] > amplitude[line - 1];
+  const double ratio = amplitude[above ? line + 1 : line - 1] / amplitude[line];
+  const double away = (2 * ratio - 1) / (ratio + 1);
+  return static_cast<double>(line) + (above ? away : -away);
+}
+
+bool is_characteristic(const SpectralLine& line, const Kinematics& kinematics) {
+  return std::any_of(kinematics.orders.begin(), kinematics.orders.end(),
+                     [&](const CharacteristicOrder& o) { return o.name == line.meaning; });
+}
+
+/// What a line is in the family of a fundamental: "x3", or "pinion mesh + 1x"; empty if nothing.
+std::string role_in(double order, double fundamental, const Kinematics& kinematics) {
+  const double near = same_family * order;
+  const double harmonic = std::round(order / fundamental);
+  if (harmonic >= 1 && harmonic <= most_harmonics && same(order, harmonic * fundamental, near)) {
+    return fmt::format("x{:.0f}", harmonic);
+  }
+  for (const CharacteristicOrder& mesh : kinematics.orders) {
+    if (!mesh.mesh || fundamental > mesh.order / 2) continue;
+    const double away = order - mesh.order;
+    const double k = std::round(std::abs(away) / fundamental);
+    if (k >= 1 && k <= most_sidebands && same(std::abs(away), k * fundamental, near)) {
+      return fmt::format("{} {} {:.0f}x", mesh.name, away < 0 ? "-" : "+", k);
+    }
+  }
+  return {};
+}
+
+/// A line among those that no kinematics explains, and what it is in its family.
+struct Membership {
+  std::size_t line;
+  std::string role;
+};
+
+/// A family as one line: the fundamental's order, the strongest amplitude, the roles seen.
+SpectralLine gathered(const std::vector<SpectralLine>& lines, std::size_t fundamental,
+                      const std::vector<Membership>& members) {
+  SpectralLine family = lines[fundamental];
+  std::vector<std::pair<double, std::string>> roles;
+  for (const Membership& member : members) {
+    family.amplitude = std::max(family.amplitude, lines[member.line].amplitude);
+    roles.emplace_back(lines[member.line].order, member.role);
+  }
+  std::sort(roles.begin(), roles.end());
+  if (roles.size() < 2) return family;
+  for (const auto& [order, role] : roles) {
+    family.meaning += (family.meaning.empty() ? "" : ", ") + role;
+  }
+  return family;
 }
 
 }  // namespace
@@ -78,51 +137,42 @@ std::vector<SpectralLine> spectral_lines(const Channel& x, const ShaftAngle& ang
     if (here < spectrum.amplitude[i - 1] || here <= spectrum.amplitude[i + 1]) continue;
     const double p = line_p_value(floor.power[i] / floor.floor[i], 1, floor.floor_lines);
     if (p > alpha) continue;
-    const double order = spectrum.axis(i);
-    lines.push_back(
-        {order, order * speed_Hz, here, p, meaning_of(order, spectrum.resolution, kinematics)});
+    const double order = place_of(spectrum.amplitude, i) * spectrum.resolution;
+    const double near =
+        std::max(same_line * spectrum.resolution, angle.is_measured() ? 0.0 : speed_error * order);
+    lines.push_back({order, order * speed_Hz, here, p, meaning_of(order, near, kinematics)});
   }
   std::sort(lines.begin(), lines.end(),
             [](const SpectralLine& a, const SpectralLine& b) { return a.amplitude > b.amplitude; });
-  if (lines.size() > most) lines.resize(most);
+  const auto rest = lines.begin() + static_cast<std::ptrdiff_t>(std::min(most, lines.size()));
+  lines.erase(std::remove_if(
+                  rest, lines.end(),
+                  [&](const SpectralLine& line) { return !is_characteristic(line, kinematics); }),
+              lines.end());
   return lines;
 }
 
-std::vector<SpectralLine> families(std::vector<SpectralLine> unexplained) {
+std::vector<SpectralLine> families(std::vector<SpectralLine> unexplained,
+                                   const Kinematics& kinematics) {
   std::vector<SpectralLine> result;
   while (!unexplained.empty()) {
     // The fundamental with the most members; of equals the strongest, as the list is sorted.
     std::size_t best = 0;
-    std::vector<std::size_t> best_members;
+    std::vector<Membership> best_members;
     for (std::size_t f = 0; f < unexplained.size(); ++f) {
-      std::vector<std::size_t> members;
+      std::vector<Membership> members;
       for (std::size_t i = 0; i < unexplained.size(); ++i) {
-        const double h = std::round(unexplained[i].order / unexplained[f].order);
-        if (h >= 1 && h <= most_harmonics &&
-            same(unexplained[i].order, h * unexplained[f].order,
-                 same_family * unexplained[i].order)) {
-          members.push_back(i);
-        }
+        const std::string role = role_in(unexplained[i].order, unexplained[f].order, kinematics);
+        if (!role.empty()) members.push_back({i, role});
       }
       if (members.size() > best_members.size()) {
         best = f;
         best_members = std::move(members);
       }
     }
-    SpectralLine family = unexplained[best];
-    std::vector<int> harmonics;
-    for (const std::size_t i : best_members) {
-      harmonics.push_back(static_cast<int>(std::lround(unexplained[i].order / family.order)));
-      family.amplitude = std::max(family.amplitude, unexplained[i].amplitude);
-    }
-    std::sort(harmonics.begin(), harmonics.end());
-    if (harmonics.size() > 1) {
-      family.meaning = "harmonics";
-      for (const int h : harmonics) family.meaning += " " + std::to_string(h);
-    }
-    result.push_back(family);
-    for (auto i = best_members.rbegin(); i != best_members.rend(); ++i) {
-      unexplained.erase(unexplained.begin() + static_cast<std::ptrdiff_t>(*i));
+    result.push_back(gathered(unexplained, best, best_members));
+    for (auto m = best_members.rbegin(); m != best_members.rend(); ++m) {
+      unexplained.erase(unexplained.begin() + static_cast<std::ptrdiff_t>(m->line));
     }
   }
   std::sort(result.begin(), result.end(),

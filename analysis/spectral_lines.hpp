@@ -9,7 +9,8 @@
 namespace rvbench::analysis {
 
 /// Lines of the order spectrum of x that noise alone would not raise once in a thousand spectra,
-/// strongest first, at most `most` of them, each with what the kinematics calls it.
+/// strongest first, each with what the kinematics calls it: the `most` strongest, and those on a
+/// characteristic order however weak.
 ///
 /// A line is explained if it is a harmonic of a characteristic order, or a sideband of a mesh line
 /// at up to three times the order of a shaft. Orders must agree within 0.6 lines, and 0.3 ‰ where
@@ -21,8 +22,10 @@ std::vector<SpectralLine> spectral_lines(const Channel& x, const ShaftAngle& ang
 /// @param near  how far orders may differ and still be the same
 std::string meaning_of(double order, double near, const Kinematics& kinematics);
 
-/// Unexplained lines that are harmonics of a common fundamental become one line each: the
-/// fundamental's, with the harmonics that were seen as its meaning. Strongest first.
-std::vector<SpectralLine> families(std::vector<SpectralLine> unexplained);
+/// Unexplained lines that are harmonics of a common fundamental, or sidebands of a mesh line at up
+/// to three times it, become one line each: the fundamental's, with the strongest amplitude, and
+/// with what was seen as its meaning, as "x1, x3, pinion mesh - 1x". Strongest first.
+std::vector<SpectralLine> families(std::vector<SpectralLine> unexplained,
+                                   const Kinematics& kinematics);
 
 }  // namespace rvbench::analysis

@@ -37,39 +37,71 @@ void print_finding(Console& console, const analysis::Finding& finding, double pe
               << "; envelope lines (order depth): " << evidence_of(finding, period_turns) << '\n';
 }
 
-/// Lines of the signals' own spectra that the kinematics names: strongest place, and in how many
-/// channels of all points.
-void print_explained(Console& console, const Judgement& judgement) {
-  std::map<std::string, std::pair<analysis::SpectralLine, std::size_t>> seen;
+struct ExplainedLine {
+  analysis::SpectralLine strongest;
   std::size_t channels = 0;
+};
+
+/// Lines of the signals' own spectra that the kinematics names, by order.
+std::vector<ExplainedLine> explained_lines(const Judgement& judgement) {
+  std::map<std::string, ExplainedLine> seen;
   for (const JudgedPoint& point : judgement.points) {
     for (const analysis::ChannelExamination& channel : point.examination.channels) {
-      ++channels;
       std::map<std::string, analysis::SpectralLine> named;
       for (const auto& line : channel.lines) {
         if (!line.meaning.empty()) named.emplace(line.meaning, line);  // the strongest comes first
       }
       for (const auto& [meaning, line] : named) {
-        auto& [strongest, count] = seen[meaning];
-        if (line.amplitude > strongest.amplitude) strongest = line;
-        ++count;
+        ExplainedLine& explained = seen[meaning];
+        if (line.amplitude > explained.strongest.amplitude) explained.strongest = line;
+        ++explained.channels;
       }
     }
   }
-  if (!seen.empty()) console.out << "\nLines that the kinematics explains:\n";
-  for (const auto& [meaning, found] : seen) {
+  std::vector<ExplainedLine> lines;
+  for (const auto& [meaning, line] : seen) lines.push_back(line);
+  std::sort(lines.begin(), lines.end(), [](const ExplainedLine& a, const ExplainedLine& b) {
+    return a.strongest.order < b.strongest.order;
+  });
+  return lines;
+}
+
+/// The characteristic orders, and the strongest of their harmonics and sidebands.
+void print_explained(Console& console, const Judgement& judgement,
+                     const analysis::Kinematics& kinematics) {
+  const std::vector<ExplainedLine> lines = explained_lines(judgement);
+  if (lines.empty()) return;
+  std::vector<double> amplitudes;
+  for (const ExplainedLine& line : lines) amplitudes.push_back(line.strongest.amplitude);
+  std::sort(amplitudes.rbegin(), amplitudes.rend());
+  const double least = amplitudes[std::min(most_lines, amplitudes.size()) - 1];
+  std::size_t channels = 0;
+  for (const JudgedPoint& point : judgement.points) channels += point.examination.channels.size();
+
+  console.out << "\nLines that the kinematics explains:\n";
+  std::size_t left_out = 0;
+  for (const ExplainedLine& line : lines) {
+    const bool characteristic =
+        std::any_of(kinematics.orders.begin(), kinematics.orders.end(),
+                    [&](const auto& o) { return o.name == line.strongest.meaning; });
+    if (!characteristic && line.strongest.amplitude < least) {
+      ++left_out;
+      continue;
+    }
     console.out << fmt::format("  {:9.2f} Hz  order {:8.4f}  {} ({} of {} channels)\n",
-                               found.first.frequency_Hz, found.first.order, meaning, found.second,
-                               channels);
+                               line.strongest.frequency_Hz, line.strongest.order,
+                               line.strongest.meaning, line.channels, channels);
   }
+  if (left_out > 0) console.out << "  and " << left_out << " weaker ones\n";
 }
 
 void print_unexplained(Console& console, const std::vector<analysis::SpectralLine>& lines) {
   if (lines.empty()) return;
   console.out << "\nLines that the kinematics does not explain:\n";
   for (std::size_t i = 0; i < std::min(lines.size(), most_lines); ++i) {
-    console.out << fmt::format("  {:9.2f} Hz  order {:8.4f}  amplitude {:.3g}\n",
-                               lines[i].frequency_Hz, lines[i].order, lines[i].amplitude);
+    console.out << fmt::format("  {:9.2f} Hz  order {:8.4f}  amplitude {:.3g}{}\n",
+                               lines[i].frequency_Hz, lines[i].order, lines[i].amplitude,
+                               lines[i].meaning.empty() ? "" : "; seen as " + lines[i].meaning);
   }
   if (lines.size() > most_lines) console.out << "  and " << lines.size() - most_lines << " more\n";
 }
@@ -100,7 +132,7 @@ void print_summary(Console& console, const Judgement& judgement,
   if (!diagnosis.below_limit.empty()) console.out << "\nSignificant, but within limits:\n";
   for (const auto& finding : diagnosis.below_limit)
     print_finding(console, finding, kinematics.period_turns);
-  print_explained(console, judgement);
+  print_explained(console, judgement, kinematics);
   print_unexplained(console, diagnosis.unexplained);
   if (!judgement.limits.empty()) console.out << "\nLimits:\n";
   for (const LimitCheck& check : judgement.limits) {
