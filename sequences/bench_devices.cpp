@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hal/types/units.hpp"
 
@@ -19,17 +20,17 @@ double backoff_s(int failures) { return std::min(0.5, 0.01 * std::pow(2.0, failu
 
 BenchDevices::BenchDevices(hal::Rig& rig) : rig_(rig) {
   // Never seen yet: nothing counts as fresh before its first answer.
-  for (Watch* watch :
-       {&drive_, &drive_command_, &brake_, &brake_command_, &safety_, &torque_, &accelerations_}) {
-    watch->seen_s = -1e9;
-  }
+  for (Watch* watch : watches()) watch->seen_s = -1e9;
 }
 
 void BenchDevices::start() {
-  for (Watch* watch :
-       {&drive_, &drive_command_, &brake_, &brake_command_, &safety_, &torque_, &accelerations_}) {
-    watch->seen_s = rig_.clock->now_s();
-  }
+  started_s_ = rig_.clock->now_s();
+  for (Watch* watch : watches()) watch->seen_s = started_s_;
+}
+
+bool BenchDevices::all_answered() const {
+  return std::ranges::all_of(watches(),
+                             [this](const Watch* watch) { return watch->seen_s > started_s_; });
 }
 
 template <typename T>
@@ -136,10 +137,13 @@ void BenchDevices::hold_brake(double torque_Nm) {
 
 void BenchDevices::leave_drive_alone(double until_s) { drive_.due_s = until_s; }
 
+void BenchDevices::end_speed_commands() {
+  drive_command_.seen_s = std::numeric_limits<double>::infinity();
+}
+
 std::string BenchDevices::lost(double stale_after_s) const {
   std::string all;
-  for (const Watch* watch :
-       {&drive_, &drive_command_, &brake_, &brake_command_, &safety_, &torque_, &accelerations_}) {
+  for (const Watch* watch : watches()) {
     const double age_s = rig_.clock->now_s() - watch->seen_s;
     if (age_s <= stale_after_s + 1e-6) continue;
     all += fmt::format("{}{} silent for {:.2f} s{}", all.empty() ? "" : "; ", watch->device, age_s,

@@ -42,11 +42,13 @@ class BenchDevices {
  public:
   explicit BenchDevices(hal::Rig& rig);
 
-  void start();  ///< from now on everything must be seen
+  void start();               ///< from now on everything must be seen
+  bool all_answered() const;  ///< since start()
   void read();
   void write(double speed_rpm, double brake_torque_Nm);
   void hold_brake(double torque_Nm);       ///< the brake alone, while the drive is stopped
   void leave_drive_alone(double until_s);  ///< asks it nothing: each request feeds its watchdog
+  void end_speed_commands();               ///< from now on none is missed
 
   const FreshValues& fresh() const { return fresh_; }
   const BenchValues& values() const { return values_; }
@@ -71,6 +73,14 @@ class BenchDevices {
     double time_s, angle_rad;
   };
 
+  std::array<Watch*, 7> watches() {
+    return {&drive_,  &drive_command_, &brake_,        &brake_command_,
+            &safety_, &torque_,        &accelerations_};
+  }
+  std::array<const Watch*, 7> watches() const {
+    return {&drive_,  &drive_command_, &brake_,        &brake_command_,
+            &safety_, &torque_,        &accelerations_};
+  }
   template <typename T>
   std::optional<T> ask(Watch& watch, const std::function<Result<T>()>& call);
   void read_safety();
@@ -85,6 +95,7 @@ class BenchDevices {
   Watch safety_{"safety inputs"};
   Watch torque_{"torque sensor"};
   Watch accelerations_{"accelerometers"};
+  double started_s_ = 0;
   FreshValues fresh_;
   BenchValues values_;
   std::deque<AnglePoint> angles_;

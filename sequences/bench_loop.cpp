@@ -97,8 +97,11 @@ Ending BenchLoop::end(const Ending& ending) {
 std::optional<Ending> BenchLoop::arm() {
   next_tick_s_ = next_write_s_ = agreed_s_ = now_s();
   devices_.start();
-  event("armed");
-  return run_for(2 * tick_s);
+  // Nothing turns before every device has answered; one that does not is lost within that time.
+  const Waited waited = run_until([this](const BenchValues&) { return devices_.all_answered(); },
+                                  plan_.interlocks.stale_after_s + 1);
+  if (!waited.ending) event("armed");
+  return waited.ending;
 }
 
 void BenchLoop::command(double speed_rpm, double brake_torque_Nm) {

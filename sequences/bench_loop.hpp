@@ -33,7 +33,8 @@ class BenchLoop {
   BenchLoop(const TestPlan& plan, hal::Rig& rig, hal::RecordingWriter& recording,
             RunObserver& observer, std::stop_token stop, int first_point);
 
-  /// Begins to watch the devices, which are connected by now; ends at once on E-stop or guard.
+  /// Begins to watch the devices, which are connected by now, and waits for each one's first
+  /// answer; ends at once on E-stop or guard.
   std::optional<Ending> arm();
 
   void command(double speed_rpm, double brake_torque_Nm);  ///< written at the next tick

@@ -97,9 +97,9 @@ Ending tear_down(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
   const double until_s = rig.clock->now_s() + plan.teardown.standstill_timeout_s;
   rig.drive->stop();
   Ending ending = guarded([&] {
-    summary.shaft_stopped =
-        wait_for_standstill(rig, loop.devices(), plan.teardown, loop.brake_torque_Nm());
-    return all_well;
+    const RunDown run_down = wait_for_standstill(rig, loop.devices(), plan, loop.brake_torque_Nm());
+    summary.shaft_stopped = run_down.stopped;
+    return run_down.trouble.value_or(all_well);
   });
   rig.drive->stop();
   if (!summary.shaft_stopped) rig.clock->wait_until(until_s);
@@ -136,6 +136,8 @@ RunSummary run_sequence(const TestPlan& plan, hal::Rig& rig, hal::RecordingWrite
   summary.drive_retries = rig.drive->retries();
   summary.duration_s = rig.clock->now_s() - start_s;
   const Ending told = guarded([&] {
+    const bool more = torn_down.outcome != Outcome::pass && torn_down.reason != measured.reason;
+    if (more) loop.event("in teardown: " + torn_down.reason);
     loop.event(fmt::format("{}: {}; shaft {}, brake {}", to_string(summary.ending.outcome),
                            summary.ending.reason,
                            summary.shaft_stopped ? "at standstill" : "not seen at standstill",

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "sequences/interlock_check.hpp"
+
 namespace rvbench::sequences {
 namespace {
 
@@ -10,7 +12,6 @@ constexpr double tick_s = 0.01;
 constexpr double feed_period_s = 0.1;
 constexpr double stop_again_s = 1.0;
 constexpr double silence_s = 2.5;  // longer than any watchdog that the sequencer arms with
-constexpr double obeys_share = 0.95;
 constexpr double must_last_s = 0.3;
 
 bool stands_still(const BenchDevices& devices, double limit_rpm) {
@@ -26,16 +27,20 @@ bool stands_still(const BenchDevices& devices, double limit_rpm) {
 
 /// Tells a drive to stop until it does. One that answers but does not obey would have its watchdog
 /// fed by every further request: after a stop in vain it hears nothing, so that the watchdog acts.
+/// It obeys if it slows down fast enough to stand still within the time-out.
 class Stopper {
  public:
-  Stopper(hal::Rig& rig, BenchDevices& devices, double now_s)
-      : rig_(rig), devices_(devices), next_s_(now_s + stop_again_s) {}
+  Stopper(hal::Rig& rig, BenchDevices& devices, double timeout_s, double now_s)
+      : rig_(rig),
+        devices_(devices),
+        obeys_share_(1 - stop_again_s / timeout_s),
+        next_s_(now_s + stop_again_s) {}
 
   void tick(double now_s) {
     if (std::isnan(speed_rpm_)) speed_rpm_ = speed_rpm();
     if (now_s < next_s_) return;
     const double before_rpm = std::exchange(speed_rpm_, speed_rpm());
-    const bool obeys = speed_rpm_ < obeys_share * before_rpm;  // false if one is not known
+    const bool obeys = speed_rpm_ < obeys_share_ * before_rpm;  // false if one is not known
     if (!obeys && !was_silent_) {
       devices_.leave_drive_alone(now_s + silence_s);
     } else {
@@ -46,36 +51,60 @@ class Stopper {
   }
 
  private:
-  double speed_rpm() const { return std::abs(devices_.measured_speed_rpm(0.2)); }
+  double speed_rpm() const {
+    const double measured_rpm = std::abs(devices_.measured_speed_rpm(0.2));
+    if (std::isfinite(measured_rpm) || !devices_.drive_is_fresh()) return measured_rpm;
+    return std::abs(devices_.values().drive.speed_rpm);
+  }
 
   hal::Rig& rig_;
   BenchDevices& devices_;
+  double obeys_share_;
   double next_s_;
   double speed_rpm_ = not_known;  ///< when it was last told to stop
   bool was_silent_ = false;
 };
 
+std::optional<Ending> find_trip(const Interlocks& limits, const FreshValues& fresh) {
+  if (auto trip = check_interlocks(limits, fresh)) return trip;
+  return check_devices(fresh);
+}
+
+std::optional<Ending> find_lost(const BenchDevices& devices, double stale_after_s) {
+  std::string lost = devices.lost(stale_after_s);
+  if (lost.empty()) return std::nullopt;
+  return Ending{Outcome::error, ErrorKind::device_lost, std::move(lost)};
+}
+
 }  // namespace
 
-bool wait_for_standstill(hal::Rig& rig, BenchDevices& devices, const Teardown& teardown,
-                         double brake_torque_Nm) {
+RunDown wait_for_standstill(hal::Rig& rig, BenchDevices& devices, const TestPlan& plan,
+                            double brake_torque_Nm) {
+  const double timeout_s = plan.teardown.standstill_timeout_s;
   const double start_s = rig.clock->now_s();
   double moving_s = start_s;
   double next_feed_s = start_s;
-  Stopper stopper(rig, devices, start_s);
-  for (double now_s = start_s; now_s < start_s + teardown.standstill_timeout_s;) {
+  RunDown result;
+  Stopper stopper(rig, devices, timeout_s, start_s);
+  devices.end_speed_commands();
+  for (double now_s = start_s; now_s < start_s + timeout_s;) {
     rig.clock->wait_until(now_s + tick_s);
     now_s = rig.clock->now_s();
     devices.read();
-    if (!stands_still(devices, teardown.standstill_rpm)) moving_s = now_s;
-    if (now_s - moving_s >= must_last_s) return true;
+    if (const auto trip = find_trip(plan.interlocks, devices.fresh())) {
+      result.trouble = graver(result.trouble.value_or(*trip), *trip);
+    }
+    if (!stands_still(devices, plan.teardown.standstill_rpm)) moving_s = now_s;
+    result.stopped = now_s - moving_s >= must_last_s;
+    if (result.stopped) break;
     stopper.tick(now_s);
     if (now_s >= next_feed_s) {
       devices.hold_brake(brake_torque_Nm);
       next_feed_s = now_s + feed_period_s;
     }
   }
-  return false;
+  if (!result.trouble) result.trouble = find_lost(devices, plan.interlocks.stale_after_s);
+  return result;
 }
 
 }  // namespace rvbench::sequences

@@ -291,7 +291,8 @@ TEST_CASE("a record that does not come by its turns is too short", "[sequences]"
   REQUIRE(loop.points().size() == 1);
   CHECK(loop.points()[0].status == "too_short");
   CHECK(run.recording.results.at(0).status == "too_short");
-  CHECK(run.recording.points.at(0).torque.size() == 1000);
+  const auto samples = run.recording.points.at(0).torque.size();
+  CHECK((samples >= 999 && samples <= 1001));  // 1 s at 1 kHz, between two ticks
 }
 
 TEST_CASE("a recording that cannot be written ends the run", "[sequences]") {
