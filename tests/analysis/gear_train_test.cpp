@@ -1,0 +1,107 @@
+#include "analysis/gear_train.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <stdexcept>
+
+using namespace rvbench::analysis;
+
+namespace {
+
+/// Input 20:60, intermediate 15:45, output; a bearing on the intermediate shaft.
+GearTrain two_stages() {
+  GearTrain train;
+  train.machine = "two stages";
+  train.shafts = {{"input", "input_shaft"}, {"middle", "middle_shaft"}, {"output", "output_shaft"}};
+  train.meshes = {{"first mesh", 0, 20, 1, 60, "first_pinion", "first_wheel"},
+                  {"second mesh", 1, 15, 2, 45, "second_pinion", "second_wheel"}};
+  train.bearings = {{"middle bearing", 1, {9, 7.94, 39.04, 0}, 0.01}};
+  return train;
+}
+
+double order_of(const Kinematics& kinematics, const std::string& name) {
+  for (const CharacteristicOrder& o : kinematics.orders) {
+    if (o.name == name) return o.order;
+  }
+  FAIL("no order " << name);
+  return 0;
+}
+
+std::string refusal(const GearTrain& train) {
+  try {
+    gear_train(train);
+  } catch (const std::invalid_argument& e) {
+    return e.what();
+  }
+  return "accepted";
+}
+
+}  // namespace
+
+TEST_CASE("shafts of a gear train turn as their teeth have it", "[analysis][kinematics]") {
+  const Kinematics kinematics = gear_train(two_stages());
+  CHECK(order_of(kinematics, "input") == 1);
+  CHECK(order_of(kinematics, "middle") == Approx(1.0 / 3));
+  CHECK(order_of(kinematics, "output") == Approx(1.0 / 9));
+  CHECK(order_of(kinematics, "first mesh") == Approx(20));
+  CHECK(order_of(kinematics, "second mesh") == Approx(5));
+  CHECK(order_of(kinematics, "middle bearing bearing_outer") == Approx(3.5848 / 3).margin(1e-4));
+}
+
+TEST_CASE("the meshes may be listed from the output backwards", "[analysis][kinematics]") {
+  GearTrain train = two_stages();
+  std::swap(train.meshes[0], train.meshes[1]);
+  const auto orders = shaft_orders(train);
+  REQUIRE(orders.size() == 3);
+  CHECK(orders[2] == Approx(1.0 / 9));
+}
+
+TEST_CASE("each gear of a train has a signature at its own shaft's order",
+          "[analysis][kinematics]") {
+  const Kinematics kinematics = gear_train(two_stages());
+  const auto order = [&](const std::string& component) {
+    const auto found = std::find_if(kinematics.signatures.begin(), kinematics.signatures.end(),
+                                    [&](const Signature& s) { return s.component == component; });
+    return found == kinematics.signatures.end() ? -1 : found->order;
+  };
+  CHECK(order("first_pinion") == 1);
+  CHECK(order("first_wheel") == Approx(1.0 / 3));
+  CHECK(order("second_pinion") == Approx(1.0 / 3));
+  CHECK(order("second_wheel") == Approx(1.0 / 9));
+  for (const Signature& s : kinematics.signatures) {
+    CAPTURE(s.component);
+    CHECK(s.depth_limit > 0);
+    CHECK_FALSE(s.advice.empty());
+    CHECK_FALSE(s.limit_why.empty());
+  }
+}
+
+TEST_CASE("a mesh whose wheel is not known still has its line", "[analysis][kinematics]") {
+  GearTrain train;
+  train.shafts = {{"pinion shaft", "input_shaft"}};
+  train.meshes = {{"pinion mesh", 0, 23, -1, 0, "pinion", ""}};
+  CHECK(order_of(gear_train(train), "pinion mesh") == 23);
+}
+
+TEST_CASE("a gear train that cannot turn is refused by name", "[analysis][kinematics][errors]") {
+  using Catch::Matchers::Contains;
+  GearTrain train = two_stages();
+  CHECK(refusal(train) == "accepted");
+  SECTION("no shaft at all") { CHECK_THAT(refusal({}), Contains("shaft")); }
+  SECTION("a wheel without teeth") {
+    train.meshes[1].driven_teeth = 0;
+    CHECK_THAT(refusal(train), Contains("second mesh"));
+  }
+  SECTION("a mesh with a shaft that is not there") {
+    train.meshes[0].driven = 3;
+    CHECK_THAT(refusal(train), Contains("first mesh"));
+  }
+  SECTION("a bearing on a shaft that is not there") {
+    train.bearings[0].shaft = -1;
+    CHECK_THAT(refusal(train), Contains("middle bearing"));
+  }
+  SECTION("a shaft that nothing drives") {
+    train.meshes.pop_back();
+    CHECK_THAT(refusal(train), Contains("output"));
+  }
+}

@@ -1,0 +1,106 @@
+#include "analysis/quality.hpp"
+
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "tests/support/signals.hpp"
+
+using namespace rvbench;
+using analysis::acceleration_channels;
+using analysis::channel_quality;
+using Catch::Matchers::Contains;
+
+namespace {
+
+constexpr double rate_Hz = 4960;
+
+Channel channel(Eigen::VectorXd samples) {
+  return {{"accel_1x", "m/s²", "+X", not_known}, rate_Hz, 0, std::move(samples)};
+}
+
+/// A vibration with noise, at most about 5 m/s².
+Eigen::VectorXd vibration() {
+  return 3 * test::tone(87.3, 9920, rate_Hz) + 0.5 * test::white_noise(9920, 1);
+}
+
+std::string complaint(const Channel& c, double clip_level = not_known) {
+  const auto notes = channel_quality(c, clip_level);
+  if (notes.empty()) return "";
+  CHECK(notes.front().where == "accel_1x");
+  CHECK(notes.front().invalidates);
+  return notes.front().what;
+}
+
+}  // namespace
+
+TEST_CASE("a sound channel gets no note", "[analysis][quality]") {
+  CHECK(complaint(channel(vibration())) == "");
+  CHECK(complaint(channel(1e-6 * vibration())) == "");
+  CHECK(complaint(channel(vibration().array() + 100)) == "");
+  CHECK(complaint(channel(vibration()), 50) == "");
+}
+
+TEST_CASE("a gap in the samples is counted", "[analysis][quality]") {
+  Eigen::VectorXd x = vibration();
+  x.segment(4000, 17).setConstant(not_known);
+  CHECK_THAT(complaint(channel(x)), Contains("lost samples: 17 of 9920"));
+  x[9000] = std::numeric_limits<double>::infinity();
+  CHECK_THAT(complaint(channel(x)), Contains("18 of 9920"));
+}
+
+TEST_CASE("a channel of nothing but lost samples is not mistaken for a dead one",
+          "[analysis][quality]") {
+  CHECK_THAT(complaint(channel(Eigen::VectorXd::Constant(1000, not_known))),
+             Contains("lost samples: 1000"));
+}
+
+TEST_CASE("a channel that never moves is dead, whatever its offset", "[analysis][quality]") {
+  const auto stuck_at = GENERATE(0.0, 2.5, -1e-9);
+  CHECK_THAT(complaint(channel(Eigen::VectorXd::Constant(1000, stuck_at))), Contains("dead"));
+}
+
+TEST_CASE("clipping is seen at the extremes where full scale is not known", "[analysis][quality]") {
+  SECTION("at both ends") {
+    CHECK_THAT(complaint(channel(vibration().cwiseMin(2.9).cwiseMax(-2.9))), Contains("clipped"));
+  }
+  SECTION("at the upper end") {
+    CHECK_THAT(complaint(channel(vibration().array().min(2.5) + 10)), Contains("clipped"));
+  }
+  SECTION("at the lower end, of a signal below zero") {
+    CHECK_THAT(complaint(channel(vibration().array().max(-2.5) - 10)), Contains("clipped"));
+  }
+}
+
+TEST_CASE("clipping is counted at the full scale that the caller states", "[analysis][quality]") {
+  Eigen::VectorXd x = vibration().cwiseMin(4.9).cwiseMax(-4.9);
+  x[100] = 5;
+  x[2000] = -5;
+  CHECK_THAT(complaint(channel(x), 5), Contains("clipped: 2 samples"));
+  CHECK(complaint(channel(x), 10) == "");
+}
+
+TEST_CASE("too few samples are said to be too few", "[analysis][quality]") {
+  CHECK_THAT(complaint(channel(vibration().head(100))), Contains("too short: 100 samples"));
+  CHECK_THAT(complaint(channel(Eigen::VectorXd{})), Contains("too short: 0 samples"));
+}
+
+TEST_CASE("samples without a rate cannot be judged", "[analysis][quality]") {
+  Channel c = channel(vibration());
+  c.rate_Hz = GENERATE(0.0, -4960.0, not_known);
+  CHECK_THAT(complaint(c), Contains("rate"));
+}
+
+TEST_CASE("a diagnosis looks at accelerations, and at what has no unit", "[analysis][quality]") {
+  Recording record;
+  for (const char* unit : {"m/s²", "N·m", "g", "rad", "", "V"}) {
+    Channel c = channel(vibration().head(300));
+    c.info.unit = unit;
+    record.channels.push_back(c);
+  }
+  const auto channels = acceleration_channels(record);
+  REQUIRE(channels.size() == 3);
+  CHECK(channels[0] == &record.channels[0]);
+  CHECK(channels[1] == &record.channels[2]);
+  CHECK(channels[2] == &record.channels[4]);
+  CHECK(acceleration_channels({}).empty());
+}
