@@ -205,6 +205,19 @@ TEST_CASE("with the link dead the drive's own watchdog stops the motor, even by 
   test::check_at_rest(run);
 }
 
+TEST_CASE("a drive that ramps down slowly is given the time that the plan allows",
+          "[spec][safety]") {
+  // 40 Hz at 1.5 Hz/s: 27 s.
+  BenchRun run({.ramp_down_Hz_per_s = 1.5});
+  run.world().at(3, [&] { run.stop().request_stop(); });
+  run.go(test::replaced(test::short_plan, "\"main\"",
+                        "\"teardown\": {\"standstill_timeout_s\": 60}, \"main\""));
+  CHECK(exit_code(run.judgement().ending) == 50);
+  CHECK(run.judgement().facts.shaft_stopped);
+  CHECK_FALSE(run.world().inverter().state().tripped);
+  test::check_at_rest(run);
+}
+
 TEST_CASE("overload and heat trip before anything breaks", "[spec][safety]") {
   const auto trips = [](const std::string& plan, const char* reason) {
     BenchRun run;

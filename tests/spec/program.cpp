@@ -1,0 +1,89 @@
+#include "tests/spec/program.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <thread>
+
+namespace rvbench::test {
+namespace {
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::filesystem::path unused(const std::filesystem::path& folder, const std::string& stem) {
+  int number = 1;
+  while (std::filesystem::exists(folder / (stem + std::to_string(number)))) ++number;
+  return folder / (stem + std::to_string(number));
+}
+
+}  // namespace
+
+Program::Program(const std::filesystem::path& folder, const std::vector<std::string>& arguments) {
+  // Not beside the files that the program works on.
+  const std::filesystem::path said = folder.parent_path() / (folder.filename().string() + ".said");
+  std::filesystem::create_directories(said);
+  out_ = unused(said, "out");
+  err_ = unused(said, "err");
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, 1, out_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  posix_spawn_file_actions_addopen(&actions, 2, err_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  std::vector<std::string> words{RVBENCH_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  const int failed =
+      posix_spawn(&process_, RVBENCH_PROGRAM, &actions, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failed != 0) throw std::runtime_error("cannot start " RVBENCH_PROGRAM);
+}
+
+Program::~Program() {
+  if (process_ > 0) {
+    ::kill(process_, SIGKILL);
+    ::waitpid(process_, &status_, 0);
+  }
+  std::error_code ignored;
+  std::filesystem::remove(out_, ignored);
+  std::filesystem::remove(err_, ignored);
+  std::filesystem::remove(out_.parent_path(), ignored);  // if it is empty by now
+}
+
+void Program::send(int signal) const { ::kill(process_, signal); }
+
+// Another process keeps its own time: this is the one place where a spec waits for real.
+bool Program::says(const std::string& text) {
+  for (;;) {
+    const bool ended = ::waitpid(process_, &status_, WNOHANG) == process_;
+    if (ended) process_ = -1;
+    if (text_of(err_).find(text) != std::string::npos) return true;
+    if (ended) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+}
+
+Answer Program::wait() {
+  if (process_ > 0) ::waitpid(process_, &status_, 0);
+  process_ = -1;
+  const int code = WIFEXITED(status_) ? WEXITSTATUS(status_) : -WTERMSIG(status_);
+  return {code, text_of(out_), text_of(err_)};
+}
+
+Answer rvbench(const std::filesystem::path& folder, const std::vector<std::string>& arguments) {
+  return Program(folder, arguments).wait();
+}
+
+}  // namespace rvbench::test

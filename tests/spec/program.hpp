@@ -1,0 +1,42 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rvbench::test {
+
+/// How a process ended, and what it said.
+struct Answer {
+  int code = -1;  ///< exit code; minus the signal that killed it
+  std::string out;
+  std::string err;
+};
+
+/// The program rvbench as a process of its own, working in `folder`. It is killed if it is not
+/// waited for.
+class Program {
+ public:
+  Program(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  void send(int signal) const;
+
+  /// Waits until standard error holds `text`; false if the process ended without.
+  bool says(const std::string& text);
+  Answer wait();
+
+ private:
+  std::filesystem::path out_, err_;
+  pid_t process_ = -1;
+  int status_ = -1;
+};
+
+/// Runs rvbench to its end.
+Answer rvbench(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
+
+}  // namespace rvbench::test

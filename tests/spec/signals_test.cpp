@@ -1,0 +1,110 @@
+#include <signal.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "bench/run_folder.hpp"
+#include "bench/sha256.hpp"
+#include "hal/recording_file.hpp"
+#include "tests/bench/scratch_folder.hpp"
+#include "tests/spec/bench_run.hpp"
+#include "tests/spec/program.hpp"
+
+namespace rvbench {
+namespace {
+
+using bench::test::ScratchFolder;
+using Catch::Matchers::Contains;
+using test::Answer;
+using test::Program;
+
+/// Ten points, so that there is time to interfere: each is a tenth of the way, and 16 s of the
+/// rig's time.
+void write_long_plan(const ScratchFolder& scratch) {
+  bench::write_file(scratch.path() / "long.json",
+                    test::replaced(test::short_plan, "\"speeds_rpm\": [1210]",
+                                   "\"speeds_rpm\": [1815], \"repeats\": 10"));
+}
+
+std::vector<std::string> run_words(const std::vector<std::string>& more = {}) {
+  std::vector<std::string> words{"run", "long.json", "--rig", "sim", "--serial", "A17"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+std::filesystem::path only_run(const ScratchFolder& scratch) {
+  const std::filesystem::directory_iterator runs(scratch.path() / "runs" / "A17");
+  REQUIRE(runs != std::filesystem::directory_iterator());
+  return runs->path();
+}
+
+nlohmann::json verdict_of(const std::filesystem::path& folder) {
+  return nlohmann::json::parse(bench::read_file(folder / "verdict.json").value_or("null"));
+}
+
+}  // namespace
+
+TEST_CASE("a signal ends a run ABORTED, with the shaft stopped and the folder whole",
+          "[spec][safety]") {
+  for (const auto& [name, signal, times] :
+       {std::tuple{"Ctrl-C", SIGINT, 1}, {"Ctrl-C twice", SIGINT, 2}, {"SIGTERM", SIGTERM, 1}}) {
+    for (const char* moment : {"warm up at", "measure: 10 %"}) {
+      DYNAMIC_SECTION(name << " during " << moment) {
+        const ScratchFolder scratch;
+        write_long_plan(scratch);
+        Program program(scratch.path(), run_words());
+        REQUIRE(program.says(moment));
+        for (int i = 0; i < times; ++i) program.send(signal);
+        const Answer answer = program.wait();
+        INFO(answer.err);
+        CHECK(answer.code == 50);
+        CHECK_THAT(answer.out, Contains("ABORTED"));
+        CHECK_THAT(answer.out, Contains("stopped on request"));
+        const auto folder = only_run(scratch);
+        const nlohmann::json verdict = verdict_of(folder);
+        CHECK(verdict.at("verdict") == "ABORTED");
+        CHECK(verdict.at("run").at("shaft_stopped") == true);
+        CHECK(verdict.at("run").at("brake_released") == true);
+        CHECK(bench::verify_sums(folder).empty());
+        CHECK(hal::RecordingReader::open(folder / "recording.h5"));
+        CHECK(test::rvbench(scratch.path(), {"check", folder.string()}).code == 0);
+      }
+    }
+  }
+}
+
+TEST_CASE("a killed run leaves its samples, is told from a finished one, and can go on",
+          "[spec][safety]") {
+  const ScratchFolder scratch;
+  write_long_plan(scratch);
+  {
+    Program program(scratch.path(), run_words());
+    REQUIRE(program.says("measure: 30 %"));
+    program.send(SIGKILL);
+    REQUIRE(program.wait().code == -SIGKILL);
+  }
+  const auto folder = only_run(scratch);
+  const Answer check = test::rvbench(scratch.path(), {"check", folder.string()});
+  CHECK(check.code == 3);
+  CHECK_THAT(check.err, Contains("SHA256SUMS: missing; the run did not finish"));
+
+  const Answer judge =
+      test::rvbench(scratch.path(), {"judge", (folder / "recording.h5").string(), "--kinematics",
+                                     "rv20e", "--channel", "accel_1x", "--json"});
+  INFO(judge.err);
+  CHECK((judge.code == 0 || judge.code == 20));
+  const auto json = nlohmann::json::parse(judge.out);
+  CHECK(json.at("points").at(1).at("status") == "ok");
+  CHECK(json.at("points").size() < 10);
+
+  Program resumed(scratch.path(), run_words({"--resume"}));
+  REQUIRE(resumed.says("measure: 50 %"));
+  resumed.send(SIGINT);
+  CHECK(resumed.wait().code == 50);
+  const nlohmann::json verdict = verdict_of(folder);
+  CHECK(verdict.at("run").at("resumed_at_point") >= 2);
+  CHECK(verdict.at("points").at(1).at("status") == "not_judged");
+  CHECK(bench::verify_sums(folder).empty());
+}
+
+}  // namespace rvbench
