@@ -23,7 +23,8 @@ class ShaftAngle {
   /// Samples x, taken at rate_Hz from start_s on, anew at even steps of the shaft angle, over the
   /// largest whole number of periods that fits. Empty if not even one fits.
   ///
-  /// Third-order interpolation: sound up to a fifth of rate_Hz.
+  /// A windowed sinc: within 0.1 % up to 0.4 of rate_Hz, images 60 dB down. Even steps wider than
+  /// 1/rate_Hz fold what they cannot hold: nothing filters it out before.
   /// @param period_turns      input turns per period
   /// @param samples_per_turn  > 0; their product with period_turns is whole
   Eigen::VectorXd resample(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz,

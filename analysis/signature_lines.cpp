@@ -108,6 +108,11 @@ std::vector<std::vector<SignatureLine>> signature_lines(const Kinematics& kinema
       int harmonic = -1;
       for (const double order : orders) {
         if (order < 2 * resolution || near.among(beats, order)) continue;
+        // The upper sideband of one harmonic may be the lower one of the next.
+        if (std::any_of(lines[i].begin(), lines[i].end(),
+                        [&](const SignatureLine& line) { return near.same(line.order, order); })) {
+          continue;
+        }
         lines[i].push_back(
             {.order = order,
              .sideband_of = harmonic,

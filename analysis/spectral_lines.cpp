@@ -103,10 +103,11 @@ std::string meaning_of(double order, double near, const Kinematics& kinematics) 
       }
     }
   }
-  // Whatever repeats with the gear train's period is made by the gear train.
+  // Whatever repeats with the gear train's period is made by the gear train, unless orders are so
+  // uncertain that half of all lines would.
   const double turns = kinematics.period_turns;
   const double multiple = std::round(order * turns);
-  if (turns > 1 && same(order * turns, multiple, near * turns)) {
+  if (turns > 1 && near * turns < 0.25 && same(order * turns, multiple, near * turns)) {
     return "gear train, " + std::to_string(std::lround(multiple)) + "/" +
            std::to_string(std::lround(turns));
   }

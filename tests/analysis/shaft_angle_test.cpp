@@ -142,3 +142,29 @@ TEST_CASE("a record shorter than one period gives nothing", "[analysis][angle]")
   CHECK(shaft->resample(Eigen::VectorXd::Zero(count), rate_Hz, 0, 121, 32).size() == 0);
   CHECK(shaft->resample(Eigen::VectorXd::Zero(count), rate_Hz, 0, 100, 32).size() == 3200);
 }
+
+TEST_CASE("a tone keeps its amplitude up to 0.4 of the rate, and makes no images",
+          "[analysis][angle][law]") {
+  // 20 turns/s, 128 samples a turn: 2560 Hz from 2000 Hz, where a poor interpolator's image of a
+  // tone f at 2000 − f folds down to 560 Hz + f.
+  const auto shaft = ShaftAngle::of(stated(1200));
+  REQUIRE(shaft);
+  const double order = GENERATE(1.0, 10.0, 20.0, 30.0, 40.0);
+  CAPTURE(order);
+  const Eigen::VectorXd even =
+      shaft->resample(test::tone(order * 20, count, rate_Hz), rate_Hz, 0, 1, 128);
+  const Eigen::VectorXd inner = even.segment(128, 198 * 128);  // away from the ends
+  Eigen::VectorXd amplitude = amplitude_spectrum(inner, 128, Window::hann).amplitude;
+  const auto line = static_cast<Eigen::Index>(std::lround(order * 198));
+  CHECK(amplitude[line] == Approx(1).epsilon(1e-3));
+  amplitude.segment(line - 2, 5).setZero();
+  CHECK(amplitude.maxCoeff() < 1e-3);
+}
+
+TEST_CASE("a constant stays what it is", "[analysis][angle]") {
+  const auto shaft = ShaftAngle::of(stated(605));
+  REQUIRE(shaft);
+  const Eigen::VectorXd even =
+      shaft->resample(Eigen::VectorXd::Constant(count, -3), rate_Hz, 0, 1, 100);
+  CHECK((even.array() + 3).abs().maxCoeff() < 1e-12);
+}

@@ -90,12 +90,12 @@ TEST_CASE("p-values of noise lines are uniform, however few lines give the floor
     for (int i = 0; i < count; ++i) sum += power(generator);
     return sum;
   };
-  std::vector<double> p_values;
+  test::NullDraws draws;
   for (int draw = 0; draw < 4000; ++draw) {
     const double floor = sum_of(floor_lines) / floor_lines;
-    p_values.push_back(line_p_value(sum_of(lines) / floor, lines, floor_lines));
+    draws.p_values.push_back(line_p_value(sum_of(lines) / floor, lines, floor_lines));
   }
-  CHECK_THAT(p_values, UniformBelow({0.001, 0.01, 0.1, 0.5, 0.9}));
+  CHECK_THAT(draws, UniformBelow({0.001, 0.01, 0.1, 0.5, 0.9}));
 }
 
 TEST_CASE("two p-values combine as Fisher has it", "[analysis][statistics]") {
@@ -111,11 +111,11 @@ TEST_CASE("two p-values combine as Fisher has it", "[analysis][statistics]") {
 TEST_CASE("combined p-values of nothing are uniform", "[analysis][statistics][null]") {
   std::mt19937 generator(4);
   std::uniform_real_distribution<double> uniform;
-  std::vector<double> combined;
+  test::NullDraws combined;
   for (int draw = 0; draw < 4000; ++draw) {
     std::vector<double> p_values(5);
     for (double& p : p_values) p = uniform(generator);
-    combined.push_back(combined_p_value(p_values));
+    combined.p_values.push_back(combined_p_value(p_values));
   }
   CHECK_THAT(combined, UniformBelow({0.001, 0.01, 0.1, 0.5, 0.9}));
 }
