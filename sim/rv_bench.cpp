@@ -30,6 +30,7 @@ constexpr double crank_noise_gain = 3.0e-5;
 // A misaligned shaft carries on the edges of its bearing: rougher contact by this much per µm.
 constexpr double edge_roughness_per_um = 0.2;
 constexpr double sensor_noise_m_s2 = 0.01;
+constexpr double settling_s = 1;  // 18 time constants of the slowest mode
 
 constexpr double um = 1e-6;
 
@@ -51,6 +52,15 @@ RvBench::RvBench(const RvUnit& unit)
       sensor_engine_(unit.noise_seed + 2) {
   make_plant(unit);
   make_noise(unit);
+  settle();
+}
+
+// Errors and preloads push from the first step on: what that stirs up dies out before the bench is
+// handed over.
+void RvBench::settle() {
+  Eigen::VectorXf scan(sensors);
+  const auto scans = static_cast<int>(settling_s * rate_Hz);
+  for (int i = 0; i < scans; ++i) step(scan);
 }
 
 void RvBench::make_plant(const RvUnit& unit) {

@@ -46,6 +46,7 @@ class RvBench {
  private:
   void make_plant(const RvUnit& unit);
   void make_noise(const RvUnit& unit);
+  void settle();
   void wrap();
   void gather_forces();
   void add_input_bearing(double shaft_rad, double speed_ratio);
