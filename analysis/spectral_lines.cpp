@@ -83,12 +83,17 @@ SpectralLine gathered(const std::vector<SpectralLine>& lines, std::size_t fundam
 }  // namespace
 
 std::string meaning_of(double order, double near, const Kinematics& kinematics) {
+  // The lowest harmonic says most: nine teeth of a sun make its ninth harmonic the mesh.
+  const CharacteristicOrder* part = nullptr;
+  int lowest = most_harmonics + 1;
   for (const CharacteristicOrder& o : kinematics.orders) {
     const auto h = static_cast<int>(std::lround(order / o.order));
-    if (h >= 1 && h <= most_harmonics && same(order, h * o.order, near)) {
-      return times(o.name, h);
+    if (h >= 1 && h < lowest && same(order, h * o.order, near)) {
+      part = &o;
+      lowest = h;
     }
   }
+  if (part != nullptr) return times(part->name, lowest);
   for (const CharacteristicOrder& mesh : kinematics.orders) {
     if (!mesh.mesh) continue;
     const double nearest = std::max(1.0, std::round(order / mesh.order));
