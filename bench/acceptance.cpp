@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <system_error>
 #include <utility>
 
 #include "bench/judging.hpp"
@@ -105,7 +106,13 @@ Judgement run_acceptance(Acceptance acceptance, hal::Rig& rig, ProgressBar& bar,
   conclude(judgement, acceptance.kinematics, acceptance.plan.limits, ending);
   judgement.facts.events = recorded.events().empty() ? log.events() : recorded.events();
   bar.show("report", 0, "writing");
-  write_results(acceptance.folder, judgement, acceptance.kinematics);
+  try {
+    write_results(acceptance.folder, judgement, acceptance.kinematics);
+  } catch (const std::system_error& error) {
+    const Ending unwritten{Outcome::error, ErrorKind::none,
+                           std::string("the results cannot be written: ") + error.what()};
+    judgement.ending = graver(judgement.ending, unwritten);
+  }
   bar.clear();
   return judgement;
 }

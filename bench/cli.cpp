@@ -70,7 +70,10 @@ int general_help(const std::vector<std::unique_ptr<Command>>& commands, std::ost
 
 int run_command(Command& command, Console& console) {
   try {
-    return command.run(console);
+    const int code = command.run(console);
+    if (console.out.flush()) return code;
+    console.err << "rvbench: standard output cannot be written\n";
+    return code == exit_codes::done ? exit_codes::internal_error : code;
   } catch (const std::exception& error) {
     console.err << "rvbench: internal error in " << command.name() << ": " << error.what() << '\n';
     return exit_codes::internal_error;

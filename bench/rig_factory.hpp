@@ -10,6 +10,8 @@
 
 namespace rvbench::bench {
 
+inline constexpr std::uint64_t max_seed = (1ULL << 53U) - 1;  ///< what a JSON number holds exactly
+
 /// What the command line says about a simulated unit; a rig on hardware has no use for it.
 struct RigOptions {
   std::string preset = "healthy";

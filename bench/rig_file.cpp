@@ -1,5 +1,7 @@
 #include "bench/rig_file.hpp"
 
+#include <cmath>
+
 namespace rvbench::bench {
 namespace {
 
@@ -7,7 +9,11 @@ SimRig read_sim(hal::ConfigReader& root, const RigOptions& options) {
   SimRig sim;
   sim.preset = root.text("preset", options.preset);
   sim.seed = options.seed;
-  if (root.has("seed")) sim.seed = static_cast<std::uint64_t>(root.number("seed", {0, 9e15}));
+  if (root.has("seed")) {
+    const double seed = root.number("seed", {0, static_cast<double>(max_seed)});
+    if (seed != std::floor(seed)) root.fault("seed", "expected a whole number");
+    sim.seed = static_cast<std::uint64_t>(seed);
+  }
   sim.watchdog_s = root.number("watchdog_s", {0, 100}, sim.watchdog_s);
   for (hal::ConfigReader& entry : root.objects("faults", false)) {
     sim.faults.push_back(

@@ -41,16 +41,16 @@ StopOnSignal::StopOnSignal() {
   if (wake_fd < 0) throw std::system_error(errno, std::generic_category(), "eventfd");
   watcher_ = std::thread(watch, source_);
   struct sigaction action {};
-  action.sa_handler = on_stop_signal;
   action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, &previous_int_);
-  sigaction(SIGTERM, &action, &previous_term_);
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    action.sa_handler = signals[i] == SIGPIPE ? SIG_IGN : on_stop_signal;
+    sigaction(signals[i], &action, &previous_[i]);
+  }
 }
 
 StopOnSignal::~StopOnSignal() {
-  sigaction(SIGINT, &previous_int_, nullptr);
-  sigaction(SIGTERM, &previous_term_, nullptr);
+  for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &previous_[i], nullptr);
   write_number(farewell);
   watcher_.join();
   close(wake_fd.exchange(-1));

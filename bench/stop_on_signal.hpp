@@ -1,13 +1,15 @@
 #pragma once
 
+#include <array>
 #include <csignal>
 #include <stop_token>
 #include <thread>
 
 namespace rvbench::bench {
 
-/// While it lives, SIGINT and SIGTERM request a stop instead of killing the process. Further ones
-/// change nothing: the teardown that stops the shaft cannot be skipped from the keyboard.
+/// While it lives, SIGINT, SIGTERM and SIGHUP (the terminal is gone) request a stop instead of
+/// killing the process. Further ones change nothing: the teardown that stops the shaft cannot be
+/// skipped from the keyboard. SIGPIPE is ignored: a run does not end because nobody reads.
 ///
 /// Threads  one object at a time in a process
 class StopOnSignal {
@@ -20,9 +22,10 @@ class StopOnSignal {
   std::stop_token token() const { return source_.get_token(); }
 
  private:
+  static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+
   std::stop_source source_;
-  struct sigaction previous_int_ {};
-  struct sigaction previous_term_ {};
+  std::array<struct sigaction, signals.size()> previous_{};
   std::thread watcher_;
 };
 

@@ -72,15 +72,18 @@ int JudgeCommand::run(Console& console) {
   }
   const auto kinematics = read_kinematics(kinematics_);
   if (kinematics.index() == 1) return refuse_file(console, kinematics_, std::get<1>(kinematics));
+  std::error_code unusable;
+  if (!out_.empty()) std::filesystem::create_directories(out_, unusable);
+  if (unusable) return refuse_usage(console, "judge: --out " + out_ + ": " + unusable.message());
   if (const int refused = load(console); refused != exit_codes::done) return refused;
   const analysis::Kinematics used = catalogue_for(records_.front(), std::get<0>(kinematics));
   const Judgement judgement = judge(console, std::get<0>(kinematics));
-  if (!out_.empty()) write_out(judgement, used);
   if (json_) {
     console.out << judgement_to_json(judgement);
   } else {
     print_summary(console, judgement, used);
   }
+  if (!out_.empty()) write_out(judgement, used);
   return exit_code(judgement.ending);
 }
 
@@ -90,7 +93,7 @@ int JudgeCommand::load(Console& console) {
   for (const std::string& file : files_) {
     Result<std::vector<Recording>> read = hal::read_recordings(file, hints);
     if (!read) {
-      console.err << "rvbench: " << describe(read.error()) << '\n';
+      console.err << "rvbench: " << read.error().where << '\n';
       return exit_codes::data_refused;
     }
     for (Recording& record : std::move(read).value()) {
@@ -153,7 +156,6 @@ Judgement JudgeCommand::judge(Console& console, const analysis::Kinematics& kine
 void JudgeCommand::write_out(const Judgement& judgement,
                              const analysis::Kinematics& kinematics) const {
   const std::filesystem::path folder = out_;
-  std::filesystem::create_directories(folder);
   ReportInput input;
   input.judgement = judgement;
   input.kinematics = kinematics;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <system_error>
 
 #include "bench/acceptance.hpp"
 #include "bench/commands/commands.hpp"
@@ -71,6 +72,9 @@ int RunCommand::run(Console& console) {
     console.out << (json_ ? timeline_json(test) : timeline_table(test));
     return exit_codes::done;
   }
+  if (seed_ && *seed_ > max_seed) {
+    return refuse_usage(console, fmt::format("run: --seed must be at most {}", max_seed));
+  }
   if (serial_.empty()) return refuse_usage(console, "run: --serial is required");
   auto kinematics = read_kinematics(test.specimen.kinematics);
   if (kinematics.index() == 1) {
@@ -116,9 +120,13 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
   const RigOptions options{.preset = preset_, .seed = seed_.value_or(default_seed)};
   auto rig = make_rig(rig_, options);
   if (rig.index() == 1) return refuse_file(console, rig_, std::get<1>(rig));
-  if (const int refused = prepare_folder(console, plan); refused != exit_codes::done)
-    return refused;
-  if (!resume_) write_file(folder_ / "rig.json", rig_to_json(rig_, options));
+  try {
+    if (const int refused = prepare_folder(console, plan); refused != exit_codes::done)
+      return refused;
+    if (!resume_) write_file(folder_ / "rig.json", rig_to_json(rig_, options));
+  } catch (const std::system_error& error) {
+    return refuse_usage(console, "run: no run folder in --out " + out_ + ": " + error.what());
+  }
   ProgressBar bar(console, progress_style(console, json_));
   const Judgement judgement = run_acceptance({plan, kinematics, folder_, facts(plan)},
                                              std::get<0>(rig), bar, signals.token());
@@ -126,7 +134,8 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
     console.out << judgement_to_json(judgement);
   } else {
     print_summary(console, judgement, kinematics);
-    console.out << "\nReport: " << (folder_ / "report.html").string() << '\n';
+    const std::filesystem::path report = folder_ / "report.html";
+    if (std::filesystem::exists(report)) console.out << "\nReport: " << report.string() << '\n';
   }
   return exit_code(judgement.ending);
 }
