@@ -106,7 +106,8 @@ analysis::Kinematics read_gear_train(const std::string& machine, hal::ConfigRead
     bearing.geometry = read_bearing(b);
     train.bearings.push_back(std::move(bearing));
   }
-  if (train.shafts.empty()) root.fault("shafts", "needs at least one shaft: the input");
+  if (train.shafts.empty() && root.faults().empty())
+    root.fault("shafts", "needs at least one shaft: the input");
   root.finish();
   if (!root.faults().empty()) return {};
   const std::vector<double> orders = analysis::shaft_orders(train);

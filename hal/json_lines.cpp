@@ -51,7 +51,9 @@ class CountingIterator {
 
 /// "[json.exception...] parse error at line 3, column 5: syntax error while ..." → its last part.
 std::string explain(std::string what, const std::string& last_token) {
-  if (const auto at = what.find(": "); at != std::string::npos) what.erase(0, at + 2);
+  if (const auto at = what.find("] "); at != std::string::npos) what.erase(0, at + 2);
+  const auto at = what.find(": ");
+  if (what.starts_with("parse error") && at != std::string::npos) what.erase(0, at + 2);
   if (what.size() > 200) what = what.substr(0, 200) + " ...";
   const bool closes_early = what.find("unexpected '}'") != std::string::npos ||
                             what.find("unexpected ']'") != std::string::npos;

@@ -1,5 +1,4 @@
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "bench/commands/commands.hpp"
 #include "bench/kinematics_file.hpp"
@@ -36,15 +35,17 @@ constexpr Kind kinds[] = {{"plan", "main", plan_faults},
                           {"rig", "rig", rig_faults},
                           {"kinematics", "machine", kinematics_faults}};
 
-const Kind* kind_of(const std::string& text) {
-  const auto json = nlohmann::json::parse(text, nullptr, false);
+const Kind* kind_of(const hal::ConfigReader& root) {
   for (const Kind& kind : kinds) {
-    if (json.is_object() && json.contains(kind.key)) return &kind;
+    if (root.has(kind.key)) return &kind;
   }
   return nullptr;
 }
 
 int check_run(Console& console, const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder / "plan.json")) {
+    return refuse_file(console, folder, {{0, "", "no run folder: it holds no plan.json"}});
+  }
   std::vector<std::string> faults = verify_sums(folder);
   for (const std::string& fault : faults) console.err << (folder / fault).string() << '\n';
   if (!faults.empty()) return exit_codes::bad_file;
@@ -53,18 +54,12 @@ int check_run(Console& console, const std::filesystem::path& folder) {
 }
 
 int check_file(Console& console, const std::string& file) {
-  const std::optional<std::string> text = read_file(file);
-  if (!text) return refuse_file(console, file, {{0, "", "cannot be read"}});
-  const Kind* kind = kind_of(*text);
-  if (kind == nullptr) {
-    // The reader says where the JSON breaks; sound JSON without a known key is told what is known.
-    Faults faults = hal::ConfigReader::from_text(*text, file).faults();
-    if (faults.empty()) {
-      faults = {{1, "", "neither plan (\"main\"), rig (\"rig\") nor kinematics (\"machine\")"}};
-    }
-    return refuse_file(console, file, faults);
+  const hal::ConfigReader root = hal::ConfigReader::from_file(file);
+  const Kind* kind = kind_of(root);
+  Faults faults = kind == nullptr ? root.faults() : kind->check(file);
+  if (kind == nullptr && faults.empty()) {
+    faults = {{1, "", "neither plan (\"main\"), rig (\"rig\") nor kinematics (\"machine\")"}};
   }
-  const Faults faults = kind->check(file);
   if (!faults.empty()) return refuse_file(console, file, faults);
   console.out << file << ": " << kind->name << ", no fault\n";
   return exit_codes::done;
