@@ -8,21 +8,13 @@
 
 #include "bench/console.hpp"
 #include "hal/types/units.hpp"
+#include "sequences/timeline.hpp"
 
 namespace rvbench::bench {
 namespace {
 
 using sequences::Segment;
 using sequences::TestPlan;
-
-std::vector<Segment> segments_of(const TestPlan& plan) {
-  std::vector<Segment> segments;
-  for (const auto* stage : {&plan.setup, &plan.main}) {
-    for (const auto& phase : *stage)
-      std::ranges::copy(phase->timeline(plan.specimen), std::back_inserter(segments));
-  }
-  return segments;
-}
 
 double input_torque_Nm(const Segment& segment, const TestPlan& plan) {
   return segment.output_torque_Nm / plan.specimen.gear_ratio;
@@ -70,7 +62,7 @@ std::string padded(const std::string& text, int columns) {
 }  // namespace
 
 std::string timeline_table(const TestPlan& plan) {
-  const std::vector<Segment> segments = segments_of(plan);
+  const std::vector<Segment> segments = sequences::timeline(plan);
   int width = 4;
   for (const Segment& segment : segments) width = std::max(width, shown_width(segment.what));
   std::string text = fmt::format("Plan {}: {}\n\n", plan.name, plan.description);
@@ -95,7 +87,7 @@ std::string timeline_table(const TestPlan& plan) {
 }
 
 std::string timeline_json(const TestPlan& plan) {
-  const std::vector<Segment> segments = segments_of(plan);
+  const std::vector<Segment> segments = sequences::timeline(plan);
   const Envelope most = envelope_of(segments, plan);
   nlohmann::ordered_json json = {{"plan", plan.name},
                                  {"total_s", most.total_s},
