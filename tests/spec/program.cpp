@@ -28,7 +28,12 @@ std::filesystem::path unused(const std::filesystem::path& folder, const std::str
 
 }  // namespace
 
-Program::Program(const std::filesystem::path& folder, const std::vector<std::string>& arguments) {
+const std::string& rvbench_path() {
+  static const std::string path = RVBENCH_PROGRAM;
+  return path;
+}
+
+Program::Program(const std::filesystem::path& folder, const std::vector<std::string>& words) {
   // Not beside the files that the program works on.
   const std::filesystem::path said = folder.parent_path() / (folder.filename().string() + ".said");
   std::filesystem::create_directories(said);
@@ -40,15 +45,12 @@ Program::Program(const std::filesystem::path& folder, const std::vector<std::str
   posix_spawn_file_actions_addopen(&actions, 1, out_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
   posix_spawn_file_actions_addopen(&actions, 2, err_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  std::vector<std::string> words{RVBENCH_PROGRAM};
-  words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
+  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
   argv.push_back(nullptr);
-  const int failed =
-      posix_spawn(&process_, RVBENCH_PROGRAM, &actions, nullptr, argv.data(), environ);
+  const int failed = posix_spawn(&process_, argv.front(), &actions, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
-  if (failed != 0) throw std::runtime_error("cannot start " RVBENCH_PROGRAM);
+  if (failed != 0) throw std::runtime_error("cannot start " + words.front());
 }
 
 Program::~Program() {
@@ -83,7 +85,9 @@ Answer Program::wait() {
 }
 
 Answer rvbench(const std::filesystem::path& folder, const std::vector<std::string>& arguments) {
-  return Program(folder, arguments).wait();
+  std::vector<std::string> words{rvbench_path()};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return Program(folder, words).wait();
 }
 
 }  // namespace rvbench::test

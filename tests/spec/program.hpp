@@ -15,11 +15,14 @@ struct Answer {
   std::string err;
 };
 
-/// The program rvbench as a process of its own, working in `folder`. It is killed if it is not
-/// waited for.
+/// The path of the program rvbench.
+const std::string& rvbench_path();
+
+/// A process of its own, working in `folder`. It is killed if it is not waited for.
 class Program {
  public:
-  Program(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
+  /// @param words  the program's path and its arguments
+  Program(const std::filesystem::path& folder, const std::vector<std::string>& words);
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
@@ -36,7 +39,7 @@ class Program {
   int status_ = -1;
 };
 
-/// Runs rvbench to its end.
+/// Runs rvbench with these arguments to its end.
 Answer rvbench(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
 
 }  // namespace rvbench::test

@@ -27,7 +27,8 @@ void write_long_plan(const ScratchFolder& scratch) {
 }
 
 std::vector<std::string> run_words(const std::vector<std::string>& more = {}) {
-  std::vector<std::string> words{"run", "long.json", "--rig", "sim", "--serial", "A17"};
+  std::vector<std::string> words{test::rvbench_path(), "run", "long.json", "--rig", "sim",
+                                 "--serial",           "A17"};
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }
@@ -46,8 +47,10 @@ nlohmann::json verdict_of(const std::filesystem::path& folder) {
 
 TEST_CASE("a signal ends a run ABORTED, with the shaft stopped and the folder whole",
           "[spec][safety]") {
-  for (const auto& [name, signal, times] :
-       {std::tuple{"Ctrl-C", SIGINT, 1}, {"Ctrl-C twice", SIGINT, 2}, {"SIGTERM", SIGTERM, 1}}) {
+  for (const auto& [name, signal, times] : {std::tuple{"Ctrl-C", SIGINT, 1},
+                                            {"Ctrl-C twice", SIGINT, 2},
+                                            {"SIGTERM", SIGTERM, 1},
+                                            {"the terminal is gone", SIGHUP, 1}}) {
     for (const char* moment : {"warm up at", "measure: 10 %"}) {
       DYNAMIC_SECTION(name << " during " << moment) {
         const ScratchFolder scratch;
@@ -105,6 +108,19 @@ TEST_CASE("a killed run leaves its samples, is told from a finished one, and can
   CHECK(verdict.at("run").at("resumed_at_point") >= 2);
   CHECK(verdict.at("points").at(1).at("status") == "not_judged");
   CHECK(bench::verify_sums(folder).empty());
+}
+
+TEST_CASE("a run goes on when nobody reads its progress any more", "[spec][safety]") {
+  const ScratchFolder scratch;
+  bench::write_file(scratch.path() / "short.json", test::unsettled_plan());
+  // The reading end of the pipe closes after the first line.
+  Program program(scratch.path(), {"/bin/sh", "-c",
+                                   "{ \"$0\" run short.json --rig sim --serial A17 > out; "
+                                   "echo $? > code; } 2>&1 | head -n 1",
+                                   test::rvbench_path()});
+  program.wait();
+  CHECK(bench::read_file(scratch.path() / "code") == "20\n");
+  CHECK(verdict_of(only_run(scratch)).at("verdict") == "INVALID");
 }
 
 }  // namespace rvbench

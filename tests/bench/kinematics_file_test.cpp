@@ -1,0 +1,107 @@
+#include "bench/kinematics_file.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "bench/kinematics_files.hpp"
+#include "bench/run_folder.hpp"
+#include "tests/bench/scratch_folder.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+std::variant<analysis::Kinematics, std::vector<hal::ConfigFault>> read(const std::string& text) {
+  const test::ScratchFolder scratch;
+  write_file(scratch.path() / "machine.json", text);
+  return read_kinematics((scratch.path() / "machine.json").string());
+}
+
+analysis::Kinematics machine_of(const std::string& text) {
+  const auto file = read(text);
+  if (const auto* faults = std::get_if<1>(&file)) {
+    for (const auto& fault : *faults) UNSCOPED_INFO(describe("machine.json", fault));
+  }
+  REQUIRE(file.index() == 0);
+  return std::get<0>(file);
+}
+
+bool has_order(const analysis::Kinematics& machine, double order) {
+  return std::ranges::any_of(machine.signatures, [&](const analysis::Signature& signature) {
+    return std::abs(signature.order - order) < 1e-9 * order;
+  });
+}
+
+std::vector<std::string> places_of(const std::string& text) {
+  const auto file = read(text);
+  REQUIRE(file.index() == 1);
+  std::vector<std::string> places;
+  for (const auto& fault : std::get<1>(file)) places.push_back(fault.pointer);
+  return places;
+}
+
+}  // namespace
+
+TEST_CASE("every shipped machine can be read by its name", "[bench]") {
+  for (const EmbeddedFile& file : kinematics_files()) {
+    CAPTURE(file.name);
+    const auto read = read_kinematics(file.name);
+    REQUIRE(read.index() == 0);
+    CHECK_FALSE(std::get<0>(read).machine.empty());
+    CHECK_FALSE(std::get<0>(read).signatures.empty());
+  }
+}
+
+TEST_CASE("a machine that is neither shipped nor a file is told by name", "[bench]") {
+  const auto read = read_kinematics("cwru");
+  REQUIRE(read.index() == 1);
+  CHECK_THAT(describe("cwru", std::get<1>(read).at(0)), Catch::Contains("cwru: cannot be read"));
+}
+
+TEST_CASE("a gear pair turns its shafts by its teeth", "[bench]") {
+  const analysis::Kinematics machine = machine_of(R"({"machine": "pair", "source": "by hand",
+        "shafts": [{"name": "in"}, {"name": "out", "component": "carrier"}],
+        "meshes": [{"name": "pair", "driver": "in", "driver_teeth": 20,
+                    "driven": "out", "driven_teeth": 60}]})");
+  CHECK(machine.machine == "pair");
+  CHECK(has_order(machine, 1));
+  CHECK(has_order(machine, 1.0 / 3));
+  CHECK_FALSE(has_order(machine, 0.5));
+}
+
+TEST_CASE("a bearing's orders are those of its geometry, on the shaft that it carries", "[bench]") {
+  // The textbook's own example, 6205: n = 9, d = 7.94 mm, D = 39.04 mm; inner race 5.4152,
+  // outer race 3.5848, cage 0.39828 times the shaft speed. Here the shaft turns at half speed.
+  const analysis::Kinematics machine =
+      machine_of(R"({"machine": "bearing", "shafts": [{"name": "in"}, {"name": "out"}],
+        "meshes": [{"name": "pair", "driver": "in", "driver_teeth": 30,
+                    "driven": "out", "driven_teeth": 60}],
+        "bearings": [{"name": "rear", "shaft": "out", "rolling_elements": 9, "slip": 0,
+                      "ball_diameter_mm": 7.94, "pitch_diameter_mm": 39.04}]})");
+  const double ratio = 7.94 / 39.04;
+  CHECK(has_order(machine, 0.5 * 9 / 2 * (1 + ratio)));
+  CHECK(has_order(machine, 0.5 * 9 / 2 * (1 - ratio)));
+  CHECK(0.5 * 9 / 2 * (1 + ratio) == Approx(0.5 * 5.4152).epsilon(5e-4));
+}
+
+TEST_CASE("a shaft that no mesh leads to is a fault", "[bench]") {
+  const auto places =
+      places_of(R"({"machine": "loose", "shafts": [{"name": "in"}, {"name": "free"}]})");
+  CHECK(places == std::vector<std::string>{"/shafts"});
+}
+
+TEST_CASE("every fault of a machine is reported at once", "[bench]") {
+  const auto places = places_of(R"({"machine": "",
+"shafts": [{"name": "in"}, {"nam": "out"}],
+"meshes": [{"name": "pair", "driver": "inn", "driver_teeth": 1.5}],
+"bearings": [{"name": "b", "shaft": "in", "rolling_elements": 1, "ball_diameter_mm": 8,
+"pitch_diameter_mm": 8, "contact_angle_deg": 90}]})");
+  for (const char* place : {"/machine", "/shafts/1/name", "/shafts/1/nam", "/meshes/0/driver",
+                            "/meshes/0/driver_teeth", "/bearings/0/rolling_elements",
+                            "/bearings/0/ball_diameter_mm", "/bearings/0/contact_angle_deg"}) {
+    CAPTURE(place);
+    CHECK(std::ranges::find(places, place) != places.end());
+  }
+}
+
+}  // namespace rvbench::bench

@@ -1,0 +1,250 @@
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "bench/run_folder.hpp"
+#include "bench/sha256.hpp"
+#include "tests/bench/scratch_folder.hpp"
+#include "tests/spec/bench_run.hpp"
+#include "tests/spec/program.hpp"
+
+namespace rvbench {
+namespace {
+
+using bench::test::ScratchFolder;
+using Catch::Matchers::Contains;
+using test::Answer;
+
+const std::vector<std::string> run_short{"run",      "short.json", "--rig", "sim",
+                                         "--serial", "A17",        "--json"};
+
+Answer run(const ScratchFolder& scratch, const std::string& plan,
+           const std::vector<std::string>& words = run_short) {
+  bench::write_file(scratch.path() / "short.json", plan);
+  return test::rvbench(scratch.path(), words);
+}
+
+/// What a run printed agrees with its exit code.
+void check_verdict(const Answer& answer, int code, const std::string& verdict) {
+  INFO(answer.err);
+  CHECK(answer.code == code);
+  const auto json = nlohmann::json::parse(answer.out);
+  CHECK(json.at("verdict") == verdict);
+  CHECK(json.at("exit_code") == code);
+}
+
+/// Runs rvbench where no file may grow beyond so many bytes: a disk that is full.
+Answer run_on_full_disk(const ScratchFolder& scratch, int kilobytes) {
+  bench::write_file(scratch.path() / "short.json", test::short_plan);
+  std::vector<std::string> words{"/bin/sh", "-c", "trap '' XFSZ; ulimit -f $0; exec \"$@\"",
+                                 std::to_string(2 * kilobytes),  // sh counts blocks of 512 bytes
+                                 test::rvbench_path()};
+  words.insert(words.end(), run_short.begin(), run_short.end());
+  return test::Program(scratch.path(), words).wait();
+}
+
+std::filesystem::path only_run(const ScratchFolder& scratch) {
+  return std::filesystem::directory_iterator(scratch.path() / "runs" / "A17")->path();
+}
+
+/// At full speed, which makes the shortest record.
+std::string limited(const std::string& max_g) {
+  return test::replaced(test::replaced(test::short_plan, "[1210]", "[1815]"), "\"main\"",
+                        "\"limits\": [{\"measure\": \"acceleration_peak\", \"unit\": \"g\", "
+                        "\"max\": " +
+                            max_g + ", \"why\": \"spec\"}], \"main\"");
+}
+
+}  // namespace
+
+TEST_CASE("0: a healthy unit passes", "[spec][exit_code]") {
+  check_verdict(run(ScratchFolder(), limited("1.0")), 0, "PASS");
+}
+
+TEST_CASE("10: a unit beyond a limit of the plan fails", "[spec][exit_code]") {
+  check_verdict(run(ScratchFolder(), limited("0.001")), 10, "FAIL");
+}
+
+TEST_CASE("20: what does not settle is INVALID", "[spec][exit_code]") {
+  check_verdict(run(ScratchFolder(), test::unsettled_plan()), 20, "INVALID");
+}
+
+TEST_CASE("30: a lost drive is an ERROR", "[spec][exit_code]") {
+  const ScratchFolder scratch;
+  bench::write_file(scratch.path() / "rig.json",
+                    R"({"rig": "sim", "faults": [
+                       {"at_s": 2, "device": "inverter", "fault": "dead"}]})");
+  std::vector<std::string> words = run_short;
+  words[3] = "rig.json";
+  const Answer answer = run(scratch, test::short_plan, words);
+  check_verdict(answer, 30, "ERROR");
+  CHECK(nlohmann::json::parse(answer.out).at("error_kind") == "device_lost");
+}
+
+TEST_CASE("40: a value beyond an interlock is a safety trip", "[spec][exit_code]") {
+  const Answer answer =
+      run(ScratchFolder(),
+          test::replaced(test::short_plan, "\"input_torque_Nm\": 8", "\"input_torque_Nm\": 0.9"));
+  check_verdict(answer, 40, "ERROR");
+  CHECK(nlohmann::json::parse(answer.out).at("error_kind") == "safety_trip");
+}
+
+TEST_CASE("2: a command line that makes no sense is answered with a hint", "[spec][exit_code]") {
+  struct Case {
+    std::vector<std::string> words;
+    const char* told;
+  };
+  const std::vector<Case> cases{
+      {{}, "Usage: rvbench COMMAND"},
+      {{"jugde"}, "did you mean \"judge\"?"},
+      {{"run"}, "PLAN is required"},
+      {{"run", "quick"}, "--rig is required"},
+      {{"run", "quick", "--rig", "sim"}, "--serial is required"},
+      {{"run", "quick", "--rig", "sim", "--serial", ""}, "--serial is required"},
+      {{"run", "quick", "--rgi", "sim"}, "unknown option --rgi, did you mean \"--rig\"?"},
+      {{"run", "quick", "--rig", "sim", "--serial", "A", "--seed", "-1"}, "must not be negative"},
+      {{"run", "quick", "--rig", "sim", "--serial", "A", "--seed", "x"}, "--seed"},
+      {{"run", "quick", "--rig", "sim", "--serial", "A", "--seed", "18446744073709551615"},
+       "--seed must be at most 9007199254740991"},
+      {{"run", "quick", "more", "--rig", "sim", "--serial", "A"}, "more"},
+      {{"judge", "a.csv"}, "--kinematics is required"},
+      {{"judge", "a.csv", "--kinematics", "rv20e", "--rate", "0"}, "--rate must be above 0"},
+      {{"judge", "a.csv", "--kinematics", "rv20e", "--rate", "nan"}, "--rate must be above 0"},
+      {{"judge", "a.csv", "--kinematics", "rv20e", "--speed", "fast"}, "--speed"},
+      {{"judge", "a.csv", "--kinematics", "rv20e", "--catalogue", "publishd"}, "--catalogue"},
+      {{"check"}, "FILE is required"},
+      {{"report"}, "RUN is required"},
+  };
+  const ScratchFolder scratch;
+  for (const Case& bad : cases) {
+    CAPTURE(bad.told);
+    const Answer answer = test::rvbench(scratch.path(), bad.words);
+    CHECK(answer.code == 2);
+    CHECK(answer.out.empty());
+    CHECK_THAT(answer.err, Contains(bad.told));
+  }
+  CHECK(std::filesystem::is_empty(scratch.path()));
+}
+
+TEST_CASE("2: a folder that cannot be written to is said before anything turns",
+          "[spec][exit_code]") {
+  const ScratchFolder scratch;
+  bench::write_file(scratch.path() / "file", "");
+  for (const char* out : {"file", "/proc/rvbench"}) {
+    std::vector<std::string> words = run_short;
+    words.insert(words.end(), {"--out", out});
+    const Answer answer = run(scratch, test::short_plan, words);
+    CHECK(answer.code == 2);
+    CHECK_THAT(answer.err, Contains(std::string("--out ") + out));
+    bench::write_file(scratch.path() / "a.csv", "a,b\n1,2\n");
+    const Answer judged =
+        test::rvbench(scratch.path(), {"judge", "a.csv", "--kinematics", "rv20e", "--rate", "1000",
+                                       "--speed", "600", "--out", out});
+    CHECK(judged.code == 2);
+    CHECK_THAT(judged.err, Contains(std::string("--out ") + out));
+  }
+}
+
+TEST_CASE("a full disk is an ERROR of the bench, told even if nothing can be written down",
+          "[spec][exit_code]") {
+  const ScratchFolder scratch;
+  SECTION("full before the run") {
+    const Answer answer = run_on_full_disk(scratch, 1);
+    CHECK(answer.code == 2);
+    CHECK_THAT(answer.err, Contains("plan.json") && Contains("File too large"));
+  }
+  SECTION("full before the results") {
+    const Answer answer = run_on_full_disk(scratch, 10);
+    check_verdict(answer, 30, "ERROR");
+  }
+  SECTION("full during the record") {
+    check_verdict(run_on_full_disk(scratch, 500), 30, "ERROR");
+    const auto folder = only_run(scratch);
+    CHECK(bench::verify_sums(folder).empty());
+    CHECK_THAT(bench::read_file(folder / "verdict.json").value(),
+               Contains("the recording cannot be written"));
+  }
+}
+
+TEST_CASE("1: an answer that could not be delivered is no success", "[spec][exit_code]") {
+  const ScratchFolder scratch;
+  bench::write_file(scratch.path() / "short.json", test::short_plan);
+  const Answer answer =
+      test::Program(scratch.path(), {"/bin/sh", "-c", "exec \"$0\" check short.json > /dev/full",
+                                     test::rvbench_path()})
+          .wait();
+  CHECK(answer.code == 1);
+  CHECK_THAT(answer.err, Contains("standard output cannot be written"));
+}
+
+TEST_CASE("3: a run folder that was changed is told from a sound one", "[spec][exit_code]") {
+  const ScratchFolder scratch;
+  REQUIRE(run(scratch, test::unsettled_plan()).code == 20);
+  const std::filesystem::path folder = only_run(scratch);
+  const auto check = [&] { return test::rvbench(scratch.path(), {"check", folder.string()}); };
+  const auto report = [&] { return test::rvbench(scratch.path(), {"report", folder.string()}); };
+  CHECK(check().code == 0);
+  const std::string verdict = bench::read_file(folder / "verdict.json").value();
+  const std::string sums = bench::read_file(folder / "SHA256SUMS").value();
+  SECTION("a verdict that was made nicer") {
+    bench::write_file(folder / "verdict.json", test::replaced(verdict, "A17", "B17"));
+    CHECK_THAT(check().err, Contains("verdict.json: does not match its hash"));
+    CHECK(report().code == 3);
+  }
+  SECTION("a verdict that is none") {
+    for (const char* text : {"", "{}", "[]", "{\"verdict\": 1}"}) {
+      bench::write_file(folder / "verdict.json", text);
+      CHECK(check().code == 3);
+      const Answer answer = report();
+      CHECK(answer.code == 3);
+      CHECK_THAT(answer.err, Contains("verdict.json: is no verdict"));
+    }
+  }
+  SECTION("a file more, a file less") {
+    bench::write_file(folder / "extra.txt", "x");
+    std::filesystem::remove(folder / "junit.xml");
+    const Answer answer = check();
+    CHECK(answer.code == 3);
+    CHECK_THAT(answer.err, Contains("extra.txt: not listed in SHA256SUMS"));
+    CHECK_THAT(answer.err, Contains("junit.xml: missing"));
+  }
+  SECTION("hashes that are none") {
+    for (const std::string& text : {std::string("hello\n"), sums.substr(0, 40),
+                                    test::replaced(sums, "plan.json", "../../short.json")}) {
+      bench::write_file(folder / "SHA256SUMS", text);
+      CHECK(check().code == 3);
+    }
+  }
+  SECTION("a recording that was cut") {
+    const std::string whole = bench::read_file(folder / "recording.h5").value();
+    bench::write_file(folder / "recording.h5", whole.substr(0, whole.size() / 2));
+    CHECK_THAT(check().err, Contains("recording.h5: does not match its hash"));
+    CHECK(report().code == 3);
+    CHECK(test::rvbench(scratch.path(),
+                        {"judge", (folder / "recording.h5").string(), "--kinematics", "rv20e"})
+              .code == 20);
+  }
+}
+
+TEST_CASE("any serial number makes a folder of its own inside --out", "[spec]") {
+  const ScratchFolder scratch;
+  const std::vector<std::string> serials{
+      "../up", "/etc",       "..",       ".",  "a/b",
+      "a_b",   "Prüfling 7", "\xFF\xFE", "-x", std::string(300, 'x')};
+  for (const std::string& serial : serials) {
+    CAPTURE(serial);
+    CHECK(run(scratch, test::unsettled_plan(),
+              {"run", "short.json", "--rig", "sim", "--serial=" + serial, "--out", "out", "--json"})
+              .code == 20);
+  }
+  std::size_t folders = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(scratch.path() / "out")) {
+    CHECK(entry.path().filename().string().size() < 100);
+    CHECK_FALSE(std::filesystem::is_empty(entry));
+    ++folders;
+  }
+  CHECK(folders == serials.size());
+}
+
+}  // namespace rvbench
