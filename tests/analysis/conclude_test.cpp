@@ -1,0 +1,145 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "analysis/diagnosis.hpp"
+
+using namespace rvbench;
+using analysis::conclude;
+using analysis::Diagnosis;
+using analysis::Examination;
+using analysis::Kinematics;
+using analysis::Signature;
+
+namespace {
+
+Kinematics two_parts() {
+  Kinematics k;
+  for (const char* component : {"shaft", "gear"}) {
+    Signature s;
+    s.component = component;
+    s.mechanism = "wear";
+    s.order = 2;
+    s.depth_limit = 0.2;
+    s.advice = "look at the " + s.component;
+    k.signatures.push_back(s);
+  }
+  return k;
+}
+
+struct Shown {
+  double depth, p_value;
+};
+
+Examination point(const std::string& source, Shown shaft, Shown gear) {
+  Examination e;
+  e.source = source;
+  e.speed_rpm = 600;
+  e.resolvable = true;
+  int i = 0;
+  for (const Shown& shown : {shaft, gear}) {
+    analysis::SignatureScore score;
+    score.signature = i++;
+    score.order = 2;
+    score.depth = shown.depth;
+    score.p_value = shown.p_value;
+    score.imf = 1;
+    score.line_orders = {2, 4};
+    score.line_depths = {0.6 * shown.depth, 0.8 * shown.depth};
+    e.scores.push_back(score);
+  }
+  return e;
+}
+
+constexpr Shown nothing{0.01, 0.5};
+
+}  // namespace
+
+TEST_CASE("nothing measured is not resolvable, and no finding", "[analysis][conclude]") {
+  const Diagnosis d = conclude({}, two_parts());
+  CHECK_FALSE(d.resolvable);
+  CHECK(d.findings.empty());
+}
+
+TEST_CASE("a part above its limit is a finding, below it a remark", "[analysis][conclude]") {
+  const Diagnosis d = conclude({point("a", {0.5, 1e-12}, {0.1, 1e-12})}, two_parts());
+  REQUIRE(d.findings.size() == 1);
+  CHECK(d.findings[0].component == "shaft");
+  CHECK(d.findings[0].mechanism == "wear");
+  CHECK(d.findings[0].severity == 0.5);
+  CHECK(d.findings[0].limit == 0.2);
+  CHECK(d.findings[0].frequency_Hz == Approx(20));
+  CHECK(d.findings[0].confidence == 1);
+  CHECK(d.findings[0].advice == "look at the shaft");
+  CHECK(d.findings[0].line_orders == std::vector<double>{4, 2});  // deepest first
+  REQUIRE(d.below_limit.size() == 1);
+  CHECK(d.below_limit[0].component == "gear");
+}
+
+TEST_CASE("a deep modulation that noise may make is none", "[analysis][conclude]") {
+  const Diagnosis d = conclude({point("a", {0.9, 0.01}, nothing)}, two_parts());
+  CHECK(d.findings.empty());
+  CHECK(d.below_limit.empty());
+}
+
+TEST_CASE("a finding pays for the number of parts looked at", "[analysis][conclude]") {
+  // One point: the p-value is the point's, times two parts.
+  const Diagnosis d = conclude({point("a", {0.5, 1e-6}, nothing)}, two_parts());
+  REQUIRE(d.findings.size() == 1);
+  CHECK(d.findings[0].p_value == Approx(2e-6));
+  CHECK(conclude({point("a", {0.5, 0.0007}, nothing)}, two_parts()).findings.empty());
+}
+
+TEST_CASE("points support each other as Fisher has it", "[analysis][conclude]") {
+  const Diagnosis d =
+      conclude({point("a", {0.3, 1e-5}, nothing), point("b", {0.5, 1e-4}, nothing)}, two_parts());
+  REQUIRE(d.findings.size() == 1);
+  CHECK(d.findings[0].p_value == Approx(2 * 1e-9 * (1 - std::log(1e-9))));
+  CHECK(d.findings[0].points == std::vector<std::string>{"a", "b"});
+  CHECK(d.findings[0].severity == Approx(0.4));
+}
+
+TEST_CASE("what one record of many shows is no finding", "[analysis][conclude]") {
+  std::vector<Examination> points = {point("a", {0.9, 1e-30}, nothing)};
+  for (const char* source : {"b", "c", "d"}) points.push_back(point(source, nothing, nothing));
+  CHECK(conclude(points, two_parts()).findings.empty());
+  points[1] = point("b", {0.9, 1e-30}, nothing);
+  CHECK(conclude(points, two_parts()).findings.size() == 1);
+}
+
+TEST_CASE("records that cannot be resolved have no say", "[analysis][conclude]") {
+  Examination unresolved = point("short", {0.9, 1e-30}, {0.9, 1e-30});
+  unresolved.resolvable = false;
+  unresolved.quality = {{"short", "too short", true}};
+  const Diagnosis alone = conclude({unresolved}, two_parts());
+  CHECK_FALSE(alone.resolvable);
+  CHECK(alone.findings.empty());
+  CHECK(alone.quality.size() == 1);
+  const Diagnosis beside = conclude({unresolved, point("a", nothing, {0.5, 1e-12})}, two_parts());
+  CHECK(beside.resolvable);
+  REQUIRE(beside.findings.size() == 1);
+  CHECK(beside.findings[0].component == "gear");
+}
+
+TEST_CASE("the gravest finding leads, and they share the confidence", "[analysis][conclude]") {
+  Kinematics k = two_parts();
+  k.signatures[1].depth_limit = 0.05;
+  const Diagnosis d = conclude({point("a", {0.6, 1e-12}, {0.45, 1e-12})}, k);
+  REQUIRE(d.findings.size() == 2);
+  CHECK(d.findings[0].component == "gear");  // 9 times its limit, the shaft 3 times
+  CHECK(d.findings[0].confidence == Approx(0.75));
+  CHECK(d.findings[1].confidence == Approx(0.25));
+}
+
+TEST_CASE("a line that no part explains is listed once, at its strongest", "[analysis][conclude]") {
+  Examination quiet = point("a", nothing, nothing);
+  Examination loud = point("b", nothing, nothing);
+  quiet.channels.resize(1);
+  loud.channels.resize(1);
+  quiet.channels[0].lines = {{7.7, 77, 0.1, 1e-9, ""}, {3, 30, 5, 1e-9, "shaft"}};
+  loud.channels[0].lines = {{7.701, 77, 0.4, 1e-9, ""}, {5.03, 50.3, 0.2, 1e-9, ""}};
+  const Diagnosis d = conclude({quiet, loud}, two_parts());
+  REQUIRE(d.unexplained.size() == 2);
+  CHECK(d.unexplained[0].order == Approx(7.701));
+  CHECK(d.unexplained[0].amplitude == 0.4);
+  CHECK(d.unexplained[1].order == 5.03);
+}

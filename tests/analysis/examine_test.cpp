@@ -1,0 +1,166 @@
+#include <catch2/catch.hpp>
+
+#include "analysis/diagnosis.hpp"
+#include "analysis/rv_reducer.hpp"
+#include "tests/analysis/order_signals.hpp"
+
+using namespace rvbench;
+using analysis::conclude;
+using analysis::Diagnosis;
+using analysis::Examination;
+using analysis::examine;
+using analysis::Kinematics;
+using analysis::SignatureScore;
+using test::OrderSignals;
+
+namespace {
+
+constexpr double mesh = 240.0 / 21;
+constexpr double lobes = 90.0 / 21;
+const OrderSignals turning{.speed_Hz = 20, .rate_Hz = 1280, .count = 10760};  // 8 periods
+
+/// i = 21: sun at 20/21, crank 10/21, in the housing 9/21.
+Kinematics small_reducer() {
+  return analysis::rv_reducer("small", {12, 24, 2, 9, 10}, {11, 5, 26, 0});
+}
+
+const SignatureScore& score_of(const std::string& component, const Examination& e) {
+  const Kinematics k = small_reducer();
+  for (const SignatureScore& s : e.scores) {
+    if (k.signatures[static_cast<std::size_t>(s.signature)].component == component) return s;
+  }
+  FAIL("no score of " << component);
+  return e.scores.front();
+}
+
+/// Meshes of a sound reducer: lines without sidebands, in noise.
+Eigen::VectorXd sound(const OrderSignals& shaft, unsigned seed) {
+  return 2 * shaft.tone(mesh, 0.3) + shaft.tone(lobes, 1) + 0.3 * shaft.noise(seed);
+}
+
+Eigen::VectorXd faulty(double order, unsigned seed) {
+  return 2 * turning.modulated(mesh, order, 0.5) + 0.2 * turning.noise(seed);
+}
+
+std::string leading(const Diagnosis& d) {
+  return d.findings.empty() ? "" : d.findings.front().component;
+}
+
+}  // namespace
+
+TEST_CASE("a channel is described by moments that a sine is known by", "[analysis][examine]") {
+  const Examination e =
+      examine(turning.recording(3 * turning.tone(4).array() + 50), small_reducer());
+  REQUIRE(e.channels.size() == 1);
+  CHECK(e.channels[0].rms == Approx(3 / std::sqrt(2)).epsilon(1e-3));
+  CHECK(e.channels[0].peak == Approx(3).epsilon(1e-3));
+  CHECK(e.channels[0].kurtosis == Approx(1.5).epsilon(1e-3));
+  CHECK(e.channels[0].imf_correlation.front() == Approx(1).epsilon(1e-3));  // it is its own IMF
+  CHECK(e.speed_rpm == 1200);
+  CHECK(e.periods == 8);
+}
+
+TEST_CASE("a modulated mesh betrays the part that modulates it", "[analysis][examine]") {
+  struct Fault {
+    const char* component;
+    double order;
+  };
+  // The planet's and the pins' first harmonic is what sound parts show, too.
+  const auto fault = GENERATE(Fault{"input_shaft", 1}, Fault{"sun_gear", 20.0 / 21},
+                              Fault{"crank", 9.0 / 21}, Fault{"planet_gear", 50.0 / 21});
+  CAPTURE(fault.component);
+  const Kinematics k = small_reducer();
+  const Examination e = examine(turning.recording(faulty(fault.order, 1)), k);
+  const SignatureScore& score = score_of(fault.component, e);
+  CHECK(score.p_value < 1e-9);
+  CHECK(score.imf == 1);
+  // The IMF holds the carrier and some of the noise.
+  CHECK(score.depth == Approx(0.5).epsilon(0.1));
+  const Diagnosis d = conclude({e}, k);
+  CHECK(leading(d) == fault.component);
+  CHECK(d.findings.front().severity == Approx(0.5).epsilon(0.1));
+  CHECK(d.findings.front().points == std::vector<std::string>{"synthetic"});
+  CHECK(d.findings.front().line_orders.front() == Approx(fault.order).margin(1e-6));
+}
+
+TEST_CASE("a bearing that slips is found at the order at which it slips", "[analysis][examine]") {
+  const Kinematics k = small_reducer();
+  const double slipped = 5.5 * (1 - 5.0 / 26) * 10 / 21 * 0.985;
+  const Diagnosis d = conclude({examine(turning.recording(faulty(slipped, 2)), k)}, k);
+  CHECK(leading(d) == "bearing_outer");
+  CHECK(d.findings.front().order == Approx(slipped).margin(0.5 / 8 / 21));
+  CHECK(d.findings.front().frequency_Hz == Approx(d.findings.front().order * 20));
+}
+
+TEST_CASE("sound meshes in noise raise no finding", "[analysis][examine][null]") {
+  // 30 records at 1 in 1000 each.
+  const Kinematics k = small_reducer();
+  std::size_t findings = 0;
+  for (unsigned seed = 1; seed <= 30; ++seed) {
+    const Diagnosis d = conclude({examine(turning.recording(sound(turning, seed)), k)}, k);
+    CHECK(d.resolvable);
+    findings += d.findings.size();
+  }
+  CHECK(findings == 0);
+}
+
+TEST_CASE("noise raises no finding, whatever its colour", "[analysis][examine][null]") {
+  const Kinematics k = small_reducer();
+  std::size_t findings = 0;
+  for (unsigned seed = 1; seed <= 15; ++seed) {
+    for (const Eigen::VectorXd& x :
+         {turning.noise(seed), test::reddened(turning.noise(seed), 0.9)}) {
+      const Diagnosis d = conclude({examine(turning.recording(x), k)}, k);
+      findings += d.findings.size();
+    }
+  }
+  CHECK(findings == 0);
+}
+
+TEST_CASE("an amplitude that swings with the mains is no part's fault", "[analysis][examine]") {
+  // 100 Hz over a shaft at 19.83 Hz: order 5.043, between 105/21 and 106/21.
+  OrderSignals slipping = turning;
+  slipping.speed_Hz = 19.83;
+  const Eigen::VectorXd x =
+      2 * slipping.modulated(mesh, 100 / 19.83, 0.5) + 0.2 * slipping.noise(3);
+  const Kinematics k = small_reducer();
+  CHECK(conclude({examine(slipping.recording(x), k)}, k).findings.empty());
+}
+
+TEST_CASE("a motor 1 % below its planned speed is judged at the speed it has",
+          "[analysis][examine]") {
+  OrderSignals slipping = turning;
+  slipping.speed_Hz = 19.8;
+  Recording record =
+      slipping.recording(2 * slipping.modulated(mesh, 1, 0.5) + 0.2 * slipping.noise(4));
+  record.planned_speed_rpm = 1200;
+  const bool angle_is_known = GENERATE(true, false);
+  CAPTURE(angle_is_known);
+  if (!angle_is_known) record.channels.pop_back();
+  const Kinematics k = small_reducer();
+  const Diagnosis d = conclude({examine(record, k)}, k);
+  CHECK(leading(d) == "input_shaft");
+  CHECK(d.findings.front().severity == Approx(0.5).epsilon(0.1));
+  CHECK(d.findings.front().frequency_Hz == Approx(19.8));
+}
+
+TEST_CASE("of many channels the one that shows a fault speaks for it", "[analysis][examine]") {
+  Recording record = turning.recording(sound(turning, 5));
+  record.channels.push_back(turning.channel(faulty(1, 6), "accel_2x"));
+  record.channels.push_back(turning.channel(sound(turning, 7), "accel_3x"));
+  const Kinematics k = small_reducer();
+  const Examination e = examine(record, k);
+  const SignatureScore& shaft = score_of("input_shaft", e);
+  CHECK(e.channels[static_cast<std::size_t>(shaft.channel)].name == "accel_2x");
+  CHECK(leading(conclude({e}, k)) == "input_shaft");
+}
+
+TEST_CASE("the verdict does not change with the unit", "[analysis][examine]") {
+  const Kinematics k = small_reducer();
+  const Eigen::VectorXd x = faulty(1, 8);
+  const Diagnosis in_m_s2 = conclude({examine(turning.recording(x), k)}, k);
+  const Diagnosis scaled = conclude({examine(turning.recording(1e-6 * x), k)}, k);
+  REQUIRE(scaled.findings.size() == in_m_s2.findings.size());
+  CHECK(scaled.findings.front().severity ==
+        Approx(in_m_s2.findings.front().severity).epsilon(1e-6));
+}
