@@ -71,7 +71,7 @@ std::string found_at(double order, const SpeedGroup& group,
   }
   std::string text;
   if (depth > 0) {
-    text = fmt::format("{:.2f} (envelope, depth {:.2f})",
+    text = fmt::format("{:.2f} (envelope, depth {:.3f})",
                        depth_order * units::Hz_from_rpm(std::abs(group.speed_rpm)), depth);
   }
   if (amplitude > 0)

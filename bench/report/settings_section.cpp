@@ -14,6 +14,16 @@ std::string document(const char* name, const std::string& json) {
   return fmt::format("<h3>{}</h3>\n<pre>{}</pre>\n", name, xml_escaped(json));
 }
 
+/// "1210 rpm, 50 % load, repeat 1, accel_2x" rather than the path of the recording.
+std::string readable_place(const Judgement& judgement, const std::string& where) {
+  for (const JudgedPoint& point : judgement.points) {
+    const std::string& source = point.examination.source;
+    if (!source.empty() && where.starts_with(source + ", "))
+      return caption_of(point) + where.substr(source.size());
+  }
+  return where;
+}
+
 std::string events_table(const RunFacts& facts) {
   if (facts.events.empty()) return "";
   std::vector<std::vector<std::string>> rows;
@@ -52,11 +62,11 @@ std::string limits_section(const ReportInput& input) {
   std::string html;
   std::vector<std::vector<std::string>> rows;
   for (const LimitCheck& check : input.judgement.limits) {
-    rows.push_back({xml_escaped(check.measure),
-                    xml_escaped(check.component.empty() ? "any" : check.component),
-                    number(check.measured), number(check.max), xml_escaped(check.unit),
-                    check.passed ? "within" : "<b>above</b>", xml_escaped(check.where),
-                    xml_escaped(check.why)});
+    rows.push_back(
+        {xml_escaped(check.measure), xml_escaped(check.component.empty() ? "any" : check.component),
+         number(check.measured), number(check.max), xml_escaped(check.unit),
+         check.passed ? "within" : "<b>above</b>",
+         xml_escaped(readable_place(input.judgement, check.where)), xml_escaped(check.why)});
   }
   if (!rows.empty()) {
     html += "<h3>Limits of the plan</h3>\n" +
@@ -64,8 +74,8 @@ std::string limits_section(const ReportInput& input) {
   }
   std::vector<std::vector<std::string>> notes;
   for (const analysis::QualityNote& note : input.judgement.diagnosis.quality) {
-    notes.push_back({xml_escaped(note.where), xml_escaped(note.what),
-                     note.invalidates ? "<b>invalid</b>" : "noted"});
+    notes.push_back({xml_escaped(readable_place(input.judgement, note.where)),
+                     xml_escaped(note.what), note.invalidates ? "<b>invalid</b>" : "noted"});
   }
   for (const JudgedPoint& point : input.judgement.points) {
     if (point.status == "ok" || point.status == "not_recorded") continue;

@@ -9,7 +9,7 @@ std::string style_sheet() {
 body { margin: 0; background: #fff; color: var(--ink); font: 15px/1.45 system-ui, "Segoe UI",
   "Liberation Sans", Arial, sans-serif; }
 main { max-width: 1000px; margin: 0 auto; padding: 16px; }
-h1 { font-size: 1.3rem; margin: 0; }
+h1 { font-size: 1.3rem; margin: 0 0 10px; }
 h2 { font-size: 1.15rem; border-bottom: 2px solid var(--line); padding-bottom: 3px; margin: 28px 0 10px; }
 h3 { font-size: 1rem; margin: 18px 0 6px; }
 p { margin: 6px 0; max-width: 78ch; }

@@ -148,8 +148,9 @@ std::string SvgPlot::marks() const {
 
 std::string SvgPlot::svg() const {
   return fmt::format(
-             R"(<svg viewBox="0 0 {} {}" role="img" aria-label="{}"><text x="{}" y="14" class="title">{}</text>)",
-             width_px_, height_px_, xml_escaped(title_), left_px, xml_escaped(title_)) +
+             R"(<svg viewBox="0 0 {} {}" role="img" aria-label="{}"><text x="{}" y="{}" class="title">{}</text>)",
+             width_px_, height_px_, xml_escaped(title_), left_px, marks_.empty() ? top_px - 6 : 14,
+             xml_escaped(title_)) +
          axes() + traces_ + marks() + "</svg>\n";
 }
 
