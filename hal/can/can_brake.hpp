@@ -20,8 +20,7 @@ struct CanBrakeOptions {
 ///
 /// Errors   timeout: no status came; stale: its counter stood still; bad_reply: a frame of wrong
 ///          length or content; refused (connect only): the brake stays engaged or tripped
-/// Time     connect() and read() wait on the clock, until a status is there or the deadline has
-///          passed; the others do not wait
+/// Time     connect() waits on the clock for the first status, until the deadline; the others never
 class CanBrake final : public Brake {
  public:
   /// @param transport  receives the brake's frames only
