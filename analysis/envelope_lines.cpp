@@ -1,9 +1,9 @@
-#include "analysis/envelope_lines.hpp"
-
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
+#include "analysis/envelope_lines.hpp"
 #include "analysis/hilbert.hpp"
 #include "analysis/statistics.hpp"
 
@@ -43,6 +43,7 @@ struct Sums {
   double statistic = 0;
   double excess = 0;  ///< power above the floor
   int lines = 0;
+  double floor_lines = std::numeric_limits<double>::max();  ///< where the floor is known least
   std::vector<double> ratios;    ///< of each line: power over what it must exceed
   std::vector<double> excesses;  ///< of each line
 };
@@ -82,8 +83,8 @@ class Family {
     }
     score.order = signature_.order * best_stretch;
     score.statistic = best.statistic;
-    score.p_value = std::min(
-        1.0, line_p_value(best.statistic, best.lines, floor_.floor_lines) * (2 * tries + 1));
+    score.p_value =
+        std::min(1.0, line_p_value(best.statistic, best.lines, best.floor_lines) * (2 * tries + 1));
     score.depth = std::sqrt(std::max(best.excess, 0.0)) / envelope_.mean;
     return score;
   }
@@ -121,6 +122,7 @@ class Family {
       sums.statistic += sums.ratios[i];
       sums.excess += sums.excesses[i];
       ++sums.lines;
+      sums.floor_lines = std::min(sums.floor_lines, floor_.floor_lines[line]);
     }
     return sums;
   }

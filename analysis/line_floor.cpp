@@ -11,9 +11,9 @@
 namespace rvbench::analysis {
 namespace {
 
-constexpr Eigen::Index neighbours = 160;  // to either side
-constexpr Eigen::Index stride = 32;       // the floor is taken anew this often, and held between
-constexpr Eigen::Index dense = 16;        // locked lines this near to each other are everywhere
+constexpr Eigen::Index fewest_neighbours = 16;  // to either side
+constexpr Eigen::Index most_neighbours = 160;
+constexpr Eigen::Index dense = 16;  // locked lines this near to each other are everywhere
 
 bool is_clean(Eigen::Index line, Eigen::Index locked_every) {
   if (locked_every < 4) return true;  // too dense to step around
@@ -21,14 +21,23 @@ bool is_clean(Eigen::Index line, Eigen::Index locked_every) {
   return away >= 2 && away <= locked_every - 2;
 }
 
-double floor_around(const Eigen::VectorXd& power, Eigen::Index line, Eigen::Index locked_every) {
+/// Lines to either side that the floor of `line` is taken from: from line 32 on, half its distance
+/// to line 0 at the most, as the noise of an envelope falls with frequency.
+Eigen::Index neighbours_of(Eigen::Index line) {
+  return std::clamp(line / 2, fewest_neighbours, most_neighbours);
+}
+
+/// Clean lines around `line`.
+std::vector<double> surroundings(const Eigen::VectorXd& power, Eigen::Index line,
+                                 Eigen::Index locked_every) {
+  const Eigen::Index neighbours = neighbours_of(line);
   const Eigen::Index from = std::max<Eigen::Index>(1, line - neighbours);
   const Eigen::Index to = std::min(power.size() - 1, line + neighbours);
   std::vector<double> values;
   for (Eigen::Index i = from; i <= to; ++i) {
     if (is_clean(i, locked_every)) values.push_back(power[i]);
   }
-  return values.empty() ? 0 : median(std::move(values)) / std::numbers::ln2;
+  return values;
 }
 
 }  // namespace
@@ -46,17 +55,19 @@ LineFloor line_floor(const Spectrum& spectrum, Eigen::Index locked_every) {
   // A constant signal has no floor; the least positive number keeps ratios finite.
   const double least =
       std::max(result.power.maxCoeff() * 1e-24, std::numeric_limits<double>::min() * 1e8);
-  for (Eigen::Index from = 0; from < n; from += stride) {
-    const Eigen::Index count = std::min(stride, n - from);
-    const double floor = floor_around(result.power, from + count / 2, locked_every);
+  result.floor_lines.resize(n);
+  // The floor is taken anew every tenth of its surroundings, and held between.
+  for (Eigen::Index from = 0; from < n;) {
+    const Eigen::Index count = std::min(neighbours_of(from) / 5, n - from);
+    std::vector<double> values = surroundings(result.power, from + count / 2, locked_every);
+    // Neighbouring Hann lines share two thirds of their noise, a median uses half of what it is
+    // given.
+    result.floor_lines.segment(from, count)
+        .setConstant(std::max(1.0, static_cast<double>(values.size()) / 1.5 * 0.48));
+    const double floor = values.empty() ? 0 : median(std::move(values)) / std::numbers::ln2;
     result.floor.segment(from, count).setConstant(std::max(floor, least));
+    from += count;
   }
-  const double share =
-      locked_every < 4 ? 1.0
-                       : static_cast<double>(locked_every - 3) / static_cast<double>(locked_every);
-  // Neighbouring Hann lines share two thirds of their noise, a median uses half of what it is
-  // given.
-  result.floor_lines = 2.0 * static_cast<double>(neighbours) * share / 1.5 * 0.48;
   return result;
 }
 

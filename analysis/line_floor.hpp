@@ -9,12 +9,13 @@ namespace rvbench::analysis {
 /// Power of a spectrum and of the noise around each of its lines.
 ///
 /// The floor of a line is the median power of its neighbours, as the mean of the exponential
-/// distribution that noise lines have. Lines on, or next to, multiples of `locked_every` are left
+/// distribution that noise lines have. The nearer to line 0, the fewer neighbours: the envelope of
+/// a narrow mode falls within few lines. Lines on, or next to, multiples of `locked_every` are left
 /// out where enough others remain: a gear train puts power on all of them.
 struct LineFloor {
-  Eigen::VectorXd power;   ///< amplitude², in the unit of the signal squared
-  Eigen::VectorXd floor;   ///< the same unit; > 0
-  double floor_lines = 1;  ///< independent lines that each floor value is worth
+  Eigen::VectorXd power;        ///< amplitude², in the unit of the signal squared
+  Eigen::VectorXd floor;        ///< the same unit; > 0
+  Eigen::VectorXd floor_lines;  ///< independent lines that each floor value is worth
   Eigen::Index locked_every = 0;
 
   /// Whether a line cannot be told from a multiple of `locked_every`. Never where those are dense.

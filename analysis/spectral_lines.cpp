@@ -141,7 +141,7 @@ std::vector<SpectralLine> spectral_lines(const Channel& x, const ShaftAngle& ang
   for (Eigen::Index i = 2; i < last; ++i) {
     const double here = spectrum.amplitude[i];
     if (here < spectrum.amplitude[i - 1] || here <= spectrum.amplitude[i + 1]) continue;
-    const double p = line_p_value(floor.power[i] / floor.floor[i], 1, floor.floor_lines);
+    const double p = line_p_value(floor.power[i] / floor.floor[i], 1, floor.floor_lines[i]);
     if (p > alpha) continue;
     const double order = place_of(spectrum.amplitude, i) * spectrum.resolution;
     const double near =

@@ -68,6 +68,10 @@ TEST_CASE("nor is it in coloured noise", "[analysis][envelope][null]") {
     check_no_false_alarms(
         draws_of(100, [](unsigned seed) { return reddened(turning.noise(seed), 0.9); }));
   }
+  SECTION("that falls all the way") {
+    check_no_false_alarms(
+        draws_of(100, [](unsigned seed) { return reddened(turning.noise(seed), 0.99); }));
+  }
   SECTION("that rings at 1 % of damping, as the mode of an IMF does") {
     check_no_false_alarms(
         draws_of(100, [](unsigned seed) { return resonant(turning.noise(seed), 0.2, 0.01); }));

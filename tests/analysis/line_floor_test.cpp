@@ -1,5 +1,6 @@
 #include "analysis/line_floor.hpp"
 
+#include "analysis/hilbert.hpp"
 #include "analysis/statistics.hpp"
 #include "tests/analysis/null_rates.hpp"
 #include "tests/analysis/order_signals.hpp"
@@ -11,6 +12,7 @@ using analysis::line_p_value;
 using analysis::LineFloor;
 using analysis::Window;
 using test::NoOftenerThanStated;
+using test::NullDraws;
 using test::UniformBelow;
 
 namespace {
@@ -27,7 +29,7 @@ test::NullDraws p_values_of(Noise noise, int draws, Eigen::Index locked_every = 
     const LineFloor lines = floor_of(noise(static_cast<unsigned>(seed)), locked_every);
     for (Eigen::Index i = 200; i + 200 < lines.power.size(); i += 7) {
       draws_of_noise.p_values.push_back(
-          line_p_value(lines.power[i] / lines.floor[i], 1, lines.floor_lines));
+          line_p_value(lines.power[i] / lines.floor[i], 1, lines.floor_lines[i]));
     }
   }
   return draws_of_noise;
@@ -77,6 +79,22 @@ TEST_CASE("the floor follows the colour of noise", "[analysis][floor][null]") {
     };
     CHECK_THAT(p_values_of(ringing, 40), UniformBelow({0.001, 0.01, 0.1, 0.5, 0.9}));
   }
+}
+
+TEST_CASE("the floor follows an envelope's noise down to its lowest lines",
+          "[analysis][floor][null]") {
+  // A mode 100 lines wide, as EMD leaves it: the noise of its envelope ends after as many.
+  const auto narrow = [](unsigned seed) {
+    const Eigen::VectorXd mode = test::resonant(test::white_noise(16000, seed), 0.01, 0.3);
+    return analysis::envelope(mode);
+  };
+  NullDraws lowest;
+  for (unsigned seed = 1; seed <= 400; ++seed) {
+    const LineFloor lines = floor_of(narrow(seed));
+    lowest.p_values.push_back(
+        line_p_value(lines.power[32] / lines.floor[32], 1, lines.floor_lines[32]));
+  }
+  CHECK_THAT(lowest, NoOftenerThanStated({0.001, 0.01, 0.1}));
 }
 
 TEST_CASE("a line, and a comb of lines, stand on the floor and do not lift it",
