@@ -1,14 +1,17 @@
+#include "analysis/envelope_lines.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
 
-#include "analysis/envelope_lines.hpp"
 #include "analysis/hilbert.hpp"
 #include "analysis/statistics.hpp"
 
 namespace rvbench::analysis {
 namespace {
+
+constexpr double smeared = 5;  // power over floor: five noise lines in a thousand reach it
 
 /// Even angle steps fine enough for all the envelope's bandwidth, rate/4 at the most.
 int samples_per_turn(double rate_Hz, double speed_Hz) {
@@ -83,17 +86,26 @@ class Family {
     }
     score.order = signature_.order * best_stretch;
     score.statistic = best.statistic;
-    score.p_value =
-        std::min(1.0, line_p_value(best.statistic, best.lines, best.floor_lines) * (2 * tries + 1));
+    score.p_value = std::min(
+        1.0, line_p_value(best.statistic, best.lines, best.floor_lines) * (2 * tries + 1));
     score.depth = std::sqrt(std::max(best.excess, 0.0)) / envelope_.mean;
     return score;
   }
 
-  /// Adds the lines of a score and all higher harmonics, with what leaks into their neighbours.
+  /// Adds the lines of a score and all higher harmonics, each as wide as slip has smeared it.
   void take(const FamilyScore& score, std::set<Eigen::Index>& taken) const {
     const auto take_line = [&](double order) {
       const Eigen::Index at = line_at(envelope_, order);
-      for (Eigen::Index i = at - 2; at >= 0 && i <= at + 2; ++i) taken.insert(i);
+      if (at < 0) return;
+      const auto widest = std::max<Eigen::Index>(2, static_cast<Eigen::Index>(0.02 * double(at)));
+      for (const int side : {-1, 1}) {
+        for (Eigen::Index away = 0; away <= widest; ++away) {
+          const Eigen::Index line = at + side * away;
+          if (line < 0 || line >= floor_.power.size()) break;
+          if (away > 2 && floor_.power[line] < smeared * floor_.floor[line]) break;
+          taken.insert(line);
+        }
+      }
     };
     for (const SignatureLine& line : lines_) {
       take_line(line.order * score.order / signature_.order);

@@ -18,12 +18,12 @@ constexpr double gear_ratio = 121;
 constexpr double sun_base_radius_m = 5.3e-3;
 constexpr double planet_base_radius_m = 15.9e-3;
 constexpr double pin_circle_radius_m = 52e-3;
-constexpr double support_stiffness_N_m = 6e6;  // of the cantilevered shaft's bearing
-constexpr double support_preload_N = 250;
+constexpr double support_stiffness_N_m = 0.75e6;  // 3·E·I/L³ of a 10 mm shaft, 73 mm cantilevered
+constexpr double support_preload_N = 31;
 constexpr double reference_speed_rad_s = 126.7;  // 1210 rpm: contact noise is stated there
 
 // Contact noise per N of contact force at the reference speed.
-constexpr double bearing_noise_gain = 0.8e-3;
+constexpr double bearing_noise_gain = 6.4e-3;
 constexpr double mesh_noise_gain = 1.0e-3;
 constexpr double pin_noise_gain = 1.0e-4;
 constexpr double crank_noise_gain = 3.0e-5;
@@ -118,7 +118,8 @@ void RvBench::make_plant(const RvUnit& unit) {
                                .stiffness_Nm_rad = 168e3 / n,
                                .damping_Nms_rad = 80.0 / n,
                                .error_rad = {}};
-    stage.error_rad.add_cosine(1, d.crank_error_um * um / pin_circle_radius_m, phase[crank]);
+    stage.error_rad.add_cosine(1, d.crank_error_um * um / pin_circle_radius_m,
+                               phase[crank] + place_rad);
     stage.error_rad.add_cosine(pins, d.pin_spread_um * um / pin_circle_radius_m, phase[spread]);
     stages_.push_back(add(CycloidStage(std::move(stage))));
   }
@@ -200,23 +201,25 @@ void RvBench::gather_forces() {
   const double speed_ratio = s.v[1] / reference_speed_rad_s;
   const double carrier_rad = s.q[s.q.size() - 2];
   forces_N_.setZero();
-  add_input_bearing(s.q[1], speed_ratio);
-  add_sun_meshes(carrier_rad, speed_ratio);
+  add_input_bearing(s.q[1], speed_ratio, add_sun_meshes(carrier_rad, speed_ratio));
   add_pin_shell(speed_ratio);
   add_crank_bearings(carrier_rad, speed_ratio);
 }
 
 // The support of the cantilevered shaft carries its preload, the run-out that turns with the
-// shaft, and the bending that an angular misalignment forces on it twice per turn.
-void RvBench::add_input_bearing(double shaft_rad, double speed_ratio) {
+// shaft, the bending that an angular misalignment forces on it twice per turn, and what the
+// planets' pushes on the sun leave over.
+void RvBench::add_input_bearing(double shaft_rad, double speed_ratio,
+                                const Eigen::Vector2d& sun_load_N) {
   const RvDeviations& d = unit_.deviations;
   const double runout_N = support_stiffness_N_m * d.shaft_eccentricity_um * um;
   const double bending_N = support_stiffness_N_m * d.shaft_misalignment_um * um;
   const double twice = std::cos(2 * shaft_rad + unit_.phases_rad[misalignment]);
   const Eigen::Vector2d load_N = Eigen::Vector2d(support_preload_N + bending_N * twice, 0) +
-                                 runout_N * direction(shaft_rad + unit_.phases_rad[shaft]);
+                                 runout_N * direction(shaft_rad + unit_.phases_rad[shaft]) +
+                                 sun_load_N;
   const double pressed_N = load_N.norm() * (1 + edge_roughness_per_um * d.shaft_misalignment_um);
-  forces_N_.segment<2>(ports::input_bearing) += load_N;
+  forces_N_.segment<2>(ports::input_bearing) += load_N - sun_load_N;  // that has its own port
   forces_N_[ports::input_bearing + 2] +=
       0.3 * bending_N * std::cos(shaft_rad + unit_.phases_rad[misalignment]);
   for (int i = 0; i < 3; ++i) {
@@ -226,9 +229,10 @@ void RvBench::add_input_bearing(double shaft_rad, double speed_ratio) {
 }
 
 // Each planet pushes the sun sideways along its line of action; the nearer a planet is to the
-// port's side of the housing, the better it is heard.
-void RvBench::add_sun_meshes(double carrier_rad, double speed_ratio) {
+// port's side of the housing, the better it is heard. Returns what the pushes leave over.
+Eigen::Vector2d RvBench::add_sun_meshes(double carrier_rad, double speed_ratio) {
   const PlantState& s = plant_->state();
+  Eigen::Vector2d left_over_N = Eigen::Vector2d::Zero();
   for (std::size_t k = 0; k < meshes_.size(); ++k) {
     const double place_rad =
         carrier_rad + two_pi * static_cast<double>(k) / static_cast<double>(meshes_.size());
@@ -240,9 +244,11 @@ void RvBench::add_sun_meshes(double carrier_rad, double speed_ratio) {
     const double heard = 1 + 0.3 * std::cos(place_rad);
     const double noise_N =
         heard * mesh_noise_[k].force_N(force_N * std::max(roughness, 0.0), speed_ratio);
-    forces_N_.segment<2>(ports::sun_mesh) +=
-        (force_N + noise_N) * direction(place_rad + two_pi / 4 - 0.35);
+    const Eigen::Vector2d line_of_action = direction(place_rad + two_pi / 4 - 0.35);
+    forces_N_.segment<2>(ports::sun_mesh) += (force_N + noise_N) * line_of_action;
+    left_over_N += force_N * line_of_action;
   }
+  return left_over_N;
 }
 
 // The two discs lean on the shell on opposite sides; a proud pin takes more than its share each

@@ -49,8 +49,8 @@ class RvBench {
   void settle();
   void wrap();
   void gather_forces();
-  void add_input_bearing(double shaft_rad, double speed_ratio);
-  void add_sun_meshes(double carrier_rad, double speed_ratio);
+  void add_input_bearing(double shaft_rad, double speed_ratio, const Eigen::Vector2d& sun_load_N);
+  Eigen::Vector2d add_sun_meshes(double carrier_rad, double speed_ratio);
   void add_pin_shell(double speed_ratio);
   void add_crank_bearings(double carrier_rad, double speed_ratio);
 
