@@ -1,23 +1,15 @@
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <optional>
 
 #include "hal/formats/read_recordings.hpp"
+#include "tests/support/real_data.hpp"
 
 // Expected numbers are what scipy.io.loadmat, and a text editor, show for these files.
 namespace rvbench::hal {
 namespace {
 
-std::optional<std::filesystem::path> data_folder() {
-  const char* named = std::getenv("RVBENCH_DATA");
-  const std::filesystem::path folder =
-      named != nullptr ? named : RVBENCH_SOURCE_DIR "/../shared/data";
-  if (std::filesystem::is_directory(folder)) return folder;
-  WARN("skipped: no real recordings in " << folder << " (set RVBENCH_DATA)");
-  return std::nullopt;
-}
+using test::data_folder;
 
 Recording read_one(const std::filesystem::path& file) {
   auto read = read_recordings(file);
