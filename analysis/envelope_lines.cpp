@@ -86,8 +86,8 @@ class Family {
     }
     score.order = signature_.order * best_stretch;
     score.statistic = best.statistic;
-    score.p_value = std::min(
-        1.0, line_p_value(best.statistic, best.lines, best.floor_lines) * (2 * tries + 1));
+    score.p_value =
+        std::min(1.0, line_p_value(best.statistic, best.lines, best.floor_lines) * (2 * tries + 1));
     score.depth = std::sqrt(std::max(best.excess, 0.0)) / envelope_.mean;
     return score;
   }
