@@ -45,7 +45,7 @@ std::string folder_name_of(const std::string& serial) {
   std::ranges::replace_if(
       name, [](char c) { return !is_plain(c); }, '_');
   if (name.front() == '.' || name.front() == '-') name.front() = '_';
-  if (name != serial) name += "-" + sha256_of_text(serial).substr(0, 8);
+  if (name != serial) name.append("-").append(sha256_of_text(serial), 0, 8);
   return name;
 }
 
