@@ -151,12 +151,13 @@ void BenchLoop::interrupt_record() {
   if (result) points_.push_back(result.value());
 }
 
-void BenchLoop::give_up_point(const hal::PointResult& result) {
+std::optional<Ending> BenchLoop::give_up_point(const hal::PointResult& result) {
   points_.push_back(result);
   event(fmt::format("point {}: {}", result.point, result.status));
   if (Status written = recording_.end_point(result); !written) {
-    end(recording_failed(written.error()));  // the next tick returns it
+    return end(recording_failed(written.error()));
   }
+  return std::nullopt;
 }
 
 void BenchLoop::enter(const Segment& segment) {

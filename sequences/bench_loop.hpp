@@ -48,7 +48,7 @@ class BenchLoop {
   /// Ends the record that an exception left open, if any.
   void interrupt_record();
   /// Ends a point that was not recorded.
-  void give_up_point(const hal::PointResult& result);
+  std::optional<Ending> give_up_point(const hal::PointResult& result);
 
   void enter(const Segment& segment);  ///< for progress
   void event(const std::string& text);

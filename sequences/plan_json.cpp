@@ -49,8 +49,9 @@ std::vector<std::unique_ptr<Phase>> parse_phases(hal::ConfigReader& root, const 
 Teardown parse_teardown(hal::ConfigReader& root) {
   Teardown teardown;
   if (auto json = root.optional_object("teardown")) {
-    teardown.standstill_timeout_s = json->number("standstill_timeout_s", {5, 600}, 30);
-    teardown.standstill_rpm = json->number("standstill_rpm", {0.1, 100}, 5);
+    teardown.standstill_timeout_s =
+        json->number("standstill_timeout_s", {5, 600}, teardown.standstill_timeout_s);
+    teardown.standstill_rpm = json->number("standstill_rpm", {0.1, 100}, teardown.standstill_rpm);
   }
   return teardown;
 }
@@ -132,7 +133,8 @@ std::variant<TestPlan, std::vector<hal::ConfigFault>> parse_plan(hal::ConfigRead
   plan.name = root.text("name");
   plan.description = root.text("description", "");
   plan.specimen = parse_specimen(root.object("specimen"));
-  plan.acceleration_rate_Hz = root.number("acceleration_rate_Hz", {100, 102400}, 4960);
+  plan.acceleration_rate_Hz =
+      root.number("acceleration_rate_Hz", {100, 102400}, plan.acceleration_rate_Hz);
   hal::ConfigReader interlocks = root.object("interlocks");
   plan.interlocks = parse_interlocks(interlocks);
   plan.setup = parse_phases(root, "setup");

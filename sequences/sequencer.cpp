@@ -111,9 +111,10 @@ Ending tear_down(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
   rig.accelerometers->stop();
   std::string fault;
   if (!summary.shaft_stopped) fault = "standstill was not seen";
-  if (!summary.brake_released)
-    fault += (fault.empty() ? "" : ", ") + std::string("the brake ") +
-             "does not confirm that it has released";
+  if (!summary.brake_released) {
+    if (!fault.empty()) fault += ", ";
+    fault += "the brake does not confirm that it has released";
+  }
   if (fault.empty()) return ending;
   return graver(ending, {Outcome::error, ErrorKind::device_lost, "teardown: " + fault});
 }

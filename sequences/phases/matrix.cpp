@@ -93,8 +93,11 @@ class Matrix final : public Phase {
       if (settled.ending) return settled.ending;
       loop.enter(record);
       if (!settled.met) {
-        loop.give_up_point({*number, loop.now_s(), "unsettled", settling.mean_speed_rpm(),
-                            settling.mean_torque_Nm()});
+        if (auto ending =
+                loop.give_up_point({*number, loop.now_s(), "unsettled", settling.mean_speed_rpm(),
+                                    settling.mean_torque_Nm()})) {
+          return ending;
+        }
         continue;
       }
       // Half as long again: by then the speed has left the plan's by far.
@@ -141,13 +144,14 @@ SettlingRule parse_settling(hal::ConfigReader& matrix) {
   SettlingRule rule;
   auto json = matrix.optional_object("settling");
   if (!json) return rule;
-  rule.speed_tolerance_pct = json->number("speed_tolerance_pct", {0.1, 50}, 6);
-  rule.load_tolerance_pct = json->number("load_tolerance_pct", {0.1, 100}, 10);
-  rule.speed_band_pct = json->number("speed_band_pct", {0.01, 50}, 1);
-  rule.torque_band_pct = json->number("torque_band_pct", {0, 100}, 10);
-  rule.torque_band_Nm = json->number("torque_band_Nm", {0, 100}, 0.1);
-  rule.hold_s = json->number("hold_s", {0.5, 600}, 2);
-  rule.timeout_s = json->number("timeout_s", {1, 3600}, 30);
+  rule.speed_tolerance_pct =
+      json->number("speed_tolerance_pct", {0.1, 50}, rule.speed_tolerance_pct);
+  rule.load_tolerance_pct = json->number("load_tolerance_pct", {0.1, 100}, rule.load_tolerance_pct);
+  rule.speed_band_pct = json->number("speed_band_pct", {0.01, 50}, rule.speed_band_pct);
+  rule.torque_band_pct = json->number("torque_band_pct", {0, 100}, rule.torque_band_pct);
+  rule.torque_band_Nm = json->number("torque_band_Nm", {0, 100}, rule.torque_band_Nm);
+  rule.hold_s = json->number("hold_s", {0.5, 600}, rule.hold_s);
+  rule.timeout_s = json->number("timeout_s", {1, 3600}, rule.timeout_s);
   if (rule.timeout_s <= rule.hold_s) json->fault("timeout_s", "must be above hold_s");
   return rule;
 }

@@ -36,6 +36,7 @@ class MemoryRecording final : public hal::RecordingWriter {
     return Done{};
   }
   Status end_point(const hal::PointResult& result) override {
+    if (fail_end_point) return IoError{IoErrc::refused, "disk full"};
     results.push_back(result);
     return Done{};
   }
@@ -49,6 +50,7 @@ class MemoryRecording final : public hal::RecordingWriter {
   std::vector<hal::PointResult> results;
   std::vector<std::pair<double, std::string>> notes;
   long fail_after = 1000000000;  ///< blocks
+  bool fail_end_point = false;
 };
 
 class MemoryObserver final : public sequences::RunObserver {

@@ -304,6 +304,17 @@ TEST_CASE("a recording that cannot be written ends the run", "[sequences]") {
   CHECK(summary.shaft_stopped);
 }
 
+TEST_CASE("a last point that does not settle and cannot be written down is ERROR, not INVALID",
+          "[sequences]") {
+  Run run;
+  run.world().schedule(MirrorFault::uneven_speed, 2);
+  run.recording.fail_end_point = true;
+  const auto& summary = run.go();
+  CHECK(exit_code(summary.ending) == 30);
+  CHECK_THAT(summary.ending.reason, Catch::Contains("disk full"));
+  CHECK(summary.shaft_stopped);
+}
+
 TEST_CASE("a resumed run warms up again and goes on at the point asked for", "[sequences]") {
   Run run;
   auto text = small_plan;
