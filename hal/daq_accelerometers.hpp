@@ -9,7 +9,7 @@ namespace rvbench::hal {
 /// The accelerometers of a simulated bench: the DAQ of a PlantPort as the role.
 ///
 /// Errors   timeout: the DAQ gave no scan; bad_reply: a block with the wrong number of channels
-/// Time     read() waits on the clock, until a scan is there or the deadline has passed
+/// Time     no call waits; an empty block is an error only when the deadline has passed
 class DaqAccelerometers final : public Accelerometers {
  public:
   /// @param port   must outlive the accelerometers, and `clock` too

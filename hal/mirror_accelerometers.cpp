@@ -36,10 +36,11 @@ Status MirrorAccelerometers::start() {
 Result<AccelerationBlock> MirrorAccelerometers::read() {
   if (!started_) return IoError{IoErrc::disconnected, "mirror accelerometers: read"};
   if (world_.has(MirrorFault::accelerometers_frozen)) return last_;
-  const long due = scans_due();
-  if (world_.has(MirrorFault::accelerometers_dead) || due == sent_) {
+  if (world_.has(MirrorFault::accelerometers_dead)) {
     return IoError{IoErrc::timeout, "mirror accelerometers: read"};
   }
+  const long due = scans_due();
+  if (due == sent_) return AccelerationBlock{};
   last_.t0_s = double(sent_) / rate_Hz();
   last_.scans.setZero(due - sent_, Eigen::Index(channels_.size()));
   last_.lost = 0;

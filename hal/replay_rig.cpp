@@ -106,11 +106,8 @@ class ReplayTorqueSensor final : public TorqueSensor {
   }
 
   Result<TorqueBlock> read() override {
-    constexpr const char* where = "replayed torque sensor: read";
-    if (!connected_) return not_connected(where);
-    Result<TorqueBlock> block = world_.take_torque();
-    if (block && block.value().samples.empty()) return IoError{IoErrc::timeout, where};
-    return block;
+    if (!connected_) return not_connected("replayed torque sensor: read");
+    return world_.take_torque();
   }
 
  private:
@@ -142,11 +139,8 @@ class ReplayAccelerometers final : public Accelerometers {
   }
 
   Result<AccelerationBlock> read() override {
-    constexpr const char* where = "replayed accelerometers: read";
-    if (!started_) return not_connected(where);
-    Result<AccelerationBlock> block = world_.take_accelerations();
-    if (block && block.value().scans.rows() == 0) return IoError{IoErrc::timeout, where};
-    return block;
+    if (!started_) return not_connected("replayed accelerometers: read");
+    return world_.take_accelerations();
   }
 
   void stop() noexcept override { started_ = false; }

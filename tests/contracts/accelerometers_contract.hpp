@@ -49,6 +49,17 @@ inline void check_accelerometers_contract(hal::Accelerometers& device, hal::Cloc
     }
     CHECK(scans == Approx((clock.now_s() - start_s) * rate_Hz).margin(2));
   }
+  SECTION("it does not wait: read again at once is an empty block, no error") {
+    REQUIRE(device.connect());
+    REQUIRE(device.start());
+    clock.wait_until(clock.now_s() + 0.1);
+    REQUIRE(device.read());
+    const double before_s = clock.now_s();
+    const auto again = device.read();
+    REQUIRE(again);
+    if (clock.is_virtual()) CHECK(again.value().scans.rows() == 0);
+    CHECK(clock.now_s() - before_s < 0.01);
+  }
   SECTION("stop is legal at any time, twice too; start goes on afterwards") {
     device.stop();
     REQUIRE(device.connect());

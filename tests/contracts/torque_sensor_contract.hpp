@@ -39,6 +39,16 @@ inline void check_torque_sensor_contract(hal::TorqueSensor& sensor, hal::Clock& 
     }
     CHECK(samples == Approx((clock.now_s() - start_s) * rate_Hz).margin(2));
   }
+  SECTION("it does not wait: read again at once is an empty block, no error") {
+    REQUIRE(sensor.connect());
+    clock.wait_until(clock.now_s() + 0.1);
+    REQUIRE(sensor.read());
+    const double before_s = clock.now_s();
+    const auto again = sensor.read();
+    REQUIRE(again);
+    if (clock.is_virtual()) CHECK(again.value().samples.empty());
+    CHECK(clock.now_s() - before_s < 0.01);
+  }
   SECTION("what was lost is NaN and counted, nothing else is") {
     REQUIRE(sensor.connect());
     clock.wait_until(clock.now_s() + 0.1);
