@@ -13,24 +13,34 @@ std::string recording_name(std::size_t number) {
 
 }  // namespace
 
+std::vector<std::string> recording_names(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (std::string next = recording_name(1); std::filesystem::exists(folder / next);) {
+    names.push_back(next);
+    next = recording_name(names.size() + 1);
+  }
+  return names;
+}
+
 Result<RunRecordings> RunRecordings::open(const std::filesystem::path& folder) {
   RunRecordings run;
-  for (std::size_t number = 1; std::filesystem::exists(folder / recording_name(number)); ++number) {
-    const std::filesystem::path file = folder / recording_name(number);
+  for (const std::string& name : recording_names(folder)) {
+    const std::filesystem::path file = folder / name;
     const Status repaired = hal::repair_recording(file);
     if (!repaired) return repaired.error();
     Result<std::unique_ptr<hal::RecordingReader>> opened = hal::RecordingReader::open(file);
     if (!opened) return opened.error();
     run.readers_.push_back(std::move(opened).value());
     const hal::RecordingReader& reader = *run.readers_.back();
-    for (const hal::PointResult& result : reader.results()) run.ended_[result.point] = number - 1;
+    for (const hal::PointResult& result : reader.results()) {
+      run.ended_[result.point] = run.readers_.size() - 1;
+      run.next_point_ = result.status == "interrupted" ? result.point : result.point + 1;
+    }
     run.events_.insert(run.events_.end(), reader.events().begin(), reader.events().end());
     run.points_ = static_cast<int>(reader.layout().points.size());
   }
   return run;
 }
-
-int RunRecordings::next_point() const { return ended_.empty() ? 0 : ended_.rbegin()->first + 1; }
 
 Result<Recording> RunRecordings::read(int point) {
   const auto found = ended_.find(point);

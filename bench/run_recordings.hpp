@@ -12,6 +12,9 @@
 
 namespace rvbench::bench {
 
+/// File names of the recordings in a run folder, in the order they were made.
+std::vector<std::string> recording_names(const std::filesystem::path& folder);
+
 /// The recordings of one run folder as one: recording.h5, and recording-2.h5 and so on where the
 /// run was resumed. A point that was recorded twice is the later one.
 class RunRecordings {
@@ -21,7 +24,7 @@ class RunRecordings {
 
   int points() const { return points_; }  ///< planned
   bool has(int point) const { return ended_.contains(point); }
-  int next_point() const;  ///< after the last that ended
+  int next_point() const { return next_point_; }  ///< the one interrupted, or after the last
   const std::vector<std::pair<double, std::string>>& events() const { return events_; }
   Result<Recording> read(int point);
 
@@ -33,6 +36,7 @@ class RunRecordings {
   std::map<int, std::size_t> ended_;  ///< point → reader
   std::vector<std::pair<double, std::string>> events_;
   int points_ = 0;
+  int next_point_ = 0;
 };
 
 }  // namespace rvbench::bench

@@ -12,9 +12,11 @@ namespace rvbench::bench {
 namespace {
 
 std::vector<std::pair<std::string, std::string>> hashes_of(const std::filesystem::path& folder) {
+  std::vector<std::string> names = recording_names(folder);
+  names.insert(names.begin(), {"plan.json", "rig.json"});
+  names.insert(names.end(), {"verdict.json", "junit.xml"});
   std::vector<std::pair<std::string, std::string>> hashes;
-  for (const char* name : {"plan.json", "rig.json", "recording.h5", "recording-2.h5",
-                           "recording-3.h5", "verdict.json", "junit.xml"}) {
+  for (const std::string& name : names) {
     const std::optional<std::string> hash = sha256_of_file(folder / name);
     if (hash) hashes.emplace_back(name, *hash);
   }

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
+#include "bench/run_recordings.hpp"
 #include "bench/sha256.hpp"
 #include "bench/verdict_json.hpp"
 #include "tests/bench/judgements.hpp"
@@ -42,6 +43,31 @@ TEST_CASE("two runs in one second get two folders", "[bench]") {
   CHECK(first == scratch.path() / "A17" / "20260102T030405Z");
   CHECK(first != second);
   CHECK(std::filesystem::is_directory(second));
+}
+
+TEST_CASE("a run goes on at the point that was interrupted", "[bench]") {
+  const test::ScratchFolder scratch;
+  hal::RecordingLayout layout;
+  layout.points.resize(3);
+  layout.torque_rate_Hz = 100;
+  const auto record = [&](const char* name, const std::vector<hal::PointResult>& results) {
+    const auto writer = hal::RecordingWriter::create(scratch.path() / name, layout);
+    REQUIRE(writer);
+    for (const hal::PointResult& result : results) REQUIRE(writer.value()->end_point(result));
+    REQUIRE(writer.value()->close());
+  };
+  const auto next_point = [&] {
+    const auto run = RunRecordings::open(scratch.path());
+    REQUIRE(run);
+    return run.value().next_point();
+  };
+  CHECK(next_point() == 0);
+  record("recording.h5", {{.point = 0}, {.point = 1, .status = "interrupted"}});
+  CHECK(next_point() == 1);
+  record("recording-2.h5", {{.point = 1}});
+  CHECK(next_point() == 2);
+  CHECK(recording_names(scratch.path()) ==
+        std::vector<std::string>{"recording.h5", "recording-2.h5"});
 }
 
 TEST_CASE("only a run without a verdict on the unit can be resumed", "[bench]") {
