@@ -8,9 +8,7 @@
 #include <chrono>
 
 namespace rvbench::hal::hdf5 {
-namespace {
 
-/// A new file survives a power failure only once its folder is on the disk, too.
 void sync_folder(const std::filesystem::path& file) {
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -18,8 +16,6 @@ void sync_folder(const std::filesystem::path& file) {
   ::fsync(descriptor);
   ::close(descriptor);
 }
-
-}  // namespace
 
 DiskSync::DiskSync(const std::filesystem::path& file)
     : descriptor_(::open(file.c_str(), O_RDONLY | O_CLOEXEC)) {
