@@ -23,13 +23,24 @@ sim::WireFault wire_fault(const std::string& name) {
   return faults.at(name);
 }
 
+/// The inverter knows one fault at a time: each waits until it is due, then replaces the one
+/// before.
+void schedule(sim::BenchWorld& world, const ScheduledFault& fault) {
+  const auto begin = [&server = world.inverter_server(), kind = wire_fault(fault.fault)] {
+    server.inject({.fault = kind});
+  };
+  if (fault.at_s > 0) {
+    world.at(fault.at_s, begin);
+  } else {
+    begin();
+  }
+}
+
 Made make(const SimRig& rig) {
   try {
     auto world = std::make_unique<sim::BenchWorld>(
         rig.preset, rig.seed, sim::InverterParameters{.comm_loss_timeout_s = rig.watchdog_s});
-    for (const ScheduledFault& fault : rig.faults) {
-      world->inverter_server().inject({.fault = wire_fault(fault.fault), .from_s = fault.at_s});
-    }
+    for (const ScheduledFault& fault : rig.faults) schedule(*world, fault);
     const hal::SimulatedRigOptions options{.torque_rate_Hz = world->transducer().rate_Hz()};
     return hal::make_simulated_rig(std::move(world), options);
   } catch (const std::invalid_argument& error) {

@@ -56,6 +56,26 @@ TEST_CASE("a rig file goes before the command line, which fills in what it leave
   CHECK(said.faults[0].fault == "late");
 }
 
+TEST_CASE("faults of one device come one after the other, each at its time", "[bench]") {
+  const test::ScratchFolder scratch;
+  const std::string file = (scratch.path() / "rig.json").string();
+  write_file(file, R"({"rig": "sim", "faults": [
+    {"at_s": 0.2, "device": "inverter", "fault": "busy"},
+    {"at_s": 0.4, "device": "inverter", "fault": "dead"}]})");
+  auto made = make_rig(file, {});
+  REQUIRE(made.index() == 0);
+  const hal::Rig& rig = std::get<0>(made);
+  REQUIRE(rig.drive->connect());
+  rig.clock->wait_until(0.3);
+  const auto busy = rig.drive->read();
+  REQUIRE_FALSE(busy);
+  CHECK(busy.error().code == IoErrc::refused);
+  rig.clock->wait_until(0.5);
+  const auto dead = rig.drive->read();
+  REQUIRE_FALSE(dead);
+  CHECK(dead.error().code == IoErrc::disconnected);
+}
+
 TEST_CASE("a replay rig names its recording", "[bench]") {
   const auto file = read(R"({"rig": "replay", "recording": "a.h5", "rated_output_torque_Nm": 50})");
   REQUIRE(file.index() == 0);
