@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hal/did_you_mean.hpp"
 #include "hal/types/units.hpp"
 
 namespace rvbench::bench {
@@ -128,6 +129,23 @@ analysis::Kinematics with_limits(analysis::Kinematics kinematics,
     }
   }
   return kinematics;
+}
+
+std::vector<hal::ConfigFault> limits_on_unknown_parts(const std::vector<sequences::Limit>& limits,
+                                                      const analysis::Kinematics& kinematics) {
+  std::vector<std::string> parts;
+  for (const analysis::Signature& signature : kinematics.signatures) {
+    parts.push_back(signature.component);
+  }
+  std::vector<hal::ConfigFault> faults;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const std::string& part = limits[i].component;
+    if (part.empty() || std::ranges::find(parts, part) != parts.end()) continue;
+    faults.push_back({0, fmt::format("/limits/{}/component", i),
+                      fmt::format("{} has no {}{}", kinematics.machine, hal::in_quotes(part),
+                                  hal::did_you_mean(part, parts))});
+  }
+  return faults;
 }
 
 JudgedPoint judge_point(const Recording& record, const analysis::Kinematics& kinematics,

@@ -4,6 +4,7 @@
 
 #include "analysis/diagnosis.hpp"
 #include "bench/run_folder.hpp"
+#include "hal/config_reader.hpp"
 #include "hal/types/recording.hpp"
 #include "sequences/plan.hpp"
 
@@ -13,6 +14,11 @@ namespace rvbench::bench {
 /// for every component, then those for one.
 analysis::Kinematics with_limits(analysis::Kinematics kinematics,
                                  const std::vector<sequences::Limit>& limits);
+
+/// Limits on parts that the machine does not have, as faults of the plan: never found, such a part
+/// would always be within its limit.
+std::vector<hal::ConfigFault> limits_on_unknown_parts(const std::vector<sequences::Limit>& limits,
+                                                      const analysis::Kinematics& kinematics);
 
 /// Examines one record. One whose status is not "ok" is not examined: it is listed, and invalid.
 JudgedPoint judge_point(const Recording& record, const analysis::Kinematics& kinematics,

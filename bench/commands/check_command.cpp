@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include "bench/commands/commands.hpp"
+#include "bench/judging.hpp"
 #include "bench/kinematics_file.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/run_folder.hpp"
@@ -14,7 +15,11 @@ using Faults = std::vector<hal::ConfigFault>;
 
 Faults plan_faults(const std::string& file) {
   auto plan = sequences::read_plan(file);
-  return plan.index() == 1 ? std::get<1>(std::move(plan)) : Faults{};
+  if (plan.index() == 1) return std::get<1>(std::move(plan));
+  const sequences::TestPlan& test = std::get<0>(plan);
+  const auto kinematics = read_kinematics(test.specimen.kinematics);
+  if (kinematics.index() == 1) return {};  // a file of its own, to be checked as such
+  return limits_on_unknown_parts(test.limits, std::get<0>(kinematics));
 }
 
 Faults kinematics_faults(const std::string& file) {

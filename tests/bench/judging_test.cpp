@@ -83,6 +83,21 @@ TEST_CASE("a record that is not ok is listed, not examined", "[bench]") {
   CHECK(point.examination.channels.empty());
 }
 
+TEST_CASE("a limit on a part that the machine does not have is a fault of the plan", "[bench]") {
+  analysis::Kinematics kinematics;
+  kinematics.machine = "RV-20E";
+  kinematics.signatures.resize(1);
+  kinematics.signatures[0].component = "sun_gear";
+  const Limit known{"modulation_depth", "sun_gear", "1", 0.1, ""};
+  const Limit any{"modulation_depth", "", "1", 0.1, ""};
+  const Limit misspelt{"modulation_depth", "sun_geer", "1", 0.1, ""};
+  CHECK(limits_on_unknown_parts({known, any, peak_in_g}, kinematics).empty());
+  const auto faults = limits_on_unknown_parts({known, misspelt}, kinematics);
+  REQUIRE(faults.size() == 1);
+  CHECK(faults[0].pointer == "/limits/1/component");
+  CHECK_THAT(faults[0].message, Contains("did you mean \"sun_gear\"?"));
+}
+
 TEST_CASE("the plan's limits on modulation depth replace those of the kinematics", "[bench]") {
   analysis::Kinematics kinematics;
   for (const char* component : {"input_shaft", "crank"}) {
