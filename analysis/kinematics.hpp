@@ -10,7 +10,7 @@ struct CharacteristicOrder {
   std::string name;         ///< "sun-planet mesh"
   double order = 0;         ///< 1080/121
   std::string fraction;     ///< "1080/121"; empty if it is no fraction (bearings)
-  std::string component;    ///< the part whose motion it is, as in DESIGN §4
+  std::string component;    ///< the part whose motion it is, as findings name it
   std::string table4_item;  ///< the row of the article's Table 4; empty if it has none
   bool mesh = false;        ///< teeth or lobes passing, not a part going round
 };

@@ -42,7 +42,7 @@ class Command {
   virtual std::string examples() const = 0;  ///< lines for --help
   virtual std::vector<Option> options() = 0;
 
-  /// @return the exit code (DESIGN §4); an exception that leaves here becomes exit 1
+  /// @return one of exit_codes or that of an Ending; an exception that leaves here becomes exit 1
   virtual int run(Console& console) = 0;
 };
 

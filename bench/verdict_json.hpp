@@ -7,8 +7,8 @@
 
 namespace rvbench::bench {
 
-/// verdict.json, and what --json prints: DESIGN §4 and, beside it, everything in Judgement. Values
-/// that are not known are null.
+/// verdict.json, and what --json prints: everything in Judgement. Values that are not known are
+/// null.
 std::string judgement_to_json(const Judgement& judgement);
 
 /// The inverse; nullopt if the text is no verdict.json.

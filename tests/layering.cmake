@@ -1,4 +1,4 @@
-# Fails where a file includes a room that it may not see: STYLE §2 as a test.
+# Fails where a file includes a room that it may not see.
 #   cmake -DROOT=<source dir> -P tests/layering.cmake
 set(may_hal       hal)
 set(may_sequences sequences hal)
