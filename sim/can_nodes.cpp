@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "hal/types/units.hpp"
+
 namespace rvbench::sim {
 namespace {
 
@@ -63,7 +65,7 @@ void TransducerNode::send_sample(double torque_Nm, double angle_rad) {
   constexpr double full_scale_uNm = 2147483647.0;
   const double torque_uNm =
       std::clamp(std::round(1e6 * torque_Nm), -full_scale_uNm, full_scale_uNm);
-  const double turns = angle_rad / (2 * std::acos(-1.0));
+  const double turns = angle_rad / units::two_pi;
   const auto counts = static_cast<std::uint64_t>(65536 * (turns - std::floor(turns)));
   const unsigned flags =
       (flags_.zeroing ? 1u : 0u) | (flags_.overload ? 2u : 0u) | (flags_.shunt_on ? 4u : 0u);

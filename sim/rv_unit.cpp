@@ -86,12 +86,6 @@ std::vector<HousingMode> draw_modes(Draw& draw) {
 
 }  // namespace
 
-std::vector<std::string> preset_names() {
-  std::vector<std::string> names;
-  for (const EmbeddedFile& file : preset_files()) names.push_back(file.name);
-  return names;
-}
-
 RvUnit draw_unit(const std::string& preset, std::uint64_t seed) {
   Draw draw(seed);
   RvUnit unit;

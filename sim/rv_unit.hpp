@@ -50,9 +50,6 @@ inline constexpr int crank_bearing = 7;  ///< X, Z
 inline constexpr int count = 9;
 }  // namespace ports
 
-/// Names of the shipped presets.
-std::vector<std::string> preset_names();
-
 /// Draws a unit. The seed draws everything but the kind of fault: severity by a factor of two each
 /// way, phases, housing modes ±10 %, gains, slip, noise level and colour.
 /// @throws std::invalid_argument if there is no such preset: names the ones there are

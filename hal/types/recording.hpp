@@ -28,7 +28,7 @@ struct Channel {
 
 /// What was measured at one point of the plan, or in one file of another program.
 struct Recording {
-  std::string source;            ///< "runs/A17/.../recording.h5#012", "IR007_0.mat"
+  std::string source;  ///< "runs/A17/.../recording.h5#012", "IR007_0.mat"
   double planned_speed_rpm = not_known;
   double speed_rpm = not_known;  ///< measured mean speed of the input shaft
   double load_pct = not_known;   ///< of rated output torque, as planned
