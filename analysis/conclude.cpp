@@ -78,6 +78,9 @@ Finding make_finding(const Signature& signature, const Evidence& evidence, doubl
   return f;
 }
 
+/// Severity over its limit; finite where the limit allows nothing at all.
+double excess(const Finding& finding) { return finding.severity / std::max(finding.limit, 1e-6); }
+
 /// What no kinematics accounts for, over all channels and points.
 std::vector<SpectralLine> unexplained_families(const std::vector<Examination>& points,
                                                const Kinematics& kinematics) {
@@ -122,14 +125,12 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
     if (f.p_value >= significant) continue;
     (f.severity > f.limit ? d.findings : d.below_limit).push_back(std::move(f));
   }
-  const auto graver = [](const Finding& a, const Finding& b) {
-    return a.severity / a.limit > b.severity / b.limit;
-  };
+  const auto graver = [](const Finding& a, const Finding& b) { return excess(a) > excess(b); };
   std::sort(d.findings.begin(), d.findings.end(), graver);
   std::sort(d.below_limit.begin(), d.below_limit.end(), graver);
   double total = 0;
-  for (const Finding& f : d.findings) total += f.severity / f.limit;
-  for (Finding& f : d.findings) f.confidence = f.severity / f.limit / total;
+  for (const Finding& f : d.findings) total += excess(f);
+  for (Finding& f : d.findings) f.confidence = excess(f) / total;
   d.unexplained = unexplained_families(points, kinematics);
   return d;
 }

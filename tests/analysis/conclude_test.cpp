@@ -60,6 +60,16 @@ TEST_CASE("nothing measured is not resolvable, and no finding", "[analysis][conc
   CHECK(d.findings.empty());
 }
 
+TEST_CASE("a limit of nothing at all leaves every figure finite", "[analysis][conclude]") {
+  Kinematics k = two_parts();
+  k.signatures[0].depth_limit = k.signatures[1].depth_limit = 0;
+  const Diagnosis d = conclude({point("a", {0.6, 1e-9}, {0.2, 1e-9})}, k);
+  REQUIRE(d.findings.size() == 2);
+  CHECK(d.findings[0].component == "shaft");
+  CHECK(d.findings[0].confidence == Approx(0.75));
+  CHECK(d.findings[1].confidence == Approx(0.25));
+}
+
 TEST_CASE("a part above its limit is a finding, below it a remark", "[analysis][conclude]") {
   const Diagnosis d = conclude({point("a", {0.5, 1e-12}, {0.1, 1e-12})}, two_parts());
   REQUIRE(d.findings.size() == 1);
