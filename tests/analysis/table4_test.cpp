@@ -6,7 +6,7 @@
 namespace rvbench::analysis {
 
 TEST_CASE("the published meshing row fits a motor below nominal speed, the pin row does not",
-          "[bench][literature]") {
+          "[analysis][literature]") {
   const auto& mesh = table4()[1];
   const auto& pin = table4()[3];
   const double slip_pct[] = {3.0, 2.5, 2.3};
@@ -18,7 +18,7 @@ TEST_CASE("the published meshing row fits a motor below nominal speed, the pin r
   }
 }
 
-TEST_CASE("the published catalogue has the same rows at every speed", "[bench]") {
+TEST_CASE("the published catalogue has the same rows at every speed", "[analysis]") {
   const Kinematics slow = published_table4(598);
   const Kinematics fast = published_table4(1790);
   CHECK(slow.orders.size() == 7);
