@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "bench/acceptance.hpp"
 #include "bench/commands/commands.hpp"
@@ -10,6 +12,7 @@
 #include "bench/plan_files.hpp"
 #include "bench/progress_bar.hpp"
 #include "bench/rig_factory.hpp"
+#include "bench/rig_file.hpp"
 #include "bench/software_version.hpp"
 #include "bench/stop_on_signal.hpp"
 #include "bench/summary.hpp"
@@ -18,8 +21,6 @@
 
 namespace rvbench::bench {
 namespace {
-
-constexpr std::uint64_t default_seed = 1;
 
 class RunCommand final : public Command {
  public:
@@ -48,6 +49,7 @@ class RunCommand final : public Command {
   int run(Console& console) override;
 
  private:
+  RigOptions rig_options() const;
   int prepare_folder(Console& console, const sequences::TestPlan& plan);
   RunFacts facts(const sequences::TestPlan& plan) const;
   int measure(Console& console, const sequences::TestPlan& plan, analysis::Kinematics kinematics);
@@ -55,7 +57,7 @@ class RunCommand final : public Command {
   std::string plan_;
   std::string rig_;
   std::string serial_;
-  std::string preset_ = "healthy";
+  std::string preset_ = RigOptions().preset;
   std::optional<std::uint64_t> seed_;
   std::string out_ = "runs";
   bool dry_run_ = false;
@@ -80,24 +82,33 @@ int RunCommand::run(Console& console) {
   if (kinematics.index() == 1) {
     return refuse_file(console, test.specimen.kinematics, std::get<1>(kinematics));
   }
+  const auto unknown = limits_on_unknown_parts(test.limits, std::get<0>(kinematics));
+  if (!unknown.empty()) return refuse_file(console, plan_, unknown);
   return measure(console, test, with_limits(std::get<0>(std::move(kinematics)), test.limits));
 }
 
-/// A new run folder with the resolved plan, or the one to go on with.
+RigOptions RunCommand::rig_options() const {
+  return {.preset = preset_, .seed = seed_.value_or(RigOptions().seed)};
+}
+
+/// A new run folder with the resolved plan and rig, or the one to go on with.
 int RunCommand::prepare_folder(Console& console, const sequences::TestPlan& plan) {
-  const std::string resolved = sequences::plan_to_json(plan);
+  const std::array<std::pair<const char*, std::string>, 2> resolved{
+      {{"plan.json", sequences::plan_to_json(plan)},
+       {"rig.json", rig_to_json(rig_, rig_options())}}};
   if (!resume_) {
     folder_ = create_run_folder(out_, serial_, utc_now());
-    write_file(folder_ / "plan.json", resolved);
+    for (const auto& [name, text] : resolved) write_file(folder_ / name, text);
     return exit_codes::done;
   }
   const auto unfinished = newest_unfinished_run(out_, serial_);
   if (!unfinished)
     return refuse_usage(console, "run: " + serial_ + " has no unfinished run to resume");
   folder_ = *unfinished;
-  if (read_file(folder_ / "plan.json") != resolved) {
-    return refuse_usage(console, "run: " + (folder_ / "plan.json").string() +
-                                     " is another plan; resume with that one");
+  for (const auto& [name, text] : resolved) {
+    if (read_file(folder_ / name) == text) continue;
+    return refuse_usage(console, "run: " + (folder_ / name).string() +
+                                     " says something else; resume with what it says");
   }
   return exit_codes::done;
 }
@@ -108,8 +119,12 @@ RunFacts RunCommand::facts(const sequences::TestPlan& plan) const {
   facts.started_utc = utc_now();
   facts.plan = plan.name;
   facts.rig = rig_;
-  facts.preset = preset_;
-  facts.seed = seed_.value_or(default_seed);
+  // A rig file goes before the command line, and a replayed recording has no preset and no seed.
+  const auto rig = read_rig(rig_, rig_options());
+  if (const auto* sim = std::get_if<SimRig>(&std::get<0>(rig))) {
+    facts.preset = sim->preset;
+    facts.seed = sim->seed;
+  }
   facts.software = software_version();
   return facts;
 }
@@ -117,13 +132,11 @@ RunFacts RunCommand::facts(const sequences::TestPlan& plan) const {
 int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
                         analysis::Kinematics kinematics) {
   StopOnSignal signals;
-  const RigOptions options{.preset = preset_, .seed = seed_.value_or(default_seed)};
-  auto rig = make_rig(rig_, options);
+  auto rig = make_rig(rig_, rig_options());
   if (rig.index() == 1) return refuse_file(console, rig_, std::get<1>(rig));
   try {
     if (const int refused = prepare_folder(console, plan); refused != exit_codes::done)
       return refused;
-    if (!resume_) write_file(folder_ / "rig.json", rig_to_json(rig_, options));
   } catch (const std::system_error& error) {
     return refuse_usage(console, "run: no run folder in --out " + out_ + ": " + error.what());
   }

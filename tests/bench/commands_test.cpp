@@ -5,6 +5,7 @@
 
 #include "bench/cli.hpp"
 #include "bench/plan_files.hpp"
+#include "bench/rig_factory.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/sha256.hpp"
 #include "bench/verdict_json.hpp"
@@ -69,6 +70,17 @@ TEST_CASE("nothing to resume is a usage error", "[bench]") {
                                  "--out", scratch.path().string()});
   CHECK(answer.code == 2);
   CHECK(std::filesystem::is_empty(scratch.path()));
+}
+
+TEST_CASE("a run is resumed on the rig that it began on, and on no other", "[bench]") {
+  const ScratchFolder scratch;
+  const auto folder = create_run_folder(scratch.path(), "A", "20260102T030405Z");
+  write_file(folder / "plan.json", sequences::plan_to_json(std::get<0>(find_plan("quick"))));
+  write_file(folder / "rig.json", rig_to_json("sim", {.preset = "healthy", .seed = 7}));
+  const Answer answer = rvbench({"run", "quick", "--rig", "sim", "--seed", "8", "--serial", "A",
+                                 "--resume", "--out", scratch.path().string()});
+  CHECK(answer.code == 2);
+  CHECK_THAT(answer.err, Contains("rig.json says something else"));
 }
 
 TEST_CASE("judge never guesses a rate or a speed", "[bench]") {

@@ -73,13 +73,16 @@ TEST_CASE("20: what does not settle is INVALID", "[spec][exit_code]") {
 TEST_CASE("30: a lost drive is an ERROR", "[spec][exit_code]") {
   const ScratchFolder scratch;
   bench::write_file(scratch.path() / "rig.json",
-                    R"({"rig": "sim", "faults": [
+                    R"({"rig": "sim", "preset": "planet_tooth", "seed": 3, "faults": [
                        {"at_s": 2, "device": "inverter", "fault": "dead"}]})");
   std::vector<std::string> words = run_short;
   words[3] = "rig.json";
   const Answer answer = run(scratch, test::short_plan, words);
   check_verdict(answer, 30, "ERROR");
-  CHECK(nlohmann::json::parse(answer.out).at("error_kind") == "device_lost");
+  const auto verdict = nlohmann::json::parse(answer.out);
+  CHECK(verdict.at("error_kind") == "device_lost");
+  CHECK(verdict.at("run").at("preset") == "planet_tooth");  // as the rig file has it
+  CHECK(verdict.at("seed") == 3);
 }
 
 TEST_CASE("40: a value beyond an interlock is a safety trip", "[spec][exit_code]") {
