@@ -122,6 +122,21 @@ void keep_best(std::vector<SignatureScore>& best, const ChannelResult& result, i
   }
 }
 
+void gather(std::vector<ChannelResult> results, Examination& e) {
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    keep_best(e.scores, results[i], static_cast<int>(i));
+    e.periods = std::max(e.periods, results[i].periods);
+    for (QualityNote& note : results[i].quality) {
+      note.where = e.source + ", " + note.where;
+      e.quality.push_back(std::move(note));
+    }
+    e.channels.push_back(std::move(results[i].examination));
+  }
+  for (SignatureScore& score : e.scores) {
+    score.p_value = std::min(1.0, score.p_value * static_cast<double>(results.size()));
+  }
+}
+
 }  // namespace
 
 Examination examine(const Recording& record, const Kinematics& kinematics,
@@ -148,18 +163,7 @@ Examination examine(const Recording& record, const Kinematics& kinematics,
   const Task task{kinematics, *angle, options};
   parallel_for(channels.size(),
                [&](std::size_t i) { results[i] = examine_channel(*channels[i], task); });
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    keep_best(e.scores, results[i], static_cast<int>(i));
-    e.periods = std::max(e.periods, results[i].periods);
-    for (QualityNote& note : results[i].quality) {
-      note.where = record.source + ", " + note.where;
-      e.quality.push_back(std::move(note));
-    }
-    e.channels.push_back(std::move(results[i].examination));
-  }
-  for (SignatureScore& score : e.scores) {
-    score.p_value = std::min(1.0, score.p_value * static_cast<double>(channels.size()));
-  }
+  gather(std::move(results), e);
   e.resolvable = e.periods >= fewest_periods;
   if (!e.resolvable) {
     e.quality.push_back({record.source,
