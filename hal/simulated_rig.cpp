@@ -50,6 +50,7 @@ std::unique_ptr<Drive> make_drive(const PlantPort& port, const SimulatedRigOptio
                             .port = port.inverter_tcp_port(),
                             .unit_id = options.inverter_unit_id,
                             .response_timeout_s = options.response_timeout_s,
+                            .stall_s = options.stall_s,
                             .limits = options.drive,
                             .pole_pairs = options.pole_pairs},
       clock);

@@ -15,7 +15,8 @@ struct SimulatedRigOptions {
   DriveLimits drive{.max_speed_rpm = 3000};
   int pole_pairs = 2;
   std::uint8_t inverter_unit_id = 1;
-  double response_timeout_s = 0.1;  ///< of the inverter, real time
+  double response_timeout_s = 0.1;  ///< of the inverter, rig time
+  double stall_s = 0.2;             ///< real time that a busy computer may hold an answer up
   BrakeLimits brake{.max_torque_Nm = 600};
   double torque_rate_Hz = 500;  ///< of the transducer's frames
   double deadline_s = 0.2;      ///< how old a value of any other device may be, rig time

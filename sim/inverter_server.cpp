@@ -135,7 +135,7 @@ class InverterServer::Service {
   }
 
   WireFaultSwitch faults;
-  std::atomic<double> lateness_s = 0.15;
+  std::atomic<double> lateness_s = 0.4;
   std::atomic<int> requests = 0;
 
  private:

@@ -27,7 +27,7 @@ class InverterServer {
 
   /// From now on the server misbehaves as planned; a plan with WireFault::none heals it.
   void inject(const WireFaultPlan& plan);
-  void set_lateness_s(double lateness_s);  ///< of WireFault::late, real time; 0.15 s at first
+  void set_lateness_s(double lateness_s);  ///< of WireFault::late, real time; 0.4 s at first
 
   int requests() const;  ///< valid requests seen, also those answered badly
 

@@ -13,7 +13,8 @@ namespace registers = inverter_registers;
 ModbusInverter::ModbusInverter(ModbusInverterOptions options, Clock& clock)
     : options_(std::move(options)),
       clock_(clock),
-      link_(options_.host, options_.port, options_.unit_id, options_.response_timeout_s) {
+      link_(options_.host, options_.port, options_.unit_id,
+            options_.response_timeout_s + options_.stall_s) {
   const double max_rpm = options_.limits.max_speed_rpm;
   if (!(max_rpm > 0 && max_rpm <= registers::max_speed_rpm)) {
     throw std::invalid_argument(

@@ -17,7 +17,9 @@ struct ModbusInverterOptions {
   std::string host = "127.0.0.1";  ///< IPv4 address
   std::uint16_t port = 502;
   std::uint8_t unit_id = 1;
-  double response_timeout_s = 0.1;  ///< real time, from 0.001 to 10
+  double response_timeout_s = 0.1;  ///< on the rig's clock; with stall_s from 0.001 to 10
+  double stall_s = 0;               ///< real time granted on top, where the rig's clock is virtual:
+                                    ///< a busy computer is no dead drive
   DriveLimits limits{.max_speed_rpm = 3000};
   int pole_pairs = 2;  ///< of the motor; must agree with the drive's own setting
 };
@@ -28,8 +30,9 @@ struct ModbusInverterOptions {
 ///          over a new one, after the drive was identified again: so a late reply is never taken
 ///          for the next one
 /// Retries  a failed read() is sent once more, counted; a setpoint never; a stop() once more
-/// Time     no call blocks longer than 4 response time-outs, connect() 7; a stop() from another
-///          thread also waits for the request under way, which is then not repeated
+/// Time     no call blocks longer than 4 response time-outs, stall_s included, connect() 7; a
+/// stop()
+///          from another thread also waits for the request under way, which is then not repeated
 /// Clock    real time passes while a reply is awaited; each time-out is charged to a virtual
 ///          clock, so that a simulated drive's own watchdog runs on. stop() charges nothing: it
 ///          may come from another thread
