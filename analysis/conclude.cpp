@@ -8,7 +8,6 @@
 namespace rvbench::analysis {
 namespace {
 
-constexpr double significant = 1e-3;     // of a finding, over everything searched
 constexpr std::size_t lines_listed = 8;  // evidence lines shown per finding
 constexpr std::size_t families_listed = 12;
 
@@ -25,7 +24,7 @@ Evidence gather(const std::vector<Examination>& points, std::size_t signature) {
     if (!point.resolvable) continue;
     const SignatureScore& score = point.scores[signature];
     evidence.p_values.push_back(score.p_value);
-    if (score.p_value < significant && score.depth > 0) {
+    if (score.p_value < significant_p && score.depth > 0) {
       evidence.shown_by.push_back(&point);
       evidence.scores.push_back(&score);
     }
@@ -122,7 +121,7 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
     // A bad part shows in most of what was measured, not in one record of many.
     if (evidence.scores.empty() || 2 * evidence.scores.size() < evidence.p_values.size()) continue;
     Finding f = make_finding(kinematics.signatures[s], evidence, tests);
-    if (f.p_value >= significant) continue;
+    if (f.p_value >= significant_p) continue;
     (f.severity > f.limit ? d.findings : d.below_limit).push_back(std::move(f));
   }
   const auto graver = [](const Finding& a, const Finding& b) { return excess(a) > excess(b); };

@@ -8,6 +8,9 @@
 
 namespace rvbench::analysis {
 
+/// A p-value below it, over everything searched, says that something is there.
+inline constexpr double significant_p = 1e-3;
+
 /// What is wrong with the data, and whether it forbids a verdict.
 struct QualityNote {
   std::string where;  ///< "point 012, accel_1x"

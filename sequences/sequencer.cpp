@@ -85,7 +85,7 @@ bool brake_lets_go(hal::Rig& rig) {
   for (int attempt = 0; attempt < 10; ++attempt) {
     rig.clock->wait_until(rig.clock->now_s() + 0.1);
     const auto status = rig.brake->read();
-    if (status && status.value().torque_Nm <= enough_Nm) return true;
+    if (status && std::abs(status.value().torque_Nm) <= enough_Nm) return true;
     rig.brake->release();
   }
   return false;

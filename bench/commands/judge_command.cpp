@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <system_error>
 
 #include "analysis/table4.hpp"
 #include "bench/commands/commands.hpp"
@@ -83,7 +84,11 @@ int JudgeCommand::run(Console& console) {
   } else {
     print_summary(console, judgement, used);
   }
-  if (!out_.empty()) write_out(judgement, used);
+  try {
+    if (!out_.empty()) write_out(judgement, used);
+  } catch (const std::system_error& error) {
+    return refuse_usage(console, std::string("judge: --out: ") + error.what());
+  }
   return exit_code(judgement.ending);
 }
 

@@ -12,7 +12,6 @@
 namespace rvbench::bench::report {
 namespace {
 
-constexpr double significant_p = 0.01;
 constexpr std::size_t speeds_shown = 4;
 
 /// The points of one planned speed.
@@ -54,7 +53,7 @@ std::string found_at(double order, const SpeedGroup& group,
   for (const analysis::Examination* point : group.points) {
     for (const analysis::SignatureScore& score : point->scores) {
       const std::size_t lines = std::min(score.line_orders.size(), score.line_depths.size());
-      for (std::size_t i = 0; score.p_value < significant_p && i < lines; ++i) {
+      for (std::size_t i = 0; score.p_value < analysis::significant_p && i < lines; ++i) {
         if (std::abs(score.line_orders[i] - order) > tolerance || score.line_depths[i] <= depth)
           continue;
         depth = score.line_depths[i];

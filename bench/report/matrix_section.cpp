@@ -12,16 +12,14 @@
 namespace rvbench::bench::report {
 namespace {
 
-constexpr double significant_p = 0.01;
-
 /// The worst modulation depth of a record in units of its limit; NaN if nothing could be scored.
 double worst_share(const analysis::Examination& seen, const analysis::Kinematics& kinematics) {
   double worst = seen.resolvable ? 0 : not_known;
   for (const analysis::SignatureScore& score : seen.scores) {
     const auto index = static_cast<std::size_t>(score.signature);
-    if (index >= kinematics.signatures.size() || score.p_value > significant_p) continue;
+    if (index >= kinematics.signatures.size() || score.p_value > analysis::significant_p) continue;
     const double limit = kinematics.signatures[index].depth_limit;
-    if (limit > 0) worst = std::fmax(worst, score.depth / limit);
+    if (score.depth > 0) worst = std::fmax(worst, score.depth / limit);  // a limit of 0: infinite
   }
   return worst;
 }
@@ -39,7 +37,7 @@ std::string cell_of(const JudgedPoint& point, const analysis::Kinematics& kinema
   const double share = worst_share(point.examination, kinematics);
   if (std::isnan(share)) return cell("spoiled", "short");
   const char* level = share > 1 ? "high" : share > 0.5 ? "mid-level" : "low";
-  return cell(level, fmt::format("{:.2f}", share));
+  return cell(level, std::isinf(share) ? "above 0" : fmt::format("{:.2f}", share));
 }
 
 }  // namespace

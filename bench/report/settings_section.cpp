@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "bench/junit.hpp"
 #include "bench/report/html.hpp"
 #include "bench/report/sections.hpp"
@@ -65,7 +67,9 @@ std::string limits_section(const ReportInput& input) {
     rows.push_back(
         {xml_escaped(check.measure), xml_escaped(check.component.empty() ? "any" : check.component),
          number(check.measured), number(check.max), xml_escaped(check.unit),
-         check.passed ? "within" : "<b>above</b>",
+         check.passed                    ? "within"
+         : std::isfinite(check.measured) ? "<b>above</b>"
+                                         : "<b>not measured</b>",
          xml_escaped(readable_place(input.judgement, check.where)), xml_escaped(check.why)});
   }
   if (!rows.empty()) {
