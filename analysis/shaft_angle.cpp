@@ -114,9 +114,11 @@ double ShaftAngle::turns_at(double time_s) const {
 
 double ShaftAngle::time_at(double turns) const {
   const auto* begin = turns_.data();
-  const auto* end = begin + turns_.size();
-  const auto after =
-      std::clamp<Eigen::Index>(std::upper_bound(begin, end, turns) - begin, 1, turns_.size() - 1);
+  return time_before(std::upper_bound(begin, begin + turns_.size(), turns) - begin, turns);
+}
+
+double ShaftAngle::time_before(Eigen::Index after, double turns) const {
+  after = std::clamp<Eigen::Index>(after, 1, turns_.size() - 1);
   const double rise = std::max(turns_[after] - turns_[after - 1], 1e-300);
   return start_s_ + step_s_ * (static_cast<double>(after - 1) + (turns - turns_[after - 1]) / rise);
 }
@@ -130,9 +132,11 @@ Eigen::VectorXd ShaftAngle::resample(const Eigen::Ref<const Eigen::VectorXd>& x,
   if (periods < 1) return {};
   const auto n = static_cast<Eigen::Index>(std::llround(periods * period_turns * samples_per_turn));
   Eigen::VectorXd even(n);
+  Eigen::Index after = 0;
   for (Eigen::Index i = 0; i < n; ++i) {
-    const double time_s = time_at(first + static_cast<double>(i) / samples_per_turn);
-    even[i] = at(x, (time_s - start_s) * rate_Hz);
+    const double turns = first + static_cast<double>(i) / samples_per_turn;
+    while (after < turns_.size() && turns_[after] <= turns) ++after;
+    even[i] = at(x, (time_before(after, turns) - start_s) * rate_Hz);
   }
   return even;
 }

@@ -31,6 +31,9 @@ class ShaftAngle {
                            double start_s, double period_turns, int samples_per_turn) const;
 
  private:
+  /// @param after  first of turns_ beyond `turns`
+  double time_before(Eigen::Index after, double turns) const;
+
   bool is_measured_ = false;
   double start_s_ = 0;
   double step_s_ = 0;

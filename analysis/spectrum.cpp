@@ -1,7 +1,6 @@
 #include "analysis/spectrum.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -22,10 +21,13 @@ void check(const Eigen::Ref<const Eigen::VectorXd>& x, double rate) {
   if (!x.allFinite()) throw std::invalid_argument("amplitude_spectrum: sample not finite");
 }
 
-// The periodic Hann window scaled to mean 1, so that the calibration is that of no window at all.
-Eigen::ArrayXd hann(Eigen::Index n) {
-  const double step_rad = 2 * std::numbers::pi / static_cast<double>(n);
-  return 1 - (Eigen::ArrayXd::LinSpaced(n, 0, static_cast<double>(n - 1)) * step_rad).cos();
+/// The periodic Hann window 1 − cos, scaled to mean 1 so that the calibration is that of no window
+/// at all: over frequency it takes half of each neighbour from a line.
+Eigen::VectorXcd under_hann(const Eigen::VectorXcd& half, Eigen::Index n) {
+  const Eigen::Index last = half.size() - 1;
+  Eigen::VectorXcd padded(half.size() + 2);  // with one line of negative frequency at either end
+  padded << std::conj(half[1]), half, std::conj(half[n % 2 == 0 ? last - 1 : last]);
+  return half - 0.5 * (padded.head(half.size()) + padded.tail(half.size()));
 }
 
 }  // namespace
@@ -35,11 +37,12 @@ Spectrum amplitude_spectrum(const Eigen::Ref<const Eigen::VectorXd>& x, double r
   check(x, rate);
   const Eigen::Index n = x.size();
   const double mean = x.mean();
-  Eigen::VectorXd swing = x.array() - mean;
-  if (window == Window::hann) swing.array() *= hann(n);
+  const Eigen::VectorXd swing = x.array() - mean;
+  Eigen::VectorXcd lines = fft(swing);
+  if (window == Window::hann) lines = under_hann(lines, n);
 
   Spectrum spectrum{.resolution = rate / static_cast<double>(n), .amplitude = {}};
-  spectrum.amplitude = fft(swing).cwiseAbs() * (2 / static_cast<double>(n));
+  spectrum.amplitude = lines.cwiseAbs2().cwiseSqrt() * (2 / static_cast<double>(n));
   spectrum.amplitude[0] = std::abs(mean);
   // Half the sample rate has no negative twin that would carry the other half of its amplitude.
   if (n % 2 == 0) spectrum.amplitude[n / 2] /= 2;
