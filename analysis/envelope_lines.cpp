@@ -46,9 +46,17 @@ struct Sums {
   double statistic = 0;
   double excess = 0;  ///< power above the floor
   int lines = 0;
-  double floor_lines = std::numeric_limits<double>::max();  ///< where the floor is known least
+  double floor_lines = 0;        ///< where the floor is known least
   std::vector<double> ratios;    ///< of each line: power over what it must exceed
   std::vector<double> excesses;  ///< of each line
+
+  void clear(std::size_t size) {
+    statistic = excess = 0;
+    lines = 0;
+    floor_lines = std::numeric_limits<double>::max();
+    ratios.assign(size, 0.0);
+    excesses.assign(size, 0.0);
+  }
 };
 
 /// The lines of one signature in one envelope.
@@ -65,20 +73,20 @@ class Family {
   /// @param taken  lines of the spectrum that another family explains
   FamilyScore score(const std::set<Eigen::Index>& taken) const {
     FamilyScore score;
-    score.order = signature_.order;
-    score.line_depths.assign(lines_.size(), 0.0);
+    score.line_depths.resize(lines_.size());
     // Orders are tried so densely that the highest line moves by half a line from try to try.
     double highest = 0;
     for (const SignatureLine& line : lines_) highest = std::max(highest, line.order);
     const auto tries =
         static_cast<int>(std::ceil(2 * signature_.slip * highest / envelope_.whole.resolution));
     double best_stretch = 1;
-    Sums best = sum_lines(1, taken);
+    Sums best, sums;
+    sum_lines(1, taken, best);
     for (int i = -tries; i <= tries && tries > 0; ++i) {
       const double stretch = 1 + signature_.slip * i / tries;
-      Sums sums = sum_lines(stretch, taken);
+      sum_lines(stretch, taken, sums);
       if (sums.statistic <= best.statistic) continue;
-      best = std::move(sums);
+      std::swap(best, sums);
       best_stretch = stretch;
     }
     for (std::size_t i = 0; i < lines_.size(); ++i) {
@@ -116,10 +124,8 @@ class Family {
   }
 
  private:
-  Sums sum_lines(double stretch, const std::set<Eigen::Index>& taken) const {
-    Sums sums;
-    sums.ratios.resize(lines_.size());
-    sums.excesses.resize(lines_.size());
+  void sum_lines(double stretch, const std::set<Eigen::Index>& taken, Sums& sums) const {
+    sums.clear(lines_.size());
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       const Eigen::Index line = line_at(envelope_, lines_[i].order * stretch);
       if (line < 0 || (rolls_ && floor_.is_locked(line)) || taken.contains(line)) continue;
@@ -136,7 +142,6 @@ class Family {
       ++sums.lines;
       sums.floor_lines = std::min(sums.floor_lines, floor_.floor_lines[line]);
     }
-    return sums;
   }
 
   /// What a line must exceed to speak for this family.
@@ -186,22 +191,21 @@ EnvelopeSpectra envelope_spectra(const Eigen::Ref<const Eigen::VectorXd>& x, dou
 std::vector<FamilyScore> score_families(const EnvelopeSpectra& envelope,
                                         const std::vector<Signature>& signatures,
                                         const std::vector<std::vector<SignatureLine>>& lines) {
-  std::vector<FamilyScore> scores(signatures.size());
+  std::vector<Family> families;
+  std::vector<FamilyScore> scores;
   std::vector<std::size_t> waiting;  // those that roll, and have not explained their lines yet
+  std::set<Eigen::Index> taken;
   for (std::size_t i = 0; i < signatures.size(); ++i) {
-    scores[i] = Family(envelope, signatures[i], lines[i]).score({});
+    scores.push_back(families.emplace_back(envelope, signatures[i], lines[i]).score(taken));
     if (signatures[i].slip > 0) waiting.push_back(i);
   }
-  std::set<Eigen::Index> taken;
   while (waiting.size() > 1) {
     const auto deepest = std::max_element(
         waiting.begin(), waiting.end(),
         [&](std::size_t a, std::size_t b) { return scores[a].depth < scores[b].depth; });
-    Family(envelope, signatures[*deepest], lines[*deepest]).take(scores[*deepest], taken);
+    families[*deepest].take(scores[*deepest], taken);
     waiting.erase(deepest);
-    for (const std::size_t i : waiting) {
-      scores[i] = Family(envelope, signatures[i], lines[i]).score(taken);
-    }
+    for (const std::size_t i : waiting) scores[i] = families[i].score(taken);
   }
   return scores;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "analysis/line_floor.hpp"
@@ -34,34 +35,50 @@ double place_of(const Eigen::VectorXd& amplitude, Eigen::Index line) {
   return static_cast<double>(line) + (above ? away : -away);
 }
 
-bool is_characteristic(const SpectralLine& line, const Kinematics& kinematics) {
-  return std::any_of(kinematics.orders.begin(), kinematics.orders.end(),
-                     [&](const CharacteristicOrder& o) { return o.name == line.meaning; });
+bool stronger(const SpectralLine& a, const SpectralLine& b) { return a.amplitude > b.amplitude; }
+
+/// A line among those that no kinematics explains, and what it is in its family: a harmonic of the
+/// fundamental, or its sideband of a mesh.
+struct Membership {
+  std::size_t line;
+  const CharacteristicOrder* mesh;
+  int multiple;  ///< of the fundamental; away from the mesh, negative below it
+};
+
+std::string role_of(const Membership& member) {
+  if (member.mesh == nullptr) return fmt::format("x{}", member.multiple);
+  return fmt::format("{} {} {}x", member.mesh->name, member.multiple < 0 ? "-" : "+",
+                     std::abs(member.multiple));
 }
 
-/// What a line is in the family of a fundamental: "x3", or "pinion mesh + 1x"; empty if nothing.
-std::string role_in(double order, double fundamental, const Kinematics& kinematics) {
+std::optional<Membership> member_of(double fundamental, std::size_t line, double order,
+                                    const Kinematics& kinematics) {
   const double near = same_family * order;
-  const double harmonic = std::round(order / fundamental);
+  const auto harmonic = static_cast<int>(std::lround(order / fundamental));
   if (harmonic >= 1 && harmonic <= most_harmonics && same(order, harmonic * fundamental, near)) {
-    return fmt::format("x{:.0f}", harmonic);
+    return Membership{line, nullptr, harmonic};
   }
   for (const CharacteristicOrder& mesh : kinematics.orders) {
     if (!mesh.mesh || fundamental > mesh.order / 2) continue;
     const double away = order - mesh.order;
-    const double k = std::round(std::abs(away) / fundamental);
-    if (k >= 1 && k <= most_sidebands && same(std::abs(away), k * fundamental, near)) {
-      return fmt::format("{} {} {:.0f}x", mesh.name, away < 0 ? "-" : "+", k);
+    const auto k = static_cast<int>(std::lround(away / fundamental));
+    if (k != 0 && std::abs(k) <= most_sidebands && same(away, k * fundamental, near)) {
+      return Membership{line, &mesh, k};
     }
   }
-  return {};
+  return std::nullopt;
 }
 
-/// A line among those that no kinematics explains, and what it is in its family.
-struct Membership {
-  std::size_t line;
-  std::string role;
-};
+std::vector<Membership> members_of(double fundamental, const std::vector<SpectralLine>& lines,
+                                   const Kinematics& kinematics) {
+  std::vector<Membership> members;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (const auto member = member_of(fundamental, i, lines[i].order, kinematics)) {
+      members.push_back(*member);
+    }
+  }
+  return members;
+}
 
 /// A family as one line: the fundamental's order, the strongest amplitude, the roles seen.
 SpectralLine gathered(const std::vector<SpectralLine>& lines, std::size_t fundamental,
@@ -70,7 +87,7 @@ SpectralLine gathered(const std::vector<SpectralLine>& lines, std::size_t fundam
   std::vector<std::pair<double, std::string>> roles;
   for (const Membership& member : members) {
     family.amplitude = std::max(family.amplitude, lines[member.line].amplitude);
-    roles.emplace_back(lines[member.line].order, member.role);
+    roles.emplace_back(lines[member.line].order, role_of(member));
   }
   std::sort(roles.begin(), roles.end());
   if (roles.size() < 2) return family;
@@ -81,6 +98,11 @@ SpectralLine gathered(const std::vector<SpectralLine>& lines, std::size_t fundam
 }
 
 }  // namespace
+
+bool is_characteristic(const SpectralLine& line, const Kinematics& kinematics) {
+  return std::ranges::any_of(kinematics.orders,
+                             [&](const CharacteristicOrder& o) { return o.name == line.meaning; });
+}
 
 std::string meaning_of(double order, double near, const Kinematics& kinematics) {
   // The lowest harmonic says most: nine teeth of a sun make its ninth harmonic the mesh.
@@ -148,8 +170,7 @@ std::vector<SpectralLine> spectral_lines(const Channel& x, const ShaftAngle& ang
         std::max(same_line * spectrum.resolution, angle.is_measured() ? 0.0 : speed_error * order);
     lines.push_back({order, order * speed_Hz, here, p, meaning_of(order, near, kinematics)});
   }
-  std::sort(lines.begin(), lines.end(),
-            [](const SpectralLine& a, const SpectralLine& b) { return a.amplitude > b.amplitude; });
+  std::ranges::sort(lines, stronger);
   const auto rest = lines.begin() + static_cast<std::ptrdiff_t>(std::min(most, lines.size()));
   lines.erase(std::remove_if(
                   rest, lines.end(),
@@ -166,11 +187,7 @@ std::vector<SpectralLine> families(std::vector<SpectralLine> unexplained,
     std::size_t best = 0;
     std::vector<Membership> best_members;
     for (std::size_t f = 0; f < unexplained.size(); ++f) {
-      std::vector<Membership> members;
-      for (std::size_t i = 0; i < unexplained.size(); ++i) {
-        const std::string role = role_in(unexplained[i].order, unexplained[f].order, kinematics);
-        if (!role.empty()) members.push_back({i, role});
-      }
+      std::vector<Membership> members = members_of(unexplained[f].order, unexplained, kinematics);
       if (members.size() > best_members.size()) {
         best = f;
         best_members = std::move(members);
@@ -181,8 +198,7 @@ std::vector<SpectralLine> families(std::vector<SpectralLine> unexplained,
       unexplained.erase(unexplained.begin() + static_cast<std::ptrdiff_t>(m->line));
     }
   }
-  std::sort(result.begin(), result.end(),
-            [](const SpectralLine& a, const SpectralLine& b) { return a.amplitude > b.amplitude; });
+  std::ranges::sort(result, stronger);
   return result;
 }
 

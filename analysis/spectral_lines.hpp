@@ -18,6 +18,9 @@ namespace rvbench::analysis {
 std::vector<SpectralLine> spectral_lines(const Channel& x, const ShaftAngle& angle,
                                          const Kinematics& kinematics, std::size_t most = 40);
 
+/// Whether the line lies on a characteristic order itself, not on a harmonic or a sideband.
+bool is_characteristic(const SpectralLine& line, const Kinematics& kinematics);
+
 /// What the kinematics calls this order; empty if it has no word for it.
 /// @param near  how far orders may differ and still be the same
 std::string meaning_of(double order, double near, const Kinematics& kinematics);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "analysis/spectral_lines.hpp"
 #include "bench/report/html.hpp"
 
 namespace rvbench::bench {
@@ -81,10 +82,8 @@ void print_explained(Console& console, const Judgement& judgement,
   console.out << "\nLines that the kinematics explains:\n";
   std::size_t left_out = 0;
   for (const ExplainedLine& line : lines) {
-    const bool characteristic =
-        std::any_of(kinematics.orders.begin(), kinematics.orders.end(),
-                    [&](const auto& o) { return o.name == line.strongest.meaning; });
-    if (!characteristic && line.strongest.amplitude < least) {
+    if (!analysis::is_characteristic(line.strongest, kinematics) &&
+        line.strongest.amplitude < least) {
       ++left_out;
       continue;
     }

@@ -20,17 +20,17 @@ double backoff_s(int failures) { return std::min(0.5, 0.01 * std::pow(2.0, failu
 
 BenchDevices::BenchDevices(hal::Rig& rig) : rig_(rig) {
   // Never seen yet: nothing counts as fresh before its first answer.
-  for (Watch* watch : watches()) watch->seen_s = -1e9;
+  for (const auto watch : watches) (this->*watch).seen_s = -1e9;
 }
 
 void BenchDevices::start() {
   started_s_ = rig_.clock->now_s();
-  for (Watch* watch : watches()) watch->seen_s = started_s_;
+  for (const auto watch : watches) (this->*watch).seen_s = started_s_;
 }
 
 bool BenchDevices::all_answered() const {
-  return std::ranges::all_of(watches(),
-                             [this](const Watch* watch) { return watch->seen_s > started_s_; });
+  return std::ranges::all_of(
+      watches, [this](const auto watch) { return (this->*watch).seen_s > started_s_; });
 }
 
 template <typename T>
@@ -143,11 +143,12 @@ void BenchDevices::end_speed_commands() {
 
 std::string BenchDevices::lost(double stale_after_s) const {
   std::string all;
-  for (const Watch* watch : watches()) {
-    const double age_s = rig_.clock->now_s() - watch->seen_s;
+  for (const auto member : watches) {
+    const Watch& watch = this->*member;
+    const double age_s = rig_.clock->now_s() - watch.seen_s;
     if (age_s <= stale_after_s + 1e-6) continue;
-    all += fmt::format("{}{} silent for {:.2f} s{}", all.empty() ? "" : "; ", watch->device, age_s,
-                       watch->error.empty() ? "" : " (" + watch->error + ")");
+    all += fmt::format("{}{} silent for {:.2f} s{}", all.empty() ? "" : "; ", watch.device, age_s,
+                       watch.error.empty() ? "" : " (" + watch.error + ")");
   }
   return all;
 }

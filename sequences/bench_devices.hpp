@@ -73,14 +73,6 @@ class BenchDevices {
     double time_s, angle_rad;
   };
 
-  std::array<Watch*, 7> watches() {
-    return {&drive_,  &drive_command_, &brake_,        &brake_command_,
-            &safety_, &torque_,        &accelerations_};
-  }
-  std::array<const Watch*, 7> watches() const {
-    return {&drive_,  &drive_command_, &brake_,        &brake_command_,
-            &safety_, &torque_,        &accelerations_};
-  }
   template <typename T>
   std::optional<T> ask(Watch& watch, const std::function<Result<T>()>& call);
   void read_safety();
@@ -101,6 +93,11 @@ class BenchDevices {
   std::deque<AnglePoint> angles_;
   double accelerations_end_s_ = -1;
   bool temperature_was_known_ = false;
+
+  static constexpr std::array watches{&BenchDevices::drive_,        &BenchDevices::drive_command_,
+                                      &BenchDevices::brake_,        &BenchDevices::brake_command_,
+                                      &BenchDevices::safety_,       &BenchDevices::torque_,
+                                      &BenchDevices::accelerations_};
 };
 
 }  // namespace rvbench::sequences

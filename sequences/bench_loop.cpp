@@ -19,10 +19,6 @@ constexpr double speeds_apart_rpm = 60;
 constexpr double speeds_apart_share = 0.15;
 constexpr double speeds_apart_s = 1.0;
 
-Ending lost(std::string reason) {
-  return {Outcome::error, ErrorKind::device_lost, std::move(reason)};
-}
-
 Ending recording_failed(const IoError& error) {
   return {Outcome::error, ErrorKind::none, "the recording cannot be written: " + describe(error)};
 }
@@ -68,12 +64,11 @@ std::optional<Ending> BenchLoop::trouble() {
     return Ending{Outcome::aborted, ErrorKind::none, "stopped on request"};
   }
   if (auto ending = check_devices(devices_.fresh())) return ending;
-  if (std::string silent = devices_.lost(plan_.interlocks.stale_after_s); !silent.empty()) {
-    return lost(std::move(silent));
-  }
+  if (auto ending = check_lost(devices_, plan_.interlocks.stale_after_s)) return ending;
   if (speeds_disagree()) {
-    return lost(fmt::format("the drive reports {:.0f} rpm, the torque sensor's angle {:.0f} rpm",
-                            devices_.values().drive.speed_rpm, devices_.measured_speed_rpm(0.1)));
+    return device_lost(
+        fmt::format("the drive reports {:.0f} rpm, the torque sensor's angle {:.0f} rpm",
+                    devices_.values().drive.speed_rpm, devices_.measured_speed_rpm(0.1)));
   }
   return std::nullopt;
 }

@@ -71,13 +71,23 @@ std::optional<Ending> check_interlocks(const Interlocks& limits, const FreshValu
 
 std::optional<Ending> check_devices(const FreshValues& fresh) {
   if (fresh.drive && fresh.drive->tripped) {
-    return Ending{Outcome::error, ErrorKind::device_lost,
-                  fmt::format("the drive has tripped, fault code {}", fresh.drive->fault_code)};
+    return device_lost(
+        fmt::format("the drive has tripped, fault code {}", fresh.drive->fault_code));
   }
   if (fresh.brake && fresh.brake->tripped) {
-    return Ending{Outcome::error, ErrorKind::device_lost, "the brake has tripped"};
+    return device_lost("the brake has tripped");
   }
   return std::nullopt;
+}
+
+std::optional<Ending> check_lost(const BenchDevices& devices, double stale_after_s) {
+  std::string lost = devices.lost(stale_after_s);
+  if (lost.empty()) return std::nullopt;
+  return device_lost(std::move(lost));
+}
+
+Ending device_lost(std::string reason) {
+  return {Outcome::error, ErrorKind::device_lost, std::move(reason)};
 }
 
 }  // namespace rvbench::sequences

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "hal/types/outcome.hpp"
 #include "sequences/bench_devices.hpp"
@@ -14,5 +15,11 @@ std::optional<Ending> check_interlocks(const Interlocks& limits, const FreshValu
 
 /// The ERROR of a drive or brake that reports a fault of its own.
 std::optional<Ending> check_devices(const FreshValues& fresh);
+
+/// The ERROR of devices that have not been seen for longer than that.
+std::optional<Ending> check_lost(const BenchDevices& devices, double stale_after_s);
+
+/// The ERROR of a device that is missing or cannot be trusted; the reason says which.
+Ending device_lost(std::string reason);
 
 }  // namespace rvbench::sequences

@@ -70,12 +70,6 @@ std::optional<Ending> find_trip(const Interlocks& limits, const FreshValues& fre
   return check_devices(fresh);
 }
 
-std::optional<Ending> find_lost(const BenchDevices& devices, double stale_after_s) {
-  std::string lost = devices.lost(stale_after_s);
-  if (lost.empty()) return std::nullopt;
-  return Ending{Outcome::error, ErrorKind::device_lost, std::move(lost)};
-}
-
 }  // namespace
 
 RunDown wait_for_standstill(hal::Rig& rig, BenchDevices& devices, const TestPlan& plan,
@@ -103,7 +97,7 @@ RunDown wait_for_standstill(hal::Rig& rig, BenchDevices& devices, const TestPlan
       next_feed_s = now_s + feed_period_s;
     }
   }
-  if (!result.trouble) result.trouble = find_lost(devices, plan.interlocks.stale_after_s);
+  if (!result.trouble) result.trouble = check_lost(devices, plan.interlocks.stale_after_s);
   return result;
 }
 

@@ -6,13 +6,10 @@
 
 #include "hal/rig.hpp"
 #include "sequences/bench_loop.hpp"
+#include "sequences/interlock_check.hpp"
 
 namespace rvbench::sequences {
 namespace {
-
-Ending lost(std::string reason) {
-  return {Outcome::error, ErrorKind::device_lost, std::move(reason)};
-}
 
 /// Tries them all, so that one message names everything that does not answer.
 std::optional<Ending> connect_all(hal::Rig& rig) {
@@ -27,7 +24,7 @@ std::optional<Ending> connect_all(hal::Rig& rig) {
   note(rig.brake->connect());
   note(rig.drive->connect());
   if (silent.empty()) return std::nullopt;
-  return lost("not every device answers: " + silent);
+  return device_lost("not every device answers: " + silent);
 }
 
 class Connect final : public Phase {
@@ -51,16 +48,17 @@ class Connect final : public Phase {
  private:
   std::optional<Ending> refuse_to_arm(hal::Drive& drive) const {
     const auto watchdog = drive.read_watchdog();
-    if (!watchdog) return lost("the drive's watchdog: " + describe(watchdog.error()));
+    if (!watchdog) return device_lost("the drive's watchdog: " + describe(watchdog.error()));
     const auto [timeout_s, stops_motor] = watchdog.value();
     if (!(timeout_s > 0)) {
-      return lost("refused to arm: the drive's communication watchdog is off");
+      return device_lost("refused to arm: the drive's communication watchdog is off");
     }
     if (!stops_motor) {
-      return lost("refused to arm: the drive's communication watchdog does not stop the motor");
+      return device_lost(
+          "refused to arm: the drive's communication watchdog does not stop the motor");
     }
     if (timeout_s > watchdog_max_s_) {
-      return lost(
+      return device_lost(
           fmt::format("refused to arm: the drive's watchdog waits {:g} s, at most {:g} s "
                       "is safe",
                       timeout_s, watchdog_max_s_));

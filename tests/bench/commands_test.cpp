@@ -10,13 +10,13 @@
 #include "bench/sha256.hpp"
 #include "bench/verdict_json.hpp"
 #include "tests/bench/judgements.hpp"
-#include "tests/bench/scratch_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace rvbench::bench {
 namespace {
 
 using Catch::Matchers::Contains;
-using test::ScratchFolder;
+using rvbench::test::ScratchFolder;
 
 struct Answer {
   int code = -1;

@@ -6,13 +6,13 @@
 
 #include "bench/kinematics_files.hpp"
 #include "bench/run_folder.hpp"
-#include "tests/bench/scratch_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace rvbench::bench {
 namespace {
 
 std::variant<analysis::Kinematics, std::vector<hal::ConfigFault>> read(const std::string& text) {
-  const test::ScratchFolder scratch;
+  const rvbench::test::ScratchFolder scratch;
   write_file(scratch.path() / "machine.json", text);
   return read_kinematics((scratch.path() / "machine.json").string());
 }

@@ -3,14 +3,14 @@
 #include <catch2/catch.hpp>
 
 #include "bench/run_folder.hpp"
-#include "tests/bench/scratch_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace rvbench::bench {
 namespace {
 
 std::variant<RigFile, std::vector<hal::ConfigFault>> read(const std::string& text,
                                                           const RigOptions& options = {}) {
-  const test::ScratchFolder scratch;
+  const rvbench::test::ScratchFolder scratch;
   write_file(scratch.path() / "rig.json", text);
   return read_rig((scratch.path() / "rig.json").string(), options);
 }
@@ -57,7 +57,7 @@ TEST_CASE("a rig file goes before the command line, which fills in what it leave
 }
 
 TEST_CASE("faults of one device come one after the other, each at its time", "[bench]") {
-  const test::ScratchFolder scratch;
+  const rvbench::test::ScratchFolder scratch;
   const std::string file = (scratch.path() / "rig.json").string();
   write_file(file, R"({"rig": "sim", "faults": [
     {"at_s": 0.2, "device": "inverter", "fault": "busy"},
@@ -85,7 +85,7 @@ TEST_CASE("a replay rig names its recording", "[bench]") {
 }
 
 TEST_CASE("the resolved rig is a rig file that says the same", "[bench]") {
-  const test::ScratchFolder scratch;
+  const rvbench::test::ScratchFolder scratch;
   const std::string first = (scratch.path() / "first.json").string();
   const std::string second = (scratch.path() / "second.json").string();
   write_file(first, R"({"faults": [{"at_s": 2.5, "device": "inverter", "fault": "dead"}]})");

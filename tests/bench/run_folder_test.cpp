@@ -9,11 +9,11 @@
 #include "bench/sha256.hpp"
 #include "bench/verdict_json.hpp"
 #include "tests/bench/judgements.hpp"
-#include "tests/bench/scratch_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace rvbench::bench {
 
-using test::ScratchFolder;
+using rvbench::test::ScratchFolder;
 
 TEST_CASE("a serial never leaves its folder", "[bench]") {
   for (const char* serial :
@@ -46,7 +46,7 @@ TEST_CASE("two runs in one second get two folders", "[bench]") {
 }
 
 TEST_CASE("a run goes on at the point that was interrupted", "[bench]") {
-  const test::ScratchFolder scratch;
+  const rvbench::test::ScratchFolder scratch;
   hal::RecordingLayout layout;
   layout.points.resize(3);
   layout.torque_rate_Hz = 100;

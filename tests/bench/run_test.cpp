@@ -7,7 +7,7 @@
 #include "bench/plan_files.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/sha256.hpp"
-#include "tests/bench/scratch_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -24,7 +24,7 @@ std::string one_point_plan() {
 }  // namespace
 
 TEST_CASE("a run leaves a folder that says everything and agrees with its exit code", "[bench]") {
-  const test::ScratchFolder scratch;
+  const rvbench::test::ScratchFolder scratch;
   write_file(scratch.path() / "one.json", one_point_plan());
   std::ostringstream out;
   std::ostringstream err;

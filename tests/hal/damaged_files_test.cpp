@@ -18,7 +18,7 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5_seri
 namespace rvbench::hal {
 namespace {
 
-using test::Scratch;
+using test::ScratchFolder;
 
 std::string bytes_of(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -76,7 +76,7 @@ std::string compressed(const std::string& variable) {
   return test::mat5_word(15) + test::mat5_word(static_cast<std::uint32_t>(size)) + bytes;
 }
 
-std::string small_recording(const Scratch& scratch) {
+std::string small_recording(const ScratchFolder& scratch) {
   const auto made = RecordingWriter::create(scratch / "whole.h5", test::layout_of(2, 2));
   REQUIRE(made);
   for (int point : {0, 1}) {
@@ -92,7 +92,7 @@ std::string small_recording(const Scratch& scratch) {
 }  // namespace
 
 TEST_CASE("a damaged MAT file is refused or read, never fatal", "[hal][formats]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const std::string array = test::mat5_array("signal", 40, 1, std::vector<double>(40, 1.5));
   const std::string header = structure("Head", "SampFreq", 25600);
   const std::string plain = test::mat5_file({array, header});
@@ -106,7 +106,7 @@ TEST_CASE("a damaged MAT file is refused or read, never fatal", "[hal][formats]"
 }
 
 TEST_CASE("a damaged compressed MAT file is refused", "[hal][formats]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const std::string array = test::mat5_array("signal", 40, 1, std::vector<double>(40, 1.5));
   const std::string packed = test::mat5_file({compressed(array)});
   REQUIRE(read_bytes(scratch / "a.mat", packed));
@@ -123,7 +123,7 @@ TEST_CASE("a damaged compressed MAT file is refused", "[hal][formats]") {
 }
 
 TEST_CASE("a damaged recording is refused or read, never fatal", "[hal][formats]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const std::string bytes = small_recording(scratch);
   CHECK(cut_everywhere(scratch / "a.h5", bytes, 300) == 300);
   flip_everywhere(scratch / "a.h5", bytes, 700, 700);
@@ -131,7 +131,7 @@ TEST_CASE("a damaged recording is refused or read, never fatal", "[hal][formats]
 
 TEST_CASE("a recording that was cut off after a power failure cannot pass for a whole one",
           "[hal][recording]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const std::string bytes = small_recording(scratch);
   for (int tenth = 0; tenth < 10; ++tenth) {
     CAPTURE(tenth);
@@ -144,7 +144,7 @@ TEST_CASE("a recording that was cut off after a power failure cannot pass for a 
 }
 
 TEST_CASE("a damaged CSV file is refused or read, never fatal", "[hal][formats]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   std::string bytes = "a1,a2,a3\n";
   for (int i = 0; i < 50; ++i) bytes += "1.25,-3.5e-2," + std::to_string(i) + "\n";
   REQUIRE(read_bytes(scratch / "a.csv", bytes));

@@ -11,9 +11,9 @@ namespace rvbench::hal {
 namespace {
 
 using Catch::Contains;
-using test::Scratch;
+using test::ScratchFolder;
 
-std::filesystem::path written(const Scratch& scratch, const std::string& name,
+std::filesystem::path written(const ScratchFolder& scratch, const std::string& name,
                               const std::string& bytes) {
   std::ofstream(scratch / name, std::ios::binary) << bytes;
   return scratch / name;
@@ -30,7 +30,7 @@ std::string complaint(const std::filesystem::path& file) {
 }  // namespace
 
 TEST_CASE("a CSV file is one recording, a channel per column, of unknown rate", "[hal][formats]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto file = written(scratch, "a.csv", "a1, \"a2\"\r\n1.5,-2e3\r\n+2,NaN\r\n\r\n");
   const auto read = read_recordings(file);
   REQUIRE(read);
@@ -49,7 +49,7 @@ TEST_CASE("a CSV file is one recording, a channel per column, of unknown rate", 
 }
 
 TEST_CASE("CSV dialects: semicolons, no header, a separator at the line's end", "[hal][formats]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto semicolons = read_recordings(written(scratch, "s.csv", "a;b\n1;2\n3;4\n"));
   REQUIRE(semicolons);
   CHECK(semicolons.value()[0].channels[1].samples == Eigen::Vector2d(2, 4));
@@ -63,7 +63,7 @@ TEST_CASE("CSV dialects: semicolons, no header, a separator at the line's end", 
 }
 
 TEST_CASE("a bad CSV file is refused with the place of its fault", "[hal][formats]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto said = [&](const std::string& bytes) {
     return complaint(written(scratch, "bad.csv", bytes));
   };
@@ -83,7 +83,7 @@ TEST_CASE("a bad CSV file is refused with the place of its fault", "[hal][format
 }
 
 TEST_CASE("what is no readable file is refused", "[hal][formats]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   CHECK_THAT(complaint(scratch / "none.csv"), Contains("no such file"));
   CHECK_THAT(complaint(written(scratch, "empty.mat", "")), Contains("is empty"));
   std::filesystem::create_directory(scratch / "folder.csv");
@@ -98,7 +98,7 @@ TEST_CASE("what is no readable file is refused", "[hal][formats]") {
 }
 
 TEST_CASE("hints go before the file, and a note tells", "[hal][formats]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto file = written(scratch, "a.csv", "a,b\n1,2\n");
   const auto read = read_recordings(file, {.rate_Hz = 12000, .speed_rpm = 1797});
   REQUIRE(read);
@@ -120,7 +120,7 @@ TEST_CASE("hints go before the file, and a note tells", "[hal][formats]") {
 }
 
 TEST_CASE("MAT v5: the longer side of an array is time", "[hal][formats]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto read = read_recordings(
       written(scratch, "a.mat",
               test::mat5_file({test::mat5_array("wide", 2, 3, {1, 10, 2, 20, 3, 30}),
@@ -135,7 +135,7 @@ TEST_CASE("MAT v5: the longer side of an array is time", "[hal][formats]") {
 }
 
 TEST_CASE("MAT v5: rates that contradict each other are not taken", "[hal][formats]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto read = read_recordings(written(
       scratch, "a.mat",
       test::mat5_file({test::mat5_array("x", 2, 1, {1, 2}), test::mat5_array("fs", 1, 1, {25600}),
@@ -146,7 +146,7 @@ TEST_CASE("MAT v5: rates that contradict each other are not taken", "[hal][forma
 }
 
 TEST_CASE("MAT v5: of a variable that is there twice, zeros only are left out", "[hal][formats]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto zeros = test::mat5_array("Data1", 1, 3, {0, 0, 0});
   const auto data = test::mat5_array("Data1", 1, 3, {1, 2, 3});
   const auto twice = read_recordings(written(scratch, "twice.mat", test::mat5_file({zeros, data})));
@@ -165,7 +165,7 @@ TEST_CASE("MAT v5: of a variable that is there twice, zeros only are left out", 
 }
 
 TEST_CASE("a bad MAT file is refused with the variable of its fault", "[hal][formats]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto said = [&](const std::string& bytes) {
     return complaint(written(scratch, "bad.mat", bytes));
   };
@@ -186,7 +186,7 @@ TEST_CASE("a bad MAT file is refused with the variable of its fault", "[hal][for
 }
 
 TEST_CASE("HDF5 still says why after a MAT file was read", "[hal][formats]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto mat =
       written(scratch, "a.mat", test::mat5_file({test::mat5_array("x", 2, 1, {1, 2})}));
   REQUIRE(read_recordings(mat));
@@ -196,7 +196,7 @@ TEST_CASE("HDF5 still says why after a MAT file was read", "[hal][formats]") {
 }
 
 TEST_CASE("rvbench's own recordings come through the same door", "[hal][formats]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   {
     const auto made = RecordingWriter::create(scratch / "r.h5", test::layout_of(3, 2));
     REQUIRE(made);

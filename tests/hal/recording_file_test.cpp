@@ -11,13 +11,13 @@ namespace {
 
 using test::acceleration_block;
 using test::layout_of;
-using test::Scratch;
+using test::ScratchFolder;
 using test::torque_block;
 
 }  // namespace
 
 TEST_CASE("what was written is read back, point by point", "[hal][recording]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   RecordingLayout layout = layout_of(3, 2);
   layout.points[1] = {1210, 75, 2};
   {
@@ -80,7 +80,7 @@ TEST_CASE("what was written is read back, point by point", "[hal][recording]") {
 }
 
 TEST_CASE("a lost sample is read back as lost", "[hal][recording]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto made = RecordingWriter::create(scratch / "r.h5", layout_of(1, 2));
   REQUIRE(made);
   RecordingWriter& writer = *made.value();
@@ -104,7 +104,7 @@ TEST_CASE("a lost sample is read back as lost", "[hal][recording]") {
 }
 
 TEST_CASE("the angle keeps its resolution over a long test", "[hal][recording]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   auto made = RecordingWriter::create(scratch / "r.h5", layout_of(1, 1));
   REQUIRE(made);
   const double after_two_hours_rad = 1815.0 / 60 * 2 * 3.141592653589793 * 7200 + 1e-4;
@@ -120,7 +120,7 @@ TEST_CASE("the angle keeps its resolution over a long test", "[hal][recording]")
 }
 
 TEST_CASE("a recording is never overwritten", "[hal][recording]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   REQUIRE(RecordingWriter::create(scratch / "r.h5", layout_of(1, 1)));
   const auto again = RecordingWriter::create(scratch / "r.h5", layout_of(1, 1));
   REQUIRE_FALSE(again);
@@ -129,7 +129,7 @@ TEST_CASE("a recording is never overwritten", "[hal][recording]") {
 }
 
 TEST_CASE("the writer refuses what its caller got wrong", "[hal][recording]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   RecordingLayout no_rate = layout_of(1, 1);
   no_rate.acceleration_rate_Hz = 0;
   CHECK_THROWS_AS(RecordingWriter::create(scratch / "x.h5", no_rate), std::invalid_argument);
@@ -151,7 +151,7 @@ TEST_CASE("the writer refuses what its caller got wrong", "[hal][recording]") {
 }
 
 TEST_CASE("after close() nothing more is taken", "[hal][recording]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto made = RecordingWriter::create(scratch / "r.h5", layout_of(1, 1));
   REQUIRE(made);
   REQUIRE(made.value()->close());
@@ -162,7 +162,7 @@ TEST_CASE("after close() nothing more is taken", "[hal][recording]") {
 }
 
 TEST_CASE("an event too long for its row is cut between two characters", "[hal][recording]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto made = RecordingWriter::create(scratch / "r.h5", layout_of(1, 1));
   REQUIRE(made);
   std::string text(254, 'x');

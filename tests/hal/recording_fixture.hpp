@@ -1,33 +1,12 @@
 #pragma once
 
-#include <unistd.h>
-
 #include <cmath>
-#include <filesystem>
 #include <string>
 
 #include "hal/recording_file.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace rvbench::test {
-
-/// A folder of its own for one test, removed at the end.
-class Scratch {
- public:
-  Scratch() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "rvbench-XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  std::filesystem::path operator/(const std::string& name) const { return folder_ / name; }
-
- private:
-  std::filesystem::path folder_;
-};
 
 inline hal::RecordingLayout layout_of(int points, int channels) {
   hal::RecordingLayout layout;

@@ -19,7 +19,7 @@
 namespace rvbench::hal {
 namespace {
 
-using test::Scratch;
+using test::ScratchFolder;
 
 /// Runs /usr/bin/python3 with h5py; false and a warning if there is none.
 bool python_says(const std::string& script, const std::filesystem::path& argument) {
@@ -34,7 +34,7 @@ bool python_says(const std::string& script, const std::filesystem::path& argumen
 }  // namespace
 
 TEST_CASE("h5py reads a recording without rvbench", "[hal][recording]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   {
     const auto made = RecordingWriter::create(scratch / "r.h5", test::layout_of(2, 3));
     REQUIRE(made);
@@ -66,7 +66,7 @@ assert f['points/000/acceleration/data'].shape == (0, 3)
 }
 
 TEST_CASE("a growing recording can be read, as far as it was flushed", "[hal][recording]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto made = RecordingWriter::create(scratch / "r.h5", test::layout_of(2, 2));
   REQUIRE(made);
   RecordingWriter& writer = *made.value();
@@ -165,7 +165,7 @@ void check_intact(const std::filesystem::path& file, int last_point) {
 }  // namespace
 
 TEST_CASE("kill -9 costs none of the points that ended", "[hal][recording]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   for (const int further_us : {0, 137, 411, 733, 1259, 1931}) {
     for (const int points : {1, 8}) {
       CAPTURE(further_us, points);
@@ -182,7 +182,7 @@ TEST_CASE("kill -9 costs none of the points that ended", "[hal][recording]") {
 }
 
 TEST_CASE("kill -9 within a point costs no more than the flush interval", "[hal][recording]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   int ends[2];
   REQUIRE(::pipe(ends) == 0);
   const pid_t child = ::fork();
@@ -217,7 +217,7 @@ TEST_CASE("kill -9 within a point costs no more than the flush interval", "[hal]
 }
 
 TEST_CASE("a full disk is reported, and again at each later call", "[hal][recording]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const pid_t child = ::fork();
   if (child == 0) {
     // A limit on the file's size stands for a disk of that size: the same calls fail.

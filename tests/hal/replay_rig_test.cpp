@@ -14,13 +14,13 @@
 namespace rvbench::hal {
 namespace {
 
-using test::Scratch;
+using test::ScratchFolder;
 
 constexpr double rate_Hz = 1000;
 constexpr int scans = 800;
 
 /// Each scan tells the point and its own number: 1000 * (point + 1) + scan.
-std::filesystem::path record(const Scratch& scratch, std::vector<PlannedPoint> points) {
+std::filesystem::path record(const ScratchFolder& scratch, std::vector<PlannedPoint> points) {
   RecordingLayout layout = test::layout_of(1, 2);
   layout.acceleration_rate_Hz = rate_Hz;
   layout.points = std::move(points);
@@ -69,25 +69,25 @@ Eigen::VectorXf play(Rig& rig, double speed_rpm, double load_pct, double lead_in
 }  // namespace
 
 TEST_CASE("a replayed clock keeps the clock's contract", "[hal][replay]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const Rig rig = replay(record(scratch, {{605, 50, 1}}));
   test::check_clock_contract(*rig.clock);
 }
 
 TEST_CASE("a replayed drive keeps the drive's contract", "[hal][replay]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const Rig rig = replay(record(scratch, {{605, 50, 1}}));
   test::check_drive_contract(*rig.drive);
 }
 
 TEST_CASE("a replayed brake keeps the brake's contract", "[hal][replay]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const Rig rig = replay(record(scratch, {{605, 50, 1}}));
   test::check_brake_contract(*rig.brake, *rig.clock);
 }
 
 TEST_CASE("a replayed torque sensor keeps the sensor's contract", "[hal][replay]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const Rig rig = replay(record(scratch, {{605, 50, 1}}));
   REQUIRE(rig.drive->connect());
   REQUIRE(rig.drive->set_speed(605));
@@ -95,7 +95,7 @@ TEST_CASE("a replayed torque sensor keeps the sensor's contract", "[hal][replay]
 }
 
 TEST_CASE("replayed accelerometers keep the accelerometers' contract", "[hal][replay]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const Rig rig = replay(record(scratch, {{605, 50, 1}}));
   REQUIRE(rig.drive->connect());
   REQUIRE(rig.drive->set_speed(605));
@@ -103,13 +103,13 @@ TEST_CASE("replayed accelerometers keep the accelerometers' contract", "[hal][re
 }
 
 TEST_CASE("replayed safety inputs keep the inputs' contract", "[hal][replay]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const Rig rig = replay(record(scratch, {{605, 50, 1}}));
   test::check_safety_inputs_contract(*rig.safety);
 }
 
 TEST_CASE("a commanded point is played from its first sample after the lead-in", "[hal][replay]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   Rig rig = replay(record(scratch, {{605, 0, 1}, {605, 100, 1}, {1210, 0, 1}}));
   connect(rig);
   const Eigen::VectorXf second = play(rig, 605, 100);
@@ -125,7 +125,7 @@ TEST_CASE("a commanded point is played from its first sample after the lead-in",
 }
 
 TEST_CASE("the same plan meets the same repeats, whatever the warm-up was", "[hal][replay]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto file =
       record(scratch, {{605, 0, 1}, {605, 50, 1}, {605, 0, 2}, {605, 50, 2}, {1210, 0, 1}});
   Rig rig = replay(file);
@@ -140,7 +140,7 @@ TEST_CASE("the same plan meets the same repeats, whatever the warm-up was", "[ha
 }
 
 TEST_CASE("a point goes round as long as it is asked for, and the angle goes on", "[hal][replay]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   Rig rig = replay(record(scratch, {{605, 50, 1}, {1210, 50, 1}}), 0);
   connect(rig);
   REQUIRE(rig.brake->set_torque(83.5));
@@ -163,7 +163,7 @@ TEST_CASE("a point goes round as long as it is asked for, and the angle goes on"
 }
 
 TEST_CASE("at standstill a replayed bench is silent", "[hal][replay]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   Rig rig = replay(record(scratch, {{605, 50, 1}}));
   connect(rig);
   play(rig, 605, 50);
@@ -180,7 +180,7 @@ TEST_CASE("at standstill a replayed bench is silent", "[hal][replay]") {
 }
 
 TEST_CASE("what was lost when recording is lost again", "[hal][replay]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   RecordingLayout layout = test::layout_of(1, 2);
   layout.acceleration_rate_Hz = rate_Hz;
   {
@@ -203,7 +203,7 @@ TEST_CASE("what was lost when recording is lost again", "[hal][replay]") {
 }
 
 TEST_CASE("what cannot stand for a bench is refused", "[hal][replay]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto none = make_replay_rig(scratch / "none.h5");
   REQUIRE_FALSE(none);
   CHECK_THAT(none.error().where, Catch::Contains("no such file"));

@@ -8,6 +8,7 @@
 #include "hal/mirror_rig.hpp"
 #include "sequences/plan.hpp"
 #include "sequences/sequencer.hpp"
+#include "tests/support/plan_of.hpp"
 
 namespace rvbench::test {
 
@@ -84,15 +85,6 @@ inline const std::string small_plan = R"({
   "main": [{"phase": "matrix", "speeds_rpm": [1815], "loads_pct": [100],
             "record": {"output_turns": 4}}]
 })";
-
-inline sequences::TestPlan plan_of(const std::string& text) {
-  auto read = sequences::parse_plan(hal::ConfigReader::from_text(text, "plan.json"));
-  if (auto* faults = std::get_if<std::vector<hal::ConfigFault>>(&read)) {
-    for (const auto& fault : *faults) UNSCOPED_INFO(describe("plan.json", fault));
-    FAIL("the plan has faults");
-  }
-  return std::get<sequences::TestPlan>(std::move(read));
-}
 
 /// A run on the mirror rig, with all that can be seen of it.
 struct Run {

@@ -7,19 +7,19 @@
 #include <vector>
 
 #include "bench/run_folder.hpp"
-#include "tests/bench/scratch_folder.hpp"
 #include "tests/hal/mat5_builder.hpp"
 #include "tests/hal/recording_fixture.hpp"
 #include "tests/spec/bench_run.hpp"
 #include "tests/spec/program.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace rvbench {
 namespace {
 
-using bench::test::ScratchFolder;
 using Catch::Matchers::Contains;
 using test::Answer;
 using test::replaced;
+using test::ScratchFolder;
 
 struct BadFile {
   const char* name;

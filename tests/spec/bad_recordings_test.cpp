@@ -7,18 +7,18 @@
 #include <vector>
 
 #include "bench/run_folder.hpp"
-#include "tests/bench/scratch_folder.hpp"
 #include "tests/hal/mat5_builder.hpp"
 #include "tests/hal/recording_fixture.hpp"
 #include "tests/spec/program.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 // A 2 GB claim must be refused by its header, not tried out.
 namespace rvbench {
 namespace {
 
-using bench::test::ScratchFolder;
 using Catch::Matchers::Contains;
 using test::Answer;
+using test::ScratchFolder;
 
 struct BadRecording {
   const char* name;  ///< of the file

@@ -16,7 +16,8 @@
 #include "hal/types/units.hpp"
 #include "sequences/plan.hpp"
 #include "sim/bench_world.hpp"
-#include "tests/bench/scratch_folder.hpp"
+#include "tests/support/plan_of.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace rvbench::test {
 
@@ -43,15 +44,6 @@ inline std::string replaced(std::string text, const std::string& from, const std
 inline std::string unsettled_plan() {
   return replaced(short_plan, "{\"hold_s\": 0.5}",
                   "{\"hold_s\": 0.5, \"timeout_s\": 1.1, \"speed_tolerance_pct\": 0.1}");
-}
-
-inline sequences::TestPlan plan_of(const std::string& text) {
-  auto read = sequences::parse_plan(hal::ConfigReader::from_text(text, "plan.json"));
-  if (auto* faults = std::get_if<std::vector<hal::ConfigFault>>(&read)) {
-    for (const auto& fault : *faults) UNSCOPED_INFO(describe("plan.json", fault));
-    FAIL("the plan has faults");
-  }
-  return std::get<sequences::TestPlan>(std::move(read));
 }
 
 /// An acceptance run from plan to run folder, on the simulated bench over its real wires: Modbus
@@ -100,7 +92,7 @@ class BenchRun {
   }
 
  private:
-  bench::test::ScratchFolder scratch_;
+  ScratchFolder scratch_;
   std::stop_source stop_;
   sim::BenchWorld* world_ = nullptr;
   hal::Rig rig_;

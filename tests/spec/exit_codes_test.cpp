@@ -5,16 +5,16 @@
 
 #include "bench/run_folder.hpp"
 #include "bench/sha256.hpp"
-#include "tests/bench/scratch_folder.hpp"
 #include "tests/spec/bench_run.hpp"
 #include "tests/spec/program.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace rvbench {
 namespace {
 
-using bench::test::ScratchFolder;
 using Catch::Matchers::Contains;
 using test::Answer;
+using test::ScratchFolder;
 
 const std::vector<std::string> run_short{"run",      "short.json", "--rig", "sim",
                                          "--serial", "A17",        "--json"};

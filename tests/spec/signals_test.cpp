@@ -6,17 +6,17 @@
 #include "bench/run_folder.hpp"
 #include "bench/sha256.hpp"
 #include "hal/recording_file.hpp"
-#include "tests/bench/scratch_folder.hpp"
 #include "tests/spec/bench_run.hpp"
 #include "tests/spec/program.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace rvbench {
 namespace {
 
-using bench::test::ScratchFolder;
 using Catch::Matchers::Contains;
 using test::Answer;
 using test::Program;
+using test::ScratchFolder;
 
 /// Ten points, so that there is time to interfere: each is a tenth of the way, and 16 s of the
 /// rig's time.

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace rvbench::bench::test {
+namespace rvbench::test {
 
 /// An empty folder for one test, removed after it.
 class ScratchFolder {
@@ -23,9 +23,10 @@ class ScratchFolder {
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
  private:
   std::filesystem::path path_;
 };
 
-}  // namespace rvbench::bench::test
+}  // namespace rvbench::test
