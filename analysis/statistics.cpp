@@ -34,6 +34,10 @@ double line_p_value(double statistic, double lines, double floor_lines) {
   return Eigen::numext::betainc(floor_lines, lines, floor_lines / (floor_lines + statistic));
 }
 
+double t_p_value(double t, double freedom) {
+  return Eigen::numext::betainc(freedom / 2, 0.5, freedom / (freedom + t * t));
+}
+
 double combined_p_value(const std::vector<double>& p_values) {
   if (p_values.empty()) return 1;
   double sum = 0;

@@ -23,6 +23,10 @@ double kurtosis(const Eigen::Ref<const Eigen::VectorXd>& x);
 /// Source  Percival & Walden, Spectral Analysis for Physical Applications (1993), §10.9
 double line_p_value(double statistic, double lines, double floor_lines);
 
+/// Probability that |t| is this large or larger by chance, in Student's distribution.
+/// @param freedom  degrees of freedom, > 0
+double t_p_value(double t, double freedom);
+
 /// Fisher's combination of independent p-values. Empty: 1.
 double combined_p_value(const std::vector<double>& p_values);
 

@@ -21,6 +21,14 @@ TEST_CASE("the median is the middle value, or midway between the two", "[analysi
   CHECK_THROWS_AS(median({}), std::invalid_argument);
 }
 
+TEST_CASE("Student's t has the tails of the tables", "[analysis][statistics][literature]") {
+  // Fisher & Yates, Statistical Tables, table III: 2.228 at 10 degrees of freedom is 5 %.
+  CHECK(analysis::t_p_value(2.228, 10) == Approx(0.05).epsilon(1e-3));
+  CHECK(analysis::t_p_value(-2.228, 10) == analysis::t_p_value(2.228, 10));
+  CHECK(analysis::t_p_value(63.657, 1) == Approx(0.01).epsilon(1e-3));
+  CHECK(analysis::t_p_value(0, 5) == 1);
+}
+
 TEST_CASE("correlation is that of the textbook", "[analysis][statistics][literature]") {
   // Anscombe, The American Statistician 27(1), 17-21 (1973), set 1: r = 0.816
   Eigen::VectorXd x(11), y(11);

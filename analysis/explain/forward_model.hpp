@@ -1,0 +1,72 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rvbench::analysis {
+
+/// A number of a model that a fit may move.
+struct ModelParameter {
+  std::string name;  ///< "slide/mass", "torque sensor/delay"
+  std::string unit;  ///< SI symbol; empty if it has none
+  double nominal = 0;
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  /// How well it is known before anything is measured, as a standard deviation; infinite if it is
+  /// free to be identified.
+  double spread = std::numeric_limits<double>::infinity();
+  double scale = 1;       ///< > 0; a noticeable change of it: steps and differences are told by it
+  bool nuisance = false;  ///< of the measurement (delay, gain, offset, path), not of the machine
+};
+
+/// An effect that may have been left out, at one place of the machine.
+struct Candidate {
+  std::string name;   ///< the field's own word, as "coulomb_friction"
+  std::string where;  ///< "slide", "coupling between motor and input shaft"
+  /// The first one is its size: at zero the effect is absent.
+  std::vector<ModelParameter> parameters;
+  std::vector<std::vector<double>> starts;  ///< values to start fits from, at least two
+  std::vector<std::string> mimics;          ///< names that can look alike
+  std::string experiment;                   ///< what would tell it from them
+  std::string not_exercised;                ///< why these data cannot show it; empty if they can
+};
+
+/// A stretch of values that is one observation: values within may depend on each other, units do
+/// not. A record is one, or a block of it that is longer than its memory.
+struct ObservedUnit {
+  std::string record;     ///< where it comes from, for people
+  std::string condition;  ///< units of one condition are left out together, as are
+  std::string speed;      ///< those of one speed; empty if the speed is no condition,
+  std::string load;       ///< and those of one load; empty likewise
+  Eigen::Index first = 0;
+  Eigen::Index size = 0;
+};
+
+/// What analysis needs of a machine's model in order to compare it with recordings: the
+/// differences between measured and predicted values, whatever these are (samples, means, lines).
+///
+/// Threads  const calls may overlap
+class ForwardModel {
+ public:
+  virtual ~ForwardModel() = default;
+
+  virtual const std::vector<ObservedUnit>& units() const = 0;  ///< in order of values, without gaps
+  virtual const std::vector<ModelParameter>& base() const = 0;
+  virtual const std::vector<Candidate>& library() const = 0;
+
+  /// Measured minus predicted, over the standard deviation of the measurement.
+  /// @param effects  indices into library(), each at most once
+  /// @param values   of base(), then of each effect's parameters
+  /// @param trained  per unit: whether it may be learned from. What is free and linear (paths,
+  ///                 offsets) is solved for within, on those units alone
+  /// @return nothing if the model cannot be evaluated at these values
+  virtual std::optional<Eigen::VectorXd> residuals(const std::vector<std::size_t>& effects,
+                                                   const std::vector<double>& values,
+                                                   const std::vector<bool>& trained) const = 0;
+};
+
+}  // namespace rvbench::analysis

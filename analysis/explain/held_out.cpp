@@ -1,0 +1,121 @@
+#include "analysis/explain/held_out.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <set>
+#include <stdexcept>
+
+namespace rvbench::analysis {
+namespace {
+
+constexpr std::size_t fewest_to_leave_one_out = 3;
+
+void add_folds(std::vector<Fold>& folds, const std::vector<ObservedUnit>& units,
+               std::string ObservedUnit::*label, std::size_t fewest) {
+  std::set<std::string> names;
+  for (const ObservedUnit& unit : units) names.insert(unit.*label);
+  if (names.size() < fewest) return;
+  for (const std::string& name : names) {
+    Fold fold{name, {}};
+    for (const ObservedUnit& unit : units) fold.held_out.push_back(unit.*label == name);
+    folds.push_back(std::move(fold));
+  }
+}
+
+double trained_mean_square(const ForwardModel& model, const Eigen::VectorXd& residuals,
+                           const std::vector<bool>& trained) {
+  double sum = 0, count = 0;
+  for (std::size_t u = 0; u < trained.size(); ++u) {
+    if (!trained[u]) continue;
+    sum += residuals.segment(model.units()[u].first, model.units()[u].size).squaredNorm();
+    count += static_cast<double>(model.units()[u].size);
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+}  // namespace
+
+std::vector<Fold> condition_folds(const std::vector<ObservedUnit>& units) {
+  std::vector<Fold> folds;
+  add_folds(folds, units, &ObservedUnit::condition, 2);
+  return folds;
+}
+
+std::vector<Fold> extrapolation_folds(const std::vector<ObservedUnit>& units) {
+  std::vector<Fold> folds;
+  add_folds(folds, units, &ObservedUnit::speed, fewest_to_leave_one_out);
+  add_folds(folds, units, &ObservedUnit::load, fewest_to_leave_one_out);
+  return folds;
+}
+
+double independent_share(const ForwardModel& model, const Eigen::VectorXd& residuals) {
+  double product = 0, power = 0;
+  for (const ObservedUnit& unit : model.units()) {
+    const auto r = residuals.segment(unit.first, unit.size);
+    power += r.squaredNorm();
+    if (unit.size > 1) product += r.head(unit.size - 1).dot(r.tail(unit.size - 1));
+  }
+  const double rho = power > 0 ? std::clamp(product / power, 0.0, 0.999) : 0.0;
+  return (1 - rho) / (1 + rho);
+}
+
+std::optional<HeldOut> predict_held_out(const ForwardModel& model, const Fit& fit,
+                                        const std::vector<Fold>& folds, double counts_as) {
+  HeldOut result{fit.effects, {}, {}, 0};
+  std::vector<double> densities, squares;
+  double sum = 0, values = 0;
+  for (const Fold& fold : folds) {
+    std::vector<bool> trained = fold.held_out;
+    trained.flip();
+    const Refit refit = refit_from(model, fit.effects, fit.values, trained);
+    if (refit.residuals.size() == 0) return std::nullopt;
+    const double scatter = trained_mean_square(model, refit.residuals, trained);
+    for (std::size_t u = 0; u < trained.size(); ++u) {
+      if (trained[u]) continue;
+      const ObservedUnit& unit = model.units()[u];
+      const auto size = static_cast<double>(unit.size);
+      const double square = refit.residuals.segment(unit.first, unit.size).squaredNorm();
+      densities.push_back(-0.5 * std::max(size * counts_as, 1.0) *
+                          (std::log(2 * std::numbers::pi * scatter) + square / size / scatter));
+      squares.push_back(square / size);
+      sum += square;
+      values += size;
+    }
+  }
+  result.log_density =
+      Eigen::Map<Eigen::VectorXd>(densities.data(), Eigen::Index(densities.size()));
+  result.mean_square = Eigen::Map<Eigen::VectorXd>(squares.data(), Eigen::Index(squares.size()));
+  result.rms = values > 0 ? std::sqrt(sum / values) : 0;
+  return result;
+}
+
+Margin margin(const HeldOut& better, const HeldOut& than) {
+  if (better.log_density.size() != than.log_density.size()) {
+    throw std::invalid_argument("margin: models were predicted on different folds");
+  }
+  const Eigen::ArrayXd apart = better.log_density - than.log_density;
+  const auto n = static_cast<double>(apart.size());
+  if (n < 2) return {apart.sum(), std::numeric_limits<double>::infinity()};
+  const double variance = (apart - apart.mean()).square().sum() / (n - 1);
+  return {apart.sum(), std::sqrt(n * variance)};
+}
+
+std::vector<double> shares_won(const std::vector<HeldOut>& models, int count) {
+  std::vector<double> shares(models.size(), 0.0);
+  if (models.empty()) return shares;
+  const Eigen::Index n = models.front().log_density.size();
+  std::mt19937_64 engine(1);  // NOLINT(cert-msc51-cpp): the same data give the same shares
+  std::uniform_int_distribution<Eigen::Index> draw(0, std::max<Eigen::Index>(n - 1, 0));
+  for (int i = 0; i < count; ++i) {
+    Eigen::VectorXd times = Eigen::VectorXd::Zero(n);
+    for (Eigen::Index k = 0; k < n; ++k) times[draw(engine)] += 1;
+    std::vector<double> sums;
+    for (const HeldOut& model : models) sums.push_back(times.dot(model.log_density));
+    shares[static_cast<std::size_t>(std::ranges::max_element(sums) - sums.begin())] += 1.0 / count;
+  }
+  return shares;
+}
+
+}  // namespace rvbench::analysis

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/explain/fit.hpp"
+#include "analysis/explain/forward_model.hpp"
+
+namespace rvbench::analysis {
+
+/// One thing left out: per unit, whether it is.
+struct Fold {
+  std::string left_out;
+  std::vector<bool> held_out;
+};
+
+/// A fold for each condition. Empty if there is only one.
+std::vector<Fold> condition_folds(const std::vector<ObservedUnit>& units);
+
+/// A fold for each speed and each load where there are at least three of them: what holds between
+/// conditions must hold beyond them, too.
+std::vector<Fold> extrapolation_folds(const std::vector<ObservedUnit>& units);
+
+/// How well a model predicts what it has not seen.
+struct HeldOut {
+  std::vector<std::size_t> effects;
+  /// Per fold and unit held out there, in order: log density of its values.
+  Eigen::VectorXd log_density;
+  Eigen::VectorXd mean_square;  ///< likewise: of its residuals
+  double rms = 0;               ///< over all of them
+};
+
+/// Fits anew without each fold, starting where `fit` ended, and predicts the fold.
+///
+/// The density is normal with the scatter of the units learned from.
+/// @param counts_as  how many independent values one value of a unit is worth, in (0, 1]; the same
+///                   for all models that are compared
+/// @return nothing if the model cannot be evaluated in a fold
+std::optional<HeldOut> predict_held_out(const ForwardModel& model, const Fit& fit,
+                                        const std::vector<Fold>& folds, double counts_as);
+
+/// What a value is worth where neighbours correlate by ρ: (1 − ρ)/(1 + ρ).
+double independent_share(const ForwardModel& model, const Eigen::VectorXd& residuals);
+
+/// By how much one model predicts better than another: the sum over all predictions, and its
+/// standard error by the scatter from unit to unit.
+struct Margin {
+  double delta = 0;  ///< log density, nats
+  double se = 0;
+  bool is_clear() const { return delta > 2 * se; }
+};
+
+/// @throws std::invalid_argument if the two were not predicted on the same folds
+Margin margin(const HeldOut& better, const HeldOut& than);
+
+/// In how many of `count` draws of the units, with replacement, each model predicts best.
+/// Deterministic. @return shares, one for each model
+std::vector<double> shares_won(const std::vector<HeldOut>& models, int count = 200);
+
+}  // namespace rvbench::analysis

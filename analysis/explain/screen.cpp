@@ -1,0 +1,144 @@
+#include "analysis/explain/screen.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/statistics.hpp"
+#include "hal/types/parallel_for.hpp"
+
+namespace rvbench::analysis {
+namespace {
+
+constexpr double screening_step = 1e-3;  // of the size's scale: small, but not in the last digits
+
+// Takes out of a vector what the columns of a matrix span.
+class Projector {
+ public:
+  explicit Projector(const Eigen::MatrixXd& columns) {
+    // Columns of different units: scaled first, so that the rank is told from directions alone.
+    Eigen::MatrixXd scaled = columns;
+    for (Eigen::Index i = 0; i < scaled.cols(); ++i) {
+      const double norm = scaled.col(i).norm();
+      if (norm > 0) scaled.col(i) /= norm;
+    }
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(scaled);
+    basis_ = qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
+  }
+
+  Eigen::VectorXd remainder(const Eigen::VectorXd& x) const {
+    return x - basis_ * (basis_.transpose() * x);
+  }
+
+ private:
+  Eigen::MatrixXd basis_;
+};
+
+// The score of one direction, unit by unit.
+Eigen::VectorXd scores_of(const ForwardModel& model, const Eigen::VectorXd& direction,
+                          const Eigen::VectorXd& left_over, const std::vector<bool>& trained) {
+  std::vector<double> scores;
+  for (std::size_t u = 0; u < trained.size(); ++u) {
+    if (!trained[u]) continue;
+    const ObservedUnit& unit = model.units()[u];
+    scores.push_back(
+        direction.segment(unit.first, unit.size).dot(left_over.segment(unit.first, unit.size)));
+  }
+  return Eigen::Map<Eigen::VectorXd>(scores.data(), Eigen::Index(scores.size()));
+}
+
+// Of the mean of n scores being zero.
+double p_value_of(const Eigen::VectorXd& scores) {
+  const auto n = static_cast<double>(scores.size());
+  if (n < 2) return 1;
+  const double variance = (scores.array() - scores.mean()).square().sum() / (n - 1);
+  return variance > 0 ? t_p_value(scores.mean() / std::sqrt(variance / n), n - 1) : 1;
+}
+
+Eigen::VectorXd only_trained(const ForwardModel& model, Eigen::VectorXd x,
+                             const std::vector<bool>& trained) {
+  for (std::size_t u = 0; u < trained.size(); ++u) {
+    const ObservedUnit& unit = model.units()[u];
+    if (!trained[u]) x.segment(unit.first, unit.size).setZero();
+  }
+  return x;
+}
+
+// How the residuals change with the candidate's size, from nothing, at one start's shape.
+Eigen::VectorXd mark_of(const ForwardModel& model, const Fit& fit, std::size_t effect,
+                        const std::vector<double>& start, const std::vector<bool>& trained) {
+  std::vector<std::size_t> effects = fit.effects;
+  effects.push_back(effect);
+  std::vector<double> values = fit.values;
+  values.insert(values.end(), start.begin(), start.end());
+  const double step =
+      std::copysign(screening_step * model.library()[effect].parameters.front().scale, start[0]);
+  values[fit.values.size()] = step;
+  const auto moved = model.residuals(effects, values, trained);
+  if (!moved || !moved->allFinite()) return {};
+  return (*moved - fit.residuals) / step;
+}
+
+Screened screened(const ForwardModel& model, const Fit& fit, std::size_t effect,
+                  const Projector& known, const Eigen::VectorXd& left_over,
+                  const std::vector<bool>& trained) {
+  Screened best{effect, 0, 1, {}, {}};
+  for (const std::vector<double>& start : model.library()[effect].starts) {
+    Eigen::VectorXd mark = mark_of(model, fit, effect, start, trained);
+    if (mark.size() == 0) continue;
+    mark = only_trained(model, std::move(mark), trained);
+    const double whole = mark.norm();
+    mark = known.remainder(mark);
+    const double norm = mark.norm();
+    if (!(norm > 1e-6 * whole)) continue;  // all of it could be done by what is there already
+    mark /= norm;
+    const double along = mark.dot(left_over);
+    const double explains = along * along / left_over.squaredNorm();
+    if (explains <= best.explains) continue;
+    Eigen::VectorXd scores = scores_of(model, mark, left_over, trained);
+    best = {effect, explains, p_value_of(scores), std::move(scores), std::move(mark)};
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<Screened> screen(const ForwardModel& model, const Fit& fit,
+                             const std::vector<bool>& trained) {
+  const auto slopes = jacobian(model, fit.effects, fit.values, fit.residuals, trained);
+  if (!slopes) return {};
+  Eigen::MatrixXd known_slopes = *slopes;
+  for (Eigen::Index i = 0; i < known_slopes.cols(); ++i) {
+    known_slopes.col(i) = only_trained(model, known_slopes.col(i), trained);
+  }
+  const Projector known(known_slopes);
+  const Eigen::VectorXd left_over = known.remainder(only_trained(model, fit.residuals, trained));
+
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < model.library().size(); ++i) {
+    const bool held = std::ranges::find(fit.effects, i) != fit.effects.end();
+    if (!held && model.library()[i].not_exercised.empty()) open.push_back(i);
+  }
+  std::vector<Screened> all(open.size());
+  parallel_for(open.size(), [&](std::size_t i) {
+    all[i] = screened(model, fit, open[i], known, left_over, trained);
+  });
+  std::erase_if(all, [](const Screened& s) { return s.direction.size() == 0; });
+  std::ranges::sort(all, std::ranges::greater{}, &Screened::explains);
+  return all;
+}
+
+double pair_p_value(const Screened& a, const Screened& b) {
+  const auto n = static_cast<double>(a.scores.size());
+  if (n < 4) return 1;
+  Eigen::MatrixX2d scores(a.scores.size(), 2);
+  scores << a.scores, b.scores;
+  const Eigen::Vector2d mean = scores.colwise().mean();
+  const Eigen::MatrixX2d away = scores.rowwise() - mean.transpose();
+  const Eigen::Matrix2d covariance = away.transpose() * away / (n - 1);
+  const double t2 = n * mean.dot(covariance.completeOrthogonalDecomposition().solve(mean));
+  // T² (n − 2) / (2 (n − 1)) is F(2, n − 2), whose tail has a closed form.
+  return std::pow(1 + t2 / (n - 1), -(n - 2) / 2);
+}
+
+}  // namespace rvbench::analysis

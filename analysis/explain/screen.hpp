@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/explain/fit.hpp"
+#include "analysis/explain/forward_model.hpp"
+
+namespace rvbench::analysis {
+
+/// What a candidate could do for a fit, to first order.
+struct Screened {
+  std::size_t effect = 0;
+  double explains = 0;        ///< share of what the fit leaves over, 0 to 1
+  double p_value = 1;         ///< of that being chance, by the scatter from unit to unit
+  Eigen::VectorXd scores;     ///< of each unit: its part in it
+  Eigen::VectorXd direction;  ///< unit length: the candidate's own mark on the residuals
+};
+
+/// Score test of every candidate that the data can show and the fit does not hold yet, strongest
+/// first. What base and accepted effects can do is projected out: a candidate is credited only
+/// with what they cannot.
+///
+/// A candidate's shape parameters stay at each of its starts in turn; the best one counts.
+/// Source  Rao, Proc. Camb. Phil. Soc. 44, 50-57 (1948)
+std::vector<Screened> screen(const ForwardModel& model, const Fit& fit,
+                             const std::vector<bool>& trained);
+
+/// Probability that two candidates together explain this much by chance, by the scatter of their
+/// scores from unit to unit.
+/// Source  Hotelling, Ann. Math. Stat. 2(3), 360-378 (1931)
+double pair_p_value(const Screened& a, const Screened& b);
+
+}  // namespace rvbench::analysis

@@ -1,0 +1,259 @@
+#include "analysis/explain/selection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "analysis/explain/trial.hpp"
+#include "hal/types/parallel_for.hpp"
+
+namespace rvbench::analysis {
+namespace {
+
+constexpr double worth_a_fit = 0.1;    // p of a score: a fit asks for a hundredth of it, and less
+constexpr double worth_a_pair = 0.01;  // the same, of all pairs together
+constexpr double beyond_known = 3;     // spreads: so far off nothing is known of it after all
+
+// Why the base cannot be trusted: a parameter that had to leave what is known of it.
+std::string miscalibration(const ForwardModel& model, const Fit& base) {
+  for (std::size_t i = 0; i < model.base().size(); ++i) {
+    const ModelParameter& p = model.base()[i];
+    const bool at_low = base.values[i] <= p.low + 1e-6 * p.scale;
+    const bool at_high = base.values[i] >= p.high - 1e-6 * p.scale;
+    if (at_low || at_high || std::abs(base.values[i] - p.nominal) > beyond_known * p.spread) {
+      return fmt::format("{} had to go to {:.4g} {}, known as {:.4g} within {:.2g}", p.name,
+                         base.values[i], p.unit, p.nominal, p.spread);
+    }
+  }
+  return {};
+}
+
+bool predicts_better(const Trial& a, const Trial& b) {
+  const auto sum = [](const Trial& t) {
+    return t.held_out.log_density.size() > 0 ? t.held_out.log_density.sum()
+                                             : -std::numeric_limits<double>::infinity();
+  };
+  return sum(a) > sum(b);
+}
+
+class Selector {
+ public:
+  Selector(const ForwardModel& model, const SelectionOptions& options)
+      : on_(model), options_(options) {}
+
+  Selection run() {
+    Selection result;
+    tell("calibrating the base", 0);
+    result.base = fit_base();
+    result.miscalibrated = miscalibration(on_.model, result.base);
+    on_.counts_as = independent_share(on_.model, result.base.residuals);
+    auto base = stand(on_, result.base);
+    if (!base) {
+      result.miscalibrated = "the base cannot be evaluated without one of the conditions";
+      return result;
+    }
+    result.base_held_out = base->held_out;
+    now_ = std::move(*base);
+    while (steps_.size() < options_.most_effects && advance()) exchange();
+    drop_needless();
+    result.steps = steps_;
+    result.fit = now_.fit;
+    result.held_out = now_.held_out;
+    result.last_tried = last_tried_;
+    return result;
+  }
+
+ private:
+  void tell(const std::string& doing, double share) const {
+    if (options_.progress) options_.progress(doing, share);
+  }
+
+  Fit fit_base() const {
+    std::vector<double> nominal, moved;
+    for (const ModelParameter& p : on_.model.base()) {
+      nominal.push_back(p.nominal);
+      moved.push_back(std::clamp(p.nominal + p.scale, p.low, p.high));
+    }
+    return fit_from(on_.model, {}, {nominal, moved}, on_.everything);
+  }
+
+  // Accepts one more effect. @return false if there is none
+  bool advance() {
+    screened_ = screen(on_.model, now_.fit, on_.everything);
+    if (screened_.size() > options_.tries) screened_.resize(options_.tries);
+    std::vector<Trial> trials = try_all();
+    std::ranges::sort(trials, predicts_better);
+    const auto best =
+        std::ranges::find_if(trials, [](const Trial& t) { return t.refused.empty(); });
+    if (best == trials.end()) {
+      last_tried_ = std::move(trials);
+      return accept_pair();
+    }
+    accept(*best, trials);
+    return true;
+  }
+
+  std::vector<Trial> try_all() const {
+    std::vector<std::size_t> effects;
+    for (const Screened& s : screened_) {
+      if (s.p_value < worth_a_fit) effects.push_back(s.effect);
+    }
+    std::vector<Trial> trials(effects.size());
+    std::atomic<std::size_t> done = 0;
+    parallel_for(effects.size(), [&](std::size_t i) {
+      trials[i] = try_effect(on_, now_, effects[i]);
+      trials[i].fit.effects = now_.fit.effects;
+      trials[i].fit.effects.push_back(effects[i]);
+      tell(fmt::format("effect {}: fitting candidates", steps_.size() + 1),
+           double(++done) / double(effects.size()));
+    });
+    return trials;
+  }
+
+  void accept(const Trial& best, const std::vector<Trial>& trials) {
+    Step step;
+    step.effect = best.effect();
+    step.over_before = best.over_before;
+    step.p_value = best.p_value;
+    step.tried = trials;
+    std::vector<HeldOut> ranked;
+    for (const Trial& trial : trials) {
+      if (trial.held_out.log_density.size() == 0 || !trial.fit.not_certified.empty()) continue;
+      ranked.push_back(trial.held_out);
+      const bool itself = trial.effect() == step.effect;
+      if (!itself && trial.refused.empty() && !margin(best.held_out, trial.held_out).is_clear()) {
+        step.equals.push_back(trial.effect());
+      }
+    }
+    const std::vector<double> shares = shares_won(ranked);
+    for (std::size_t i = 0; i < ranked.size(); ++i) {
+      if (ranked[i].effects.back() == step.effect) step.share_won = shares[i];
+    }
+    if (auto standing = stand(on_, best.fit)) now_ = std::move(*standing);
+    steps_.push_back(std::move(step));
+  }
+
+  // Two effects together that neither shows alone.
+  bool accept_pair() {
+    if (steps_.size() + 2 > options_.most_effects) return false;
+    const auto pairs = promising_pairs();
+    std::vector<PairTrial> trials(pairs.size());
+    parallel_for(pairs.size(),
+                 [&](std::size_t i) { trials[i] = try_pair(pairs[i].first, pairs[i].second); });
+    std::erase_if(trials, [](const PairTrial& t) { return !t.second.refused.empty(); });
+    const auto best = std::ranges::min_element(trials, [](const PairTrial& a, const PairTrial& b) {
+      return predicts_better(a.second, b.second);
+    });
+    if (best == trials.end()) return false;
+    accept(best->first, last_tried_);
+    accept(best->second, {best->second});
+    return true;
+  }
+
+  std::vector<std::pair<std::size_t, std::size_t>> promising_pairs() const {
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    const std::size_t n = screened_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t k = i + 1; k < n; ++k) {
+        const double p = pair_p_value(screened_[i], screened_[k]) * double(n * (n - 1)) / 2;
+        if (p < worth_a_pair) pairs.emplace_back(screened_[i].effect, screened_[k].effect);
+      }
+    }
+    return pairs;
+  }
+
+  struct PairTrial {
+    Trial first, second;
+  };
+
+  // The second is refused where the two are not clearly better than neither.
+  PairTrial try_pair(std::size_t a, std::size_t b) const {
+    PairTrial pair;
+    pair.second.refused = "its partner cannot be fitted";
+    pair.first = try_effect(on_, now_, a);
+    if (!pair.first.fit.not_certified.empty()) return pair;
+    const auto first = stand(on_, pair.first.fit);
+    if (!first) return pair;
+    pair.second = try_effect(on_, *first, b);
+    if (pair.second.refused.empty() && !margin(pair.second.held_out, now_.held_out).is_clear()) {
+      pair.second.refused = "the pair does not predict left-out conditions clearly better";
+    }
+    return pair;
+  }
+
+  // Exchanges earlier effects for rivals that predict clearly better beside the newest one.
+  void exchange() {
+    for (std::size_t s = 0; s + 1 < steps_.size(); ++s) {
+      for (const Trial& rival : std::vector<Trial>(steps_[s].tried)) {
+        if (rival.effect() == steps_[s].effect || !rival.fit.not_certified.empty()) continue;
+        const bool held =
+            std::ranges::find(now_.fit.effects, rival.effect()) != now_.fit.effects.end();
+        if (!held) try_exchange(s, rival.effect());
+      }
+    }
+  }
+
+  void try_exchange(std::size_t s, std::size_t effect) {
+    const auto rest = refit_without(steps_[s].effect);
+    if (!rest) return;
+    const Trial trial = try_effect(on_, *rest, effect);
+    if (!trial.refused.empty() || !margin(trial.held_out, now_.held_out).is_clear()) return;
+    if (auto standing = stand(on_, trial.fit)) {
+      now_ = std::move(*standing);
+      steps_[s].effect = effect;
+      steps_[s].over_before = trial.over_before;
+      steps_[s].p_value = trial.p_value;
+      steps_[s].equals.clear();
+    }
+  }
+
+  // The present model without one of its effects, fitted anew.
+  std::optional<Standing> refit_without(std::size_t effect) const {
+    std::vector<std::size_t> effects;
+    std::vector<double> start(now_.fit.values.begin(),
+                              now_.fit.values.begin() + std::ptrdiff_t(on_.model.base().size()));
+    std::size_t at = start.size();
+    for (const std::size_t held : now_.fit.effects) {
+      const std::size_t count = on_.model.library()[held].parameters.size();
+      if (held != effect) {
+        effects.push_back(held);
+        start.insert(start.end(), now_.fit.values.begin() + std::ptrdiff_t(at),
+                     now_.fit.values.begin() + std::ptrdiff_t(at + count));
+      }
+      at += count;
+    }
+    Fit fit = fit_from(on_.model, effects, {start, start}, on_.everything);
+    if (fit.residuals.size() == 0) return std::nullopt;
+    return stand(on_, std::move(fit));
+  }
+
+  void drop_needless() {
+    if (steps_.size() < 2) return;
+    for (std::size_t s = 0; s < steps_.size();) {
+      const auto without = refit_without(steps_[s].effect);
+      if (without && !margin(now_.held_out, without->held_out).is_clear()) {
+        now_ = *without;
+        steps_.erase(steps_.begin() + std::ptrdiff_t(s));
+      } else {
+        ++s;
+      }
+    }
+  }
+
+  Tryout on_;
+  const SelectionOptions& options_;
+  Standing now_;
+  std::vector<Step> steps_;
+  std::vector<Screened> screened_;  // at the present step
+  std::vector<Trial> last_tried_;
+};
+
+}  // namespace
+
+Selection select_effects(const ForwardModel& model, const SelectionOptions& options) {
+  return Selector(model, options).run();
+}
+
+}  // namespace rvbench::analysis

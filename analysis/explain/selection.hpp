@@ -1,0 +1,63 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "analysis/explain/fit.hpp"
+#include "analysis/explain/forward_model.hpp"
+#include "analysis/explain/held_out.hpp"
+#include "analysis/explain/screen.hpp"
+
+namespace rvbench::analysis {
+
+/// A candidate tried beside others, and how it did.
+struct Trial {
+  Fit fit;
+  HeldOut held_out;
+  Margin over_before;   ///< over the model without it
+  double p_value = 1;   ///< of its size, clustered by unit, times the number of candidates
+  std::string refused;  ///< why it cannot be accepted; empty if it can
+  std::size_t effect() const { return fit.effects.back(); }
+};
+
+/// One effect accepted, and what else was tried in its place.
+struct Step {
+  std::size_t effect = 0;
+  Margin over_before;
+  double p_value = 1;
+  double share_won = 0;             ///< of bootstraps, against all others tried
+  std::vector<std::size_t> equals;  ///< those that predict as well within 2 SE; not itself
+  std::vector<Trial> tried;         ///< all of them, best first
+};
+
+/// What was found to be left out.
+struct Selection {
+  Fit base;
+  HeldOut base_held_out;
+  std::vector<Step> steps;  ///< in the order in which they were accepted
+  Fit fit;                  ///< with all of them
+  HeldOut held_out;
+  std::vector<Trial> last_tried;  ///< what did not pass any more, best first
+  std::string miscalibrated;      ///< why the base cannot be trusted; empty if it can
+};
+
+struct SelectionOptions {
+  std::size_t tries = 8;  ///< candidates fitted after each screening
+  std::size_t most_effects = 6;
+  /// Told what is done and how much of the present step, 0 to 1. May stop the work by throwing.
+  std::function<void(const std::string& doing, double share)> progress = {};
+};
+
+/// Adds effects to the base as long as one predicts left-out conditions clearly better.
+///
+/// A candidate is accepted if its fit is certified, it predicts left-out conditions better by more
+/// than two standard errors, it does not predict left-out speeds and loads worse, its size is
+/// significant (p times the number of candidates below 0.01) and inside its bounds. Of those that
+/// are accepted the best one is taken; those within two standard errors of it are its equals.
+/// After each step earlier ones are exchanged for their rivals where that predicts clearly better;
+/// where no single candidate passes, pairs of the best are tried; in the end each effect that the
+/// others made needless is dropped.
+Selection select_effects(const ForwardModel& model, const SelectionOptions& options = {});
+
+}  // namespace rvbench::analysis

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/explain/selection.hpp"
+
+namespace rvbench::analysis {
+
+/// What a selection tries things on: the model, and how it leaves conditions out.
+struct Tryout {
+  const ForwardModel& model;
+  std::vector<Fold> conditions;
+  std::vector<Fold> extrapolations;
+  std::vector<bool> everything;  ///< per unit: true
+  double counts_as = 1;          ///< what one value of the base's residuals is worth
+
+  explicit Tryout(const ForwardModel& model);
+};
+
+/// A fit with what is held out of it.
+struct Standing {
+  Fit fit;
+  HeldOut held_out;
+  HeldOut extrapolated;
+};
+
+/// @return nothing if the model cannot be evaluated in a fold
+std::optional<Standing> stand(const Tryout& on, Fit fit);
+
+/// Tries `effect` on top of what stands.
+Trial try_effect(const Tryout& on, const Standing& before, std::size_t effect);
+
+}  // namespace rvbench::analysis

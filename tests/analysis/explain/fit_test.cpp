@@ -1,0 +1,92 @@
+#include "analysis/explain/fit.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "analysis/explain/screen.hpp"
+#include "tests/analysis/explain/toy_model.hpp"
+
+namespace rvbench::analysis {
+namespace {
+
+using test::ToyModel;
+
+std::vector<bool> all(const ForwardModel& model) {
+  return std::vector<bool>(model.units().size(), true);
+}
+
+Fit base_fit(const ToyModel& model) {
+  return fit_from(model, {}, {{1.0, 0.0}, {2.0, 1.0}}, all(model));
+}
+
+}  // namespace
+
+TEST_CASE("a fit finds the values that made the data, and is certified", "[explain]") {
+  const ToyModel model({{{"stribeck_friction", {0.7, 0.4}}}, 0.02, 0.5});
+  const Fit fit = fit_with(model, base_fit(model), model.index_of("stribeck_friction"), all(model));
+  CHECK(fit.not_certified.empty());
+  CHECK(fit.values[0] == Approx(1.1).epsilon(0.01));
+  CHECK(fit.values[1] == Approx(0.2).epsilon(0.01));
+  CHECK(fit.values[2] == Approx(0.7).epsilon(0.02));
+  CHECK(fit.values[3] == Approx(0.4).epsilon(0.02));
+}
+
+TEST_CASE("standard errors are those of records, not of samples", "[explain][statistics]") {
+  // An offset of each record's own scatters the fitted offset by scatter/√27, however many samples
+  // a record has. Over many machines the error must be as large as the scatter of the result.
+  double sum = 0, claimed = 0;
+  const int machines = 60;
+  for (int i = 0; i < machines; ++i) {
+    const ToyModel model({{}, 0.05, 0.9, 0.3, unsigned(100 + i)});
+    const Fit fit = base_fit(model);
+    sum += std::pow(fit.values[1] - 0.2, 2);
+    claimed += fit.covariance(1, 1);
+  }
+  CHECK(std::sqrt(sum / machines) == Approx(0.3 / std::sqrt(27)).epsilon(0.2));
+  CHECK(std::sqrt(claimed / machines) == Approx(std::sqrt(sum / machines)).epsilon(0.2));
+}
+
+TEST_CASE("a fit whose starts end in different places is not certified", "[explain]") {
+  // Far beyond all speeds measured Stribeck's curve is Coulomb friction: its speed is anything.
+  const ToyModel model({{{"coulomb_friction", {0.5}}}, 1e-6, 0.0});
+  const Fit base = base_fit(model);
+  const std::size_t effect = model.index_of("stribeck_friction");
+  const Fit fit = fit_from(model, {effect}, {{1.1, 0.2, 0, 0.1}, {1.1, 0.2, 0, 1.5}}, all(model));
+  CHECK(fit.cost <= base.cost);
+  // Either both starts agree, or the fit says that they do not.
+  if (fit.not_certified.empty()) CHECK(fit.cost < 0.5 * base.cost);
+}
+
+TEST_CASE("only the units learned from move a fit", "[explain]") {
+  ToyModel model({{{"drag", {0.3}}}, 0.01, 0.5});
+  std::vector<bool> trained = all(model);
+  for (std::size_t u = 0; u < trained.size(); ++u) trained[u] = model.units()[u].speed[0] == '0';
+  const Fit slow = fit_from(model, {}, {{1.0, 0.0}, {2.0, 1.0}}, trained);
+  const Fit whole = base_fit(model);
+  CHECK(slow.values[0] == Approx(1.1 + 0.3 * 0.5 * 8 / (3 * M_PI)).epsilon(0.02));
+  CHECK(whole.values[0] > 1.2 * slow.values[0]);
+}
+
+TEST_CASE("screening puts the effect that was left out first", "[explain]") {
+  for (const auto& [name, values] : std::vector<std::pair<std::string, std::vector<double>>>{
+           {"coulomb_friction", {0.05}},
+           {"load_friction", {0.05}},
+           {"stribeck_friction", {0.1, 0.2}}}) {
+    CAPTURE(name);
+    const ToyModel model({{{name, values}}, 0.02, 0.5});
+    const auto screened = screen(model, base_fit(model), all(model));
+    REQUIRE_FALSE(screened.empty());
+    CHECK(model.library()[screened.front().effect].name == name);
+    CHECK(screened.front().p_value < 0.01 / 5);  // of five candidates
+  }
+}
+
+TEST_CASE("screening leaves out what the data cannot show", "[explain]") {
+  ToyModel model({{{"load_friction", {0.3}}}});
+  model.hide("load_friction", "the load never changes");
+  for (const Screened& s : screen(model, base_fit(model), all(model))) {
+    CHECK(model.library()[s.effect].name != "load_friction");
+  }
+}
+
+}  // namespace rvbench::analysis
