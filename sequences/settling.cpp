@@ -22,21 +22,23 @@ void Settling::add(double time_s, double angle_rad, double torque_Nm) {
   if (!std::isfinite(angle_rad) || !std::isfinite(torque_Nm)) return;
   if (!started_) {
     started_ = true;
-    from_s_ = time_s;
+    from_s_ = newest_s_ = time_s;
     from_rad_ = angle_rad;
     return;
   }
+  if (time_s <= newest_s_) return;
+  newest_s_ = time_s;
   torque_sum_Nm_ += torque_Nm;
-  ++ticks_;
+  ++torques_;
   const double length_s = time_s - from_s_;
   if (length_s < window_s - 1e-9) return;
   windows_.push_back(
-      {units::rpm_from_rad_s((angle_rad - from_rad_) / length_s), torque_sum_Nm_ / double(ticks_)});
+      {units::rpm_from_rad_s((angle_rad - from_rad_) / length_s), torque_sum_Nm_ / double(torques_)});
   if (windows_.size() > held_) windows_.pop_front();
   from_s_ = time_s;
   from_rad_ = angle_rad;
   torque_sum_Nm_ = 0;
-  ticks_ = 0;
+  torques_ = 0;
 }
 
 bool Settling::settled() const {

@@ -23,7 +23,8 @@ class Settling {
  public:
   Settling(const SettlingRule& rule, double planned_speed_rpm);
 
-  /// One tick: the latest angle with its time, and the mean torque since the tick before.
+  /// The newest angle with its time, and the mean torque of the samples that came with it. A time
+  /// that does not go on is no news: a tick without a fresh value counts for nothing.
   void add(double time_s, double angle_rad, double torque_Nm);
 
   bool settled() const;
@@ -42,8 +43,9 @@ class Settling {
   bool started_ = false;
   double from_s_ = 0;
   double from_rad_ = 0;
+  double newest_s_ = 0;
   double torque_sum_Nm_ = 0;
-  int ticks_ = 0;
+  int torques_ = 0;
 };
 
 }  // namespace rvbench::sequences

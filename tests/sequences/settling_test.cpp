@@ -76,3 +76,17 @@ TEST_CASE("samples that are not known settle nothing", "[sequences][settling]") 
   CHECK_FALSE(settling.settled());
   CHECK(std::isnan(settling.mean_speed_rpm()));
 }
+
+TEST_CASE("a tick without a fresh value counts for nothing", "[sequences][settling]") {
+  // News come every 40 ms, 1 N·m and 3 N·m in turn; the bench ticks every 10 ms and finds the 3 N·m
+  // three times over. The mean of what was measured is 2 N·m.
+  Settling settling({.torque_band_pct = 100, .hold_s = 2}, 1000);
+  const double rad_s = units::rad_s_from_rpm(1000);
+  for (int news = 0; news <= 100; ++news) {
+    const double t_s = news * 0.04;
+    const bool high = news % 2 == 1;
+    for (int tick = 0; tick < (high ? 3 : 1); ++tick) settling.add(t_s, rad_s * t_s, high ? 3 : 1);
+  }
+  CHECK(settling.mean_torque_Nm() == Approx(2));
+  CHECK(settling.mean_speed_rpm() == Approx(1000));
+}
