@@ -26,14 +26,9 @@ sim::WireFault wire_fault(const std::string& name) {
 /// The inverter knows one fault at a time: each waits until it is due, then replaces the one
 /// before.
 void schedule(sim::BenchWorld& world, const ScheduledFault& fault) {
-  const auto begin = [&server = world.inverter_server(), kind = wire_fault(fault.fault)] {
+  world.at(fault.at_s, [&server = world.inverter_server(), kind = wire_fault(fault.fault)] {
     server.inject({.fault = kind});
-  };
-  if (fault.at_s > 0) {
-    world.at(fault.at_s, begin);
-  } else {
-    begin();
-  }
+  });
 }
 
 Made make(const SimRig& rig) {

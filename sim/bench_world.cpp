@@ -54,6 +54,14 @@ void BenchWorld::advance_to(double time_s) {
   now_s_ = std::max(now_s_, time_s);
 }
 
+void BenchWorld::at(double time_s, std::function<void()> what) {
+  if (time_s <= now_s_) {
+    what();
+  } else {
+    events_.emplace(time_s, std::move(what));
+  }
+}
+
 void BenchWorld::step() {
   constexpr double dt_s = 1 / RvBench::rate_Hz;
   ++scans_;

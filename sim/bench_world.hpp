@@ -45,8 +45,8 @@ class BenchWorld final : public hal::PlantPort {
   void stop_daq() { daq_stopped_ = true; }
   void lose_temperature() { housing_temp_is_known_ = false; }
 
-  /// Does it once time has come to `time_s`, in the middle of advance_to().
-  void at(double time_s, std::function<void()> what) { events_.emplace(time_s, std::move(what)); }
+  /// Does it once time has come to `time_s`: in the middle of advance_to(), or now if it has.
+  void at(double time_s, std::function<void()> what);
 
  private:
   void step();

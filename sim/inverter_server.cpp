@@ -156,7 +156,7 @@ class InverterServer::Service {
   void accept_client() {
     const int client = ::accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
     if (client < 0) return;
-    if (faults.is_dead(model_.time_s())) {
+    if (faults.is_dead()) {
       ::close(client);
     } else {
       clients_.push_back(client);
@@ -177,7 +177,7 @@ class InverterServer::Service {
     request.resize(static_cast<std::size_t>(length));
     if (request.size() <= header_bytes || request[header_bytes - 1] != unit_id_) return true;
     ++requests;
-    const WireFault fault = faults.take(model_.time_s());
+    const WireFault fault = faults.take();
     if (fault == WireFault::dead) return false;
     if (fault == WireFault::silent) return true;
     model_.note_request();

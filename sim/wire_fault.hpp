@@ -15,11 +15,11 @@ enum class WireFault {
   dead      ///< closes the connection and every new one
 };
 
-/// When a fault holds: from `from_s` on, after `after_requests` more sound ones, for `requests`.
+/// When a fault holds: after `after_requests` more sound ones, for `requests`. One that is to
+/// begin at a time is injected then.
 struct WireFaultPlan {
   WireFault fault = WireFault::none;
-  double from_s = 0;       ///< virtual time
-  int after_requests = 0;  ///< counted from inject(), once `from_s` has come
+  int after_requests = 0;  ///< counted from inject()
   int requests = std::numeric_limits<int>::max();
 };
 
@@ -31,10 +31,10 @@ class WireFaultSwitch {
     plan_ = plan;
   }
 
-  /// What to do with the request that has just come at virtual time `now_s`; counts it.
-  WireFault take(double now_s) {
+  /// What to do with the request that has just come; counts it.
+  WireFault take() {
     const std::lock_guard lock(mutex_);
-    if (now_s < plan_.from_s || plan_.requests <= 0) return WireFault::none;
+    if (plan_.requests <= 0) return WireFault::none;
     if (plan_.after_requests > 0) {
       --plan_.after_requests;
       return WireFault::none;
@@ -44,10 +44,9 @@ class WireFaultSwitch {
   }
 
   /// True if a new connection is to be closed at once; does not count.
-  bool is_dead(double now_s) const {
+  bool is_dead() const {
     const std::lock_guard lock(mutex_);
-    return plan_.fault == WireFault::dead && now_s >= plan_.from_s && plan_.after_requests <= 0 &&
-           plan_.requests > 0;
+    return plan_.fault == WireFault::dead && plan_.after_requests <= 0 && plan_.requests > 0;
   }
 
  private:

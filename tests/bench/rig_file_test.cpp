@@ -76,6 +76,15 @@ TEST_CASE("faults of one device come one after the other, each at its time", "[b
   CHECK(dead.error().code == IoErrc::disconnected);
 }
 
+TEST_CASE("a fault at time zero is there before the first request", "[bench]") {
+  const test::ScratchFolder scratch;
+  const std::string file = (scratch.path() / "rig.json").string();
+  write_file(file, R"({"faults": [{"at_s": 0, "device": "inverter", "fault": "dead"}]})");
+  auto made = make_rig(file, {});
+  REQUIRE(made.index() == 0);
+  CHECK_FALSE(std::get<0>(made).drive->connect());
+}
+
 TEST_CASE("a replay rig names its recording", "[bench]") {
   const auto file = read(R"({"rig": "replay", "recording": "a.h5", "rated_output_torque_Nm": 50})");
   REQUIRE(file.index() == 0);
