@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <system_error>
 
 #include "hal/hdf5/attributes.hpp"
 #include "hal/hdf5/point_reader.hpp"
@@ -30,6 +31,13 @@ Handle open_file(const std::filesystem::path& path) {
   return own(H5Fopen(path.c_str(), mode, access.id()), H5Fclose, "open");
 }
 
+std::size_t bytes_of(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto bytes = std::filesystem::file_size(path, error);
+  if (error) throw FileFailure(IoErrc::refused, "size: " + error.message());
+  return bytes;
+}
+
 int number_of(const std::string& name) {
   int number = -1;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
@@ -39,9 +47,7 @@ int number_of(const std::string& name) {
 class Hdf5RecordingReader final : public RecordingReader {
  public:
   explicit Hdf5RecordingReader(std::filesystem::path path)
-      : path_(std::move(path)),
-        file_(open_file(path_)),
-        file_bytes_(std::filesystem::file_size(path_)) {
+      : path_(std::move(path)), file_(open_file(path_)), file_bytes_(bytes_of(path_)) {
     read_points();
     read_tables();
   }

@@ -55,7 +55,7 @@ class Hdf5RecordingWriter final : public RecordingWriter {
         sync_(path_),
         ended_(layout_.points.size(), false) {}
 
-  ~Hdf5RecordingWriter() override { static_cast<void>(close()); }
+  ~Hdf5RecordingWriter() override;
 
   Status append(int point, const AccelerationBlock& block) override;
   Status append(int point, const TorqueBlock& block) override;
@@ -88,6 +88,13 @@ class Hdf5RecordingWriter final : public RecordingWriter {
   Pace::time_point flushed_ = Pace::now();
   std::optional<IoError> failure_;  ///< the first one: after it nothing more is written
 };
+
+Hdf5RecordingWriter::~Hdf5RecordingWriter() {
+  try {
+    static_cast<void>(close());
+  } catch (...) {  // out of memory, say: whoever wanted to know has called close()
+  }
+}
 
 /// Runs one step of writing. Once a step failed, all later ones fail likewise: a recording with a
 /// hole in it must not look whole.

@@ -30,9 +30,9 @@ struct ModbusInverterOptions {
 ///          over a new one, after the drive was identified again: so a late reply is never taken
 ///          for the next one
 /// Retries  a failed read() is sent once more, counted; a setpoint never; a stop() once more
-/// Time     no call blocks longer than 4 response time-outs, stall_s included, connect() 7; a
-/// stop()
-///          from another thread also waits for the request under way, which is then not repeated
+/// Time     no call blocks longer than 4 response time-outs, stall_s included, connect() 7;
+///          stop() from another thread also waits for the request under way, which is then not
+///          repeated
 /// Clock    real time passes while a reply is awaited; each time-out is charged to a virtual
 ///          clock, so that a simulated drive's own watchdog runs on. stop() charges nothing: it
 ///          may come from another thread
