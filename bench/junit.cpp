@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/xml_text.hpp"
+
 namespace rvbench::bench {
 namespace {
 
@@ -92,43 +94,7 @@ std::string xml_of(const TestCase& test) {
          fmt::format("><{} message=\"{}\"/></testcase>\n", element, xml_escaped(test.message));
 }
 
-/// Length of the UTF-8 sequence that starts at text[i]; 0 if it is malformed.
-std::size_t sequence_length(const std::string& text, std::size_t i) {
-  const auto first = static_cast<unsigned char>(text[i]);
-  const std::size_t length = first < 0x80 ? 1 : first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if ((first >= 0x80 && first < 0xC2) || first > 0xF4 || i + length > text.size()) return 0;
-  for (std::size_t k = 1; k < length; ++k) {
-    if ((static_cast<unsigned char>(text[i + k]) & 0xC0U) != 0x80U) return 0;
-  }
-  return length;
-}
-
 }  // namespace
-
-std::string xml_escaped(const std::string& text) {
-  std::string escaped;
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = sequence_length(text, i);
-    const char c = text[i];
-    const bool control =
-        static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r';
-    if (length == 0 || control) {
-      escaped += "\xEF\xBF\xBD";
-    } else if (c == '<') {
-      escaped += "&lt;";
-    } else if (c == '>') {
-      escaped += "&gt;";
-    } else if (c == '&') {
-      escaped += "&amp;";
-    } else if (c == '"') {
-      escaped += "&quot;";
-    } else {
-      escaped += text.substr(i, length);
-    }
-    i += std::max<std::size_t>(1, length);
-  }
-  return escaped;
-}
 
 std::string junit_xml(const Judgement& judgement) {
   const std::vector<TestCase> tests = cases_of(judgement);

@@ -6,9 +6,6 @@
 
 namespace rvbench::bench {
 
-/// `text` for an XML or HTML text or attribute. Characters that XML 1.0 forbids become U+FFFD.
-std::string xml_escaped(const std::string& text);
-
 /// junit.xml of a judgement: one testcase per point (error if it cannot be trusted, skipped if it
 /// was never recorded), one per limit and one per finding above its limit (failures), and one for
 /// the run itself, which carries its ending.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/junit.hpp"
+#include "bench/xml_text.hpp"
 
 namespace rvbench::bench::report {
 

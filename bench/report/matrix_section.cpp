@@ -5,9 +5,9 @@
 #include <map>
 #include <set>
 
-#include "bench/junit.hpp"
 #include "bench/report/html.hpp"
 #include "bench/report/sections.hpp"
+#include "bench/xml_text.hpp"
 
 namespace rvbench::bench::report {
 namespace {

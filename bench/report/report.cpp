@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "bench/junit.hpp"
 #include "bench/report/sections.hpp"
+#include "bench/xml_text.hpp"
 
 namespace rvbench::bench {
 

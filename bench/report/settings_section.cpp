@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "bench/junit.hpp"
 #include "bench/report/html.hpp"
 #include "bench/report/sections.hpp"
+#include "bench/xml_text.hpp"
 
 namespace rvbench::bench::report {
 namespace {

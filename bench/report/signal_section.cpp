@@ -6,11 +6,11 @@
 #include "analysis/emd/emd.hpp"
 #include "analysis/hilbert.hpp"
 #include "analysis/spectrum.hpp"
-#include "bench/junit.hpp"
 #include "bench/report/html.hpp"
 #include "bench/report/order_spectrum.hpp"
 #include "bench/report/sections.hpp"
 #include "bench/report/svg_plot.hpp"
+#include "bench/xml_text.hpp"
 #include "hal/types/units.hpp"
 
 namespace rvbench::bench::report {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "bench/junit.hpp"
+#include "bench/xml_text.hpp"
 
 namespace rvbench::bench {
 namespace {

@@ -65,10 +65,4 @@ TEST_CASE("an ending that is the bench's fault is an error, not a failure", "[be
   CHECK_THAT(junit_xml(judgement), Contains(R"(<error message="unsettled"/>)"));
 }
 
-TEST_CASE("characters that XML forbids are replaced", "[bench]") {
-  CHECK(xml_escaped("a\x01z") == "a\xEF\xBF\xBDz");
-  CHECK(xml_escaped("caf\xe9") == "caf\xEF\xBF\xBD");
-  CHECK(xml_escaped("N·m & m/s²") == "N·m &amp; m/s²");
-}
-
 }  // namespace rvbench::bench
