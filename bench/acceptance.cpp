@@ -9,6 +9,7 @@
 #include "bench/judging.hpp"
 #include "bench/run_log.hpp"
 #include "bench/run_recordings.hpp"
+#include "bench/run_results.hpp"
 #include "hal/recording_file.hpp"
 #include "sequences/sequencer.hpp"
 

@@ -29,12 +29,4 @@ struct Acceptance {
 Judgement run_acceptance(Acceptance acceptance, hal::Rig& rig, ProgressBar& bar,
                          std::stop_token stop);
 
-/// verdict.json, junit.xml, report.html and SHA256SUMS of a run folder.
-void write_results(const std::filesystem::path& folder, const Judgement& judgement,
-                   const analysis::Kinematics& kinematics);
-
-/// report.html alone, out of what the folder holds.
-void write_report(const std::filesystem::path& folder, const Judgement& judgement,
-                  const analysis::Kinematics& kinematics);
-
 }  // namespace rvbench::bench

@@ -1,3 +1,5 @@
+#include "bench/find_plan.hpp"
+
 #include "bench/plan_files.hpp"
 #include "hal/did_you_mean.hpp"
 

@@ -1,7 +1,9 @@
+#include "bench/run_results.hpp"
+
+#include <memory>
 #include <optional>
 #include <utility>
 
-#include "bench/acceptance.hpp"
 #include "bench/junit.hpp"
 #include "bench/report/report.hpp"
 #include "bench/run_recordings.hpp"

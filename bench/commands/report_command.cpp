@@ -1,9 +1,9 @@
 #include <filesystem>
 
-#include "bench/acceptance.hpp"
 #include "bench/commands/commands.hpp"
 #include "bench/judging.hpp"
 #include "bench/kinematics_file.hpp"
+#include "bench/run_results.hpp"
 #include "bench/sha256.hpp"
 #include "bench/verdict_json.hpp"
 #include "sequences/plan.hpp"

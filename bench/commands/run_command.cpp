@@ -7,9 +7,9 @@
 
 #include "bench/acceptance.hpp"
 #include "bench/commands/commands.hpp"
+#include "bench/find_plan.hpp"
 #include "bench/judging.hpp"
 #include "bench/kinematics_file.hpp"
-#include "bench/plan_files.hpp"
 #include "bench/progress_bar.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/rig_file.hpp"

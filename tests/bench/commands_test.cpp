@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "bench/cli.hpp"
+#include "bench/find_plan.hpp"
 #include "bench/plan_files.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/run_folder.hpp"
