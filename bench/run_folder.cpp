@@ -14,7 +14,7 @@
 
 #include "bench/sha256.hpp"
 #include "bench/verdict_json.hpp"
-#include "hal/hdf5/disk_sync.hpp"
+#include "hal/sync_folder.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -58,8 +58,8 @@ std::filesystem::path create_run_folder(const std::filesystem::path& root,
   for (int copy = 2; !std::filesystem::create_directory(folder); ++copy) {
     folder = parent / fmt::format("{}-{}", utc, copy);
   }
-  hal::hdf5::sync_folder(folder);
-  hal::hdf5::sync_folder(parent);
+  hal::sync_folder(folder);
+  hal::sync_folder(parent);
   return folder;
 }
 
@@ -103,7 +103,7 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
   const bool synced = fsync(fd) == 0;
   if (close(fd) != 0 || !synced) throw_errno(draft);
   std::filesystem::rename(draft, file);
-  hal::hdf5::sync_folder(file);
+  hal::sync_folder(file);
 }
 
 std::optional<std::string> read_file(const std::filesystem::path& file) {

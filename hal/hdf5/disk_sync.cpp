@@ -7,15 +7,9 @@
 #include <cerrno>
 #include <chrono>
 
-namespace rvbench::hal::hdf5 {
+#include "hal/sync_folder.hpp"
 
-void sync_folder(const std::filesystem::path& file) {
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  ::fsync(descriptor);
-  ::close(descriptor);
-}
+namespace rvbench::hal::hdf5 {
 
 DiskSync::DiskSync(const std::filesystem::path& file)
     : descriptor_(::open(file.c_str(), O_RDONLY | O_CLOEXEC)) {

@@ -9,9 +9,6 @@
 
 namespace rvbench::hal::hdf5 {
 
-/// A new or renamed file survives a power failure only once its folder is on the disk, too.
-void sync_folder(const std::filesystem::path& file);
-
 /// Has what was written to a file put on the disk each second, so that a power failure costs no
 /// more. In a thread of its own: a slow disk must not hold up the loop that watches the shaft.
 /// Real seconds, whatever the rig's clock says: this is about the disk, not about the bench.
