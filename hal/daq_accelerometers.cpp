@@ -1,8 +1,8 @@
 #include "hal/daq_accelerometers.hpp"
 
-#include <cmath>
-#include <stdexcept>
 #include <string>
+
+#include "hal/types/require_positive.hpp"
 
 namespace rvbench::hal {
 namespace {
@@ -15,10 +15,7 @@ IoError failure(IoErrc code, const char* what) {
 
 DaqAccelerometers::DaqAccelerometers(PlantPort& port, Clock& clock, double deadline_s)
     : port_(port), clock_(clock), deadline_s_(deadline_s) {
-  if (!std::isfinite(deadline_s) || deadline_s <= 0) {
-    throw std::invalid_argument("DaqAccelerometers: deadline_s is " + std::to_string(deadline_s) +
-                                ", must be finite and above 0");
-  }
+  require_positive(deadline_s, "DaqAccelerometers", "deadline_s");
 }
 
 const std::vector<ChannelInfo>& DaqAccelerometers::channels() const {

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
+#include "hal/types/require_positive.hpp"
 #include "hal/types/units.hpp"
 
 namespace rvbench::sim {
@@ -13,13 +12,6 @@ namespace {
 constexpr std::uint32_t transducer_id = 0x181;
 constexpr std::uint32_t brake_command_id = 0x201;
 constexpr std::uint32_t brake_status_id = 0x281;
-
-void require_positive(double value, const char* name) {
-  if (!std::isfinite(value) || value <= 0) {
-    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
-                                ", must be finite and above 0");
-  }
-}
 
 void put(hal::CanFrame& frame, std::size_t at, std::size_t bytes, std::uint64_t value) {
   for (std::size_t i = 0; i < bytes; ++i) {
@@ -39,7 +31,7 @@ void send_as(hal::CanTransport& bus, NodeFault fault, const hal::CanFrame& frame
 
 TransducerNode::TransducerNode(hal::CanTransport& bus, double rate_Hz)
     : bus_(bus), rate_Hz_(rate_Hz) {
-  require_positive(rate_Hz, "TransducerNode: rate_Hz");
+  require_positive(rate_Hz, "TransducerNode", "rate_Hz");
 }
 
 void TransducerNode::advance_to(double time_s, double torque_Nm, double angle_rad) {
@@ -84,9 +76,9 @@ void TransducerNode::send_sample(double torque_Nm, double angle_rad) {
 
 BrakeNode::BrakeNode(hal::CanTransport& bus, const Parameters& parameters)
     : bus_(bus), parameters_(parameters) {
-  require_positive(parameters.status_rate_Hz, "BrakeNode: status_rate_Hz");
-  require_positive(parameters.comm_loss_timeout_s, "BrakeNode: comm_loss_timeout_s");
-  require_positive(parameters.max_torque_Nm, "BrakeNode: max_torque_Nm");
+  require_positive(parameters.status_rate_Hz, "BrakeNode", "status_rate_Hz");
+  require_positive(parameters.comm_loss_timeout_s, "BrakeNode", "comm_loss_timeout_s");
+  require_positive(parameters.max_torque_Nm, "BrakeNode", "max_torque_Nm");
 }
 
 void BrakeNode::advance_to(double time_s, double measured_Nm) {

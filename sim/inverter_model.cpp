@@ -5,22 +5,18 @@
 #include <stdexcept>
 #include <string>
 
+#include "hal/types/require_positive.hpp"
+
 namespace rvbench::sim {
 namespace {
 
-void require_positive(double value, const char* name) {
-  if (!std::isfinite(value) || value <= 0) {
-    throw std::invalid_argument("InverterModel: " + std::string(name) + " is " +
-                                std::to_string(value) + ", must be finite and above 0");
-  }
-}
-
 InverterParameters checked(const InverterParameters& p) {
-  require_positive(p.pole_pairs, "pole_pairs");
-  require_positive(p.max_frequency_Hz, "max_frequency_Hz");
-  require_positive(p.ramp_up_Hz_per_s, "ramp_up_Hz_per_s");
-  require_positive(p.ramp_down_Hz_per_s, "ramp_down_Hz_per_s");
-  if (p.comm_loss_timeout_s != 0) require_positive(p.comm_loss_timeout_s, "comm_loss_timeout_s");
+  require_positive(p.pole_pairs, "InverterModel", "pole_pairs");
+  require_positive(p.max_frequency_Hz, "InverterModel", "max_frequency_Hz");
+  require_positive(p.ramp_up_Hz_per_s, "InverterModel", "ramp_up_Hz_per_s");
+  require_positive(p.ramp_down_Hz_per_s, "InverterModel", "ramp_down_Hz_per_s");
+  if (p.comm_loss_timeout_s != 0)
+    require_positive(p.comm_loss_timeout_s, "InverterModel", "comm_loss_timeout_s");
   return p;
 }
 

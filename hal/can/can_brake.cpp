@@ -2,21 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <stdexcept>
 #include <utility>
+
+#include "hal/types/require_positive.hpp"
 
 namespace rvbench::hal {
 namespace {
 
 IoError failure(IoErrc code, const std::string& what) { return {code, "brake: " + what}; }
-
-void require_positive(double value, const char* name) {
-  if (!std::isfinite(value) || value <= 0) {
-    throw std::invalid_argument(
-        fmt::format("CanBrake: {} is {}, must be finite and above 0", name, value));
-  }
-}
 
 }  // namespace
 
@@ -24,9 +18,9 @@ CanBrake::CanBrake(std::unique_ptr<CanTransport> transport, const CanBrakeOption
                    Clock& clock)
     : transport_(std::move(transport)), options_(options), clock_(clock) {
   if (!transport_) throw std::invalid_argument("CanBrake: transport is null");
-  require_positive(options.limits.max_torque_Nm, "max_torque_Nm");
-  require_positive(options.deadline_s, "deadline_s");
-  require_positive(options.poll_s, "poll_s");
+  require_positive(options.limits.max_torque_Nm, "CanBrake", "max_torque_Nm");
+  require_positive(options.deadline_s, "CanBrake", "deadline_s");
+  require_positive(options.poll_s, "CanBrake", "poll_s");
   if (options.limits.max_torque_Nm > can_frames::max_brake_torque_Nm) {
     throw std::invalid_argument(fmt::format("CanBrake: max_torque_Nm is {}, at most {}",
                                             options.limits.max_torque_Nm,

@@ -7,17 +7,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "hal/types/require_positive.hpp"
 #include "hal/types/units.hpp"
 
 namespace rvbench::hal {
 namespace {
-
-void require_positive(double value, const char* name) {
-  if (!std::isfinite(value) || value <= 0) {
-    throw std::invalid_argument(
-        fmt::format("CanTorqueSensor: {} is {}, must be finite and above 0", name, value));
-  }
-}
 
 const char* flaw(const can_frames::TorqueFrame& frame) {
   if (frame.overload) return "overload";
@@ -36,8 +30,8 @@ CanTorqueSensor::CanTorqueSensor(std::unique_ptr<CanTransport> transport,
                                  const CanTorqueSensorOptions& options, Clock& clock)
     : transport_(std::move(transport)), options_(options), clock_(clock) {
   if (!transport_) throw std::invalid_argument("CanTorqueSensor: transport is null");
-  require_positive(options.rate_Hz, "rate_Hz");
-  require_positive(options.deadline_s, "deadline_s");
+  require_positive(options.rate_Hz, "CanTorqueSensor", "rate_Hz");
+  require_positive(options.deadline_s, "CanTorqueSensor", "deadline_s");
 }
 
 Status CanTorqueSensor::connect() {
