@@ -30,7 +30,8 @@ class BenchWorld final : public hal::PlantPort {
   std::unique_ptr<hal::CanTransport> make_can_transport() override;
   const std::vector<ChannelInfo>& acceleration_channels() const override { return channels_; }
   double acceleration_rate_Hz() const override { return RvBench::rate_Hz; }
-  double acceleration_range_m_s2() const override { return 1000; }  ///< PCB 356A16
+  /// As the article's list of instruments has it for the PCB 356A16.
+  double acceleration_range_m_s2() const override { return 1000; }
   hal::AccelerationBlock take_accelerations() override;
   hal::SafetyStatus safety_status() const override;
 
@@ -39,7 +40,7 @@ class BenchWorld final : public hal::PlantPort {
   InverterModel& inverter() { return inverter_; }
   TransducerNode& transducer() { return *transducer_; }
   BrakeNode& brake() { return *brake_; }
-  const RvBench& plant() const { return plant_; }
+  const RvTrain& plant() const { return plant_.train(); }
   void press_estop() { estop_pressed_ = true; }
   void open_guard() { guard_open_ = true; }
   void stop_daq() { daq_stopped_ = true; }
@@ -49,6 +50,8 @@ class BenchWorld final : public hal::PlantPort {
   void at(double time_s, std::function<void()> what);
 
  private:
+  static constexpr double hall_degC = 22;  ///< assumed
+
   void step();
   void heat(double dt_s);
 
@@ -65,7 +68,7 @@ class BenchWorld final : public hal::PlantPort {
   std::int64_t taken_ = 0;  ///< handed over
   std::vector<float> waiting_;
   Eigen::VectorXf scan_;
-  double housing_temp_degC_ = 22;
+  double housing_temp_degC_ = hall_degC;
   bool estop_pressed_ = false;
   bool guard_open_ = false;
   bool daq_stopped_ = false;

@@ -66,6 +66,7 @@ class TransducerNode {
 ///          engaged; it then obeys again only after a command with enable = 0
 class BrakeNode {
  public:
+  /// Assumed, of the class of brake that the article's loads ask for: 150 % of 167 N·m.
   struct Parameters {
     double status_rate_Hz = 100;
     double comm_loss_timeout_s = 1.0;

@@ -7,6 +7,7 @@ namespace rvbench::sim {
 /// What the simulated drive does by itself when requests stop coming while its output is on.
 enum class CommLossAction { ignore, ramp_to_stop, coast };
 
+/// As the settings of a general-purpose inverter allow; the ramps are assumed.
 struct InverterParameters {
   int pole_pairs = 2;
   double max_frequency_Hz = 120;

@@ -59,10 +59,13 @@ RvDeviations draw_deviations(const std::string& preset, Draw& draw) {
   return d;
 }
 
-/// The housing's modes on the drawing, and their damping; each unit's are within 10 %.
+// The housing's modes on the drawing: assumed, dense enough that no gear line falls between them
+// unheard. Each unit's are within 10 %.
 constexpr std::array<double, 16> mode_Hz{190,  330,  470,  610,  760,  900,  1050, 1190,
                                          1330, 1450, 1570, 1690, 1810, 1920, 2040, 2160};
 constexpr int sensors = 12;
+constexpr double least_damping = 0.015, most_damping = 0.03;  // bolted steel and iron: assumed
+constexpr double shape_per_sqrt_kg = 0.35;  // largest, of a modal mass of 8 kg: assumed
 
 std::vector<HousingMode> draw_modes(Draw& draw) {
   Draw drawing(20240607);  // the shapes of the drawing: the same for every unit
@@ -70,14 +73,14 @@ std::vector<HousingMode> draw_modes(Draw& draw) {
   for (const double frequency_Hz : mode_Hz) {
     HousingMode mode;
     mode.frequency_Hz = frequency_Hz * draw.uniform(0.9, 1.1);
-    mode.damping_ratio = draw.uniform(0.015, 0.03);
+    mode.damping_ratio = draw.uniform(least_damping, most_damping);
     mode.at_ports.resize(ports::count);
     mode.at_sensors.resize(sensors);
     for (double& shape : mode.at_ports) {
-      shape = 0.35 * drawing.uniform(-1, 1) * draw.uniform(0.85, 1.15);
+      shape = shape_per_sqrt_kg * drawing.uniform(-1, 1) * draw.uniform(0.85, 1.15);
     }
     for (double& shape : mode.at_sensors) {
-      shape = 0.35 * drawing.uniform(-1, 1) * draw.uniform(0.85, 1.15);
+      shape = shape_per_sqrt_kg * drawing.uniform(-1, 1) * draw.uniform(0.85, 1.15);
     }
     modes.push_back(std::move(mode));
   }

@@ -23,11 +23,29 @@ struct RvDeviations {
   double bearing_spall_um = 0;     ///< on the inner race of one crank's bearing
 };
 
+inline constexpr double um = 1e-6;  ///< m
+
+/// Where the phase of each deviation stands in RvUnit::phases_rad.
+namespace phase_of {
+enum Index : std::size_t {
+  shaft_eccentricity,
+  shaft_misalignment,
+  sun_tooth_error,
+  mesh_profile,
+  planet_eccentricity,
+  planet_bad_tooth,
+  crank_error,
+  pin_spread,
+  bad_pin,
+  bearing_spall
+};
+}  // namespace phase_of
+
 /// One unit on one bench: what a seed draws.
 struct RvUnit {
   RvDeviations deviations;
   int planets = 2;                 ///< and cranks
-  std::vector<double> phases_rad;  ///< of the deviations, in the order above
+  std::vector<double> phases_rad;  ///< of the deviations, see phase_of
   int marked_planet = 0;           ///< the one with the bad tooth or the spalled bearing
   double bearing_slip = 0;         ///< of the cage, relative
   double motor_slip_factor = 1;

@@ -15,13 +15,15 @@ namespace rvbench::sim {
 /// Source: McFadden & Smith, J. Sound Vib. 96(1), 69-82 (1984)
 class SpalledRace {
  public:
+  /// The maker does not publish the crank's bearing: its geometry is assumed, and the kinematics
+  /// file of the RV-20E states the same.
   struct Params {
     int rolling_elements = 11;
     double ball_diameter_mm = 5;
     double pitch_diameter_mm = 26;
-    double slip = 0;          ///< relative
-    double blow_N_per_N = 0;  ///< peak force per N of bearing load
-    double duration_s = 0.3e-3;
+    double slip = 0;             ///< relative
+    double blow_N_per_N = 0;     ///< peak force per N of bearing load
+    double duration_s = 0.3e-3;  ///< assumed: excites the housing up to some kHz
   };
 
   SpalledRace(const Params& p, std::uint64_t seed);
