@@ -55,6 +55,7 @@ Signature gear_signature(const std::string& component, double order) {
 }  // namespace
 
 std::vector<double> shaft_orders(const GearTrain& train) {
+  check(train);
   std::vector<double> orders(train.shafts.size(), 0.0);
   orders[0] = 1;
   for (std::size_t pass = 0; pass < train.meshes.size(); ++pass) {
@@ -69,7 +70,6 @@ std::vector<double> shaft_orders(const GearTrain& train) {
 }
 
 Kinematics gear_train(const GearTrain& train) {
-  check(train);
   const std::vector<double> orders = shaft_orders(train);
   Kinematics k;
   k.machine = train.machine;

@@ -37,10 +37,11 @@ struct GearTrain {
 };
 
 /// Orders of every shaft: turns per input turn; 0 where no mesh leads there.
+/// @throws std::invalid_argument if there is no shaft, or naming a count of teeth that is not
+///         positive or a shaft that does not exist
 std::vector<double> shaft_orders(const GearTrain& train);
 
-/// @throws std::invalid_argument naming a count that is not positive, an index that does not
-///         exist, or a shaft that no mesh leads to
+/// @throws std::invalid_argument as shaft_orders() does, or naming a shaft that no mesh leads to
 Kinematics gear_train(const GearTrain& train);
 
 }  // namespace rvbench::analysis

@@ -87,7 +87,10 @@ TEST_CASE("a gear train that cannot turn is refused by name", "[analysis][kinema
   using Catch::Matchers::Contains;
   GearTrain train = two_stages();
   CHECK(refusal(train) == "accepted");
-  SECTION("no shaft at all") { CHECK_THAT(refusal({}), Contains("shaft")); }
+  SECTION("no shaft at all") {
+    CHECK_THAT(refusal({}), Contains("shaft"));
+    CHECK_THROWS_AS(shaft_orders({}), std::invalid_argument);
+  }
   SECTION("a wheel without teeth") {
     train.meshes[1].driven_teeth = 0;
     CHECK_THAT(refusal(train), Contains("second mesh"));
@@ -95,6 +98,7 @@ TEST_CASE("a gear train that cannot turn is refused by name", "[analysis][kinema
   SECTION("a mesh with a shaft that is not there") {
     train.meshes[0].driven = 3;
     CHECK_THAT(refusal(train), Contains("first mesh"));
+    CHECK_THROWS_AS(shaft_orders(train), std::invalid_argument);
   }
   SECTION("a bearing on a shaft that is not there") {
     train.bearings[0].shaft = -1;
