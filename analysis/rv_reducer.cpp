@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace rvbench::analysis {
 namespace {
@@ -61,7 +62,8 @@ std::vector<CharacteristicOrder> order_table(const RvGeometry& g, const Rates& r
   return orders;
 }
 
-std::vector<Signature> gear_signatures(const Rates& r) {
+// A bad input shaft or sun: what turns with the motor, or with it against the carrier.
+std::vector<Signature> input_signatures(const Rates& r) {
   return {
       {.component = "input_shaft",
        .mechanism = "misalignment",
@@ -83,6 +85,12 @@ std::vector<Signature> gear_signatures(const Rates& r) {
        .depth_limit = 0.1,
        .limit_why = "teeth of one quality class share the load within a tenth",
        .advice = "measure the sun gear's tooth profile and pitch; replace the input gear"},
+  };
+}
+
+// A bad crank, planet or pin: what goes round in the carrier.
+std::vector<Signature> carried_signatures(const Rates& r) {
+  return {
       {.component = "crank",
        .mechanism = "eccentricity",
        .table4_item = "Cycloid meshing frequency",
@@ -127,7 +135,8 @@ Kinematics rv_reducer(const std::string& machine, const RvGeometry& geometry,
   k.machine = machine;
   k.period_turns = i;
   k.orders = order_table(geometry, rates);
-  k.signatures = gear_signatures(rates);
+  k.signatures = input_signatures(rates);
+  for (Signature& s : carried_signatures(rates)) k.signatures.push_back(std::move(s));
   if (crank_bearing.rolling_elements > 0) {
     for (Signature& s : bearing_signatures(crank_bearing, rates.crank, 0.02)) {
       k.orders.push_back({"crank " + s.component, s.order, {}, s.component, ""});

@@ -1,9 +1,10 @@
 #include "bench/report/sections.hpp"
 
 namespace rvbench::bench::report {
+namespace {
 
-std::string style_sheet() {
-  return R"(:root { --ink: #1c2530; --faint: #5b6876; --line: #d3dae1; --good: #1b7f3b; --bad: #b3261e;
+constexpr const char* style =
+    R"(:root { --ink: #1c2530; --faint: #5b6876; --line: #d3dae1; --good: #1b7f3b; --bad: #b3261e;
   --warn: #9a6700; --trace: #1f5fa8; --mark: #b3261e; }
 * { box-sizing: border-box; }
 body { margin: 0; background: #fff; color: var(--ink); font: 15px/1.45 system-ui, "Segoe UI",
@@ -52,6 +53,9 @@ pre { background: #f5f7f9; border: 1px solid var(--line); padding: 8px; font-siz
   figure, svg, tr, .finding, .verdict, .signature { break-inside: avoid; } h2, h3 { break-after: avoid; }
   .figures { grid-template-columns: 1fr 1fr; } }
 )";
-}
+
+}  // namespace
+
+std::string style_sheet() { return style; }
 
 }  // namespace rvbench::bench::report
