@@ -1,0 +1,91 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "tests/sequences/run_fixture.hpp"
+
+using namespace rvbench;
+using hal::MirrorFault;
+using test::Run;
+using test::small_plan;
+
+TEST_CASE("the brake is released at standstill, not before", "[sequences]") {
+  Run run;
+  run.go();
+  // From 1815 rpm at 500 rpm/s the ramp takes 3.63 s; standstill must then last 0.3 s.
+  const double stopped_s = run.stopped_s();
+  CHECK(run.world().brake_released_s() - stopped_s > 3.63);
+  CHECK(run.world().brake_released_s() - stopped_s < 3.63 + 1.0);
+}
+
+TEST_CASE("an exception inside a phase ends in teardown", "[sequences][safety]") {
+  Run run;
+  run.world().schedule(MirrorFault::drive_throws, 12, 12.1);
+  const auto& summary = run.go();
+  CHECK(summary.ending.outcome == Outcome::error);
+  CHECK_THAT(summary.ending.reason, Catch::Contains("a defect of the driver"));
+  CHECK(run.stopped_s() == Approx(12).margin(0.1));
+  CHECK(run.world().speed_rpm() == 0);
+  CHECK(run.world().brake_torque_Nm() == 0);
+  CHECK(summary.brake_released);
+  CHECK(summary.points.at(0).status == "interrupted");
+}
+
+TEST_CASE("a setup that fails is torn down all the same", "[sequences][safety]") {
+  SECTION("devices that do not answer are all named") {
+    Run run;
+    run.world().schedule(MirrorFault::brake_dead, 0);
+    run.world().schedule(MirrorFault::safety_dead, 0);
+    const auto& summary = run.go();
+    CHECK(summary.ending.error_kind == ErrorKind::device_lost);
+    CHECK_THAT(summary.ending.reason, Catch::Contains("brake"));
+    CHECK_THAT(summary.ending.reason, Catch::Contains("safety"));
+    CHECK(summary.shaft_stopped);
+    CHECK_FALSE(std::isnan(run.stopped_s()));
+  }
+  SECTION("a drive without a safe watchdog is not armed") {
+    const auto watchdog = GENERATE(hal::DriveWatchdog{0, true}, hal::DriveWatchdog{1, false},
+                                   hal::DriveWatchdog{2.5, true});
+    Run run({.watchdog = watchdog});
+    const auto& summary = run.go();
+    CHECK(exit_code(summary.ending) == 30);
+    CHECK_THAT(summary.ending.reason, Catch::Contains("refused to arm"));
+    for (const auto& [time_s, speed_rpm] : run.world().speed_commands()) CHECK(speed_rpm == 0);
+    CHECK(summary.shaft_stopped);
+  }
+  SECTION("a plan beyond the rig is refused before anything turns") {
+    Run run({.max_speed_rpm = 1500});
+    const auto& summary = run.go();
+    CHECK(exit_code(summary.ending) == 30);
+    CHECK(summary.ending.reason == "the plan asks for 1815 rpm, the drive can do 1500 rpm");
+  }
+}
+
+TEST_CASE("with everything dead the teardown still ends, at its time-out", "[sequences][safety]") {
+  Run run;
+  for (const auto fault :
+       {MirrorFault::drive_dead, MirrorFault::brake_dead, MirrorFault::torque_sensor_dead,
+        MirrorFault::safety_dead, MirrorFault::accelerometers_dead}) {
+    run.world().schedule(fault, 12);
+  }
+  const auto& summary = run.go();
+  CHECK(exit_code(summary.ending) == 30);
+  CHECK_FALSE(summary.shaft_stopped);  // nobody saw it
+  CHECK_FALSE(summary.brake_released);
+  run.world().advance();
+  CHECK(run.world().speed_rpm() == 0);  // but the watchdogs did it
+  CHECK(run.world().brake_torque_Nm() == 0);
+  CHECK(run.rig.clock->now_s() > 12 + 30);
+  CHECK(run.rig.clock->now_s() < 12 + 30 + 5);
+}
+
+TEST_CASE("without standstill the brake is released at the time-out", "[sequences][safety]") {
+  Run run({.ramp_rpm_s = 40});  // at 800 rpm when it is pressed: 20 s to standstill
+  run.world().schedule(MirrorFault::estop, 20);
+  auto text = small_plan;
+  text.insert(text.rfind('}'), R"(, "teardown": {"standstill_timeout_s": 10})");
+  const auto& summary = run.go(text);
+  CHECK(exit_code(summary.ending) == 40);
+  CHECK_FALSE(summary.shaft_stopped);
+  CHECK(summary.brake_released);
+  CHECK(run.world().brake_released_s() - run.stopped_s() == Approx(10).margin(0.2));
+}
