@@ -68,11 +68,14 @@ Ending verdict_on(const std::vector<hal::PointResult>& points) {
 }
 
 Ending set_up_and_measure(const TestPlan& plan, BenchLoop& loop) {
-  if (auto ending = check_rig(plan, loop.rig())) return *ending;
   for (const auto* stage : {&plan.setup, &plan.main}) {
     for (const auto& phase : *stage) {
       loop.event(fmt::format("phase {}", phase->kind()));
       if (auto ending = phase->run(loop, plan.specimen)) return *ending;
+      // Once connected and not before: of a bench that is not, teardown could not see that the
+      // shaft stands still, and would wait for its time-out. Nothing has turned yet.
+      if (phase != plan.setup.front()) continue;
+      if (auto ending = check_rig(plan, loop.rig())) return *ending;
     }
     if (auto ending = check_rate(plan, loop.rig())) return *ending;
   }
@@ -102,7 +105,10 @@ Ending tear_down(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
     return run_down.trouble.value_or(all_well);
   });
   rig.drive->stop();
-  if (!summary.shaft_stopped) rig.clock->wait_until(until_s);
+  ending = graver(ending, guarded([&] {
+                    if (!summary.shaft_stopped) rig.clock->wait_until(until_s);
+                    return all_well;
+                  }));
   rig.brake->release();
   ending = graver(ending, guarded([&] {
                     summary.brake_released = brake_lets_go(rig);
@@ -119,13 +125,20 @@ Ending tear_down(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
   return graver(ending, {Outcome::error, ErrorKind::device_lost, "teardown: " + fault});
 }
 
-}  // namespace
+/// The last lines of the log, for the operator.
+void tell(BenchLoop& loop, const RunSummary& summary, const Ending& measured,
+          const Ending& torn_down) {
+  const bool more = torn_down.outcome != Outcome::pass && torn_down.reason != measured.reason;
+  if (more) loop.event("in teardown: " + torn_down.reason);
+  loop.event(fmt::format("{}: {}; shaft {}, brake {}", to_string(summary.ending.outcome),
+                         summary.ending.reason,
+                         summary.shaft_stopped ? "at standstill" : "not seen at standstill",
+                         summary.brake_released ? "released" : "not seen released"));
+}
 
-RunSummary run_sequence(const TestPlan& plan, hal::Rig& rig, hal::RecordingWriter& recording,
-                        RunObserver& observer, std::stop_token stop, int first_point) {
-  RunSummary summary;
-  const double start_s = rig.clock->now_s();
-  BenchLoop loop(plan, rig, recording, observer, std::move(stop), first_point);
+/// All of a run but what guards it.
+void run(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
+  const double start_s = loop.now_s();
   const Ending measured = guarded([&] { return set_up_and_measure(plan, loop); });
   Ending torn_down = tear_down(plan, loop, summary);
   torn_down = graver(torn_down, guarded([&] {
@@ -134,18 +147,29 @@ RunSummary run_sequence(const TestPlan& plan, hal::Rig& rig, hal::RecordingWrite
                      }));
   summary.ending = graver(measured, torn_down);
   summary.points = loop.points();
-  summary.drive_retries = rig.drive->retries();
-  summary.duration_s = rig.clock->now_s() - start_s;
-  const Ending told = guarded([&] {
-    const bool more = torn_down.outcome != Outcome::pass && torn_down.reason != measured.reason;
-    if (more) loop.event("in teardown: " + torn_down.reason);
-    loop.event(fmt::format("{}: {}; shaft {}, brake {}", to_string(summary.ending.outcome),
-                           summary.ending.reason,
-                           summary.shaft_stopped ? "at standstill" : "not seen at standstill",
-                           summary.brake_released ? "released" : "not seen released"));
+  summary.drive_retries = loop.rig().drive->retries();
+  summary.duration_s = loop.now_s() - start_s;
+  tell(loop, summary, measured, torn_down);
+}
+
+}  // namespace
+
+RunSummary run_sequence(const TestPlan& plan, hal::Rig& rig, hal::RecordingWriter& recording,
+                        RunObserver& observer, std::stop_token stop, int first_point) {
+  RunSummary summary;
+  summary.ending = all_well;
+  const Ending unforeseen = guarded([&] {
+    BenchLoop loop(plan, rig, recording, observer, std::move(stop), first_point);
+    run(plan, loop, summary);
     return all_well;
   });
-  summary.ending = graver(summary.ending, told);
+  if (unforeseen.outcome != Outcome::pass) {
+    // Nobody knows how far the run has come: these are legal in every state.
+    rig.drive->stop();
+    rig.brake->release();
+    rig.accelerometers->stop();
+  }
+  summary.ending = graver(summary.ending, unforeseen);
   return summary;
 }
 

@@ -32,8 +32,8 @@ void Settling::add(double time_s, double angle_rad, double torque_Nm) {
   ++torques_;
   const double length_s = time_s - from_s_;
   if (length_s < window_s - 1e-9) return;
-  windows_.push_back(
-      {units::rpm_from_rad_s((angle_rad - from_rad_) / length_s), torque_sum_Nm_ / double(torques_)});
+  windows_.push_back({units::rpm_from_rad_s((angle_rad - from_rad_) / length_s),
+                      torque_sum_Nm_ / double(torques_)});
   if (windows_.size() > held_) windows_.pop_front();
   from_s_ = time_s;
   from_rad_ = angle_rad;

@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <memory>
+#include <stdexcept>
 
 #include "tests/sequences/run_fixture.hpp"
 
@@ -7,6 +9,23 @@ using namespace rvbench;
 using hal::MirrorFault;
 using test::Run;
 using test::small_plan;
+
+namespace {
+
+/// A phase whose timeline cannot even be asked for.
+class Defective final : public sequences::Phase {
+ public:
+  std::string_view kind() const override { return "defective"; }
+  std::string to_json() const override { return "{}"; }
+  std::vector<sequences::Segment> timeline(const sequences::Specimen&) const override {
+    throw std::logic_error("a defect of the phase");
+  }
+  std::optional<Ending> run(sequences::BenchLoop&, const sequences::Specimen&) override {
+    return std::nullopt;
+  }
+};
+
+}  // namespace
 
 TEST_CASE("the brake is released at standstill, not before", "[sequences]") {
   Run run;
@@ -52,12 +71,41 @@ TEST_CASE("a setup that fails is torn down all the same", "[sequences][safety]")
     for (const auto& [time_s, speed_rpm] : run.world().speed_commands()) CHECK(speed_rpm == 0);
     CHECK(summary.shaft_stopped);
   }
-  SECTION("a plan beyond the rig is refused before anything turns") {
-    Run run({.max_speed_rpm = 1500});
-    const auto& summary = run.go();
-    CHECK(exit_code(summary.ending) == 30);
-    CHECK(summary.ending.reason == "the plan asks for 1815 rpm, the drive can do 1500 rpm");
-  }
+}
+
+TEST_CASE("a plan beyond the rig is refused before anything turns, without a wait",
+          "[sequences][safety]") {
+  const auto [options, reason] = GENERATE(values<std::pair<hal::MirrorOptions, std::string>>({
+      {{.max_speed_rpm = 1500}, "the plan asks for 1815 rpm, the drive can do 1500 rpm"},
+      {{.max_brake_torque_Nm = 100}, "the plan asks for 167 N·m, the brake can do 100 N·m"},
+  }));
+  Run run(options);
+  const auto& summary = run.go();
+  CHECK(exit_code(summary.ending) == 30);
+  CHECK(summary.ending.reason == reason);
+  for (const auto& [time_s, speed_rpm] : run.world().speed_commands()) CHECK(speed_rpm == 0);
+  CHECK(summary.shaft_stopped);  // and it was seen to be
+  CHECK(summary.brake_released);
+  CHECK(summary.duration_s < 1);
+}
+
+TEST_CASE("a defect in a phase's own timeline is an ERROR, with the bench told to stop",
+          "[sequences][safety]") {
+  Run run;
+  sequences::TestPlan plan = test::plan_of(small_plan);
+  plan.main.push_back(std::make_unique<Defective>());
+  REQUIRE(run.rig.drive->connect());
+  REQUIRE(run.rig.brake->connect());
+  REQUIRE(run.rig.drive->set_speed(605));  // as if left over from another program
+  REQUIRE(run.rig.brake->set_torque(50));
+  const auto summary =
+      sequences::run_sequence(plan, run.rig, run.recording, run.observer, run.stop.get_token());
+  CHECK(exit_code(summary.ending) == 30);
+  CHECK(summary.ending.reason == "internal error: a defect of the phase");
+  CHECK(run.world().speed_commands().back().second == 0);
+  CHECK(run.world().brake_torque_Nm() == 0);
+  CHECK_FALSE(summary.shaft_stopped);  // nobody looked
+  CHECK(summary.points.empty());
 }
 
 TEST_CASE("with everything dead the teardown still ends, at its time-out", "[sequences][safety]") {
