@@ -1,65 +1,16 @@
 #include "hal/modbus/modbus_inverter.hpp"
 
 #include <catch2/catch.hpp>
-#include <chrono>
 #include <memory>
 #include <stdexcept>
-#include <thread>
 
-#include "sim/inverter_model.hpp"
-#include "sim/inverter_server.hpp"
+#include "tests/hal/modbus_bench.hpp"
 
 using namespace rvbench;
-using sim::WireFault;
+using Bench = test::ModbusBench;
+using test::response_timeout_s;
 
-namespace {
-
-/// Virtual time that moves only the inverter.
-class InverterClock final : public hal::Clock {
- public:
-  explicit InverterClock(sim::InverterModel& model) : model_(model) {}
-  double now_s() const override { return model_.time_s(); }
-  void wait_until(double time_s) override {
-    while (model_.time_s() < time_s - 1e-9) model_.advance(0.001);
-  }
-  bool is_virtual() const override { return true; }
-
- private:
-  sim::InverterModel& model_;
-};
-
-constexpr double response_timeout_s = 0.1;
-
-struct Bench {
-  explicit Bench(const sim::InverterParameters& parameters = {}, int pole_pairs = 2)
-      : model(parameters),
-        server(std::make_unique<sim::InverterServer>(model)),
-        clock(model),
-        drive({.port = server->port(),
-               .response_timeout_s = response_timeout_s,
-               .limits = {.max_speed_rpm = 3000},
-               .pole_pairs = pole_pairs},
-              clock) {
-    server->set_lateness_s(1.3 * response_timeout_s);
-  }
-
-  void wait_s(double duration_s) { clock.wait_until(clock.now_s() + duration_s); }
-
-  sim::InverterModel model;
-  std::unique_ptr<sim::InverterServer> server;
-  InverterClock clock;
-  hal::ModbusInverter drive;
-};
-
-double real_seconds(const std::function<void()>& call) {
-  const auto start = std::chrono::steady_clock::now();
-  call();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-}  // namespace
-
-SCENARIO("driver and drive agree on the register table by what they do", "[hal][modbus]") {
+SCENARIO("driver and drive agree on a setpoint by what they do", "[hal][modbus]") {
   Bench bench;
   REQUIRE(bench.drive.connect());
   WHEN("605 rpm are commanded to a motor with 2 pole pairs") {
@@ -77,6 +28,11 @@ SCENARIO("driver and drive agree on the register table by what they do", "[hal][
       CHECK_FALSE(status.value().tripped);
     }
   }
+}
+
+SCENARIO("driver and drive agree on a reading by what they do", "[hal][modbus]") {
+  Bench bench;
+  REQUIRE(bench.drive.connect());
   WHEN("the motor turns backwards") {
     REQUIRE(bench.drive.set_speed(-605));
     bench.wait_s(0.9);
@@ -118,16 +74,7 @@ TEST_CASE("the drive's own watchdog is read back as it is set", "[hal][modbus]")
   CHECK_FALSE(watchdog_of(0, sim::CommLossAction::ramp_to_stop).stops_motor);
 }
 
-SCENARIO("connect identifies the drive and leaves it at rest", "[hal][modbus]") {
-  GIVEN("a motor with another number of poles than configured") {
-    Bench bench({.pole_pairs = 3}, 2);
-    const auto connected = bench.drive.connect();
-    REQUIRE_FALSE(connected);
-    THEN("it is refused, and both numbers are told") {
-      CHECK(connected.error().code == IoErrc::bad_reply);
-      CHECK_THAT(describe(connected.error()), Catch::Contains("3 pole pairs, configured are 2"));
-    }
-  }
+SCENARIO("connect leaves the drive at rest", "[hal][modbus]") {
   GIVEN("a drive that was left running, by a program that died") {
     Bench bench;
     bench.model.command(sim::RunCommand::forward, 30);
@@ -143,6 +90,18 @@ SCENARIO("connect identifies the drive and leaves it at rest", "[hal][modbus]") 
       CHECK_FALSE(bench.model.state().tripped);
       bench.wait_s(1);
       CHECK_FALSE(bench.model.output_enabled());
+    }
+  }
+}
+
+SCENARIO("connect refuses what is not the drive configured", "[hal][modbus]") {
+  GIVEN("a motor with another number of poles than configured") {
+    Bench bench({.pole_pairs = 3}, 2);
+    const auto connected = bench.drive.connect();
+    REQUIRE_FALSE(connected);
+    THEN("it is refused, and both numbers are told") {
+      CHECK(connected.error().code == IoErrc::bad_reply);
+      CHECK_THAT(describe(connected.error()), Catch::Contains("3 pole pairs, configured are 2"));
     }
   }
   GIVEN("nobody at that address") {
@@ -163,155 +122,6 @@ SCENARIO("connect identifies the drive and leaves it at rest", "[hal][modbus]") 
   }
 }
 
-SCENARIO("a late reply is never taken for the next one", "[hal][modbus]") {
-  Bench bench;
-  REQUIRE(bench.drive.connect());
-  WHEN("every second reading is answered late, and the value changes before each") {
-    int fresh = 0;
-    for (int i = 1; i <= 6; ++i) {
-      bench.model.set_measured(100 * i, 0);
-      if (i % 2 == 0) bench.server->inject({.fault = WireFault::late, .requests = 1});
-      const auto status = bench.drive.read();
-      if (status && status.value().speed_rpm == 100 * i) ++fresh;
-    }
-    THEN("each reading has the value of its own time") { CHECK(fresh == 6); }
-    THEN("the readings sent again are counted") { CHECK(bench.drive.retries() == 3); }
-  }
-  WHEN("the confirmation of a setpoint comes late") {
-    bench.server->inject({.fault = WireFault::late, .requests = 1});
-    const auto set = bench.drive.set_speed(300);
-    REQUIRE_FALSE(set);
-    THEN("that is a time-out, and the next reading has its own answer") {
-      CHECK(set.error().code == IoErrc::timeout);
-      bench.model.set_measured(123.4, 5);
-      const auto status = bench.drive.read();
-      REQUIRE(status);
-      CHECK(status.value().speed_rpm == Approx(123.4));
-      CHECK(status.value().current_A == Approx(5));
-    }
-  }
-}
-
-SCENARIO("a silent drive is an error within the deadline", "[hal][modbus]") {
-  Bench bench({.comm_loss_timeout_s = 0.5});
-  REQUIRE(bench.drive.connect());
-  REQUIRE(bench.drive.set_speed(900));
-  bench.wait_s(0.4);
-  const double start_Hz = bench.model.output_frequency_Hz();
-  REQUIRE(start_Hz == Approx(8).margin(0.05));
-  bench.server->inject({.fault = WireFault::silent});
-  WHEN("its status is read") {
-    const double before_s = bench.clock.now_s();
-    const double took_s = real_seconds([&] {
-      const auto status = bench.drive.read();
-      REQUIRE_FALSE(status);
-      CHECK(status.error().code == IoErrc::timeout);
-    });
-    THEN("the call ends in time") { CHECK(took_s < 4 * response_timeout_s + 0.1); }
-    THEN("virtual time has passed for each time-out: for the reading and for identifying anew") {
-      CHECK(bench.clock.now_s() - before_s == Approx(2 * response_timeout_s).margin(0.002));
-    }
-  }
-  WHEN("one keeps asking") {
-    double tripped_s = 0;
-    const double lost_s = bench.clock.now_s() - 0.4;  // the last valid request was the setpoint
-    for (int i = 0; i < 20 && tripped_s == 0; ++i) {
-      CHECK_FALSE(bench.drive.read());
-      if (bench.model.state().tripped) tripped_s = bench.clock.now_s();
-    }
-    THEN("the drive's own watchdog runs out in virtual time and stops the motor") {
-      CHECK(tripped_s - lost_s == Approx(0.5).margin(2 * response_timeout_s + 0.002));
-      bench.wait_s(1);
-      CHECK(bench.model.output_frequency_Hz() == 0);
-      CHECK_FALSE(bench.model.output_enabled());
-    }
-  }
-}
-
-SCENARIO("a garbled reply is told, and does not spoil the next", "[hal][modbus]") {
-  Bench bench;
-  REQUIRE(bench.drive.connect());
-  bench.model.set_measured(600, 1);
-  WHEN("one reply is garbled") {
-    bench.server->inject({.fault = WireFault::garbled, .requests = 1});
-    THEN("the reading is sent again, once") {
-      const auto status = bench.drive.read();
-      REQUIRE(status);
-      CHECK(status.value().speed_rpm == 600);
-      CHECK(bench.drive.retries() == 1);
-    }
-  }
-  WHEN("all replies are garbled, and then no more") {
-    bench.server->inject({.fault = WireFault::garbled});
-    const auto garbled = bench.drive.read();
-    bench.server->inject({});
-    THEN("that reading fails and the next succeeds") {
-      REQUIRE_FALSE(garbled);
-      CHECK(garbled.error().code == IoErrc::bad_reply);
-      CHECK(bench.drive.read());
-    }
-  }
-}
-
-SCENARIO("a setpoint that failed is never replayed", "[hal][modbus]") {
-  Bench bench;
-  REQUIRE(bench.drive.connect());
-  REQUIRE(bench.drive.set_speed(300));
-  const WireFault fault = GENERATE(WireFault::busy, WireFault::silent, WireFault::dead);
-  bench.server->inject({.fault = fault, .requests = 1});
-  const auto set = bench.drive.set_speed(600);
-  REQUIRE_FALSE(set);
-  bench.server->inject({});
-  REQUIRE(bench.drive.read());
-  REQUIRE(bench.drive.read_watchdog());
-  CHECK(bench.model.state().setpoint_Hz == Approx(10));
-  CHECK(set.error().code == (fault == WireFault::busy     ? IoErrc::refused
-                             : fault == WireFault::silent ? IoErrc::timeout
-                                                          : IoErrc::disconnected));
-}
-
-SCENARIO("a dead link neither blocks nor breaks anything", "[hal][modbus]") {
-  Bench bench;
-  REQUIRE(bench.drive.connect());
-  REQUIRE(bench.drive.set_speed(600));
-  WHEN("the drive closes every connection") {
-    bench.server->inject({.fault = WireFault::dead});
-    THEN("a reading says so at once") {
-      const auto status = bench.drive.read();
-      REQUIRE_FALSE(status);
-      CHECK(status.error().code == IoErrc::disconnected);
-    }
-    THEN("stop tries, and returns") {
-      CHECK(real_seconds([&] { bench.drive.stop(); }) < 4 * response_timeout_s + 0.1);
-      CHECK(bench.model.state().run == sim::RunCommand::forward);
-    }
-    THEN("a stop after it has come back arrives") {
-      CHECK_FALSE(bench.drive.read());
-      bench.server->inject({});
-      bench.drive.stop();
-      CHECK(bench.model.state().run == sim::RunCommand::stop);
-    }
-  }
-  WHEN("one stop is lost on the way") {
-    bench.server->inject({.fault = WireFault::silent, .requests = 1});
-    bench.drive.stop();
-    THEN("it is sent once more") { CHECK(bench.model.state().run == sim::RunCommand::stop); }
-  }
-}
-
-SCENARIO("stop may come from another thread while a reading waits for its reply", "[hal][modbus]") {
-  Bench bench;
-  REQUIRE(bench.drive.connect());
-  REQUIRE(bench.drive.set_speed(600));
-  bench.server->inject({.fault = WireFault::silent, .requests = 1});
-  std::thread reader([&] { (void)bench.drive.read(); });
-  while (bench.server->requests() < 5) std::this_thread::yield();  // connect 3, set 1, read 1
-  const double took_s = real_seconds([&] { bench.drive.stop(); });
-  reader.join();
-  CHECK(bench.model.state().run == sim::RunCommand::stop);
-  CHECK(took_s < 4 * response_timeout_s + 0.1);
-}
-
 SCENARIO("a tripped drive says no, and needs a new connect", "[hal][modbus]") {
   Bench bench;
   REQUIRE(bench.drive.connect());
@@ -327,7 +137,7 @@ SCENARIO("a tripped drive says no, and needs a new connect", "[hal][modbus]") {
 
 TEST_CASE("options that make no sense are the caller's bug", "[hal][modbus]") {
   sim::InverterModel model;
-  InverterClock clock(model);
+  test::InverterClock clock(model);
   const auto make = [&](hal::ModbusInverterOptions options) {
     return std::make_unique<hal::ModbusInverter>(options, clock);
   };

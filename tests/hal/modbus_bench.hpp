@@ -1,0 +1,57 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+
+#include "hal/modbus/modbus_inverter.hpp"
+#include "sim/inverter_model.hpp"
+#include "sim/inverter_server.hpp"
+
+namespace rvbench::test {
+
+/// Virtual time that moves only the inverter.
+class InverterClock final : public hal::Clock {
+ public:
+  explicit InverterClock(sim::InverterModel& model) : model_(model) {}
+  double now_s() const override { return model_.time_s(); }
+  void wait_until(double time_s) override {
+    while (model_.time_s() < time_s - 1e-9) model_.advance(0.001);
+  }
+  bool is_virtual() const override { return true; }
+
+ private:
+  sim::InverterModel& model_;
+};
+
+inline constexpr double response_timeout_s = 0.1;
+
+/// The driver against a simulated inverter, over a real socket.
+struct ModbusBench {
+  explicit ModbusBench(const sim::InverterParameters& parameters = {}, int pole_pairs = 2)
+      : model(parameters),
+        server(std::make_unique<sim::InverterServer>(model)),
+        clock(model),
+        drive({.port = server->port(),
+               .response_timeout_s = response_timeout_s,
+               .limits = {.max_speed_rpm = 3000},
+               .pole_pairs = pole_pairs},
+              clock) {
+    server->set_lateness_s(1.3 * response_timeout_s);
+  }
+
+  void wait_s(double duration_s) { clock.wait_until(clock.now_s() + duration_s); }
+
+  sim::InverterModel model;
+  std::unique_ptr<sim::InverterServer> server;
+  InverterClock clock;
+  hal::ModbusInverter drive;
+};
+
+inline double real_seconds(const std::function<void()>& call) {
+  const auto start = std::chrono::steady_clock::now();
+  call();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace rvbench::test
