@@ -11,11 +11,11 @@ namespace {
 constexpr std::size_t lines_listed = 8;  // evidence lines shown per finding
 constexpr std::size_t families_listed = 12;
 
-/// Points that show a signature, and how.
+// Points that show a signature, and how.
 struct Evidence {
   std::vector<const Examination*> shown_by;
-  std::vector<const SignatureScore*> scores;  ///< of shown_by
-  std::vector<double> p_values;               ///< of all resolvable points
+  std::vector<const SignatureScore*> scores;  // of shown_by
+  std::vector<double> p_values;               // of all resolvable points
 };
 
 Evidence gather(const std::vector<Examination>& points, std::size_t signature) {
@@ -77,10 +77,10 @@ Finding make_finding(const Signature& signature, const Evidence& evidence, doubl
   return f;
 }
 
-/// Severity over its limit; finite where the limit allows nothing at all.
+// Severity over its limit; finite where the limit allows nothing at all.
 double excess(const Finding& finding) { return finding.severity / std::max(finding.limit, 1e-6); }
 
-/// What no kinematics accounts for, over all channels and points.
+// What no kinematics accounts for, over all channels and points.
 std::vector<SpectralLine> unexplained_families(const std::vector<Examination>& points,
                                                const Kinematics& kinematics) {
   std::vector<SpectralLine> lines;

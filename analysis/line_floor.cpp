@@ -21,13 +21,13 @@ bool is_clean(Eigen::Index line, Eigen::Index locked_every) {
   return away >= 2 && away <= locked_every - 2;
 }
 
-/// Lines to either side that the floor of `line` is taken from: from line 32 on, half its distance
-/// to line 0 at the most, as the noise of an envelope falls with frequency.
+// Lines to either side that the floor of `line` is taken from: from line 32 on, half its distance
+// to line 0 at the most, as the noise of an envelope falls with frequency.
 Eigen::Index neighbours_of(Eigen::Index line) {
   return std::clamp(line / 2, fewest_neighbours, most_neighbours);
 }
 
-/// Clean lines around `line`.
+// Clean lines around `line`.
 std::vector<double> surroundings(const Eigen::VectorXd& power, Eigen::Index line,
                                  Eigen::Index locked_every) {
   const Eigen::Index neighbours = neighbours_of(line);

@@ -8,10 +8,10 @@ namespace rvbench::analysis {
 namespace {
 
 struct Rates {
-  double unit;   ///< carrier: 1/i
-  double sun;    ///< against the carrier
-  double crank;  ///< and planet, against the carrier
-  double orbit;  ///< crank in the housing
+  double unit;   // carrier: 1/i
+  double sun;    // against the carrier
+  double crank;  // and planet, against the carrier
+  double orbit;  // crank in the housing
 };
 
 void check(const RvGeometry& g) {
@@ -25,7 +25,7 @@ double ratio(const RvGeometry& g) {
   return 1 + static_cast<double>(g.planet_teeth) / g.sun_teeth * g.pins;
 }
 
-/// "1080/121" where the ratio is whole, else empty.
+// "1080/121" where the ratio is whole, else empty.
 std::string fraction(double order, double i) {
   const double numerator = order * i;
   if (std::abs(i - std::round(i)) > 1e-9 || std::abs(numerator - std::round(numerator)) > 1e-6) {

@@ -15,8 +15,8 @@ constexpr double kaiser_beta = 5.65;  // 60 dB: passes 0.44 of the rate, stops f
 
 using Taps = Eigen::Matrix<double, taps, 1>;
 
-/// A sinc under a Kaiser window, by place between two samples. Each column sums to 1.
-/// Source  Oppenheim & Schafer, Discrete-Time Signal Processing, ch. 7 (window design)
+// A sinc under a Kaiser window, by place between two samples. Each column sums to 1.
+// Source  Oppenheim & Schafer, Discrete-Time Signal Processing, ch. 7 (window design)
 Eigen::Matrix<double, taps, Eigen::Dynamic> make_kernel() {
   Eigen::Matrix<double, taps, Eigen::Dynamic> kernel(taps, phases + 1);
   for (Eigen::Index phase = 0; phase <= phases; ++phase) {
@@ -33,7 +33,7 @@ Eigen::Matrix<double, taps, Eigen::Dynamic> make_kernel() {
   return kernel;
 }
 
-/// x between its samples; held beyond its ends.
+// x between its samples; held beyond its ends.
 double at(const Eigen::Ref<const Eigen::VectorXd>& x, double place) {
   static const auto kernel = make_kernel();
   const Eigen::Index last = x.size() - 1;
@@ -55,7 +55,7 @@ double end_s(const Channel& channel) {
   return channel.start_s + static_cast<double>(channel.samples.size()) / channel.rate_Hz;
 }
 
-/// Lost angle samples are bridged: the shaft cannot jump.
+// Lost angle samples are bridged: the shaft cannot jump.
 Eigen::VectorXd bridged_turns(const Channel& angle) {
   Eigen::VectorXd turns = angle.samples / units::two_pi;
   Eigen::Index good = -1;

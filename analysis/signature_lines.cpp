@@ -6,7 +6,7 @@
 namespace rvbench::analysis {
 namespace {
 
-/// What lies closer than this is the same line.
+// What lies closer than this is the same line.
 struct Nearness {
   double near;
   bool same(double a, double b) const { return std::abs(a - b) < near; }
@@ -15,13 +15,13 @@ struct Nearness {
   }
 };
 
-/// Which harmonic of `s` lies at `order`, from `lowest` on; 0 if none does.
+// Which harmonic of `s` lies at `order`, from `lowest` on; 0 if none does.
 int harmonic_at(const Signature& s, double order, int lowest, Nearness lines) {
   const auto h = static_cast<int>(std::lround(order / s.order));
   return h >= lowest && h <= s.harmonics && lines.same(h * s.order, order) ? h : 0;
 }
 
-/// Orders at which two strong mesh lines beat: their first and second harmonics, pair by pair.
+// Orders at which two strong mesh lines beat: their first and second harmonics, pair by pair.
 std::vector<double> mesh_beats(const Kinematics& kinematics) {
   std::vector<double> beats;
   for (const CharacteristicOrder& a : kinematics.orders) {
@@ -35,13 +35,13 @@ std::vector<double> mesh_beats(const Kinematics& kinematics) {
   return beats;
 }
 
-/// The claims of all signatures on the lines of gear-locked parts.
+// The claims of all signatures on the lines of gear-locked parts.
 class Claims {
  public:
   Claims(const std::vector<Signature>& signatures, Nearness lines)
       : signatures_(signatures), lines_(lines) {}
 
-  /// Whether another part has the better claim to harmonic `h` of signature `mine`.
+  // Whether another part has the better claim to harmonic `h` of signature `mine`.
   bool lost(std::size_t mine, int h) const {
     const double order = h * signatures_[mine].order;
     for (std::size_t i = 0; i < signatures_.size(); ++i) {
@@ -62,7 +62,7 @@ class Claims {
     return false;
   }
 
-  /// Neighbours of `order` in the combs of other parts that also have harmonic order `main`.
+  // Neighbours of `order` in the combs of other parts that also have harmonic order `main`.
   std::vector<double> rivals(std::size_t mine, double main, double order) const {
     std::vector<double> result;
     for (std::size_t i = 0; i < signatures_.size(); ++i) {

@@ -21,8 +21,8 @@ void check(const Eigen::Ref<const Eigen::VectorXd>& x, double rate) {
   if (!x.allFinite()) throw std::invalid_argument("amplitude_spectrum: sample not finite");
 }
 
-/// The periodic Hann window 1 − cos, scaled to mean 1 so that the calibration is that of no window
-/// at all: over frequency it takes half of each neighbour from a line.
+// The periodic Hann window 1 − cos, scaled to mean 1 so that the calibration is that of no window
+// at all: over frequency it takes half of each neighbour from a line.
 Eigen::VectorXcd under_hann(const Eigen::VectorXcd& half, Eigen::Index n) {
   const Eigen::Index last = half.size() - 1;
   Eigen::VectorXcd padded(half.size() + 2);  // with one line of negative frequency at either end

@@ -31,7 +31,7 @@ hal::RecordingLayout layout_of(const Acceptance& acceptance, const hal::Rig& rig
   return layout;
 }
 
-/// Runs the sequence into a new recording of the folder.
+// Runs the sequence into a new recording of the folder.
 Ending measure(Acceptance& acceptance, hal::Rig& rig, RunLog& log, std::stop_token stop) {
   const Result<RunRecordings> before = RunRecordings::open(acceptance.folder);
   if (!before) return bench_fault(before.error());
@@ -62,7 +62,7 @@ JudgedPoint point_without_samples(const hal::PlannedPoint& planned, int number,
   return point;
 }
 
-/// Examines every point that was recorded; PASS if none was skipped by a stop.
+// Examines every point that was recorded; PASS if none was skipped by a stop.
 Ending judge_points(Judgement& judgement, const Acceptance& acceptance, RunRecordings& recordings,
                     const analysis::ExamineOptions& options, ProgressBar& bar,
                     const std::stop_token& stop) {

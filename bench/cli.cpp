@@ -37,7 +37,7 @@ std::vector<std::string> option_names(Command& command) {
   return names;
 }
 
-/// The first argument that looks like an option and is none of the command's.
+// The first argument that looks like an option and is none of the command's.
 std::string unknown_option(const std::vector<std::string>& arguments, Command& command) {
   const std::vector<std::string> known = option_names(command);
   for (const std::string& argument : arguments) {

@@ -28,8 +28,8 @@ void check_findings(LimitCheck& check, const sequences::Limit& limit,
   }
 }
 
-/// The value of "acceleration_peak" or "acceleration_rms" in the limit's unit; NaN if the channel
-/// is in another one.
+// The value of "acceleration_peak" or "acceleration_rms" in the limit's unit; NaN if the channel
+// is in another one.
 double acceleration_of(const analysis::ChannelExamination& channel, const sequences::Limit& limit) {
   if (channel.unit != "m/s²") return not_known;
   const double m_s2 = limit.measure == "acceleration_peak" ? channel.peak : channel.rms;
@@ -67,7 +67,7 @@ Ending invalid(std::string reason) {
   return {Outcome::invalid, ErrorKind::none, std::move(reason)};
 }
 
-/// Why the data cannot be trusted; PASS if it can.
+// Why the data cannot be trusted; PASS if it can.
 Ending trust_in(const Judgement& judgement) {
   int spoiled = 0;
   std::string first;
@@ -92,7 +92,7 @@ Ending trust_in(const Judgement& judgement) {
   return {Outcome::pass, ErrorKind::none, "no finding above its limit"};
 }
 
-/// What the limits make of the findings.
+// What the limits make of the findings.
 Ending weighed(const Judgement& judgement) {
   if (!judgement.diagnosis.findings.empty()) {
     const analysis::Finding& worst = judgement.diagnosis.findings.front();

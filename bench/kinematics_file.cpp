@@ -52,7 +52,7 @@ analysis::Kinematics read_rv_reducer(const std::string& machine, hal::ConfigRead
                                : analysis::Kinematics{};
 }
 
-/// Names of shafts to their places in the list; a name that is not there is a fault.
+// Names of shafts to their places in the list; a name that is not there is a fault.
 class ShaftNames {
  public:
   void add(hal::ConfigReader& at, const std::string& name) {

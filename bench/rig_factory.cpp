@@ -23,8 +23,8 @@ sim::WireFault wire_fault(const std::string& name) {
   return faults.at(name);
 }
 
-/// The inverter knows one fault at a time: each waits until it is due, then replaces the one
-/// before.
+// The inverter knows one fault at a time: each waits until it is due, then replaces the one
+// before.
 void schedule(sim::BenchWorld& world, const ScheduledFault& fault) {
   world.at(fault.at_s, [&server = world.inverter_server(), kind = wire_fault(fault.fault)] {
     server.inject({.fault = kind});

@@ -36,7 +36,7 @@ class Sha256 {
   crypto_hash_sha256_state state_{};
 };
 
-/// Plain files of the folder but for the list itself, sorted by name.
+// Plain files of the folder but for the list itself, sorted by name.
 std::vector<std::string> files_of(const std::filesystem::path& folder) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -47,7 +47,7 @@ std::vector<std::string> files_of(const std::filesystem::path& folder) {
   return names;
 }
 
-/// "<64 hex digits>  <name>" → name and hash; nullopt if the line is something else.
+// "<64 hex digits>  <name>" → name and hash; nullopt if the line is something else.
 std::optional<std::pair<std::string, std::string>> parse_sum(const std::string& line) {
   const bool shaped = line.size() > hex_digits + 2 && line[hex_digits] == ' ' &&
                       (line[hex_digits + 1] == ' ' || line[hex_digits + 1] == '*') &&

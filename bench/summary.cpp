@@ -43,7 +43,7 @@ struct ExplainedLine {
   std::size_t channels = 0;
 };
 
-/// Lines of the signals' own spectra that the kinematics names, by order.
+// Lines of the signals' own spectra that the kinematics names, by order.
 std::vector<ExplainedLine> explained_lines(const Judgement& judgement) {
   std::map<std::string, ExplainedLine> seen;
   for (const JudgedPoint& point : judgement.points) {
@@ -67,7 +67,7 @@ std::vector<ExplainedLine> explained_lines(const Judgement& judgement) {
   return lines;
 }
 
-/// The characteristic orders, and the strongest of their harmonics and sidebands.
+// The characteristic orders, and the strongest of their harmonics and sidebands.
 void print_explained(Console& console, const Judgement& judgement,
                      const analysis::Kinematics& kinematics) {
   const std::vector<ExplainedLine> lines = explained_lines(judgement);

@@ -33,9 +33,9 @@ struct ConfigReader::Document {
 };
 
 struct ConfigReader::Node {
-  const JsonNode* json = nullptr;  ///< null: a stand-in for what is missing or of the wrong kind
+  const JsonNode* json = nullptr;  // null: a stand-in for what is missing or of the wrong kind
   std::string pointer;
-  std::set<std::string, std::less<>> known;  ///< keys asked for
+  std::set<std::string, std::less<>> known;  // keys asked for
   std::map<const JsonNode*, std::shared_ptr<Node>> children;
   bool finished = false;
 
@@ -74,7 +74,7 @@ std::string show(const JsonNode& json) {
   return {};
 }
 
-/// What is wrong with a number, or nothing.
+// What is wrong with a number, or nothing.
 std::string number_fault(const JsonNode& json, Bounds bounds) {
   if (json.kind != Kind::number) return "expected a number, found " + show(json);
   if (json.number < bounds.min) return show(json.number) + " is below " + show(bounds.min);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t longest_shown = 60;
 
-/// Levenshtein's distance: single-letter changes that turn a into b.
+// Levenshtein's distance: single-letter changes that turn a into b.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});

@@ -12,8 +12,8 @@ constexpr std::size_t max_depth = 64;
 constexpr std::size_t max_key_bytes = 200;
 constexpr std::size_t max_members = 10000;
 
-/// Where the parser is. The lexer reads one character beyond a number: blanks do not count, so
-/// the line is still that of the number.
+// Where the parser is. The lexer reads one character beyond a number: blanks do not count, so
+// the line is still that of the number.
 struct Place {
   int newlines = 0;
   int token_line = 1;
@@ -49,7 +49,7 @@ class CountingIterator {
   Place* place_;
 };
 
-/// "[json.exception...] parse error at line 3, column 5: syntax error while ..." → its last part.
+// "[json.exception...] parse error at line 3, column 5: syntax error while ..." → its last part.
 std::string explain(std::string what, const std::string& last_token) {
   if (const auto at = what.find("] "); at != std::string::npos) what.erase(0, at + 2);
   const auto at = what.find(": ");
@@ -65,7 +65,7 @@ std::string explain(std::string what, const std::string& last_token) {
   return what;
 }
 
-/// Builds the tree from the parser's events.
+// Builds the tree from the parser's events.
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
  public:
   TreeBuilder(JsonTree& tree, const Place& place) : tree_(tree), place_(place) {}
@@ -107,8 +107,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
  private:
   struct Level {
     JsonNode node;
-    std::string key;             ///< of the value to come, if this is an object
-    std::set<std::string> seen;  ///< its keys so far
+    std::string key;             // of the value to come, if this is an object
+    std::set<std::string> seen;  // its keys so far
     bool skip_next = false;
   };
 

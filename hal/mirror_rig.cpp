@@ -10,7 +10,7 @@
 namespace rvbench::hal {
 namespace {
 
-/// A call to a device that may be dead: it takes the whole deadline to find out.
+// A call to a device that may be dead: it takes the whole deadline to find out.
 std::optional<IoError> no_answer(MirrorWorld& world, bool connected, MirrorFault dead,
                                  const char* where) {
   if (!connected) return IoError{IoErrc::disconnected, where};

@@ -151,7 +151,7 @@ class ReplayAccelerometers final : public Accelerometers {
   bool started_ = false;
 };
 
-/// A recording says nothing of the safety chain: it was closed, or nothing had been recorded.
+// A recording says nothing of the safety chain: it was closed, or nothing had been recorded.
 class ReplaySafetyInputs final : public SafetyInputs {
  public:
   Status connect() override {
@@ -168,7 +168,7 @@ class ReplaySafetyInputs final : public SafetyInputs {
   bool connected_ = false;
 };
 
-/// Why the recording cannot stand for a bench; empty if it can.
+// Why the recording cannot stand for a bench; empty if it can.
 std::string find_lack(RecordingReader& reader) {
   const RecordingLayout& layout = reader.layout();
   if (layout.acceleration_channels.empty() || !(layout.acceleration_rate_Hz > 0)) {

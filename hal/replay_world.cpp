@@ -15,10 +15,10 @@ const Channel& torque_of(const Recording& recording) {
   return *recording.find(channel_names::input_torque);
 }
 
-/// i modulo count, not negative.
+// i modulo count, not negative.
 Eigen::Index wrapped(long i, Eigen::Index count) { return (i % count + count) % count; }
 
-/// The angle that `count` samples cover on average; 0 if fewer than two of them are known.
+// The angle that `count` samples cover on average; 0 if fewer than two of them are known.
 double angle_of_one_round(const Eigen::VectorXd& angle_rad) {
   Eigen::Index first = 0;
   Eigen::Index last = angle_rad.size() - 1;
@@ -103,7 +103,7 @@ Result<TorqueBlock> ReplayWorld::take_torque() {
   return block;
 }
 
-/// Number of samples due by now; the small amount is for times that are sums of ticks.
+// Number of samples due by now; the small amount is for times that are sums of ticks.
 long ReplayWorld::due(const Track& track) const {
   return std::lround(std::floor(clock_.now_s() * track.rate_Hz + 1e-6));
 }
@@ -119,7 +119,7 @@ TorqueSample ReplayWorld::sample(long number) {
   return {torque_of(recording_).samples[at], now_rad};
 }
 
-/// Takes up the commands at the first look after them: speed and torque come one after the other.
+// Takes up the commands at the first look after them: speed and torque come one after the other.
 std::optional<IoError> ReplayWorld::follow_command() {
   if (speed_rpm_ == followed_speed_rpm_ && brake_Nm_ == followed_brake_Nm_) return std::nullopt;
   followed_speed_rpm_ = speed_rpm_;
@@ -135,7 +135,7 @@ std::optional<IoError> ReplayWorld::follow_command() {
   return std::nullopt;
 }
 
-/// Nearest to the command, speed before load; of equal ones the first from next_ on.
+// Nearest to the command, speed before load; of equal ones the first from next_ on.
 std::size_t ReplayWorld::nearest() const {
   const double load_pct = 100 * brake_Nm_ / options_.rated_output_torque_Nm;
   const auto distance = [&](std::size_t i) {

@@ -75,7 +75,7 @@ std::vector<Limit> parse_limits(hal::ConfigReader& root) {
   return limits;
 }
 
-/// An interlock that the plan itself must run into is a fault of the plan.
+// An interlock that the plan itself must run into is a fault of the plan.
 void check_against_interlocks(const TestPlan& plan, hal::ConfigReader& interlocks) {
   double fastest_rpm = 0;
   double largest_Nm = 0;

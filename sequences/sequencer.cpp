@@ -19,7 +19,7 @@ Ending bench_fault(std::string reason) {
   return {Outcome::error, ErrorKind::none, std::move(reason)};
 }
 
-/// The only place on the run path where exceptions end.
+// The only place on the run path where exceptions end.
 Ending guarded(const std::function<Ending()>& work) {
   try {
     return work();
@@ -30,7 +30,7 @@ Ending guarded(const std::function<Ending()>& work) {
   }
 }
 
-/// What the plan asks for and the rig cannot do; known before anything turns.
+// What the plan asks for and the rig cannot do; known before anything turns.
 std::optional<Ending> check_rig(const TestPlan& plan, const hal::Rig& rig) {
   const double max_speed_rpm = rig.drive->limits().max_speed_rpm;
   const double max_torque_Nm = rig.brake->limits().max_torque_Nm;
@@ -82,7 +82,7 @@ Ending set_up_and_measure(const TestPlan& plan, BenchLoop& loop) {
   return verdict_on(loop.points());
 }
 
-/// The brake lets go within a second, or something is wrong with it.
+// The brake lets go within a second, or something is wrong with it.
 bool brake_lets_go(hal::Rig& rig) {
   const double enough_Nm = 0.02 * rig.brake->limits().max_torque_Nm;
   for (int attempt = 0; attempt < 10; ++attempt) {
@@ -94,7 +94,7 @@ bool brake_lets_go(hal::Rig& rig) {
   return false;
 }
 
-/// Stop, standstill or time-out, release: each step is tried whatever became of the others.
+// Stop, standstill or time-out, release: each step is tried whatever became of the others.
 Ending tear_down(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
   hal::Rig& rig = loop.rig();
   const double until_s = rig.clock->now_s() + plan.teardown.standstill_timeout_s;
@@ -125,7 +125,7 @@ Ending tear_down(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
   return graver(ending, {Outcome::error, ErrorKind::device_lost, "teardown: " + fault});
 }
 
-/// The last lines of the log, for the operator.
+// The last lines of the log, for the operator.
 void tell(BenchLoop& loop, const RunSummary& summary, const Ending& measured,
           const Ending& torn_down) {
   const bool more = torn_down.outcome != Outcome::pass && torn_down.reason != measured.reason;
@@ -136,7 +136,7 @@ void tell(BenchLoop& loop, const RunSummary& summary, const Ending& measured,
                          summary.brake_released ? "released" : "not seen released"));
 }
 
-/// All of a run but what guards it.
+// All of a run but what guards it.
 void run(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
   const double start_s = loop.now_s();
   const Ending measured = guarded([&] { return set_up_and_measure(plan, loop); });

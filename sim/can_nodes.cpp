@@ -19,7 +19,7 @@ void put(hal::CanFrame& frame, std::size_t at, std::size_t bytes, std::uint64_t 
   }
 }
 
-/// Sends as the fault has it. A full bus loses the frame, as on a real one.
+// Sends as the fault has it. A full bus loses the frame, as on a real one.
 void send_as(hal::CanTransport& bus, NodeFault fault, const hal::CanFrame& frame) {
   hal::CanFrame sent = frame;
   if (fault == NodeFault::garbled) sent.length = 3;

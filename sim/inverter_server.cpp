@@ -44,7 +44,7 @@ struct FreeMapping {
 };
 using Mapping = std::unique_ptr<modbus_mapping_t, FreeMapping>;
 
-/// What goes back: an exception, or the registers that the request named.
+// What goes back: an exception, or the registers that the request named.
 struct Answer {
   int exception = 0;
   Mapping registers;
@@ -60,7 +60,7 @@ Answer registers(std::uint16_t address, const std::vector<std::uint16_t>& values
   return {0, std::move(mapping)};
 }
 
-/// Carries out a request; libmodbus has checked that its length fits its function.
+// Carries out a request; libmodbus has checked that its length fits its function.
 Answer carry_out(InverterModel& model, const Bytes& request) {
   const int function = request[header_bytes];
   if (function != read_holding_registers && function != write_single_register &&
@@ -89,7 +89,7 @@ Answer carry_out(InverterModel& model, const Bytes& request) {
                                      : exception(static_cast<int>(answer));
 }
 
-/// Nonsense of two kinds in turn: a plausible reply to another transaction, an unknown function.
+// Nonsense of two kinds in turn: a plausible reply to another transaction, an unknown function.
 Bytes nonsense(Bytes request, int turn) {
   if (turn % 2 == 0) {
     request[1] = static_cast<std::uint8_t>(request[1] ^ 0x55);
@@ -101,7 +101,7 @@ Bytes nonsense(Bytes request, int turn) {
 
 }  // namespace
 
-/// The serving thread and its sockets.
+// The serving thread and its sockets.
 class InverterServer::Service {
  public:
   Service(InverterModel& model, std::uint8_t unit_id)
@@ -168,7 +168,7 @@ class InverterServer::Service {
     std::erase(clients_, client);
   }
 
-  /// Serves one request; false if the connection is to be closed.
+  // Serves one request; false if the connection is to be closed.
   bool serve_client(int client) {
     modbus_set_socket(context_.get(), client);
     Bytes request(MODBUS_TCP_MAX_ADU_LENGTH);
@@ -202,7 +202,7 @@ class InverterServer::Service {
     return ::send(client, bytes.data(), bytes.size(), MSG_NOSIGNAL) >= 0;
   }
 
-  /// Waits for the lateness; false if the server is being closed meanwhile.
+  // Waits for the lateness; false if the server is being closed meanwhile.
   bool linger() {
     pollfd wake{wake_[0], POLLIN, 0};
     return ::poll(&wake, 1, static_cast<int>(std::lround(1000 * lateness_s))) == 0;

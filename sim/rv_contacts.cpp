@@ -41,7 +41,7 @@ constexpr double bad_pin_width_rad = 0.5;
 constexpr double heard_swing = 0.3;  // a mesh near the port's side over one far from it: assumed
 constexpr double pressure_angle_rad = 0.35;  // 20°
 
-/// Which way a thing at `angle_rad` points, in X (up) and Z (left).
+// Which way a thing at `angle_rad` points, in X (up) and Z (left).
 Eigen::Vector2d direction(double angle_rad) { return {std::cos(angle_rad), std::sin(angle_rad)}; }
 
 }  // namespace

@@ -37,8 +37,8 @@ const std::string& preset_text(const std::string& preset) {
   throw std::invalid_argument("no preset \"" + preset + "\"; there are: " + known);
 }
 
-/// A deviation in tolerance is anywhere in the upper half of it; one at fault strays by a factor
-/// of two each way, all by the same: the severity of the unit.
+// A deviation in tolerance is anywhere in the upper half of it; one at fault strays by a factor
+// of two each way, all by the same: the severity of the unit.
 RvDeviations draw_deviations(const std::string& preset, Draw& draw) {
   hal::ConfigReader root = hal::ConfigReader::from_text(preset_text(preset), preset + ".json");
   root.text("about");

@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::size_t speeds_shown = 4;
 
-/// The points of one planned speed.
+// The points of one planned speed.
 struct SpeedGroup {
-  double speed_rpm = 0;  ///< measured, mean of the group
+  double speed_rpm = 0;  // measured, mean of the group
   std::vector<const analysis::Examination*> points;
 };
 
@@ -37,12 +37,12 @@ std::vector<SpeedGroup> groups_of(const Judgement& judgement) {
   return list;
 }
 
-/// How far a line may be from `order` and still be it: well inside the spacing of 1/period.
+// How far a line may be from `order` and still be it: well inside the spacing of 1/period.
 double tolerance_at(double order, const analysis::Kinematics& kinematics) {
   return kinematics.period_turns > 1 ? 0.35 / kinematics.period_turns : 0.01 * order;
 }
 
-/// The deepest significant envelope line and the strongest spectral line at `order`.
+// The deepest significant envelope line and the strongest spectral line at `order`.
 std::string found_at(double order, const SpeedGroup& group,
                      const analysis::Kinematics& kinematics) {
   const double tolerance = tolerance_at(order, kinematics);
@@ -92,7 +92,7 @@ std::string published_text(const analysis::CharacteristicOrder& line) {
                      row->frequency_Hz[2]);
 }
 
-/// What the article states and no kinematics gives: quoted, not reproduced.
+// What the article states and no kinematics gives: quoted, not reproduced.
 std::string published_unexplained() {
   return "<h3>Published, unexplained</h3>\n" +
          table({"published", "why it is not reproduced"},

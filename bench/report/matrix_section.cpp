@@ -12,7 +12,7 @@
 namespace rvbench::bench::report {
 namespace {
 
-/// The worst modulation depth of a record in units of its limit; NaN if nothing could be scored.
+// The worst modulation depth of a record in units of its limit; NaN if nothing could be scored.
 double worst_share(const analysis::Examination& seen, const analysis::Kinematics& kinematics) {
   double worst = seen.resolvable ? 0 : not_known;
   for (const analysis::SignatureScore& score : seen.scores) {

@@ -16,7 +16,7 @@ std::string document(const char* name, const std::string& json) {
   return fmt::format("<h3>{}</h3>\n<pre>{}</pre>\n", name, xml_escaped(json));
 }
 
-/// "1210 rpm, 50 % load, repeat 1, accel_2x" rather than the path of the recording.
+// "1210 rpm, 50 % load, repeat 1, accel_2x" rather than the path of the recording.
 std::string readable_place(const Judgement& judgement, const std::string& where) {
   for (const JudgedPoint& point : judgement.points) {
     const std::string& source = point.examination.source;

@@ -20,7 +20,7 @@ constexpr int imfs_with_spectrum = 5;  // as the article: IMF 1 to 5 carry the s
 constexpr double imf_window_s = 2;
 constexpr double envelope_orders = 4.5;
 
-/// One channel of one representative point, loaded.
+// One channel of one representative point, loaded.
 struct Shown {
   const JudgedPoint& point;
   const Recording& record;
@@ -46,13 +46,13 @@ std::string time_figure(const Shown& shown) {
   return figure(plot);
 }
 
-/// What an envelope spectrum marks. Orders close to 0 would only crowd its left edge; of a gear
-/// train, only lines that repeat with it.
+// What an envelope spectrum marks. Orders close to 0 would only crowd its left edge; of a gear
+// train, only lines that repeat with it.
 bool is_marked(const analysis::CharacteristicOrder& line, const analysis::Kinematics& kinematics) {
   return line.order > 0.05 && (kinematics.period_turns <= 1 || !line.fraction.empty());
 }
 
-/// Labels of nearby orders are long; plots show the fraction or the number.
+// Labels of nearby orders are long; plots show the fraction or the number.
 std::string mark_text(const analysis::CharacteristicOrder& line) {
   return line.fraction.empty() ? line.name : line.fraction;
 }
@@ -117,7 +117,7 @@ std::string imf_figures(const Shown& shown) {
   return html + "</div>\n";
 }
 
-/// IMFs are shown without load, as in the article, and for every file that is no matrix point.
+// IMFs are shown without load, as in the article, and for every file that is no matrix point.
 bool shows_imfs(const std::vector<std::size_t>& chosen, std::size_t at,
                 const Judgement& judgement) {
   const double speed = judgement.points[chosen[at]].planned_speed_rpm;

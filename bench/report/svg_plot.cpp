@@ -31,7 +31,7 @@ std::string tick_text(double value) {
   return fmt::format("{:.6g}", std::abs(value) < 1e-12 ? 0.0 : value);
 }
 
-/// Collects points into SVG path data; a break starts a new stroke.
+// Collects points into SVG path data; a break starts a new stroke.
 class Path {
  public:
   void point(double x_px, double y_px) {

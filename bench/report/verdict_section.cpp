@@ -14,7 +14,7 @@ const char* class_of(Outcome outcome) {
   return outcome == Outcome::fail ? "fail" : "other";
 }
 
-/// What the word means for the person who holds the unit.
+// What the word means for the person who holds the unit.
 const char* meaning_of(const Ending& ending) {
   switch (ending.outcome) {
     case Outcome::pass: return "The unit is good.";
@@ -31,7 +31,7 @@ const char* meaning_of(const Ending& ending) {
   return "The bench, not the unit, is at fault: nothing is said about the unit.";
 }
 
-/// "20260102T030405Z" → "2026-01-02 03:04:05 UTC"; anything else as it is.
+// "20260102T030405Z" → "2026-01-02 03:04:05 UTC"; anything else as it is.
 std::string readable_time(const std::string& utc) {
   if (utc.size() < 16 || utc[8] != 'T') return utc;
   return fmt::format("{}-{}-{} {}:{}:{} UTC", utc.substr(0, 4), utc.substr(4, 2), utc.substr(6, 2),

@@ -84,7 +84,7 @@ void CanBrake::drop_waiting_frames() {
   while (transport_->receive()) continue;
 }
 
-/// Keeps the newest status.
+// Keeps the newest status.
 Status CanBrake::take_waiting_frames() {
   for (;;) {
     const Result<CanFrame> received = transport_->receive();

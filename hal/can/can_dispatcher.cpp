@@ -44,7 +44,7 @@ class SharedBus {
     found->second.push_back(frame);
   }
 
-  /// A bus that was lost can be opened anew.
+  // A bus that was lost can be opened anew.
   IoError fail(const IoError& error) {
     if (error.code == IoErrc::disconnected) is_open_ = false;
     return error;

@@ -93,9 +93,9 @@ Status CanTorqueSensor::take_waiting_frames(Track& track, TorqueBlock& block) {
   }
 }
 
-/// Samples from the newest one to this one: 1 if none was lost, 0 or less if it is not new. The
-/// same frame again is never new, however long it took: that is a transducer that stands still,
-/// and not one of which exactly 255 samples were lost.
+// Samples from the newest one to this one: 1 if none was lost, 0 or less if it is not new. The
+// same frame again is never new, however long it took: that is a transducer that stands still,
+// and not one of which exactly 255 samples were lost.
 std::int64_t CanTorqueSensor::samples_since(const Track& track,
                                             const can_frames::TorqueFrame& frame,
                                             double time_s) const {

@@ -8,7 +8,7 @@
 namespace rvbench::hal {
 namespace {
 
-/// One direction of the bus.
+// One direction of the bus.
 class FrameQueue {
  public:
   explicit FrameQueue(std::size_t capacity) : capacity_(capacity) {}

@@ -28,10 +28,10 @@ IoErrc code_from_errno(int error) {
   }
 }
 
-/// What the kernel tells beside a frame.
+// What the kernel tells beside a frame.
 struct Remarks {
   double age_s = 0;
-  std::uint32_t dropped = 0;  ///< frames lost on this socket so far
+  std::uint32_t dropped = 0;  // frames lost on this socket so far
 };
 
 Remarks remarks_of(msghdr& message) {

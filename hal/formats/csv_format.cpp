@@ -18,7 +18,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// The cells of one line. A separator at its end adds no cell.
+// The cells of one line. A separator at its end adds no cell.
 std::vector<std::string_view> split(std::string_view line, char separator) {
   std::vector<std::string_view> cells;
   line = trimmed(line);
@@ -34,7 +34,7 @@ std::vector<std::string_view> split(std::string_view line, char separator) {
   return cells;
 }
 
-/// A number; "nan" is one, for it marks a lost sample, but an infinity is none.
+// A number; "nan" is one, for it marks a lost sample, but an infinity is none.
 std::optional<double> parse_number(std::string_view cell) {
   if (cell.starts_with('+')) cell.remove_prefix(1);
   double value = 0;
@@ -52,12 +52,12 @@ char separator_of(std::string_view line) {
   return ',';
 }
 
-/// Samples column by column, as they are gathered line by line.
+// Samples column by column, as they are gathered line by line.
 struct Table {
   std::vector<std::string> names;
   std::vector<std::vector<double>> columns;
 
-  /// The fault of one line of numbers, or none: then the line was added.
+  // The fault of one line of numbers, or none: then the line was added.
   std::optional<std::string> add(const std::vector<std::string_view>& cells, std::size_t line) {
     if (cells.size() != columns.size()) {
       return fmt::format("{}: {} values, not {}", line, cells.size(), columns.size());
@@ -73,7 +73,7 @@ struct Table {
   }
 };
 
-/// The channels' names from the first line, or column_1, column_2 ... if it holds numbers.
+// The channels' names from the first line, or column_1, column_2 ... if it holds numbers.
 std::optional<std::string> start(const std::vector<std::string_view>& cells, Table& table) {
   if (cells.empty()) return "1: no channel names";
   const auto is_number = [](std::string_view cell) { return parse_number(cell).has_value(); };

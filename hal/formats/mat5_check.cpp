@@ -32,12 +32,12 @@ enum Class : std::uint32_t {
   last_number = 15
 };
 
-/// Found anywhere below; find_mat5_fault() turns it into its answer.
+// Found anywhere below; find_mat5_fault() turns it into its answer.
 struct Fault : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Bytes of one value of a numeric type; 0 if the type is none.
+// Bytes of one value of a numeric type; 0 if the type is none.
 std::size_t value_bytes(std::uint32_t type) {
   switch (type) {
     case 1:
@@ -60,10 +60,10 @@ std::size_t value_bytes(std::uint32_t type) {
 struct Element {
   std::uint32_t type = 0;
   std::string_view data;
-  bool is_small = false;  ///< kept inside its tag
+  bool is_small = false;  // kept inside its tag
 };
 
-/// The elements in a stretch of bytes, one after the other.
+// The elements in a stretch of bytes, one after the other.
 class Elements {
  public:
   Elements(std::string_view bytes, bool swapped) : bytes_(bytes), swapped_(swapped) {}
@@ -90,7 +90,7 @@ class Elements {
   }
 
  private:
-  /// Up to four bytes inside the tag itself.
+  // Up to four bytes inside the tag itself.
   Element small(std::uint32_t first) {
     const std::size_t size = first >> 16U;
     if (size > 4) throw Fault("a tag makes no sense");
@@ -172,7 +172,7 @@ void check_content(Elements& elements, std::uint32_t flags, std::size_t count, b
   if (is_complex) check_values(elements, count, kind == text);
 }
 
-/// An array with all it holds. Without any bytes it is an empty member.
+// An array with all it holds. Without any bytes it is an empty member.
 void check_matrix(std::string_view bytes, bool swapped, int depth) {
   if (bytes.empty() && depth > 0) return;
   if (depth > deepest) throw Fault("is nested too deep");
@@ -192,7 +192,7 @@ void check_matrix(std::string_view bytes, bool swapped, int depth) {
   }
 }
 
-/// Whole or not at all: zlib checks a sum at the end.
+// Whole or not at all: zlib checks a sum at the end.
 std::string inflated(std::string_view bytes) {
   z_stream stream{};
   std::string out;

@@ -34,7 +34,7 @@ Eigen::MatrixXd converted(const matvar_t& variable) {
       .template cast<double>();
 }
 
-/// Rows x columns of a real numeric array; nothing if it is something else.
+// Rows x columns of a real numeric array; nothing if it is something else.
 std::optional<Eigen::MatrixXd> numbers_in(const matvar_t& variable) {
   if (variable.rank != 2 || variable.isComplex || variable.isLogical || variable.data == nullptr) {
     return std::nullopt;
@@ -60,7 +60,7 @@ bool says_rate(std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// What the file says besides samples. What it says twice, and differently, it does not say.
+// What the file says besides samples. What it says twice, and differently, it does not say.
 struct Statements {
   std::optional<double> rate_Hz;
   std::optional<double> speed_rpm;
@@ -104,8 +104,8 @@ struct NamedArray {
   Eigen::MatrixXd values;
 };
 
-/// Of arrays of one name, those of zeros only are left out if another one is not: some loggers
-/// write a variable once to reserve room, and again with what they measured.
+// Of arrays of one name, those of zeros only are left out if another one is not: some loggers
+// write a variable once to reserve room, and again with what they measured.
 void drop_placeholders(std::vector<NamedArray>& arrays, std::vector<std::string>& notes) {
   const auto is_placeholder = [&arrays](const NamedArray& array) {
     return array.values.isZero(0) &&
@@ -125,7 +125,7 @@ void drop_placeholders(std::vector<NamedArray>& arrays, std::vector<std::string>
   arrays = std::move(kept);
 }
 
-/// The longer side of an array is time. Repeated names get a number.
+// The longer side of an array is time. Repeated names get a number.
 void add_channels(const NamedArray& array, std::vector<Channel>& channels) {
   const bool upright = array.values.rows() >= array.values.cols();
   const Eigen::Index count = upright ? array.values.cols() : array.values.rows();

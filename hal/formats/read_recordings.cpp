@@ -89,7 +89,7 @@ void apply_speed(double speed_rpm, Recording& recording) {
   recording.speed_rpm = speed_rpm;
 }
 
-/// Foreign text goes into reports and JSON.
+// Foreign text goes into reports and JSON.
 void make_printable(Recording& recording) {
   for (Channel& channel : recording.channels) {
     channel.info.name = formats::printable(channel.info.name);

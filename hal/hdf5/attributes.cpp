@@ -39,7 +39,7 @@ Handle array_of(std::size_t count) {
 struct Opened {
   Handle attribute;
   Handle type;
-  std::size_t count = 0;  ///< 0 if there is no such attribute
+  std::size_t count = 0;  // 0 if there is no such attribute
 };
 
 Opened open(const Handle& object, const char* name) {

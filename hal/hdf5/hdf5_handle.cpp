@@ -12,7 +12,7 @@ herr_t keep_first(unsigned depth, const H5E_error2_t* error, void* text) {
   return 0;
 }
 
-/// The innermost reason of the last failure; of an operating system's error only its own words.
+// The innermost reason of the last failure; of an operating system's error only its own words.
 std::string last_reason() {
   std::string text = "HDF5 gives no reason";
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_first, &text);

@@ -20,7 +20,7 @@ std::string text_of(const char* bytes, std::size_t size) {
   return std::string(bytes, std::find(bytes, bytes + size, '\0'));
 }
 
-/// A file that is being written, or that a killed writer left behind, as an SWMR reader.
+// A file that is being written, or that a killed writer left behind, as an SWMR reader.
 Handle open_file(const std::filesystem::path& path) {
   const bool growing = is_marked_open(path);
   const Handle access = file_access();
@@ -67,7 +67,7 @@ class Hdf5RecordingReader final : public RecordingReader {
   Handle file_;
   std::size_t file_bytes_;
   RecordingLayout layout_;
-  std::vector<std::string> names_;  ///< of the points' groups: "000", "001", ...
+  std::vector<std::string> names_;  // of the points' groups: "000", "001", ...
   std::vector<IndexRow> index_;
   std::vector<PointResult> results_;
   std::vector<std::pair<double, std::string>> events_;

@@ -34,7 +34,7 @@ void check_layout(const RecordingLayout& layout) {
   }
 }
 
-/// Copies as many whole UTF-8 characters as fit, and a final 0.
+// Copies as many whole UTF-8 characters as fit, and a final 0.
 template <std::size_t N>
 void copy_text(char (&to)[N], const std::string& from) {
   std::size_t length = std::min(from.size(), N - 1);
@@ -64,7 +64,7 @@ class Hdf5RecordingWriter final : public RecordingWriter {
   Status close() override;
 
  private:
-  /// What is being written of one point.
+  // What is being written of one point.
   struct OpenPoint {
     int number = -1;
     std::optional<GrowingSeries<float>> acceleration, torque;
@@ -86,7 +86,7 @@ class Hdf5RecordingWriter final : public RecordingWriter {
   std::vector<bool> ended_;
   OpenPoint open_;
   Pace::time_point flushed_ = Pace::now();
-  std::optional<IoError> failure_;  ///< the first one: after it nothing more is written
+  std::optional<IoError> failure_;  // the first one: after it nothing more is written
 };
 
 Hdf5RecordingWriter::~Hdf5RecordingWriter() {
@@ -96,8 +96,8 @@ Hdf5RecordingWriter::~Hdf5RecordingWriter() {
   }
 }
 
-/// Runs one step of writing. Once a step failed, all later ones fail likewise: a recording with a
-/// hole in it must not look whole.
+// Runs one step of writing. Once a step failed, all later ones fail likewise: a recording with a
+// hole in it must not look whole.
 template <typename Body>
 Status Hdf5RecordingWriter::write(Body&& body) {
   if (!failure_ && !file_) failure_ = IoError{IoErrc::refused, path_.string() + ": is closed"};

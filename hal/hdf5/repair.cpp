@@ -28,9 +28,9 @@ bool opens(const std::filesystem::path& path) {
   return static_cast<bool>(file);
 }
 
-/// Clears the mark of the dead writer and sets the file's recorded end to its real one. Clearing
-/// the mark alone (h5clear -s) would make an SWMR file unreadable for good: its recorded end is
-/// as old as the file's creation.
+// Clears the mark of the dead writer and sets the file's recorded end to its real one. Clearing
+// the mark alone (h5clear -s) would make an SWMR file unreadable for good: its recorded end is
+// as old as the file's creation.
 void put_right(const std::filesystem::path& path) {
   const Handle access = file_access();
   const hbool_t yes = 1;

@@ -86,8 +86,8 @@ void ModbusInverter::stop() noexcept {
   }
 }
 
-/// Runs one call of the role under the lock, then lets the clock catch up with the time-outs it
-/// met: a real clock has passed them already.
+// Runs one call of the role under the lock, then lets the clock catch up with the time-outs it
+// met: a real clock has passed them already.
 Status ModbusInverter::charged(const std::function<Status()>& call) {
   const double start_s = clock_.now_s();
   int timeouts = 0;
@@ -102,7 +102,7 @@ Status ModbusInverter::charged(const std::function<Status()>& call) {
   return status;
 }
 
-/// One request, over a link that was identified since it was opened.
+// One request, over a link that was identified since it was opened.
 Status ModbusInverter::attempt(const std::function<Status()>& request) {
   if (!link_.is_open()) {
     const Status opened = link_.open();
@@ -114,8 +114,8 @@ Status ModbusInverter::attempt(const std::function<Status()>& request) {
   return request();
 }
 
-/// For requests that do no harm when the drive gets them twice. A link that was found dead is
-/// tried only once: the caller's deadline is short.
+// For requests that do no harm when the drive gets them twice. A link that was found dead is
+// tried only once: the caller's deadline is short.
 Status ModbusInverter::attempt_twice(const std::function<Status()>& request) {
   const bool was_open = link_.is_open();
   const Status status = attempt(request);

@@ -20,7 +20,7 @@ struct MatrixSpec {
   std::vector<double> loads_pct;
   int repeats = 1;
   std::string order;
-  int seed = 0;  ///< of "randomised"
+  int seed = 0;  // of "randomised"
   SettlingRule settling;
   double output_turns = 0;
 };

@@ -19,7 +19,7 @@ constexpr double period_turns = 21;
 constexpr double carrier = 30;
 const OrderSignals turning{.speed_Hz = 20, .rate_Hz = 2000, .count = 16801};  // 8 periods
 
-/// i = 21: sun at 20/21, crank 10/21, in the housing 9/21.
+// i = 21: sun at 20/21, crank 10/21, in the housing 9/21.
 Kinematics small_reducer() {
   return analysis::rv_reducer("small", {12, 24, 2, 9, 10}, {11, 5, 26, 0});
 }
@@ -47,8 +47,8 @@ double order_of(const std::string& component) {
   return 0;
 }
 
-/// Depth that an envelope 1 + m·cos shows in Gaussian noise of variance v: noise lifts a Rician
-/// envelope A by v/(2A), most where it is low.
+// Depth that an envelope 1 + m·cos shows in Gaussian noise of variance v: noise lifts a Rician
+// envelope A by v/(2A), most where it is low.
 double depth_in_noise(double m, double v) {
   const double root = std::sqrt(1 - m * m);
   return (m + v / root * (root - 1) / m) / (1 + v / (2 * root));

@@ -17,10 +17,10 @@ namespace {
 
 const OrderSignals turning{.speed_Hz = 30, .rate_Hz = 1920, .count = 30977};  // 4 output turns
 
-/// RV-20E with a bearing: every kind of signature there is.
+// RV-20E with a bearing: every kind of signature there is.
 Kinematics rv20e() { return analysis::rv_reducer("RV-20E", {9, 27, 2, 39, 40}, {11, 5, 26, 0}); }
 
-/// The p-values of each signature over draws of noise.
+// The p-values of each signature over draws of noise.
 template <class Noise>
 std::vector<NullDraws> draws_of(int draws, Noise noise) {
   const Kinematics k = rv20e();

@@ -19,7 +19,7 @@ constexpr double mesh = 240.0 / 21;
 constexpr double lobes = 90.0 / 21;
 const OrderSignals turning{.speed_Hz = 20, .rate_Hz = 1280, .count = 10760};  // 8 periods
 
-/// i = 21: sun at 20/21, crank 10/21, in the housing 9/21.
+// i = 21: sun at 20/21, crank 10/21, in the housing 9/21.
 Kinematics small_reducer() {
   return analysis::rv_reducer("small", {12, 24, 2, 9, 10}, {11, 5, 26, 0});
 }
@@ -33,7 +33,7 @@ const SignatureScore& score_of(const std::string& component, const Examination& 
   return e.scores.front();
 }
 
-/// Meshes of a sound reducer: lines without sidebands, in noise.
+// Meshes of a sound reducer: lines without sidebands, in noise.
 Eigen::VectorXd sound(const OrderSignals& shaft, unsigned seed) {
   return 2 * shaft.tone(mesh, 0.3) + shaft.tone(lobes, 1) + 0.3 * shaft.noise(seed);
 }

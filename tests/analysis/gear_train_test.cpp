@@ -8,7 +8,7 @@ using namespace rvbench::analysis;
 
 namespace {
 
-/// Input 20:60, intermediate 15:45, output; a bearing on the intermediate shaft.
+// Input 20:60, intermediate 15:45, output; a bearing on the intermediate shaft.
 GearTrain two_stages() {
   GearTrain train;
   train.machine = "two stages";

@@ -21,7 +21,7 @@ LineFloor floor_of(const Eigen::VectorXd& x, Eigen::Index locked_every = 0) {
   return line_floor(amplitude_spectrum(x, 1000, Window::hann), locked_every);
 }
 
-/// p-values of lines so far apart that they are independent, over some draws of noise.
+// p-values of lines so far apart that they are independent, over some draws of noise.
 template <class Noise>
 test::NullDraws p_values_of(Noise noise, int draws, Eigen::Index locked_every = 0) {
   test::NullDraws draws_of_noise;

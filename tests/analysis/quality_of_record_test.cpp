@@ -30,7 +30,7 @@ std::string complaints(const Examination& e) {
   return all;
 }
 
-/// The record of a faulty unit whose second channel is bad.
+// The record of a faulty unit whose second channel is bad.
 Examination beside(const Eigen::VectorXd& bad) {
   Recording record = turning.recording(faulty());
   record.channels.push_back(turning.channel(bad, "accel_2z"));

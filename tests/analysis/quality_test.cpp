@@ -18,7 +18,7 @@ Channel channel(Eigen::VectorXd samples) {
   return {{"accel_1x", "m/s²", "+X", not_known}, rate_Hz, 0, std::move(samples)};
 }
 
-/// A vibration with noise, at most about 5 m/s².
+// A vibration with noise, at most about 5 m/s².
 Eigen::VectorXd vibration() {
   return 3 * test::tone(87.3, 9920, rate_Hz) + 0.5 * test::white_noise(9920, 1);
 }

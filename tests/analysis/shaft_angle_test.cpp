@@ -16,7 +16,7 @@ constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double rate_Hz = 2000;
 constexpr Eigen::Index count = 20000;  // 10 s
 
-/// Turns after t of a shaft that runs up from 10 rev/s by 0.5 rev/s².
+// Turns after t of a shaft that runs up from 10 rev/s by 0.5 rev/s².
 Eigen::ArrayXd run_up(const Eigen::ArrayXd& t) { return 10 * t + 0.25 * t.square(); }
 
 Channel accel(const Eigen::VectorXd& samples, double start_s = 0) {

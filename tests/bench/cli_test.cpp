@@ -9,7 +9,7 @@ namespace {
 
 using Catch::Matchers::Contains;
 
-/// A command that only tells what it was given.
+// A command that only tells what it was given.
 class Echo final : public Command {
  public:
   std::string name() const override { return "judge"; }

@@ -12,7 +12,7 @@ namespace {
 
 using Catch::Matchers::Contains;
 
-/// Tags balance, attributes are quoted and hold no bare markup: enough of XML for what we write.
+// Tags balance, attributes are quoted and hold no bare markup: enough of XML for what we write.
 bool is_well_formed(const std::string& xml) {
   static const std::regex tag(R"re(<(/?)([a-z]+)((?: [a-z]+="[^"<]*")*)(/?)>)re");
   std::vector<std::string> open;

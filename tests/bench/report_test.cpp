@@ -33,8 +33,8 @@ analysis::Kinematics rv20e() {
   return kinematics;
 }
 
-/// A 700 Hz carrier whose amplitude swings once per turn of a shaft that speeds up from 9 to 11
-/// turns a second.
+// A 700 Hz carrier whose amplitude swings once per turn of a shaft that speeds up from 9 to 11
+// turns a second.
 Recording chirped(double seconds) {
   const auto count = static_cast<Eigen::Index>(seconds * rate_Hz);
   Channel accel{{"accel_1x", "m/s²", "+X", not_known}, rate_Hz, 0, Eigen::VectorXd(count)};

@@ -12,7 +12,7 @@
 namespace rvbench::bench {
 namespace {
 
-/// The built-in quick plan, with one point and the shortest record that a diagnosis can use.
+// The built-in quick plan, with one point and the shortest record that a diagnosis can use.
 std::string one_point_plan() {
   const auto quick = std::ranges::find(plan_files(), "quick", &EmbeddedFile::name);
   auto plan = nlohmann::ordered_json::parse(quick->text);

@@ -12,7 +12,7 @@ namespace {
 
 ConfigReader read(std::string_view text) { return ConfigReader::from_text(text, "plan.json"); }
 
-/// All faults as they are printed, one a line.
+// All faults as they are printed, one a line.
 std::string printed(const ConfigReader& reader) {
   std::string all;
   for (const ConfigFault& fault : reader.faults()) all += describe(reader.file(), fault) + '\n';

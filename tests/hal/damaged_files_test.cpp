@@ -32,7 +32,7 @@ Result<std::vector<Recording>> read_bytes(const std::filesystem::path& file,
   return read_recordings(file);
 }
 
-/// Reads the file cut off at many lengths. Returns how many of them were refused.
+// Reads the file cut off at many lengths. Returns how many of them were refused.
 int cut_everywhere(const std::filesystem::path& file, const std::string& bytes, int cuts) {
   int refused = 0;
   for (int i = 0; i < cuts; ++i) {
@@ -43,7 +43,7 @@ int cut_everywhere(const std::filesystem::path& file, const std::string& bytes, 
   return refused;
 }
 
-/// Reads the file with one byte changed, each of `first` bytes and then at random places.
+// Reads the file with one byte changed, each of `first` bytes and then at random places.
 void flip_everywhere(const std::filesystem::path& file, const std::string& bytes, std::size_t first,
                      int at_random) {
   std::mt19937 random(20250117);

@@ -19,7 +19,7 @@ std::filesystem::path written(const ScratchFolder& scratch, const std::string& n
   return scratch / name;
 }
 
-/// What is said about a file that must be refused; the text of the error.
+// What is said about a file that must be refused; the text of the error.
 std::string complaint(const std::filesystem::path& file) {
   const auto read = read_recordings(file);
   REQUIRE_FALSE(read);

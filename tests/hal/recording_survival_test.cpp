@@ -21,7 +21,7 @@ namespace {
 
 using test::ScratchFolder;
 
-/// Runs /usr/bin/python3 with h5py; false and a warning if there is none.
+// Runs /usr/bin/python3 with h5py; false and a warning if there is none.
 bool python_says(const std::string& script, const std::filesystem::path& argument) {
   const std::string python = "/usr/bin/python3 -c \"";
   if (std::system((python + "import h5py\" 2>/dev/null").c_str()) != 0) {
@@ -93,8 +93,8 @@ namespace {
 
 constexpr int scans_per_block = 100;
 
-/// Writes blocks until it is killed, and tells through the pipe how many the disk has for sure:
-/// those of ended points.
+// Writes blocks until it is killed, and tells through the pipe how many the disk has for sure:
+// those of ended points.
 [[noreturn]] void write_until_killed(const std::filesystem::path& file, int pipe_end) {
   const auto made = RecordingWriter::create(file, test::layout_of(64, 3));
   if (!made) ::_exit(1);
@@ -119,7 +119,7 @@ int last_told(int pipe_end) {
   return last;
 }
 
-/// Kills a writer after it told of `points` points. Returns the last one that it told of.
+// Kills a writer after it told of `points` points. Returns the last one that it told of.
 int kill_a_writer(const std::filesystem::path& file, int points, int further_us) {
   int ends[2];
   REQUIRE(::pipe(ends) == 0);

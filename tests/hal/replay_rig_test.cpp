@@ -19,7 +19,7 @@ using test::ScratchFolder;
 constexpr double rate_Hz = 1000;
 constexpr int scans = 800;
 
-/// Each scan tells the point and its own number: 1000 * (point + 1) + scan.
+// Each scan tells the point and its own number: 1000 * (point + 1) + scan.
 std::filesystem::path record(const ScratchFolder& scratch, std::vector<PlannedPoint> points) {
   RecordingLayout layout = test::layout_of(1, 2);
   layout.acceleration_rate_Hz = rate_Hz;
@@ -52,7 +52,7 @@ void connect(Rig& rig) {
   REQUIRE(rig.accelerometers->start());
 }
 
-/// Commands a point and returns the first scans of channel 1 from the end of the lead-in on.
+// Commands a point and returns the first scans of channel 1 from the end of the lead-in on.
 Eigen::VectorXf play(Rig& rig, double speed_rpm, double load_pct, double lead_in_s = 0.2) {
   REQUIRE(rig.drive->set_speed(speed_rpm));
   REQUIRE(rig.brake->set_torque(1.67 * load_pct));

@@ -13,7 +13,7 @@ using sequences::SettlingRule;
 
 namespace {
 
-/// When a motion settles: speed and torque as functions of time, at 10 ms ticks; NaN if never.
+// When a motion settles: speed and torque as functions of time, at 10 ms ticks; NaN if never.
 double settled_s(const SettlingRule& rule, double planned_rpm,
                  const std::function<double(double)>& speed_rpm,
                  const std::function<double(double)>& torque_Nm) {

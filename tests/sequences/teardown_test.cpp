@@ -12,7 +12,7 @@ using test::small_plan;
 
 namespace {
 
-/// A phase whose timeline cannot even be asked for.
+// A phase whose timeline cannot even be asked for.
 class Defective final : public sequences::Phase {
  public:
   std::string_view kind() const override { return "defective"; }

@@ -16,7 +16,7 @@ using namespace rvbench;
 
 namespace {
 
-/// A plain Modbus master that knows nothing of rvbench.
+// A plain Modbus master that knows nothing of rvbench.
 class Master {
  public:
   explicit Master(std::uint16_t port) : context_(modbus_new_tcp("127.0.0.1", port)) {

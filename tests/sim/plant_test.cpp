@@ -11,7 +11,7 @@ using namespace rvbench;
 
 namespace {
 
-/// A constant torque on body 0, from outside the tree of terms.
+// A constant torque on body 0, from outside the tree of terms.
 class Push final : public sim::PhysicsTerm {
  public:
   explicit Push(double torque_Nm) : torque_Nm_(torque_Nm) {}
@@ -26,7 +26,7 @@ class Push final : public sim::PhysicsTerm {
   double torque_Nm_;
 };
 
-/// Drag of a fan on body 0: −c·v².
+// Drag of a fan on body 0: −c·v².
 class Fan final : public sim::PhysicsTerm {
  public:
   explicit Fan(double c) : c_(c) {}

@@ -25,8 +25,8 @@ double dissipated_W(const sim::Plant& plant) {
   return sum;
 }
 
-/// The train's equations of motion for two planets, written out from the article's figure and not
-/// from the terms: angles q0 motor, q1 sun, q2 q3 planets in the carrier, q4 carrier, q5 brake.
+// The train's equations of motion for two planets, written out from the article's figure and not
+// from the terms: angles q0 motor, q1 sun, q2 q3 planets in the carrier, q4 carrier, q5 brake.
 class WrittenOut {
  public:
   using State = std::vector<double>;
@@ -70,7 +70,7 @@ class WrittenOut {
   test::RvTrainSpec s_;
 };
 
-/// How far a plant strayed from the integrator's solution, at worst.
+// How far a plant strayed from the integrator's solution, at worst.
 struct Farthest {
   double angle_rad = 0, speed_rad_s = 0;
 

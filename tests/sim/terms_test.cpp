@@ -66,7 +66,7 @@ sim::CycloidStage::Params uneven_stage() {
   return p;
 }
 
-/// A state in which only the angle of one body differs from 0.
+// A state in which only the angle of one body differs from 0.
 sim::PlantState turned(Eigen::Index body, double angle_rad) {
   sim::PlantState s{Eigen::VectorXd::Zero(bodies), Eigen::VectorXd::Zero(bodies)};
   s.q[body] = angle_rad;

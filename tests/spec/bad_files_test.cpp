@@ -24,10 +24,10 @@ using test::ScratchFolder;
 struct BadFile {
   const char* name;
   std::string text;
-  std::vector<std::string> told;  ///< what begins with ":" comes after the file's name
+  std::vector<std::string> told;  // what begins with ":" comes after the file's name
 };
 
-/// No crash: neither a signal nor a sanitizer's report.
+// No crash: neither a signal nor a sanitizer's report.
 void check_civil(const Answer& answer) {
   CHECK(answer.code >= 0);
   CHECK_THAT(answer.err, !Contains("Sanitizer") && !Contains("runtime error"));
@@ -48,7 +48,7 @@ void check_refused(const BadFile& bad, const std::vector<std::string>& arguments
   }
 }
 
-/// Faults of any JSON file, whatever it is about. Line 1 is that of `key`.
+// Faults of any JSON file, whatever it is about. Line 1 is that of `key`.
 std::vector<BadFile> broken_json(const std::string& key) {
   const std::string start = "{\"" + key + "\": ";
   return {{"empty", "", {":1: "}},

@@ -21,9 +21,9 @@ using test::Answer;
 using test::ScratchFolder;
 
 struct BadRecording {
-  const char* name;  ///< of the file
+  const char* name;  // of the file
   std::string bytes;
-  const char* told;  ///< after the file's name
+  const char* told;  // after the file's name
 };
 
 Answer judge(const ScratchFolder& scratch, const std::string& file) {
@@ -44,7 +44,7 @@ void check_refused(const BadRecording& bad) {
   }
 }
 
-/// Two columns of noise, 2 s at 1 kHz, of which `change` may spoil any value.
+// Two columns of noise, 2 s at 1 kHz, of which `change` may spoil any value.
 std::string csv(const std::function<std::string(int row, int column, std::string value)>& change) {
   std::mt19937 random(7);
   std::string text = "a,b\n";
@@ -57,7 +57,7 @@ std::string csv(const std::function<std::string(int row, int column, std::string
   return text;
 }
 
-/// A variable whose header claims `bytes` of doubles and holds none.
+// A variable whose header claims `bytes` of doubles and holds none.
 std::string claim(std::uint32_t bytes) {
   using namespace test;
   return mat5_file({mat5_word(14) + mat5_word(bytes) +

@@ -25,7 +25,7 @@ Answer run(const ScratchFolder& scratch, const std::string& plan,
   return test::rvbench(scratch.path(), words);
 }
 
-/// What a run printed agrees with its exit code.
+// What a run printed agrees with its exit code.
 void check_verdict(const Answer& answer, int code, const std::string& verdict) {
   INFO(answer.err);
   CHECK(answer.code == code);
@@ -34,7 +34,7 @@ void check_verdict(const Answer& answer, int code, const std::string& verdict) {
   CHECK(json.at("exit_code") == code);
 }
 
-/// Runs rvbench where no file may grow beyond so many bytes: a disk that is full.
+// Runs rvbench where no file may grow beyond so many bytes: a disk that is full.
 Answer run_on_full_disk(const ScratchFolder& scratch, int kilobytes) {
   bench::write_file(scratch.path() / "short.json", test::short_plan);
   std::vector<std::string> words{"/bin/sh", "-c", "trap '' XFSZ; ulimit -f $0; exec \"$@\"",
@@ -48,7 +48,7 @@ std::filesystem::path only_run(const ScratchFolder& scratch) {
   return std::filesystem::directory_iterator(scratch.path() / "runs" / "A17")->path();
 }
 
-/// At full speed, which makes the shortest record.
+// At full speed, which makes the shortest record.
 std::string limited(const std::string& max_g) {
   return test::replaced(test::replaced(test::short_plan, "[1210]", "[1815]"), "\"main\"",
                         "\"limits\": [{\"measure\": \"acceleration_peak\", \"unit\": \"g\", "

@@ -17,10 +17,10 @@ using test::BenchRun;
 
 struct Fault {
   const char* name;
-  const char* told;  ///< what the reason must name
+  const char* told;  // what the reason must name
   int exit_code;
   std::function<void(BenchWorld&)> strike;
-  bool also_at_connect = true;  ///< false: connecting cures it, or cannot know it yet
+  bool also_at_connect = true;  // false: connecting cures it, or cannot know it yet
 };
 
 std::function<void(BenchWorld&)> wire(WireFault fault) {
@@ -62,7 +62,7 @@ const std::vector<Fault>& faults() {
   return all;
 }
 
-/// The samples before the fault are in the recording, and its point says that it was cut short.
+// The samples before the fault are in the recording, and its point says that it was cut short.
 void check_recorded_until(const BenchRun& run, double time_s) {
   const auto reader = hal::RecordingReader::open(run.folder() / "recording.h5");
   REQUIRE(reader);

@@ -45,7 +45,7 @@ std::vector<std::string> bearing_parts(const json& verdict) {
   return parts;
 }
 
-/// Whether some line of the channel has this meaning, and where.
+// Whether some line of the channel has this meaning, and where.
 std::optional<double> frequency_of(const json& channel, const std::string& meaning) {
   for (const json& line : channel.at("lines")) {
     if (line.at("meaning") == meaning) return line.at("frequency_Hz").get<double>();

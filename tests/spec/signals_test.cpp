@@ -18,8 +18,8 @@ using test::Answer;
 using test::Program;
 using test::ScratchFolder;
 
-/// Ten points, so that there is time to interfere: each is a tenth of the way, and 16 s of the
-/// rig's time.
+// Ten points, so that there is time to interfere: each is a tenth of the way, and 16 s of the
+// rig's time.
 void write_long_plan(const ScratchFolder& scratch) {
   bench::write_file(scratch.path() / "long.json",
                     test::replaced(test::short_plan, "\"speeds_rpm\": [1210]",
