@@ -4,8 +4,7 @@
 
 namespace rvbench::bench::test {
 
-/// A hand-made run of a bad unit: two points, one of them never recorded, and one finding.
-inline Judgement failed_run() {
+inline analysis::Finding misaligned_shaft() {
   analysis::Finding finding;
   finding.component = "input_shaft";
   finding.mechanism = "misalignment";
@@ -22,26 +21,10 @@ inline Judgement failed_run() {
   finding.advice = "Stiffen, shorten or support the input shaft.";
   finding.line_orders = {1, 2, 39.0 / 121};
   finding.line_depths = {0.5, 0.3, 0.05};
+  return finding;
+}
 
-  Judgement judgement;
-  judgement.ending = {Outcome::fail, ErrorKind::none, "input_shaft: misalignment"};
-  judgement.machine = "RV-20E";
-  judgement.facts.serial = "A-17 <&\"'>";
-  judgement.facts.started_utc = "20260102T030405Z";
-  judgement.facts.plan = "quick";
-  judgement.facts.rig = "sim";
-  judgement.facts.preset = "input_shaft";
-  judgement.facts.seed = 18446744073709551615ULL;  // does not fit a double
-  judgement.facts.software = "0.1.0 (test)";
-  judgement.facts.duration_s = 123.5;
-  judgement.facts.events = {{1.5, "armed"}};
-  judgement.diagnosis.findings = {finding};
-  judgement.diagnosis.unexplained = {{5.147, 171.56, 0.2, 1e-9, ""}};
-  judgement.diagnosis.quality = {{"point 000, accel_1x", "3 samples lost", false}};
-  judgement.diagnosis.resolvable = true;
-  judgement.limits = {{"acceleration_peak", "", "g", 0.5, 1.9, "recording.h5#000, accel_1x", false,
-                       "healthy units stay near 0.1 g"}};
-
+inline JudgedPoint recorded_point() {
   JudgedPoint recorded;
   recorded.planned_speed_rpm = 605;
   recorded.torque_Nm = 1.4;
@@ -59,12 +42,36 @@ inline Judgement failed_run() {
                                     {0.8, 0.4, 0.2, 0.1, 0.08, 0.01, 0.0, 0.0, 0.0},
                                     {{1, 10.08, 0.2, 1e-9, "input shaft"}}}};
   recorded.examination.scores = {{0, 1, 0.6, 812.5, 1e-12, 1, 0, {1, 2}, {0.5, 0.3}}};
+  return recorded;
+}
+
+/// A hand-made run of a bad unit: two points, one of them never recorded, and one finding.
+inline Judgement failed_run() {
+  Judgement judgement;
+  judgement.ending = {Outcome::fail, ErrorKind::none, "input_shaft: misalignment"};
+  judgement.machine = "RV-20E";
+  judgement.facts.serial = "A-17 <&\"'>";
+  judgement.facts.started_utc = "20260102T030405Z";
+  judgement.facts.plan = "quick";
+  judgement.facts.rig = "sim";
+  judgement.facts.preset = "input_shaft";
+  judgement.facts.seed = 18446744073709551615ULL;  // does not fit a double
+  judgement.facts.software = "0.1.0 (test)";
+  judgement.facts.duration_s = 123.5;
+  judgement.facts.events = {{1.5, "armed"}};
+  judgement.diagnosis.findings = {misaligned_shaft()};
+  judgement.diagnosis.unexplained = {{5.147, 171.56, 0.2, 1e-9, ""}};
+  judgement.diagnosis.quality = {{"point 000, accel_1x", "3 samples lost", false}};
+  judgement.diagnosis.resolvable = true;
+  judgement.limits = {{"acceleration_peak", "", "g", 0.5, 1.9, "recording.h5#000, accel_1x", false,
+                       "healthy units stay near 0.1 g"}};
+
   JudgedPoint missing;
   missing.status = "not_recorded";
   missing.planned_speed_rpm = 1210;
   missing.examination.load_pct = 50;
   missing.examination.repeat = 2;
-  judgement.points = {recorded, missing};
+  judgement.points = {recorded_point(), missing};
   return judgement;
 }
 

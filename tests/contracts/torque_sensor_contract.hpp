@@ -9,15 +9,8 @@
 
 namespace rvbench::test {
 
-/// What every TorqueSensor promises (see hal/torque_sensor.hpp). Call it within a test case of its
-/// own, with a sensor not yet connected and half a second of samples to come.
-inline void check_torque_sensor_contract(hal::TorqueSensor& sensor, hal::Clock& clock) {
-  SECTION("before connect, read reports a dead link instead of throwing") {
-    const auto block = sensor.read();
-    REQUIRE_FALSE(block);
-    CHECK(block.error().code == IoErrc::disconnected);
-    CHECK_FALSE(block.error().where.empty());
-  }
+// Part of check_torque_sensor_contract().
+inline void check_samples(hal::TorqueSensor& sensor, hal::Clock& clock) {
   SECTION("samples come at the rate promised, in one row without gaps or repeats") {
     REQUIRE(sensor.connect());
     const double rate_Hz = sensor.rate_Hz();
@@ -39,6 +32,18 @@ inline void check_torque_sensor_contract(hal::TorqueSensor& sensor, hal::Clock& 
     }
     CHECK(samples == Approx((clock.now_s() - start_s) * rate_Hz).margin(2));
   }
+}
+
+/// What every TorqueSensor promises (see hal/torque_sensor.hpp). Call it within a test case of its
+/// own, with a sensor not yet connected and half a second of samples to come.
+inline void check_torque_sensor_contract(hal::TorqueSensor& sensor, hal::Clock& clock) {
+  SECTION("before connect, read reports a dead link instead of throwing") {
+    const auto block = sensor.read();
+    REQUIRE_FALSE(block);
+    CHECK(block.error().code == IoErrc::disconnected);
+    CHECK_FALSE(block.error().where.empty());
+  }
+  check_samples(sensor, clock);
   SECTION("it does not wait: read again at once is an empty block, no error") {
     REQUIRE(sensor.connect());
     clock.wait_until(clock.now_s() + 0.1);

@@ -64,7 +64,7 @@ SCENARIO("the transducer sends one frame per sample, at its own rate", "[sim][ca
   }
 }
 
-SCENARIO("the brake node obeys fresh commands only", "[sim][can]") {
+SCENARIO("the brake node obeys commands that are meant for it", "[sim][can]") {
   auto bus = hal::make_in_process_bus([] { return 0.0; });
   sim::BrakeNode node(*bus.nodes,
                       {.status_rate_Hz = 10, .comm_loss_timeout_s = 1, .max_torque_Nm = 300});
@@ -82,6 +82,25 @@ SCENARIO("the brake node obeys fresh commands only", "[sim][can]") {
     node.advance_to(0.1, 0);
     CHECK(node.setpoint_Nm() == Approx(300));
   }
+  WHEN("frames of others or of another shape come") {
+    hal::CanFrame other = brake_command(0, 0, 2);
+    other.id = 0x202;
+    REQUIRE(bus.bench->send(other));
+    hal::CanFrame shorter = brake_command(0, 0, 3);
+    shorter.length = 3;
+    REQUIRE(bus.bench->send(shorter));
+    node.advance_to(0.1, 0);
+    CHECK(node.engaged());
+  }
+}
+
+SCENARIO("the brake node releases when fresh commands stop coming", "[sim][can]") {
+  auto bus = hal::make_in_process_bus([] { return 0.0; });
+  sim::BrakeNode node(*bus.nodes,
+                      {.status_rate_Hz = 10, .comm_loss_timeout_s = 1, .max_torque_Nm = 300});
+  REQUIRE(bus.bench->send(brake_command(1670, 1, 1)));
+  node.advance_to(0.05, 12.34);
+  REQUIRE(node.engaged());
   WHEN("the same command comes again and again, from a sender that hangs") {
     for (int i = 1; i <= 12; ++i) {
       REQUIRE(bus.bench->send(brake_command(1670, 1, 1)));
@@ -107,16 +126,6 @@ SCENARIO("the brake node obeys fresh commands only", "[sim][can]") {
       node.advance_to(1.2, 0);
       CHECK(node.engaged());
     }
-  }
-  WHEN("frames of others or of another shape come") {
-    hal::CanFrame other = brake_command(0, 0, 2);
-    other.id = 0x202;
-    REQUIRE(bus.bench->send(other));
-    hal::CanFrame shorter = brake_command(0, 0, 3);
-    shorter.length = 3;
-    REQUIRE(bus.bench->send(shorter));
-    node.advance_to(0.1, 0);
-    CHECK(node.engaged());
   }
 }
 

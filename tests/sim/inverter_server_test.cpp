@@ -86,23 +86,26 @@ SCENARIO("the drive ramps, reverses through standstill and stops", "[sim][invert
       CHECK_FALSE(model.output_enabled());
     }
   }
-  WHEN("it trips") {
-    model.trip(sim::fault_overcurrent);
-    THEN("the motor coasts, runs are refused, and only an edge with the run word at stop resets") {
-      CHECK_FALSE(model.output_enabled());
-      CHECK_FALSE(model.command(sim::RunCommand::forward, 30));
-      model.set_reset(true);
-      CHECK_FALSE(model.state().tripped);
-      model.trip(sim::fault_overcurrent);
-      model.set_reset(true);  // still high: no edge
-      CHECK(model.state().tripped);
-      model.set_reset(false);
-      model.set_reset(true);
-      CHECK_FALSE(model.state().tripped);
-      advance(model, 1);
-      CHECK_FALSE(model.output_enabled());
-    }
-  }
+}
+
+SCENARIO("a tripped drive coasts, refuses runs, and is reset by an edge at stop only",
+         "[sim][inverter]") {
+  sim::InverterModel model({.comm_loss_timeout_s = 0});
+  REQUIRE(model.command(sim::RunCommand::forward, 30));
+  advance(model, 1);
+  model.trip(sim::fault_overcurrent);
+  CHECK_FALSE(model.output_enabled());
+  CHECK_FALSE(model.command(sim::RunCommand::forward, 30));
+  model.set_reset(true);
+  CHECK_FALSE(model.state().tripped);
+  model.trip(sim::fault_overcurrent);
+  model.set_reset(true);  // still high: no edge
+  CHECK(model.state().tripped);
+  model.set_reset(false);
+  model.set_reset(true);
+  CHECK_FALSE(model.state().tripped);
+  advance(model, 1);
+  CHECK_FALSE(model.output_enabled());
 }
 
 SCENARIO("the drive's watchdog runs out in virtual time", "[sim][inverter]") {

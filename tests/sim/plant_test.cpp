@@ -50,48 +50,54 @@ sim::Plant plant_of(const Eigen::VectorXd& inertia, double step_s, const Terms&.
   return sim::Plant(inertia, std::move(list), step_s);
 }
 
+// Two flywheels on a shaft, in closed form.
+struct Flywheels {
+  Eigen::Vector2d inertia{0.02, 0.03};
+  double k = 50, c = 0.05;
+  double reduced = 0.02 * 0.03 / 0.05;
+  double omega0 = std::sqrt(k / reduced);  // 64.5 rad/s: 10.3 Hz
+  double decay = c / (2 * reduced);
+  double omega = std::sqrt(omega0 * omega0 - decay * decay);
+
+  sim::ShaftTorsion shaft() const {
+    return sim::ShaftTorsion(
+        {.body_a = 0, .body_b = 1, .stiffness_Nm_rad = k, .damping_Nms_rad = c});
+  }
+  // The twist that is left of 1 rad.
+  double ringing(double time_s) const {
+    return std::exp(-decay * time_s) *
+           (std::cos(omega * time_s) + decay / omega * std::sin(omega * time_s));
+  }
+};
+
 }  // namespace
 
 SCENARIO("a damped oscillator is stepped exactly, however long the step", "[sim][plant]") {
-  const Eigen::Vector2d inertia(0.02, 0.03);
-  const double k = 50, c = 0.05;
-  const double reduced = 0.02 * 0.03 / 0.05;
-  const double omega0 = std::sqrt(k / reduced);  // 64.5 rad/s: 10.3 Hz
-  const double decay = c / (2 * reduced);
-  const double omega = std::sqrt(omega0 * omega0 - decay * decay);
+  const Flywheels wheels;
+  const Eigen::Vector2d& inertia = wheels.inertia;
   const double step_s = GENERATE(1e-4, 0.07, 0.3);  // the last is three periods
   GIVEN("two flywheels on a shaft that was wound up by 1 rad and let go") {
-    auto plant = plant_of(
-        inertia, step_s,
-        sim::ShaftTorsion({.body_a = 0, .body_b = 1, .stiffness_Nm_rad = k, .damping_Nms_rad = c}));
+    auto plant = plant_of(inertia, step_s, wheels.shaft());
     plant.shift(Eigen::Vector2d(1, 0));
     THEN("they swing as the closed form says, and their centre stays") {
       for (int i = 1; i <= 10; ++i) {
         plant.step();
-        const double t = i * step_s;
-        const double twist =
-            std::exp(-decay * t) * (std::cos(omega * t) + decay / omega * std::sin(omega * t));
-        CHECK(plant.state().q[0] - plant.state().q[1] == Approx(twist).margin(1e-11));
+        CHECK(plant.state().q[0] - plant.state().q[1] ==
+              Approx(wheels.ringing(i * step_s)).margin(1e-11));
         CHECK(inertia.dot(plant.state().v) == Approx(0).margin(1e-11));
         CHECK(inertia.dot(plant.state().q) == Approx(0.02).epsilon(1e-11));
       }
     }
   }
   GIVEN("the same flywheels at rest, under a constant torque") {
-    auto plant = plant_of(
-        inertia, step_s,
-        sim::ShaftTorsion({.body_a = 0, .body_b = 1, .stiffness_Nm_rad = k, .damping_Nms_rad = c}),
-        Push(2));
+    auto plant = plant_of(inertia, step_s, wheels.shaft(), Push(2));
     THEN("they speed up together, and the twist rings about its static value") {
+      const double settled = 2 * wheels.reduced / 0.02 / wheels.k;
       for (int i = 1; i <= 10; ++i) {
         plant.step();
-        const double t = i * step_s;
-        const double ringing =
-            std::exp(-decay * t) * (std::cos(omega * t) + decay / omega * std::sin(omega * t));
-        const double settled = 2 * reduced / 0.02 / k;
         CHECK(plant.state().q[0] - plant.state().q[1] ==
-              Approx(settled * (1 - ringing)).margin(1e-11));
-        CHECK(inertia.dot(plant.state().v) == Approx(2 * t).epsilon(1e-11));
+              Approx(settled * (1 - wheels.ringing(i * step_s))).margin(1e-11));
+        CHECK(inertia.dot(plant.state().v) == Approx(2 * i * step_s).epsilon(1e-11));
       }
     }
   }

@@ -120,6 +120,14 @@ TEST_CASE("a bad plan is refused with line, pointer and reason, all faults at on
        with("\"load_pct\": 50", "\"load_pc\": 50"),
        {":7: /setup/1/load_pct: this key is missing",
         ":7: /setup/1/load_pc: unknown key, did you mean \"load_pct\"?"}},
+  };
+  for (const BadFile& bad : plans) {
+    check_refused(bad, {"run", "bad.json", "--rig", "sim", "--serial", "A"});
+  }
+}
+
+TEST_CASE("a plan that reads well but makes no sense is refused likewise", "[spec][bad_files]") {
+  const std::vector<BadFile> plans{
       {"unknown phase", with("\"warm_up\"", "\"warmup\""), {":7: /setup/1/phase: "}},
       {"no connect", with("{\"phase\": \"connect\"},", ""), {"\"connect\" comes once"}},
       {"no points",
