@@ -17,7 +17,7 @@ namespace rvbench::sim {
 /// Leaves out: what the train and the contacts leave out, the mounts of the bench
 class RvBench {
  public:
-  static constexpr double rate_Hz = 4960;
+  static constexpr double rate_Hz = 4960;  ///< of the article's DAQ, with four triaxial sensors
   static constexpr int sensors = 12;
 
   explicit RvBench(const RvUnit& unit);
