@@ -1,5 +1,7 @@
 #include "sequences/standstill.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <utility>
 
@@ -70,6 +72,27 @@ std::optional<Ending> find_trip(const Interlocks& limits, const FreshValues& fre
   return check_devices(fresh);
 }
 
+// How it is known that the shaft stands still, or that it is not known.
+std::string how_known(const BenchDevices& devices, bool stopped, double waited_s) {
+  const double measured_rpm = std::abs(devices.measured_speed_rpm(0.2));
+  if (stopped && std::isfinite(measured_rpm)) {
+    return fmt::format("standstill was measured by the shaft's angle {:.1f} s after the stop",
+                       waited_s);
+  }
+  if (stopped) {
+    return fmt::format(
+        "standstill is what the drive says {:.1f} s after the stop, the angle is lost", waited_s);
+  }
+  if (std::isfinite(measured_rpm)) {
+    return fmt::format("{:.1f} s after the stop the shaft's angle still shows {:.0f} rpm", waited_s,
+                       measured_rpm);
+  }
+  return fmt::format(
+      "standstill could not be confirmed within {:.1f} s: neither the angle nor the drive tells a "
+      "speed; a drive that has lost its link stops by its own watchdog",
+      waited_s);
+}
+
 }  // namespace
 
 RunDown wait_for_standstill(hal::Rig& rig, BenchDevices& devices, const TestPlan& plan,
@@ -98,6 +121,13 @@ RunDown wait_for_standstill(hal::Rig& rig, BenchDevices& devices, const TestPlan
     }
   }
   if (!result.trouble) result.trouble = check_lost(devices, plan.interlocks.stale_after_s);
+  if (!result.trouble && !result.stopped) {
+    result.trouble = device_lost("the shaft does not stop");
+  }
+  if (result.trouble && result.trouble->error_kind == ErrorKind::device_lost) {
+    const double waited_s = rig.clock->now_s() - start_s;
+    result.trouble->reason += "; " + how_known(devices, result.stopped, waited_s);
+  }
   return result;
 }
 
