@@ -1,13 +1,16 @@
 #include "analysis/quality.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "analysis/spectral_lines.hpp"
 
 namespace rvbench::analysis {
 namespace {
 
 constexpr Eigen::Index fewest_samples = 256;
 
-/// Samples in runs of three or more that stay at the largest magnitude: what clipping leaves.
+// Samples in runs of three or more that stay at the largest magnitude: what clipping leaves.
 Eigen::Index samples_at_extreme(const Eigen::VectorXd& x) {
   const double top = x.cwiseAbs().maxCoeff();
   Eigen::Index count = 0;
@@ -21,6 +24,13 @@ Eigen::Index samples_at_extreme(const Eigen::VectorXd& x) {
     }
   }
   return count;
+}
+
+bool is_locked(const Finding& finding, const Kinematics& kinematics) {
+  return std::any_of(
+      kinematics.signatures.begin(), kinematics.signatures.end(), [&](const Signature& s) {
+        return s.slip == 0 && s.component == finding.component && s.mechanism == finding.mechanism;
+      });
 }
 
 }  // namespace
@@ -52,6 +62,24 @@ std::vector<QualityNote> channel_quality(const Channel& channel, double clip_lev
                                    : samples_at_extreme(x);
   if (clipped > 0) return bad("clipped: " + std::to_string(clipped) + " samples at full scale");
   return {};
+}
+
+bool shows_machine(const std::vector<Examination>& points, const Diagnosis& diagnosis,
+                   const Kinematics& kinematics) {
+  if (!diagnosis.findings.empty()) return true;
+  const std::vector<Finding>& within = diagnosis.below_limit;
+  if (std::any_of(within.begin(), within.end(),
+                  [&](const Finding& finding) { return is_locked(finding, kinematics); })) {
+    return true;
+  }
+  const auto shows = [&](const ChannelExamination& channel) {
+    return std::any_of(channel.lines.begin(), channel.lines.end(), [&](const SpectralLine& line) {
+      return is_characteristic(line, kinematics);
+    });
+  };
+  return std::any_of(points.begin(), points.end(), [&](const Examination& point) {
+    return std::any_of(point.channels.begin(), point.channels.end(), shows);
+  });
 }
 
 }  // namespace rvbench::analysis

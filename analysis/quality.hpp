@@ -15,4 +15,13 @@ std::vector<const Channel*> acceleration_channels(const Recording& record);
 /// @param clip_level  full scale; NaN: clipping is recognised by runs at the extreme value
 std::vector<QualityNote> channel_quality(const Channel& channel, double clip_level);
 
+/// Whether anything in the records says that they are of this machine, at this speed and rate: a
+/// finding above its limit, a significant signature of what is locked to the shaft, or in any
+/// channel a line of the spectrum on a characteristic order. Every machine that turns shows its
+/// shaft or its teeth; where nothing does, the orders were looked for in the wrong places, and
+/// their silence means nothing. What slips is no such witness while it is within its limit: its
+/// many lines, stretched by a few percent, meet some line of any recording.
+bool shows_machine(const std::vector<Examination>& points, const Diagnosis& diagnosis,
+                   const Kinematics& kinematics);
+
 }  // namespace rvbench::analysis

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/quality.hpp"
 #include "hal/did_you_mean.hpp"
 #include "hal/types/units.hpp"
 
@@ -176,6 +177,18 @@ void conclude(Judgement& judgement, const analysis::Kinematics& kinematics,
   for (const sequences::Limit& limit : limits)
     judgement.limits.push_back(check_of(limit, judgement));
   judgement.ending = graver(graver(weighed(judgement), trust_in(judgement)), measured);
+}
+
+void demand_confirmation(Judgement& judgement, const analysis::Kinematics& kinematics) {
+  std::vector<analysis::Examination> examined;
+  for (const JudgedPoint& point : judgement.points) examined.push_back(point.examination);
+  analysis::Diagnosis& diagnosis = judgement.diagnosis;
+  if (!diagnosis.resolvable || analysis::shows_machine(examined, diagnosis, kinematics)) return;
+  const std::string what =
+      "cannot tell: no line of this machine is in the data, so nothing confirms its speed, the "
+      "sample rate or that it is this machine";
+  diagnosis.quality.push_back({kinematics.machine, what, true});
+  judgement.ending = graver(judgement.ending, invalid(kinematics.machine + ": " + what));
 }
 
 }  // namespace rvbench::bench

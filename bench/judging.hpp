@@ -29,4 +29,8 @@ JudgedPoint judge_point(const Recording& record, const analysis::Kinematics& kin
 void conclude(Judgement& judgement, const analysis::Kinematics& kinematics,
               const std::vector<sequences::Limit>& limits, const Ending& measured);
 
+/// After conclude(): where not a single line of the machine is in the data, the judgement ends
+/// INVALID, with a quality note. Orders that were looked for at a wrong speed are silent, too.
+void demand_confirmation(Judgement& judgement, const analysis::Kinematics& kinematics);
+
 }  // namespace rvbench::bench

@@ -20,6 +20,9 @@ namespace {
 using formats::bad_file;
 using formats::Format;
 
+constexpr double rate_tolerance = 1e-3;   // crystals agree far better
+constexpr double speed_tolerance = 1e-2;  // a motor's slip may be left out of a nominal speed
+
 std::vector<Format> known_formats() {
   return {formats::hdf5_format(), formats::mat5_format(), formats::csv_format()};
 }
@@ -71,20 +74,33 @@ std::optional<Format> choose_format(const std::filesystem::path& file) {
   return std::nullopt;
 }
 
+bool differs(double given, double stated, double tolerance) {
+  return std::abs(given - stated) > tolerance * stated;
+}
+
+// Angle and torque keep a rate that the file states: they have a clock of their own.
 void apply_rate(double rate_Hz, Recording& recording) {
-  bool differs = false;
+  double stated_Hz = 0;
   for (Channel& channel : recording.channels) {
-    differs = differs || (channel.rate_Hz > 0 && channel.rate_Hz != rate_Hz);
+    const bool is_of_shaft = channel.info.name == channel_names::input_angle ||
+                             channel.info.name == channel_names::input_torque;
+    if (is_of_shaft && channel.rate_Hz > 0) continue;
+    if (channel.rate_Hz > 0 && differs(rate_Hz, channel.rate_Hz, rate_tolerance)) {
+      stated_Hz = channel.rate_Hz;
+    }
     channel.rate_Hz = rate_Hz;
   }
-  if (differs)
-    recording.notes.push_back(fmt::format("rate {} Hz as given: the file says otherwise", rate_Hz));
+  if (stated_Hz > 0) {
+    recording.notes.push_back(
+        fmt::format("rate {} Hz as given: the file says {} Hz", rate_Hz, stated_Hz));
+  }
 }
 
 void apply_speed(double speed_rpm, Recording& recording) {
-  if (recording.speed_rpm > 0 && recording.speed_rpm != speed_rpm) {
+  const double stated_rpm = std::abs(recording.speed_rpm);
+  if (stated_rpm > 0 && differs(speed_rpm, stated_rpm, speed_tolerance)) {
     recording.notes.push_back(
-        fmt::format("speed {} rpm as given: the file says {}", speed_rpm, recording.speed_rpm));
+        fmt::format("speed {} rpm as given: the file says {:.5g} rpm", speed_rpm, stated_rpm));
   }
   recording.speed_rpm = speed_rpm;
 }

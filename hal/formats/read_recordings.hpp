@@ -9,7 +9,7 @@
 namespace rvbench::hal {
 
 /// What the user knows about a file. It goes before what the file says; a note tells if the two
-/// differ.
+/// differ, rates by more than 0.1 % or speeds by more than 1 %.
 struct RecordingHints {
   double rate_Hz = not_known;
   double speed_rpm = not_known;

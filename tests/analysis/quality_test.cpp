@@ -8,6 +8,11 @@
 using namespace rvbench;
 using analysis::acceleration_channels;
 using analysis::channel_quality;
+using analysis::Diagnosis;
+using analysis::Examination;
+using analysis::Finding;
+using analysis::Kinematics;
+using analysis::shows_machine;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -103,4 +108,55 @@ TEST_CASE("a diagnosis looks at accelerations, and at what has no unit", "[analy
   CHECK(channels[1] == &record.channels[2]);
   CHECK(channels[2] == &record.channels[4]);
   CHECK(acceleration_channels({}).empty());
+}
+
+namespace {
+
+// A shaft with a bearing on it.
+Kinematics shaft_and_bearing() {
+  Kinematics kinematics;
+  kinematics.orders = {{"shaft", 1, "", "motor", ""}, {"inner race", 5.415, "", "bearing", ""}};
+  kinematics.signatures.resize(2);
+  kinematics.signatures[0].component = "motor";
+  kinematics.signatures[1].component = "bearing";
+  kinematics.signatures[1].slip = 0.02;
+  return kinematics;
+}
+
+Examination point_with_line(const std::string& meaning) {
+  Examination point;
+  point.channels.resize(2);
+  point.channels[1].lines = {{1, 30, 0.01, 1e-9, meaning}};
+  return point;
+}
+
+Diagnosis within_limits(const std::string& component) {
+  Diagnosis diagnosis;
+  diagnosis.below_limit.resize(1);
+  diagnosis.below_limit[0].component = component;
+  return diagnosis;
+}
+
+}  // namespace
+
+TEST_CASE("a line on a characteristic order shows that the data are of the machine",
+          "[analysis][quality]") {
+  const Kinematics kinematics = shaft_and_bearing();
+  CHECK(shows_machine({Examination(), point_with_line("shaft")}, {}, kinematics));
+  CHECK(shows_machine({point_with_line("inner race")}, {}, kinematics));
+  // A twelfth harmonic is met by chance.
+  CHECK_FALSE(shows_machine({point_with_line("shaft x12")}, {}, kinematics));
+  CHECK_FALSE(shows_machine({point_with_line("")}, {}, kinematics));
+  CHECK_FALSE(shows_machine({}, {}, kinematics));
+}
+
+TEST_CASE("of signatures within limits, only those locked to the shaft show the machine",
+          "[analysis][quality]") {
+  const Kinematics kinematics = shaft_and_bearing();
+  CHECK(shows_machine({Examination()}, within_limits("motor"), kinematics));
+  CHECK_FALSE(shows_machine({Examination()}, within_limits("bearing"), kinematics));
+  Diagnosis bad;
+  bad.findings.resize(1);
+  bad.findings[0].component = "bearing";
+  CHECK(shows_machine({Examination()}, bad, kinematics));
 }
