@@ -2,14 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
-#include <system_error>
 #include <utility>
 
 #include "bench/judging.hpp"
 #include "bench/run_log.hpp"
 #include "bench/run_recordings.hpp"
 #include "bench/run_results.hpp"
+#include "bench/verdict_json.hpp"
 #include "hal/recording_file.hpp"
 #include "sequences/sequencer.hpp"
 
@@ -31,24 +32,55 @@ hal::RecordingLayout layout_of(const Acceptance& acceptance, const hal::Rig& rig
   return layout;
 }
 
-// Runs the sequence into a new recording of the folder.
-Ending measure(Acceptance& acceptance, hal::Rig& rig, RunLog& log, std::stop_token stop) {
-  const Result<RunRecordings> before = RunRecordings::open(acceptance.folder);
-  if (!before) return bench_fault(before.error());
-  const int first_point = before.value().next_point();
-  if (before.value().points() > 0) acceptance.facts.resumed_at_point = first_point;
+// What an earlier part of the run saw of the bench, where this one has nothing to measure.
+void take_over(const std::filesystem::path& folder, RunFacts& facts) {
+  const auto earlier = judgement_from_json(read_file(folder / "verdict.json").value_or(""));
+  if (!earlier) return;
+  facts.duration_s = earlier->facts.duration_s;
+  facts.drive_retries = earlier->facts.drive_retries;
+  facts.shaft_stopped = earlier->facts.shaft_stopped;
+  facts.brake_released = earlier->facts.brake_released;
+  facts.resumed_at_point = earlier->facts.resumed_at_point;
+}
 
-  auto writer = hal::RecordingWriter::create(acceptance.folder / before.value().next_name(),
-                                             layout_of(acceptance, rig));
+// Runs the sequence into a new recording of the folder.
+Ending record(Acceptance& acceptance, hal::Rig& rig, RunLog& log, std::stop_token stop,
+              const RunRecordings& before) {
+  const std::filesystem::path file = acceptance.folder / before.next_name();
+  auto writer = hal::RecordingWriter::create(file, layout_of(acceptance, rig));
   if (!writer) return bench_fault(writer.error());
-  const sequences::RunSummary summary =
-      sequences::run_sequence(acceptance.plan, rig, *writer.value(), log, stop, first_point);
+  const sequences::RunSummary summary = sequences::run_sequence(
+      acceptance.plan, rig, *writer.value(), log, std::move(stop), before.next_point());
   const Status closed = writer.value()->close();
+  // A later part of a run without a record is no recording to judge; log.jsonl has its events.
+  const bool is_first = before.points() == 0;
+  if (!is_first && summary.points.empty() && closed) std::filesystem::remove(file);
   acceptance.facts.duration_s = summary.duration_s;
   acceptance.facts.drive_retries = summary.drive_retries;
   acceptance.facts.shaft_stopped = summary.shaft_stopped;
   acceptance.facts.brake_released = summary.brake_released;
   return closed ? summary.ending : graver(summary.ending, bench_fault(closed.error()));
+}
+
+// Goes on after the last point that was measured before; turns nothing if none is left.
+Ending measure(Acceptance& acceptance, hal::Rig& rig, RunLog& log, std::stop_token stop) {
+  const Status dropped = drop_empty_recordings(acceptance.folder);
+  if (!dropped) return bench_fault(dropped.error());
+  const Result<RunRecordings> before = RunRecordings::open(acceptance.folder);
+  if (!before) return bench_fault(before.error());
+  const int first_point = before.value().next_point();
+  const auto points = static_cast<int>(acceptance.plan.points().size());
+  if (first_point >= points) {
+    take_over(acceptance.folder, acceptance.facts);
+    log.event(0, "resumed: every point was measured before, nothing is turned");
+    return {Outcome::pass, ErrorKind::none, "everything was measured"};
+  }
+  if (!log.events().empty()) {
+    acceptance.facts.resumed_at_point = first_point;
+    log.event(0, fmt::format("resumed at point {} of {}; the rig's time starts again",
+                             first_point + 1, points));
+  }
+  return record(acceptance, rig, log, std::move(stop), before.value());
 }
 
 JudgedPoint point_without_samples(const hal::PlannedPoint& planned, int number,
@@ -105,15 +137,12 @@ Judgement run_acceptance(Acceptance acceptance, hal::Rig& rig, ProgressBar& bar,
   }
   ending = graver(ending, judge_points(judgement, acceptance, recorded, options, bar, stop));
   conclude(judgement, acceptance.kinematics, acceptance.plan.limits, ending);
-  judgement.facts.events = recorded.events().empty() ? log.events() : recorded.events();
+  demand_confirmation(judgement, acceptance.kinematics);
+  judgement.facts.events = log.events();
   bar.show("report", 0, "writing");
-  try {
-    write_results(acceptance.folder, judgement, acceptance.kinematics);
-  } catch (const std::system_error& error) {
-    const Ending unwritten{Outcome::error, ErrorKind::none,
-                           std::string("the results cannot be written: ") + error.what()};
-    judgement.ending = graver(judgement.ending, unwritten);
-  }
+  tell_in_files(judgement, [&](const Judgement& told) {
+    return write_results(acceptance.folder, told, acceptance.kinematics);
+  });
   bar.clear();
   return judgement;
 }

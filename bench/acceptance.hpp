@@ -22,8 +22,8 @@ struct Acceptance {
 
 /// Measures and records, judges what was recorded, and leaves the run folder complete:
 /// recording, log.jsonl, verdict.json, junit.xml, report.html, SHA256SUMS. In a folder that holds
-/// recordings already it goes on at the next point. Whatever happens to the bench is in the
-/// judgement's ending, and also if the results cannot be written.
+/// recordings already it goes on at the next point; nothing is turned if no point is left. Whatever
+/// happens to the bench is in the judgement's ending, and also if the results cannot be written.
 ///
 /// @throws std::system_error, before anything turns, if log.jsonl cannot be opened
 Judgement run_acceptance(Acceptance acceptance, hal::Rig& rig, ProgressBar& bar,

@@ -2,29 +2,57 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <exception>
+#include <sstream>
+#include <string_view>
 
 #include "bench/software_version.hpp"
+#include "bench/verdict_json.hpp"
 #include "hal/did_you_mean.hpp"
 
 namespace rvbench::bench {
 namespace {
 
+constexpr std::size_t help_columns = 50;  // of 80, beside the options' names
+
+// Breaks lines at spaces; CLI11 indents what follows.
+std::string wrapped(const std::string& text) {
+  std::string lines;
+  std::size_t used = 0;
+  std::istringstream words(text);
+  for (std::string word; words >> word; used += word.size() + 1) {
+    const bool full = used > 0 && used + word.size() > help_columns;
+    if (full) used = 0;
+    lines += (full ? "\n" : lines.empty() ? "" : " ") + word;
+  }
+  return lines;
+}
+
+// CLI11 would wrap -1 to 2^64 - 1, and has no word for what is too large.
+std::string whole_number_fault(const std::string& text, std::uint64_t most) {
+  std::uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error == std::errc() && stop == end && value <= most) return "";
+  return "must be a whole number from 0 to " + std::to_string(most) + ", not " +
+         hal::in_quotes(text);
+}
+
 void add_option(CLI::App& app, const Option& option) {
   const auto add = [&](auto* target) -> CLI::Option* {
     using Target = std::remove_pointer_t<decltype(target)>;
     if constexpr (std::is_same_v<Target, bool>) {
-      return app.add_flag(option.name, *target, option.help);
+      return app.add_flag(option.name, *target, wrapped(option.help));
     } else {
-      return app.add_option(option.name, *target, option.help);
+      return app.add_option(option.name, *target, wrapped(option.help));
     }
   };
   CLI::Option* added = std::visit(add, option.target);
   added->required(option.required);
   if (std::holds_alternative<std::optional<std::uint64_t>*>(option.target)) {
-    added->check([](const std::string& text) {  // CLI11 would wrap -1 to 2^64 - 1
-      return text.starts_with('-') ? "must not be negative: " + text : std::string();
-    });
+    added->check(
+        [most = option.most](const std::string& text) { return whole_number_fault(text, most); });
   }
   if (!option.choices.empty()) added->check(CLI::IsMember(option.choices));
 }
@@ -49,8 +77,9 @@ std::string unknown_option(const std::vector<std::string>& arguments, Command& c
   return "";
 }
 
-int complain(Console& console, const std::string& message, const std::string& help_of) {
-  console.err << "rvbench: " << message << "\nTry: rvbench " << help_of << "--help\n";
+int refuse_arguments(Console& console, const std::string& message, const std::string& help_of) {
+  complain(console, "rvbench: " + message);
+  console.err << "Try: rvbench " << help_of << "--help\n";
   return exit_codes::usage;
 }
 
@@ -75,7 +104,7 @@ int run_command(Command& command, Console& console) {
     console.err << "rvbench: standard output cannot be written\n";
     return code == exit_codes::done ? exit_codes::internal_error : code;
   } catch (const std::exception& error) {
-    console.err << "rvbench: internal error in " << command.name() << ": " << error.what() << '\n';
+    complain(console, "rvbench: internal error in " + command.name() + ": " + error.what());
     return exit_codes::internal_error;
   }
 }
@@ -83,9 +112,9 @@ int run_command(Command& command, Console& console) {
 int parse_and_run(Command& command, std::vector<std::string> arguments, Console& console) {
   const std::string unknown = unknown_option(arguments, command);
   if (!unknown.empty()) {
-    return complain(console,
-                    "unknown option " + unknown + hal::did_you_mean(unknown, option_names(command)),
-                    command.name() + " ");
+    return refuse_arguments(
+        console, "unknown option " + unknown + hal::did_you_mean(unknown, option_names(command)),
+        command.name() + " ");
   }
   CLI::App app(command.summary(), "rvbench " + command.name());
   for (const Option& option : command.options()) add_option(app, option);
@@ -97,15 +126,13 @@ int parse_and_run(Command& command, std::vector<std::string> arguments, Console&
     console.out << app.help();
     return exit_codes::done;
   } catch (const CLI::ParseError& error) {
-    return complain(console, command.name() + ": " + error.what(), command.name() + " ");
+    return refuse_arguments(console, command.name() + ": " + error.what(), command.name() + " ");
   }
   return run_command(command, console);
 }
 
-}  // namespace
-
-int run_cli(const std::vector<std::string>& arguments,
-            const std::vector<std::unique_ptr<Command>>& commands, Console& console) {
+int dispatch(const std::vector<std::string>& arguments,
+             const std::vector<std::unique_ptr<Command>>& commands, Console& console) {
   const std::string word = arguments.empty() ? "" : arguments.front();
   if (word == "--help" || word == "-h" || word == "help")
     return general_help(commands, console.out);
@@ -124,7 +151,20 @@ int run_cli(const std::vector<std::string>& arguments,
     }
     names.push_back(command->name());
   }
-  return complain(console, "unknown command \"" + word + "\"" + hal::did_you_mean(word, names), "");
+  return refuse_arguments(
+      console, "unknown command " + hal::in_quotes(word) + hal::did_you_mean(word, names), "");
+}
+
+}  // namespace
+
+int run_cli(const std::vector<std::string>& arguments,
+            const std::vector<std::unique_ptr<Command>>& commands, Console& console) {
+  const int code = dispatch(arguments, commands, console);
+  const bool json = std::ranges::find(arguments, "--json") != arguments.end();
+  if (json && !console.complaints.empty()) {
+    console.out << refusal_to_json(code, console.complaints) << std::flush;
+  }
+  return code;
 }
 
 }  // namespace rvbench::bench

@@ -29,7 +29,8 @@ struct Option {
   std::string help;
   Target target;
   bool required = false;
-  std::vector<std::string> choices;  ///< empty: anything
+  std::vector<std::string> choices = {};  ///< empty: anything
+  std::uint64_t most = UINT64_MAX;        ///< of a whole number
 };
 
 /// One word that rvbench understands. A new command is a new file in bench/commands/ and one line

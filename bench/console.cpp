@@ -20,15 +20,26 @@ const char* escape_of(Tone tone) {
   return "";
 }
 
+// Of a variable of the environment; empty if it is not set.
+std::string value_of(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value == nullptr ? "" : value;
+}
+
 bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
 }  // namespace
 
 Console system_console() {
-  const char* no_colour = std::getenv("NO_COLOR");
-  const bool colour_wanted = no_colour == nullptr || *no_colour == '\0';
-  return {std::cout, std::cerr, colour_wanted && isatty(STDOUT_FILENO) == 1,
-          isatty(STDERR_FILENO) == 1};
+  const std::string terminal = value_of("TERM");
+  const bool escapes = value_of("NO_COLOR").empty() && !terminal.empty() && terminal != "dumb";
+  return {std::cout, std::cerr, escapes && isatty(STDOUT_FILENO) == 1,
+          escapes && isatty(STDERR_FILENO) == 1};
+}
+
+void complain(Console& console, const std::string& line) {
+  console.err << line << '\n';
+  console.complaints.push_back(line);
 }
 
 int terminal_columns() {

@@ -3,6 +3,7 @@
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "hal/types/outcome.hpp"
 
@@ -12,12 +13,17 @@ namespace rvbench::bench {
 struct Console {
   std::ostream& out;
   std::ostream& err;
-  bool colour = false;           ///< on `out`: a terminal, and NO_COLOR is not set
-  bool err_is_terminal = false;  ///< a progress bar may be drawn
+  bool colour = false;                       ///< on `out`: a terminal that takes escapes
+  bool err_is_terminal = false;              ///< a progress bar may be drawn
+  std::vector<std::string> complaints = {};  ///< why the command was refused, line by line
 };
 
-/// Standard output and error of this process.
+/// Standard output and error of this process. No escapes, so neither colour nor bar, with NO_COLOR
+/// or where TERM is missing or "dumb".
 Console system_console();
+
+/// Prints a line on standard error and keeps it among the complaints.
+void complain(Console& console, const std::string& line);
 
 /// Columns of the terminal behind standard error; 80 if it does not say.
 int terminal_columns();

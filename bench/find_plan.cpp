@@ -1,24 +1,28 @@
 #include "bench/find_plan.hpp"
 
+#include <filesystem>
+
+#include "bench/file_kind.hpp"
 #include "bench/plan_files.hpp"
-#include "hal/did_you_mean.hpp"
 
 namespace rvbench::bench {
 
 std::variant<sequences::TestPlan, std::vector<hal::ConfigFault>> find_plan(
     const std::string& name_or_path) {
-  std::vector<std::string> names;
+  using Faults = std::vector<hal::ConfigFault>;
   for (const EmbeddedFile& file : plan_files()) {
     if (file.name == name_or_path) {
       return sequences::parse_plan(hal::ConfigReader::from_text(file.text, file.name + ".json"));
     }
-    names.push_back(file.name);
   }
   if (!std::filesystem::exists(name_or_path)) {
-    return std::vector<hal::ConfigFault>{
-        {0, "", "no such file or built-in plan" + hal::did_you_mean(name_or_path, names)}};
+    return Faults{
+        {0, "",
+         "no such file or built-in plan" + what_there_is(name_or_path, names_of(plan_files()))}};
   }
-  return sequences::read_plan(name_or_path);
+  hal::ConfigReader root = hal::ConfigReader::from_file(name_or_path);
+  if (auto fault = other_kind_fault(root, "plan")) return Faults{*fault};
+  return sequences::parse_plan(std::move(root));
 }
 
 }  // namespace rvbench::bench

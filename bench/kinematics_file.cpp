@@ -1,10 +1,13 @@
 #include "bench/kinematics_file.hpp"
 
+#include <algorithm>
+#include <filesystem>
 #include <map>
 #include <optional>
 
 #include "analysis/gear_train.hpp"
 #include "analysis/rv_reducer.hpp"
+#include "bench/file_kind.hpp"
 #include "bench/kinematics_files.hpp"
 
 namespace rvbench::bench {
@@ -121,7 +124,16 @@ analysis::Kinematics read_gear_train(const std::string& machine, hal::ConfigRead
 
 std::variant<analysis::Kinematics, std::vector<hal::ConfigFault>> read_kinematics(
     const std::string& name_or_path) {
+  using Faults = std::vector<hal::ConfigFault>;
+  const std::vector<std::string> names = names_of(kinematics_files());
+  const bool is_built_in = std::ranges::find(names, name_or_path) != names.end();
+  if (!is_built_in && !std::filesystem::exists(name_or_path)) {
+    return Faults{
+        {0, "",
+         "cannot be read: No such file or built-in machine" + what_there_is(name_or_path, names)}};
+  }
   hal::ConfigReader root = open(name_or_path);
+  if (auto fault = other_kind_fault(root, "kinematics")) return Faults{*fault};
   const std::string machine = root.text("machine");
   root.text("source", "");
   analysis::Kinematics kinematics =

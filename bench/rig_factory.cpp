@@ -4,10 +4,12 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "bench/file_kind.hpp"
 #include "bench/rig_file.hpp"
 #include "hal/replay_rig.hpp"
 #include "hal/simulated_rig.hpp"
 #include "sim/bench_world.hpp"
+#include "sim/preset_files.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -69,6 +71,8 @@ nlohmann::ordered_json to_json(const ReplayRig& rig) {
 }
 
 }  // namespace
+
+std::vector<std::string> preset_names() { return names_of(sim::preset_files()); }
 
 Made make_rig(const std::string& rig, const RigOptions& options) {
   auto file = read_rig(rig, options);

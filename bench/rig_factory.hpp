@@ -18,6 +18,9 @@ struct RigOptions {
   std::uint64_t seed = 1;
 };
 
+/// What RigOptions::preset may be.
+std::vector<std::string> preset_names();
+
 /// The composition root: the one place that knows which backend plays which role.
 ///
 /// @param rig  "sim", or the path of a rig file: {"rig": "sim", ...} with faults to come at stated

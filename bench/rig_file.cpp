@@ -1,13 +1,26 @@
 #include "bench/rig_file.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+
+#include "bench/file_kind.hpp"
+#include "hal/did_you_mean.hpp"
 
 namespace rvbench::bench {
 namespace {
 
+// Nothing if there is such a preset.
+std::string preset_fault(const std::string& preset) {
+  const std::vector<std::string> names = preset_names();
+  if (std::ranges::find(names, preset) != names.end()) return "";
+  return "no preset " + hal::in_quotes(preset) + what_there_is(preset, names);
+}
+
 SimRig read_sim(hal::ConfigReader& root, const RigOptions& options) {
   SimRig sim;
   sim.preset = root.text("preset", options.preset);
+  if (const auto fault = preset_fault(sim.preset); !fault.empty()) root.fault("preset", fault);
   sim.seed = options.seed;
   if (root.has("seed")) {
     const double seed = root.number("seed", {0, static_cast<double>(max_seed)});
@@ -36,9 +49,18 @@ ReplayRig read_replay(hal::ConfigReader& root) {
 
 std::variant<RigFile, std::vector<hal::ConfigFault>> read_rig(const std::string& rig,
                                                               const RigOptions& options) {
-  if (rig == "sim")
+  using Faults = std::vector<hal::ConfigFault>;
+  if (rig == "sim") {
+    const std::string fault = preset_fault(options.preset);
+    if (!fault.empty()) return Faults{{0, "/preset", fault}};
     return RigFile(SimRig{.preset = options.preset, .seed = options.seed, .faults = {}});
+  }
+  if (!std::filesystem::exists(rig)) {
+    return Faults{
+        {0, "", "cannot be read: No such file or built-in rig" + what_there_is(rig, {"sim"})}};
+  }
   hal::ConfigReader root = hal::ConfigReader::from_file(rig);
+  if (auto fault = other_kind_fault(root, "rig")) return Faults{*fault};
   RigFile file = SimRig{};
   if (root.choice("rig", {"sim", "replay"}, "sim") == "replay") {
     file = read_replay(root);

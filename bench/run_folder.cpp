@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <ctime>
 #include <fstream>
 #include <sstream>
@@ -34,8 +35,19 @@ bool is_finished(const std::filesystem::path& run) {
          judgement->ending.outcome != Outcome::error;
 }
 
-[[noreturn]] void throw_errno(const std::filesystem::path& file) {
-  throw std::system_error(errno, std::generic_category(), file.string());
+// Writes and syncs; 0, or errno.
+int fill(int fd, const std::string& text) {
+  std::size_t written = 0;
+  while (written < text.size()) {
+    const auto more = write(fd, text.data() + written, text.size() - written);
+    if (more < 0 && errno != EINTR) return errno;
+    written += static_cast<std::size_t>(std::max<ssize_t>(0, more));
+  }
+  return fsync(fd) == 0 ? 0 : errno;
+}
+
+[[noreturn]] void throw_error(int error, const std::filesystem::path& file) {
+  throw std::system_error(error, std::generic_category(), file.string());
 }
 
 }  // namespace
@@ -90,19 +102,14 @@ std::string utc_now() {
 void write_file(const std::filesystem::path& file, const std::string& text) {
   const std::filesystem::path draft = file.string() + ".draft";
   const int fd = open(draft.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (fd < 0) throw_errno(draft);
-  std::size_t written = 0;
-  while (written < text.size()) {
-    const auto more = write(fd, text.data() + written, text.size() - written);
-    if (more < 0 && errno != EINTR) {
-      close(fd);
-      throw_errno(draft);
-    }
-    written += static_cast<std::size_t>(std::max<ssize_t>(0, more));
+  if (fd < 0) throw_error(errno, file);
+  int error = fill(fd, text);
+  if (close(fd) != 0 && error == 0) error = errno;
+  if (error == 0 && std::rename(draft.c_str(), file.c_str()) != 0) error = errno;
+  if (error != 0) {
+    unlink(draft.c_str());
+    throw_error(error, file);
   }
-  const bool synced = fsync(fd) == 0;
-  if (close(fd) != 0 || !synced) throw_errno(draft);
-  std::filesystem::rename(draft, file);
   hal::sync_folder(file);
 }
 

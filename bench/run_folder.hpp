@@ -57,6 +57,7 @@ struct Judgement {
   analysis::Diagnosis diagnosis;
   std::vector<LimitCheck> limits;
   std::vector<JudgedPoint> points;
+  std::vector<std::string> unwritten;  ///< result files that are missing, and why; not in them
 };
 
 /// A name that is safe as one path component. Characters other than letters, digits, '.', '_' and
@@ -75,7 +76,8 @@ std::optional<std::filesystem::path> newest_unfinished_run(const std::filesystem
 /// "20261121T114559Z"
 std::string utc_now();
 
-/// Replaces the file in one step: after a crash it holds the old text or the new one.
+/// Replaces the file in one step: after a crash it holds the old text or the new one. If that
+/// fails, nothing new is left behind.
 /// @throws std::system_error
 void write_file(const std::filesystem::path& file, const std::string& text);
 

@@ -8,8 +8,24 @@
 
 namespace rvbench::bench {
 
+namespace {
+
+// Lines that a killed run left half-written are no events.
+std::vector<std::pair<double, std::string>> events_in(const std::filesystem::path& file) {
+  std::vector<std::pair<double, std::string>> events;
+  std::ifstream in(file);
+  for (std::string text; std::getline(in, text);) {
+    const auto line = nlohmann::json::parse(text, nullptr, false);
+    if (line.is_discarded() || !line.contains("event") || !line.contains("time_s")) continue;
+    events.emplace_back(line["time_s"].get<double>(), line["event"].get<std::string>());
+  }
+  return events;
+}
+
+}  // namespace
+
 RunLog::RunLog(const std::filesystem::path& file, ProgressBar& bar)
-    : file_(file, std::ios::app), bar_(bar) {
+    : file_(file, std::ios::app), bar_(bar), events_(events_in(file)) {
   if (!file_) throw std::system_error(errno, std::generic_category(), file.string());
 }
 

@@ -15,12 +15,14 @@ namespace rvbench::bench {
 /// line, each written out at once.
 class RunLog final : public sequences::RunObserver {
  public:
-  /// Appends to the file. @throws std::system_error if it cannot be opened
+  /// Appends to the file; what it holds are events of the same run before it was resumed.
+  /// @throws std::system_error if it cannot be opened
   RunLog(const std::filesystem::path& file, ProgressBar& bar);
 
   void progress(double done_s, double total_s, const std::string& doing) override;
   void event(double time_s, const std::string& text) override;
 
+  /// Of the whole run. The rig's time starts anew with each part of it.
   const std::vector<std::pair<double, std::string>>& events() const { return events_; }
 
  private:

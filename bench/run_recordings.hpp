@@ -4,7 +4,6 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "hal/recording_file.hpp"
@@ -14,6 +13,10 @@ namespace rvbench::bench {
 
 /// File names of the recordings in a run folder, in the order they were made.
 std::vector<std::string> recording_names(const std::filesystem::path& folder);
+
+/// Removes the last recordings of a folder as long as they hold neither a sample nor a point that
+/// ended: what a run leaves that was stopped before its first record.
+Status drop_empty_recordings(const std::filesystem::path& folder);
 
 /// The recordings of one run folder as one: recording.h5, and recording-2.h5 and so on where the
 /// run was resumed. A point that was recorded twice is the later one.
@@ -25,7 +28,6 @@ class RunRecordings {
   int points() const { return points_; }  ///< planned
   bool has(int point) const { return ended_.contains(point); }
   int next_point() const { return next_point_; }  ///< the one interrupted, or after the last
-  const std::vector<std::pair<double, std::string>>& events() const { return events_; }
   Result<Recording> read(int point);
 
   /// The name that the next recording of the folder gets.
@@ -34,7 +36,6 @@ class RunRecordings {
  private:
   std::vector<std::unique_ptr<hal::RecordingReader>> readers_;
   std::map<int, std::size_t> ended_;  ///< point → reader
-  std::vector<std::pair<double, std::string>> events_;
   int points_ = 0;
   int next_point_ = 0;
 };

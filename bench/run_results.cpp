@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "bench/junit.hpp"
@@ -49,12 +50,42 @@ void write_report(const std::filesystem::path& folder, const Judgement& judgemen
   write_file(folder / "report.html", make_report(input));
 }
 
-void write_results(const std::filesystem::path& folder, const Judgement& judgement,
-                   const analysis::Kinematics& kinematics) {
-  write_file(folder / "verdict.json", judgement_to_json(judgement));
-  write_file(folder / "junit.xml", junit_xml(judgement));
-  write_report(folder, judgement, kinematics);
-  write_sums(folder);
+std::vector<std::string> unwritten_files(const std::filesystem::path& folder,
+                                         const std::vector<ResultFile>& files) {
+  std::vector<std::string> missing;
+  for (const ResultFile& file : files) {
+    try {
+      file.write();
+    } catch (const std::system_error& error) {
+      missing.push_back(file.name + ": " + error.code().message());
+      std::error_code ignored;
+      std::filesystem::remove(folder / file.name, ignored);
+    }
+  }
+  return missing;
+}
+
+void tell_in_files(Judgement& judgement,
+                   const std::function<std::vector<std::string>(const Judgement&)>& write) {
+  judgement.unwritten = write(judgement);
+  if (judgement.unwritten.empty()) return;
+  std::string reason = "the results cannot be written";
+  for (const std::string& file : judgement.unwritten) reason += "; " + file;
+  judgement.ending = graver(judgement.ending, {Outcome::error, ErrorKind::none, reason});
+  judgement.unwritten = write(judgement);
+}
+
+std::vector<std::string> write_results(const std::filesystem::path& folder,
+                                       const Judgement& judgement,
+                                       const analysis::Kinematics& kinematics) {
+  const auto put = [&folder](const char* name, const std::function<std::string()>& text) {
+    return ResultFile{name, [&folder, name, text] { write_file(folder / name, text()); }};
+  };
+  return unwritten_files(folder,
+                         {put("verdict.json", [&] { return judgement_to_json(judgement); }),
+                          put("junit.xml", [&] { return junit_xml(judgement); }),
+                          {"report.html", [&] { write_report(folder, judgement, kinematics); }},
+                          {"SHA256SUMS", [&] { write_sums(folder); }}});
 }
 
 }  // namespace rvbench::bench

@@ -1,16 +1,38 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
 
 #include "analysis/kinematics.hpp"
 #include "bench/run_folder.hpp"
 
 namespace rvbench::bench {
 
-/// verdict.json, junit.xml, report.html and SHA256SUMS of a run folder.
-/// @throws std::system_error if one of them cannot be written
-void write_results(const std::filesystem::path& folder, const Judgement& judgement,
-                   const analysis::Kinematics& kinematics);
+/// A file that tells a judgement, and what writes it; it may throw std::system_error.
+struct ResultFile {
+  std::string name;
+  std::function<void()> write;
+};
+
+/// Writes all of them, whatever becomes of the others. One that cannot be written is removed: an
+/// older text would tell another judgement.
+/// @return what is missing, and why: "report.html: No space left on device"
+std::vector<std::string> unwritten_files(const std::filesystem::path& folder,
+                                         const std::vector<ResultFile>& files);
+
+/// Has the result files written. If one cannot be, the judgement becomes an ERROR, `unwritten` says
+/// which, and all are written once more, so that what can be written tells the same.
+/// @param write  what unwritten_files() returned
+void tell_in_files(Judgement& judgement,
+                   const std::function<std::vector<std::string>(const Judgement&)>& write);
+
+/// verdict.json, junit.xml, report.html and SHA256SUMS of a run folder. @return as
+/// unwritten_files()
+std::vector<std::string> write_results(const std::filesystem::path& folder,
+                                       const Judgement& judgement,
+                                       const analysis::Kinematics& kinematics);
 
 /// report.html alone, out of what the folder holds.
 /// @throws std::system_error if it cannot be written

@@ -67,6 +67,8 @@ std::string sha256_of_text(const std::string& text) {
 }
 
 std::optional<std::string> sha256_of_file(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return std::nullopt;  // a pipe would block
   std::ifstream in(file, std::ios::binary);
   if (!in) return std::nullopt;
   Sha256 sum;

@@ -30,12 +30,22 @@ void print_finding(Console& console, const analysis::Finding& finding, double pe
       "  {}: {}{}\n", finding.component, finding.mechanism,
       finding.table4_item.empty() ? "" : " (Table 4: " + finding.table4_item + ")");
   console.out << fmt::format(
-      "    depth {:.3f}, limit {:.3f}; order {}, {:.2f} Hz; p {:.1e}; confidence {:.0f} %\n",
-      finding.severity, finding.limit, report::order_text(finding.order, period_turns),
-      finding.frequency_Hz, finding.p_value, 100 * finding.confidence);
+      "    depth {:.3f}, limit {:.3f}; order {}, {}; p {:.1e}", finding.severity, finding.limit,
+      report::order_text(finding.order, period_turns),
+      report::frequency_text(finding.frequency_Hz, finding.order), finding.p_value);
+  if (finding.confidence > 0) {
+    console.out << fmt::format("; confidence {:.0f} %", 100 * finding.confidence);
+  }
+  console.out << '\n';
   console.out << "    seen in " << finding.points.size()
               << (finding.points.size() == 1 ? " point" : " points")
               << "; envelope lines (order depth): " << evidence_of(finding, period_turns) << '\n';
+}
+
+// "  171.56 Hz at 1815 rpm  order   5.6714"
+std::string place_of(const analysis::SpectralLine& line) {
+  return fmt::format("{:>23}  order {:8.4f}", report::frequency_text(line.frequency_Hz, line.order),
+                     line.order);
 }
 
 struct ExplainedLine {
@@ -87,8 +97,7 @@ void print_explained(Console& console, const Judgement& judgement,
       ++left_out;
       continue;
     }
-    console.out << fmt::format("  {:9.2f} Hz  order {:8.4f}  {} ({} of {} channels)\n",
-                               line.strongest.frequency_Hz, line.strongest.order,
+    console.out << fmt::format("  {}  {} ({} of {} channels)\n", place_of(line.strongest),
                                line.strongest.meaning, line.channels, channels);
   }
   if (left_out > 0) console.out << "  and " << left_out << " weaker ones\n";
@@ -98,8 +107,7 @@ void print_unexplained(Console& console, const std::vector<analysis::SpectralLin
   if (lines.empty()) return;
   console.out << "\nLines that the kinematics does not explain:\n";
   for (std::size_t i = 0; i < std::min(lines.size(), most_lines); ++i) {
-    console.out << fmt::format("  {:9.2f} Hz  order {:8.4f}  amplitude {:.3g}{}\n",
-                               lines[i].frequency_Hz, lines[i].order, lines[i].amplitude,
+    console.out << fmt::format("  {}  amplitude {:.3g}{}\n", place_of(lines[i]), lines[i].amplitude,
                                lines[i].meaning.empty() ? "" : "; seen as " + lines[i].meaning);
   }
   if (lines.size() > most_lines) console.out << "  and " << lines.size() - most_lines << " more\n";
@@ -115,33 +123,61 @@ void print_quality(Console& console, const std::vector<analysis::QualityNote>& n
   if (notes.size() > most_lines) console.out << "  and " << notes.size() - most_lines << " more\n";
 }
 
-}  // namespace
-
-void print_summary(Console& console, const Judgement& judgement,
-                   const analysis::Kinematics& kinematics) {
-  const Outcome outcome = judgement.ending.outcome;
-  console.out << paint(console, tone_of(outcome), to_string(outcome)) << "  "
-              << judgement.ending.reason << '\n';
-  const analysis::Diagnosis& diagnosis = judgement.diagnosis;
-  if (!diagnosis.findings.empty()) console.out << "\nFindings above their limit:\n";
-  for (const auto& finding : diagnosis.findings) {
-    print_finding(console, finding, kinematics.period_turns);
-    console.out << "    advice: " << finding.advice << '\n';
-  }
-  if (!diagnosis.below_limit.empty()) console.out << "\nSignificant, but within limits:\n";
-  for (const auto& finding : diagnosis.below_limit)
-    print_finding(console, finding, kinematics.period_turns);
-  print_explained(console, judgement, kinematics);
-  print_unexplained(console, diagnosis.unexplained);
-  if (!judgement.limits.empty()) console.out << "\nLimits:\n";
-  for (const LimitCheck& check : judgement.limits) {
+void print_limits(Console& console, const std::vector<LimitCheck>& limits) {
+  if (!limits.empty()) console.out << "\nLimits:\n";
+  for (const LimitCheck& check : limits) {
     const bool known = std::isfinite(check.measured);
     console.out << fmt::format("  {} {}: {} {} (limit {} {})\n",
                                known ? (check.passed ? "within" : "ABOVE ") : "no value",
                                check.measure, report::number(check.measured), check.unit,
                                report::number(check.max), check.unit);
   }
+}
+
+void print_findings(Console& console, const analysis::Diagnosis& diagnosis, double period_turns) {
+  if (!diagnosis.below_limit.empty()) console.out << "\nSignificant, but within limits:\n";
+  for (const auto& finding : diagnosis.below_limit) {
+    print_finding(console, finding, period_turns);
+  }
+  if (!diagnosis.findings.empty()) console.out << "\nFindings above their limit:\n";
+  for (const auto& finding : diagnosis.findings) {
+    print_finding(console, finding, period_turns);
+    console.out << "    advice: " << finding.advice << '\n';
+  }
+}
+
+// What the teardown of a bench at fault came to; nothing if it has nothing to say.
+void print_teardown(Console& console, const RunFacts& facts) {
+  for (const auto& [time_s, event] : facts.events) {
+    if (event.starts_with("in teardown: ")) console.out << "\nIn" << event.substr(2) << '\n';
+  }
+}
+
+}  // namespace
+
+void print_summary(Console& console, const Judgement& judgement,
+                   const analysis::Kinematics& kinematics, const std::filesystem::path& folder) {
+  const analysis::Diagnosis& diagnosis = judgement.diagnosis;
   print_quality(console, diagnosis.quality);
+  print_unexplained(console, diagnosis.unexplained);
+  print_explained(console, judgement, kinematics);
+  print_limits(console, judgement.limits);
+  print_findings(console, diagnosis, kinematics.period_turns);
+  print_teardown(console, judgement.facts);
+  const Outcome outcome = judgement.ending.outcome;
+  console.out << '\n'
+              << paint(console, tone_of(outcome), to_string(outcome)) << "  "
+              << judgement.ending.reason << '\n';
+  const std::filesystem::path report = folder / "report.html";
+  if (!folder.empty() && std::filesystem::exists(report)) {
+    console.out << "Report: " << report.string() << '\n';
+  }
+}
+
+void print_unwritten(Console& console, const Judgement& judgement) {
+  for (const std::string& file : judgement.unwritten) {
+    console.err << "rvbench: not written: " << file << '\n';
+  }
 }
 
 }  // namespace rvbench::bench

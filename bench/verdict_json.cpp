@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bench/command.hpp"
 #include "bench/examination_json.hpp"
 
 namespace rvbench::bench {
@@ -110,7 +111,23 @@ Judgement parsed(const nlohmann::ordered_json& json) {
   return judgement;
 }
 
+// Names out of foreign files need not be UTF-8: what is not is replaced, not thrown.
+std::string text_of(const nlohmann::ordered_json& json) {
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
 }  // namespace
+
+std::string refusal_to_json(int exit_code, const std::vector<std::string>& complaints) {
+  std::string reason;
+  for (const std::string& line : complaints) reason += (reason.empty() ? "" : "\n") + line;
+  nlohmann::ordered_json json = {{"verdict", nullptr},
+                                 {"reason", reason},
+                                 {"exit_code", exit_code},
+                                 {"error_kind", to_string(ErrorKind::none)}};
+  if (exit_code == exit_codes::data_refused) json["verdict"] = to_string(Outcome::invalid);
+  return text_of(json);
+}
 
 std::string judgement_to_json(const Judgement& judgement) {
   nlohmann::ordered_json json = {{"verdict", to_string(judgement.ending.outcome)},
@@ -127,8 +144,7 @@ std::string judgement_to_json(const Judgement& judgement) {
   for (const LimitCheck& check : judgement.limits) json["limits"].push_back(to_json(check));
   json["points"] = nlohmann::json::array();
   for (const JudgedPoint& point : judgement.points) json["points"].push_back(to_json(point));
-  // Names out of foreign files need not be UTF-8: what is not is replaced, not thrown.
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return text_of(json);
 }
 
 std::optional<Judgement> judgement_from_json(const std::string& text) {

@@ -104,13 +104,13 @@ ConfigReader::ConfigReader(std::shared_ptr<Document> document, std::shared_ptr<N
 
 ConfigReader ConfigReader::from_file(const std::filesystem::path& file) {
   std::error_code ignored;
-  std::string problem = "it is a folder";
-  if (!std::filesystem::is_directory(file, ignored)) {
+  const bool is_folder = std::filesystem::is_directory(file, ignored);
+  std::string problem = is_folder ? "it is a folder" : "it is no regular file";  // pipes block
+  if (!std::filesystem::exists(file, ignored) || std::filesystem::is_regular_file(file, ignored)) {
     if (std::ifstream in(file, std::ios::binary); in) {
       std::string text(max_config_bytes + 1, '\0');  // one too many: the parser will say so
       in.read(text.data(), std::streamsize(text.size()));
-      text.resize(std::size_t(in.gcount()));
-      return from_text(text, file);
+      return from_text(std::string_view(text).substr(0, std::size_t(in.gcount())), file);
     }
     problem = std::strerror(errno);
   }

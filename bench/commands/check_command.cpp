@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include "bench/commands/commands.hpp"
+#include "bench/file_kind.hpp"
 #include "bench/judging.hpp"
 #include "bench/kinematics_file.hpp"
 #include "bench/rig_factory.hpp"
@@ -27,24 +28,11 @@ Faults kinematics_faults(const std::string& file) {
   return kinematics.index() == 1 ? std::get<1>(std::move(kinematics)) : Faults{};
 }
 
-Faults rig_faults(const std::string& file) { return check_rig(file); }
-
-/// What makes a file one of a kind: a key that only this kind has.
-struct Kind {
-  const char* name;
-  const char* key;
-  Faults (*check)(const std::string& file);
-};
-
-constexpr Kind kinds[] = {{"plan", "main", plan_faults},
-                          {"rig", "rig", rig_faults},
-                          {"kinematics", "machine", kinematics_faults}};
-
-const Kind* kind_of(const hal::ConfigReader& root) {
-  for (const Kind& kind : kinds) {
-    if (root.has(kind.key)) return &kind;
-  }
-  return nullptr;
+Faults faults_of(const std::string& kind, const std::string& file) {
+  if (kind == "plan") return plan_faults(file);
+  if (kind == "rig") return check_rig(file);
+  if (kind == "kinematics") return kinematics_faults(file);
+  return {{1, "", "neither plan (\"main\"), rig (\"rig\") nor kinematics (\"machine\")"}};
 }
 
 int check_run(Console& console, const std::filesystem::path& folder) {
@@ -52,7 +40,7 @@ int check_run(Console& console, const std::filesystem::path& folder) {
     return refuse_file(console, folder, {{0, "", "no run folder: it holds no plan.json"}});
   }
   std::vector<std::string> faults = verify_sums(folder);
-  for (const std::string& fault : faults) console.err << (folder / fault).string() << '\n';
+  for (const std::string& fault : faults) complain(console, (folder / fault).string());
   if (!faults.empty()) return exit_codes::bad_file;
   console.out << folder.string() << ": run folder, every file matches its hash\n";
   return exit_codes::done;
@@ -60,13 +48,11 @@ int check_run(Console& console, const std::filesystem::path& folder) {
 
 int check_file(Console& console, const std::string& file) {
   const hal::ConfigReader root = hal::ConfigReader::from_file(file);
-  const Kind* kind = kind_of(root);
-  Faults faults = kind == nullptr ? root.faults() : kind->check(file);
-  if (kind == nullptr && faults.empty()) {
-    faults = {{1, "", "neither plan (\"main\"), rig (\"rig\") nor kinematics (\"machine\")"}};
-  }
+  const std::string kind = file_kind(root);
+  const Faults faults =
+      kind.empty() && !root.faults().empty() ? root.faults() : faults_of(kind, file);
   if (!faults.empty()) return refuse_file(console, file, faults);
-  console.out << file << ": " << kind->name << ", no fault\n";
+  console.out << file << ": " << kind << ", no fault\n";
   return exit_codes::done;
 }
 

@@ -13,13 +13,18 @@ std::vector<std::unique_ptr<Command>> make_commands() {
 
 int refuse_file(Console& console, const std::filesystem::path& file,
                 const std::vector<hal::ConfigFault>& faults) {
-  for (const hal::ConfigFault& fault : faults) console.err << hal::describe(file, fault) << '\n';
+  for (const hal::ConfigFault& fault : faults) complain(console, hal::describe(file, fault));
   return exit_codes::bad_file;
 }
 
 int refuse_usage(Console& console, const std::string& message) {
-  console.err << "rvbench: " << message << '\n';
+  complain(console, "rvbench: " + message);
   return exit_codes::usage;
+}
+
+int refuse_data(Console& console, const std::string& message) {
+  complain(console, "rvbench: " + message);
+  return exit_codes::data_refused;
 }
 
 }  // namespace rvbench::bench

@@ -21,4 +21,7 @@ int refuse_file(Console& console, const std::filesystem::path& file,
 /// Prints why the arguments make no sense. @return exit_codes::usage
 int refuse_usage(Console& console, const std::string& message);
 
+/// Prints why a recording cannot be used. @return exit_codes::data_refused
+int refuse_data(Console& console, const std::string& message);
+
 }  // namespace rvbench::bench

@@ -1,24 +1,31 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
-#include <memory>
+#include <set>
 #include <system_error>
 
 #include "analysis/table4.hpp"
 #include "bench/commands/commands.hpp"
+#include "bench/file_kind.hpp"
 #include "bench/judging.hpp"
 #include "bench/kinematics_file.hpp"
+#include "bench/kinematics_files.hpp"
 #include "bench/progress_bar.hpp"
+#include "bench/published_catalogue.hpp"
+#include "bench/recordings_to_judge.hpp"
 #include "bench/report/report.hpp"
+#include "bench/run_results.hpp"
 #include "bench/sha256.hpp"
 #include "bench/software_version.hpp"
 #include "bench/summary.hpp"
 #include "bench/verdict_json.hpp"
-#include "hal/formats/read_recordings.hpp"
 
 namespace rvbench::bench {
 namespace {
+
+constexpr std::size_t most_notes = 8;  // told before the analysis
 
 class JudgeCommand final : public Command {
  public:
@@ -29,29 +36,34 @@ class JudgeCommand final : public Command {
            "  rvbench judge runs/A17/20260102T030405Z/recording.h5 --kinematics rv20e --json\n";
   }
   std::vector<Option> options() override {
-    return {{"REC", "recordings; several are points of one judgement", &files_, true, {}},
-            {"--kinematics", "machine: built-in name or file", &kinematics_, true, {}},
-            {"--speed", "speed of the input shaft [rpm]", &speed_rpm_, false, {}},
-            {"--rate", "sample rate [Hz]", &rate_Hz_, false, {}},
-            {"--channel", "judge this channel only", &channel_, false, {}},
-            {"--catalogue",
-             "orders to match: derived, or Table 4 as published",
-             &catalogue_,
-             false,
-             {"derived", "published"}},
-            {"--out", "folder for verdict.json and report.html", &out_, false, {}},
-            {"--json", "one JSON document on standard output", &json_, false, {}}};
+    return {
+        {"REC", "recordings; several are points of one judgement", &files_, true},
+        {"--kinematics",
+         "machine: " + listed(names_of(kinematics_files())) + ", or a kinematics file",
+         &kinematics_, true},
+        {"--speed", "speed of the input shaft [rpm]; default: what the file states", &speed_rpm_},
+        {"--rate", "sample rate [Hz]; default: what the file states", &rate_Hz_},
+        {"--channel", "judge this channel only; default: all accelerations", &channel_},
+        {"--catalogue",
+         "orders to match: derived, or Table 4 of the RV-20E as published; default: derived",
+         &catalogue_,
+         false,
+         {"derived", "published"}},
+        {"--out", "folder for verdict.json and report.html; default: none are written", &out_},
+        {"--json", "one JSON document on standard output", &json_}};
   }
   int run(Console& console) override;
 
  private:
+  int check_options(Console& console) const;
   int load(Console& console);
-  int refuse_unknown(Console& console, const Recording& record, const std::string& file) const;
-  bool keep_channel(Recording& record) const;
-  Judgement judge(Console& console, const analysis::Kinematics& kinematics) const;
-  analysis::Kinematics catalogue_for(const Recording& record,
-                                     const analysis::Kinematics& derived) const;
-  void write_out(const Judgement& judgement, const analysis::Kinematics& kinematics) const;
+  void tell_notes(Console& console) const;
+  bool is_published() const { return catalogue_ == "published"; }
+  analysis::Kinematics published_for(const Recording& record) const;
+  Judgement judge(Console& console, bool published) const;
+  Judgement judge_by_catalogue(Console& console) const;
+  std::vector<std::string> write_out(const Judgement& judgement,
+                                     const analysis::Kinematics& used) const;
 
   std::vector<std::string> files_;
   std::string kinematics_;
@@ -61,116 +73,147 @@ class JudgeCommand final : public Command {
   std::string catalogue_ = "derived";
   std::string out_;
   bool json_ = false;
+  analysis::Kinematics derived_;
   std::vector<Recording> records_;
 };
 
 int JudgeCommand::run(Console& console) {
-  for (const auto& [value, name] :
-       {std::pair{speed_rpm_, "--speed"}, std::pair{rate_Hz_, "--rate"}}) {
-    if (value && !(*value > 0 && std::isfinite(*value))) {
-      return refuse_usage(console, std::string(name) + " must be above 0");
-    }
-  }
-  const auto kinematics = read_kinematics(kinematics_);
+  if (const int refused = check_options(console); refused != exit_codes::done) return refused;
+  auto kinematics = read_kinematics(kinematics_);
   if (kinematics.index() == 1) return refuse_file(console, kinematics_, std::get<1>(kinematics));
-  std::error_code unusable;
-  if (!out_.empty()) std::filesystem::create_directories(out_, unusable);
-  if (unusable) return refuse_usage(console, "judge: --out " + out_ + ": " + unusable.message());
+  derived_ = std::get<0>(std::move(kinematics));
+  if (is_published() && !is_of_table4(derived_)) {
+    return refuse_usage(console, "judge: --catalogue published is Table 4 of the RV-20E, and " +
+                                     derived_.machine + " is none");
+  }
   if (const int refused = load(console); refused != exit_codes::done) return refused;
-  const analysis::Kinematics used = catalogue_for(records_.front(), std::get<0>(kinematics));
-  const Judgement judgement = judge(console, std::get<0>(kinematics));
+  Judgement judgement = judge_by_catalogue(console);
+  const analysis::Kinematics used = is_published() ? published_for(records_.front()) : derived_;
+  if (!out_.empty()) {
+    tell_in_files(judgement, [&](const Judgement& told) { return write_out(told, used); });
+  }
+  print_unwritten(console, judgement);
   if (json_) {
     console.out << judgement_to_json(judgement);
   } else {
-    print_summary(console, judgement, used);
-  }
-  try {
-    if (!out_.empty()) write_out(judgement, used);
-  } catch (const std::system_error& error) {
-    return refuse_usage(console, std::string("judge: --out: ") + error.what());
+    print_summary(console, judgement, used, out_);
   }
   return exit_code(judgement.ending);
 }
 
-/// Reads every file. @return why not, or done
+// What can be known to be wrong before anything is read. An older verdict is not written over.
+int JudgeCommand::check_options(Console& console) const {
+  for (const auto& [value, name] :
+       {std::pair{speed_rpm_, "--speed"}, std::pair{rate_Hz_, "--rate"}}) {
+    if (value && !(*value > 0 && std::isfinite(*value))) {
+      return refuse_usage(console, std::string(name) + " must be above 0 and finite");
+    }
+  }
+  if (out_.empty()) return exit_codes::done;
+  const auto refuse = [&](const std::string& why) {
+    return refuse_usage(console, "judge: --out " + out_ + ": " + why);
+  };
+  std::error_code unusable;
+  std::filesystem::create_directories(out_, unusable);
+  if (unusable) return refuse(unusable.message());
+  if (access(out_.c_str(), W_OK | X_OK) != 0) {
+    return refuse(std::generic_category().message(errno));
+  }
+  for (const char* name : {"verdict.json", "report.html"}) {
+    if (std::filesystem::exists(std::filesystem::path(out_) / name)) {
+      return refuse(std::string("holds a ") + name + " already: give another folder");
+    }
+  }
+  return exit_codes::done;
+}
+
+// Reads every file, and tells what was not obvious about them. @return why not, or done
 int JudgeCommand::load(Console& console) {
-  const hal::RecordingHints hints{rate_Hz_.value_or(not_known), speed_rpm_.value_or(not_known)};
-  for (const std::string& file : files_) {
-    Result<std::vector<Recording>> read = hal::read_recordings(file, hints);
-    if (!read) {
-      console.err << "rvbench: " << read.error().where << '\n';
-      return exit_codes::data_refused;
-    }
-    for (Recording& record : std::move(read).value()) {
-      if (const int refused = refuse_unknown(console, record, file); refused != exit_codes::done)
-        return refused;
-      if (keep_channel(record)) records_.push_back(std::move(record));
+  auto read = recordings_to_judge({.files = files_,
+                                   .hints = {.rate_Hz = rate_Hz_.value_or(not_known),
+                                             .speed_rpm = speed_rpm_.value_or(not_known)},
+                                   .channel = channel_});
+  if (const auto* refusal = std::get_if<JudgeRefusal>(&read)) {
+    return refusal->exit_code == exit_codes::usage ? refuse_usage(console, refusal->reason)
+                                                   : refuse_data(console, refusal->reason);
+  }
+  records_ = std::get<0>(std::move(read));
+  tell_notes(console);
+  for (const Recording& record : records_) {
+    if (is_published() && !std::isfinite(record.speed_rpm)) {
+      return refuse_usage(console, record.source +
+                                       " states no mean speed, by which a column of Table 4 could "
+                                       "be chosen: give it with --speed RPM");
     }
   }
-  if (records_.empty())
-    return refuse_usage(console, "no recording has a channel \"" + channel_ + "\"");
   return exit_codes::done;
 }
 
-int JudgeCommand::refuse_unknown(Console& console, const Recording& record,
-                                 const std::string& file) const {
-  for (const Channel& channel : record.channels) {
-    if (!(channel.rate_Hz > 0))
-      return refuse_usage(console, file + " states no sample rate: give it with --rate HZ");
+// The same of several points of one file is told once; all are among the quality notes.
+void JudgeCommand::tell_notes(Console& console) const {
+  std::set<std::string> told;
+  for (const Recording& record : records_) {
+    const std::string file = record.source.substr(0, record.source.find('#'));
+    for (const std::string& note : record.notes) {
+      const bool is_new = told.insert(file + ": " + note).second;
+      if (!is_new || told.size() > most_notes) continue;
+      console.err << "rvbench: note: " << file << ": " << note << '\n';
+    }
   }
-  const bool has_speed =
-      std::isfinite(record.speed_rpm) || record.find(channel_names::input_angle) != nullptr;
-  if (!has_speed)
-    return refuse_usage(console, file + " states no shaft speed: give it with --speed RPM");
-  return exit_codes::done;
+  if (told.size() > most_notes) {
+    console.err << "rvbench: and " << told.size() - most_notes << " more notes\n";
+  }
 }
 
-/// Leaves the channel asked for, beside angle and torque. @return whether it is there
-bool JudgeCommand::keep_channel(Recording& record) const {
-  if (channel_.empty()) return true;
-  if (record.find(channel_) == nullptr) return false;
-  std::erase_if(record.channels, [&](const Channel& channel) {
-    return channel.info.name != channel_ && channel.info.name != channel_names::input_angle &&
-           channel.info.name != channel_names::input_torque;
-  });
-  return true;
+analysis::Kinematics JudgeCommand::published_for(const Recording& record) const {
+  return analysis::published_table4(std::abs(record.speed_rpm));
 }
 
-analysis::Kinematics JudgeCommand::catalogue_for(const Recording& record,
-                                                 const analysis::Kinematics& derived) const {
-  const bool published = catalogue_ == "published" && std::isfinite(record.speed_rpm);
-  return published ? analysis::published_table4(std::abs(record.speed_rpm)) : derived;
-}
-
-Judgement JudgeCommand::judge(Console& console, const analysis::Kinematics& kinematics) const {
+Judgement JudgeCommand::judge(Console& console, bool published) const {
   ProgressBar bar(console, progress_style(console, json_));
   Judgement judgement;
   judgement.facts.software = software_version();
   judgement.facts.started_utc = utc_now();
   for (std::size_t i = 0; i < records_.size(); ++i) {
-    bar.show("judge", double(i) / double(records_.size()), records_[i].source);
-    judgement.points.push_back(
-        judge_point(records_[i], catalogue_for(records_[i], kinematics), {}));
+    const Recording& record = records_[i];
+    bar.show("judge", double(i) / double(records_.size()), record.source);
+    JudgedPoint point = judge_point(record, published ? published_for(record) : derived_, {});
+    for (const std::string& note : record.notes) {
+      point.examination.quality.push_back({record.source, note, false});
+    }
+    judgement.points.push_back(std::move(point));
   }
   bar.clear();
-  conclude(judgement, catalogue_for(records_.front(), kinematics), {},
+  conclude(judgement, published ? published_for(records_.front()) : derived_, {},
            {Outcome::pass, ErrorKind::none, "every recording was read"});
   return judgement;
 }
 
-void JudgeCommand::write_out(const Judgement& judgement,
-                             const analysis::Kinematics& kinematics) const {
+Judgement JudgeCommand::judge_by_catalogue(Console& console) const {
+  Judgement derived = judge(console, false);
+  demand_confirmation(derived, derived_);
+  if (!is_published()) return derived;
+  Judgement published = judge(console, true);
+  hold_against_derived(published, derived);
+  return published;
+}
+
+std::vector<std::string> JudgeCommand::write_out(const Judgement& judgement,
+                                                 const analysis::Kinematics& used) const {
   const std::filesystem::path folder = out_;
   ReportInput input;
   input.judgement = judgement;
-  input.kinematics = kinematics;
+  input.kinematics = used;
   input.load = [this](std::size_t point) { return std::optional<Recording>(records_.at(point)); };
   for (const std::string& file : files_) {
     const std::optional<std::string> hash = sha256_of_file(file);
     if (hash) input.hashes.emplace_back(file, *hash);
   }
-  write_file(folder / "verdict.json", judgement_to_json(judgement));
-  write_file(folder / "report.html", make_report(input));
+  const auto verdict = folder / "verdict.json";
+  const auto report = folder / "report.html";
+  return unwritten_files(
+      folder, {{"verdict.json", [&] { write_file(verdict, judgement_to_json(judgement)); }},
+               {"report.html", [&] { write_file(report, make_report(input)); }}});
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <system_error>
 
 #include "bench/commands/commands.hpp"
 #include "bench/judging.hpp"
@@ -11,12 +12,12 @@
 namespace rvbench::bench {
 namespace {
 
-/// Only the report may differ from its hash: new hashes must not bless anything else.
+// Only the report may differ from its hash: new hashes must not bless anything else.
 bool is_sound(Console& console, const std::filesystem::path& folder) {
   bool sound = true;
   for (const std::string& fault : verify_sums(folder)) {
     if (fault.starts_with("report.html:")) continue;
-    console.err << (folder / fault).string() << '\n';
+    complain(console, (folder / fault).string());
     sound = false;
   }
   return sound;
@@ -45,8 +46,12 @@ class ReportCommand final : public Command {
                          {{0, "", text ? "is no verdict" : "cannot be read"}});
     }
     if (!is_sound(console, folder)) return exit_codes::bad_file;
-    write_report(folder, *judgement, with_limits(std::get<0>(kinematics), test.limits));
-    write_sums(folder);
+    try {
+      write_report(folder, *judgement, with_limits(std::get<0>(kinematics), test.limits));
+      write_sums(folder);
+    } catch (const std::system_error& error) {
+      return refuse_usage(console, std::string("report: cannot be written: ") + error.what());
+    }
     console.out << (folder / "report.html").string() << '\n';
     return exit_codes::done;
   }

@@ -7,12 +7,15 @@
 
 #include "bench/acceptance.hpp"
 #include "bench/commands/commands.hpp"
+#include "bench/file_kind.hpp"
 #include "bench/find_plan.hpp"
 #include "bench/judging.hpp"
 #include "bench/kinematics_file.hpp"
+#include "bench/plan_files.hpp"
 #include "bench/progress_bar.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/rig_file.hpp"
+#include "bench/run_lock.hpp"
 #include "bench/software_version.hpp"
 #include "bench/stop_on_signal.hpp"
 #include "bench/summary.hpp"
@@ -35,16 +38,21 @@ class RunCommand final : public Command {
            "  rvbench run plans/mine.json --rig bench_a.json --serial A17 --resume\n";
   }
   std::vector<Option> options() override {
-    return {
-        {"PLAN", "built-in plan or plan file", &plan_, true, {}},
-        {"--rig", "sim, or a rig file", &rig_, true, {}},
-        {"--serial", "serial number of the unit", &serial_, false, {}},
-        {"--preset", "simulated unit: healthy, input_shaft, ...", &preset_, false, {}},
-        {"--seed", "of everything that the simulation draws", &seed_, false, {}},
-        {"--dry-run", "print the timeline and its envelope; touch nothing", &dry_run_, false, {}},
-        {"--out", "folder for run folders", &out_, false, {}},
-        {"--resume", "go on with the newest unfinished run of this serial", &resume_, false, {}},
-        {"--json", "one JSON document on standard output", &json_, false, {}}};
+    return {{"PLAN", "plan: " + listed(names_of(plan_files())) + ", or a plan file", &plan_, true},
+            {"--rig", "rig: sim, or a rig file", &rig_, true},
+            {"--serial", "serial number of the unit; no default", &serial_},
+            {"--preset", "simulated unit: " + listed(preset_names()) + "; default: " + preset_,
+             &preset_},
+            {"--seed",
+             fmt::format("of everything that the simulation draws; default: {}", RigOptions().seed),
+             &seed_,
+             false,
+             {},
+             max_seed},
+            {"--dry-run", "print the timeline and its envelope; touch nothing", &dry_run_},
+            {"--out", "folder for run folders; default: " + out_, &out_},
+            {"--resume", "go on with the newest unfinished run of this serial", &resume_},
+            {"--json", "one JSON document on standard output", &json_}};
   }
   int run(Console& console) override;
 
@@ -64,6 +72,7 @@ class RunCommand final : public Command {
   bool resume_ = false;
   bool json_ = false;
   std::filesystem::path folder_;
+  std::optional<RunLock> lock_;  ///< of folder_, until the command ends
 };
 
 int RunCommand::run(Console& console) {
@@ -73,9 +82,6 @@ int RunCommand::run(Console& console) {
   if (dry_run_) {
     console.out << (json_ ? timeline_json(test) : timeline_table(test));
     return exit_codes::done;
-  }
-  if (seed_ && *seed_ > max_seed) {
-    return refuse_usage(console, fmt::format("run: --seed must be at most {}", max_seed));
   }
   if (serial_.empty()) return refuse_usage(console, "run: --serial is required");
   auto kinematics = read_kinematics(test.specimen.kinematics);
@@ -91,20 +97,28 @@ RigOptions RunCommand::rig_options() const {
   return {.preset = preset_, .seed = seed_.value_or(RigOptions().seed)};
 }
 
-/// A new run folder with the resolved plan and rig, or the one to go on with.
+// A new run folder with the resolved plan and rig, or the one to go on with.
 int RunCommand::prepare_folder(Console& console, const sequences::TestPlan& plan) {
   const std::array<std::pair<const char*, std::string>, 2> resolved{
       {{"plan.json", sequences::plan_to_json(plan)},
        {"rig.json", rig_to_json(rig_, rig_options())}}};
   if (!resume_) {
     folder_ = create_run_folder(out_, serial_, utc_now());
+    lock_ = RunLock::take(folder_);
     for (const auto& [name, text] : resolved) write_file(folder_ / name, text);
     return exit_codes::done;
   }
-  const auto unfinished = newest_unfinished_run(out_, serial_);
-  if (!unfinished)
+  const auto newest = newest_unfinished_run(out_, serial_);
+  if (newest) lock_ = RunLock::take(*newest);
+  if (newest && !lock_) {
+    return refuse_usage(console, "run: another rvbench is at work in " + newest->string() +
+                                     ": wait for its end, or stop it");
+  }
+  // Asked again: it may have come to its end just before the lock was free.
+  if (!newest || newest_unfinished_run(out_, serial_) != newest) {
     return refuse_usage(console, "run: " + serial_ + " has no unfinished run to resume");
-  folder_ = *unfinished;
+  }
+  folder_ = *newest;
   for (const auto& [name, text] : resolved) {
     if (read_file(folder_ / name) == text) continue;
     return refuse_usage(console, "run: " + (folder_ / name).string() +
@@ -143,12 +157,11 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
   ProgressBar bar(console, progress_style(console, json_));
   const Judgement judgement = run_acceptance({plan, kinematics, folder_, facts(plan)},
                                              std::get<0>(rig), bar, signals.token());
+  print_unwritten(console, judgement);
   if (json_) {
     console.out << judgement_to_json(judgement);
   } else {
-    print_summary(console, judgement, kinematics);
-    const std::filesystem::path report = folder_ / "report.html";
-    if (std::filesystem::exists(report)) console.out << "\nReport: " << report.string() << '\n';
+    print_summary(console, judgement, kinematics, folder_);
   }
   return exit_code(judgement.ending);
 }

@@ -34,9 +34,9 @@ std::string block_of(const Finding& finding, const ReportInput& input, bool abov
                   spoken(finding.component), spoken(finding.mechanism));
   html += fmt::format("<dt>Severity</dt><dd>modulation depth {:.3f}, limit {:.3f} ({})</dd>",
                       finding.severity, finding.limit, above ? "above" : "within");
-  html +=
-      fmt::format("<dt>Order</dt><dd>{}, {:.2f} Hz at the first point that shows it</dd>",
-                  order_text(finding.order, input.kinematics.period_turns), finding.frequency_Hz);
+  html += fmt::format("<dt>Order</dt><dd>{}, {}, the first point that shows it</dd>",
+                      order_text(finding.order, input.kinematics.period_turns),
+                      frequency_text(finding.frequency_Hz, finding.order));
   if (!finding.table4_item.empty()) {
     html += "<dt>Table 4</dt><dd>" + xml_escaped(finding.table4_item) + "</dd>";
   }
@@ -45,7 +45,12 @@ std::string block_of(const Finding& finding, const ReportInput& input, bool abov
                       input.judgement.points.size(), imfs_of(finding));
   html += fmt::format("<dt>Statistic</dt><dd>{} times the local noise floor, p {}</dd>",
                       number(finding.statistic, 4), p_value_text(finding.p_value));
-  html += fmt::format("<dt>Confidence</dt><dd>{:.0f} %</dd>", 100 * finding.confidence);
+  if (above) {
+    html += fmt::format(
+        "<dt>Confidence</dt><dd>{:.0f} %: this part's share of severity over limit, among all "
+        "findings above theirs</dd>",
+        100 * finding.confidence);
+  }
   if (above) html += "<dt>Advice</dt><dd>" + xml_escaped(finding.advice) + "</dd>";
   return html + "</dl></div>\n";
 }
@@ -54,11 +59,12 @@ std::string unexplained_table(const std::vector<SpectralLine>& lines, double per
   if (lines.empty()) return "";
   std::vector<std::vector<std::string>> rows;
   for (const SpectralLine& line : lines) {
-    rows.push_back({order_text(line.order, period_turns), fmt::format("{:.2f}", line.frequency_Hz),
-                    number(line.amplitude), p_value_text(line.p_value)});
+    rows.push_back({order_text(line.order, period_turns),
+                    frequency_text(line.frequency_Hz, line.order), number(line.amplitude),
+                    p_value_text(line.p_value)});
   }
   return "<h3>Lines that the kinematics does not explain</h3>\n" +
-         table({"order", "frequency [Hz]", "amplitude", "p"}, rows);
+         table({"order", "frequency", "amplitude", "p"}, rows);
 }
 
 }  // namespace

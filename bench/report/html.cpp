@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bench/xml_text.hpp"
+#include "hal/types/units.hpp"
 
 namespace rvbench::bench::report {
 
@@ -38,6 +39,11 @@ std::string order_text(double order, double period_turns) {
   if (!is_fraction || std::abs(order - std::round(order)) < 1e-3)
     return fmt::format("{:.4g}", order);
   return fmt::format("{:.4g} ({:.0f}/{:.0f})", order, events, period_turns);
+}
+
+std::string frequency_text(double frequency_Hz, double order) {
+  const double speed_rpm = units::rpm_from_Hz(frequency_Hz / order);
+  return fmt::format("{:.2f} Hz at {:.0f} rpm", frequency_Hz, std::abs(speed_rpm));
 }
 
 std::string p_value_text(double p_value) {

@@ -1,15 +1,14 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "bench/cli.hpp"
 #include "bench/find_plan.hpp"
 #include "bench/plan_files.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/sha256.hpp"
 #include "bench/verdict_json.hpp"
+#include "tests/bench/answers.hpp"
 #include "tests/bench/judgements.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -18,20 +17,8 @@ namespace {
 
 using Catch::Matchers::Contains;
 using rvbench::test::ScratchFolder;
-
-struct Answer {
-  int code = -1;
-  std::string out;
-  std::string err;
-};
-
-Answer rvbench(const std::vector<std::string>& arguments) {
-  std::ostringstream out;
-  std::ostringstream err;
-  Console console{out, err};
-  const int code = run_cli(arguments, make_commands(), console);
-  return {code, out.str(), err.str()};
-}
+using test::Answer;
+using test::rvbench;
 
 }  // namespace
 

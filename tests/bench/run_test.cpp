@@ -7,9 +7,13 @@
 #include "bench/plan_files.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/sha256.hpp"
+#include "tests/bench/answers.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace rvbench::bench {
+
+using test::Answer;
+
 namespace {
 
 // The built-in quick plan, with one point and the shortest record that a diagnosis can use.
@@ -52,6 +56,46 @@ TEST_CASE("a run leaves a folder that says everything and agrees with its exit c
   CHECK(verify_sums(folder).empty());
   CHECK(read_file(folder / "verdict.json") == out.str());
   CHECK_FALSE(newest_unfinished_run(runs, "A17"));
+
+  // A speed that the user states goes before the angle that was measured.
+  const Answer judged = test::rvbench({"judge", (folder / "recording.h5").string(), "--kinematics",
+                                       "rv20e", "--channel", "accel_1x", "--speed", "1500"});
+  CHECK(judged.code == 20);
+  CHECK_THAT(judged.err, Catch::Contains("speed 1500 rpm as given: the shaft's angle, which says"));
+}
+
+TEST_CASE("a run whose points are all measured is resumed by judging them", "[bench]") {
+  const rvbench::test::ScratchFolder scratch;
+  const std::string plan = (scratch.path() / "one.json").string();
+  write_file(plan, one_point_plan());
+  const std::string runs = (scratch.path() / "runs").string();
+  const auto run = [&](std::vector<std::string> more) {
+    std::ostringstream out;
+    std::ostringstream err;
+    Console console{out, err};
+    more.insert(more.begin(),
+                {"run", plan, "--rig", "sim", "--serial", "A17", "--out", runs, "--json"});
+    const int code = run_cli(more, make_commands(), console);
+    INFO(err.str());
+    CHECK(nlohmann::json::parse(out.str()).at("exit_code") == code);
+    return code;
+  };
+  const int code = run({});
+  const std::filesystem::path folder =
+      std::filesystem::directory_iterator(scratch.path() / "runs" / "A17")->path();
+  const std::string verdict = read_file(folder / "verdict.json").value();
+  std::filesystem::remove(folder / "verdict.json");  // as if it had been killed while judging
+
+  CHECK(run({"--resume"}) == code);
+  CHECK_FALSE(std::filesystem::exists(folder / "recording-2.h5"));
+  const std::string log = read_file(folder / "log.jsonl").value();
+  CHECK_THAT(log, Catch::Contains("nothing is turned"));
+  CHECK(log.find("phase warm_up") == log.rfind("phase warm_up"));  // once
+  const auto before = nlohmann::json::parse(verdict);
+  const auto after = nlohmann::json::parse(read_file(folder / "verdict.json").value());
+  CHECK(after.at("points") == before.at("points"));
+  CHECK(after.at("verdict") == before.at("verdict"));
+  CHECK(verify_sums(folder).empty());
 }
 
 }  // namespace rvbench::bench

@@ -114,6 +114,10 @@ TEST_CASE("hints go before the file, and a note tells", "[hal][formats]") {
   CHECK(corrected.value()[0].speed_rpm == 1750);
   REQUIRE(corrected.value()[0].notes.size() == 2);
   CHECK_THAT(corrected.value()[0].notes[1], Contains("1772"));
+  const auto rounded = read_recordings(mat, {.speed_rpm = 1775});  // within 1 %
+  REQUIRE(rounded);
+  CHECK(rounded.value()[0].speed_rpm == 1775);
+  CHECK(rounded.value()[0].notes.size() == 1);
 
   CHECK_THROWS_AS(read_recordings(file, {.rate_Hz = 0}), std::invalid_argument);
   CHECK_THROWS_AS(read_recordings(file, {.speed_rpm = -5}), std::invalid_argument);

@@ -156,7 +156,9 @@ TEST_CASE("a plan that reads well but makes no sense is refused likewise", "[spe
 TEST_CASE("a bad rig is refused before anything else happens", "[spec][bad_files]") {
   const std::vector<BadFile> rigs{
       {"unknown kind", "{\"rig\": \"smi\"}", {":1: /rig: expected one of", "did you mean \"sim\""}},
-      {"unknown preset", "{\"rig\": \"sim\", \"preset\": \"healty\"}", {": /preset: "}},
+      {"unknown preset",
+       "{\"rig\": \"sim\", \"preset\": \"healty\"}",
+       {":1: /preset: ", "did you mean \"healthy\"?"}},
       {"fault",
        "{\"rig\": \"sim\", \"faults\": [\n{\"at_s\": -1, \"device\": \"inverter\","
        "\"fault\": \"dead\"}]}",
@@ -232,7 +234,7 @@ TEST_CASE("what is no file is refused by name", "[spec][bad_files]") {
   refused({"judge", "folder.h5", "--kinematics", "rv20e"}, 20, "folder.h5: is a folder");
   refused({"judge", "nowhere.h5", "--kinematics", "rv20e"}, 20, "nowhere.h5: no such file");
   refused({"judge", "/dev/zero", "--kinematics", "rv20e"}, 20, "/dev/zero: is no file");
-  refused({"check", "/dev/zero"}, 3, "/dev/zero: larger than 4 MiB");
+  refused({"check", "/dev/zero"}, 3, "/dev/zero: cannot be read: it is no regular file");
   refused({"report", "nowhere"}, 3, "nowhere/plan.json: cannot be read: No such file");
   if (::geteuid() != 0) {  // nothing is unreadable for root
     refused({"check", "secret.json"}, 3, "secret.json: cannot be read: Permission denied");

@@ -38,7 +38,9 @@ void check_refused(const BadRecording& bad) {
     const Answer answer = judge(scratch, bad.name);
     INFO(answer.err);
     CHECK(answer.code == 20);
-    CHECK(answer.out.empty());
+    const auto refusal = nlohmann::json::parse(answer.out);
+    CHECK(refusal.at("verdict") == "INVALID");
+    CHECK(refusal.at("exit_code") == 20);
     CHECK_THAT(answer.err, Contains(std::string(bad.name) + ": " + bad.told));
     CHECK_THAT(answer.err, !Contains("Sanitizer") && !Contains("runtime error"));
   }

@@ -48,6 +48,21 @@ std::filesystem::path only_run(const ScratchFolder& scratch) {
   return std::filesystem::directory_iterator(scratch.path() / "runs" / "A17")->path();
 }
 
+// What could not be written is named on standard error, and no half of it is left.
+void check_missing_are_named(const std::filesystem::path& folder, const Answer& answer) {
+  INFO(answer.err);
+  CHECK_THAT(answer.err, Contains("not written: report.html: File too large"));
+  for (const std::string name : {"verdict.json", "report.html", "junit.xml", "SHA256SUMS"}) {
+    CAPTURE(name);
+    CHECK_FALSE(std::filesystem::exists(folder / (name + ".draft")));
+    const bool is_there = std::filesystem::exists(folder / name);
+    CHECK(is_there == (answer.err.find("not written: " + name) == std::string::npos));
+  }
+  // What is there agrees with the exit code.
+  const auto verdict = bench::read_file(folder / "verdict.json");
+  if (verdict) CHECK_THAT(*verdict, Contains("\"exit_code\": 30"));
+}
+
 // At full speed, which makes the shortest record.
 std::string limited(const std::string& max_g) {
   return test::replaced(test::replaced(test::short_plan, "[1210]", "[1815]"), "\"main\"",
@@ -106,14 +121,18 @@ TEST_CASE("2: a command line that makes no sense is answered with a hint", "[spe
       {{"run", "quick", "--rig", "sim"}, "--serial is required"},
       {{"run", "quick", "--rig", "sim", "--serial", ""}, "--serial is required"},
       {{"run", "quick", "--rgi", "sim"}, "unknown option --rgi, did you mean \"--rig\"?"},
-      {{"run", "quick", "--rig", "sim", "--serial", "A", "--seed", "-1"}, "must not be negative"},
+      {{"run", "quick", "--rig", "sim", "--serial", "A", "--seed", "-1"},
+       "must be a whole number from 0"},
       {{"run", "quick", "--rig", "sim", "--serial", "A", "--seed", "x"}, "--seed"},
       {{"run", "quick", "--rig", "sim", "--serial", "A", "--seed", "18446744073709551615"},
-       "--seed must be at most 9007199254740991"},
+       "--seed: must be a whole number from 0 to 9007199254740991"},
+      {{"run", "quick", "--rig", "sim", "--serial", "A", "--seed", "99999999999999999999"},
+       "--seed: must be a whole number from 0 to 9007199254740991"},
       {{"run", "quick", "more", "--rig", "sim", "--serial", "A"}, "more"},
       {{"judge", "a.csv"}, "--kinematics is required"},
       {{"judge", "a.csv", "--kinematics", "rv20e", "--rate", "0"}, "--rate must be above 0"},
       {{"judge", "a.csv", "--kinematics", "rv20e", "--rate", "nan"}, "--rate must be above 0"},
+      {{"judge", "a.csv", "--kinematics", "rv20e", "--rate", "inf"}, "above 0 and finite"},
       {{"judge", "a.csv", "--kinematics", "rv20e", "--speed", "fast"}, "--speed"},
       {{"judge", "a.csv", "--kinematics", "rv20e", "--catalogue", "publishd"}, "--catalogue"},
       {{"check"}, "FILE is required"},
@@ -160,6 +179,7 @@ TEST_CASE("a full disk is an ERROR of the bench, told even if nothing can be wri
   SECTION("full before the results") {
     const Answer answer = run_on_full_disk(scratch, 10);
     check_verdict(answer, 30, "ERROR");
+    check_missing_are_named(only_run(scratch), answer);
   }
   SECTION("full during the record") {
     check_verdict(run_on_full_disk(scratch, 500), 30, "ERROR");

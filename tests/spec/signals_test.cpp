@@ -104,10 +104,55 @@ TEST_CASE("a killed run leaves its samples, is told from a finished one, and can
   REQUIRE(resumed.says("measure: 50 %"));
   resumed.send(SIGINT);
   CHECK(resumed.wait().code == 50);
+  CHECK_THAT(bench::read_file(folder / "log.jsonl").value(),
+             Contains("of 10; the rig's time starts again"));
   const nlohmann::json verdict = verdict_of(folder);
   CHECK(verdict.at("run").at("resumed_at_point") >= 2);
   CHECK(verdict.at("points").at(1).at("status") == "not_judged");
   CHECK(bench::verify_sums(folder).empty());
+}
+
+TEST_CASE("a resume beside the live run is refused, and touches nothing", "[spec][safety]") {
+  const ScratchFolder scratch;
+  write_long_plan(scratch);
+  Program live(scratch.path(), run_words());
+  REQUIRE(live.says("measure: 10 %"));
+  std::vector<std::string> words = run_words({"--resume", "--json"});
+  words.erase(words.begin());
+  const Answer second = test::rvbench(scratch.path(), words);
+  CHECK(second.code == 2);
+  CHECK_THAT(second.err, Contains("another rvbench is at work in"));
+  CHECK(nlohmann::json::parse(second.out).at("exit_code") == 2);
+  CHECK_FALSE(std::filesystem::exists(only_run(scratch) / "verdict.json"));
+  live.send(SIGINT);
+  CHECK(live.wait().code == 50);
+}
+
+TEST_CASE("a resume that is stopped before its first record leaves no recording", "[spec]") {
+  const ScratchFolder scratch;
+  write_long_plan(scratch);
+  {
+    Program program(scratch.path(), run_words());
+    REQUIRE(program.says("measure: 20 %"));
+    program.send(SIGKILL);
+    program.wait();
+  }
+  const auto folder = only_run(scratch);
+  Program resumed(scratch.path(), run_words({"--resume"}));
+  REQUIRE(resumed.says("warm up at"));
+  SECTION("stopped") { resumed.send(SIGINT); }
+  SECTION("killed, and resumed again") {
+    resumed.send(SIGKILL);
+    resumed.wait();
+    Program again(scratch.path(), run_words({"--resume"}));
+    REQUIRE(again.says("warm up at"));
+    again.send(SIGINT);
+    CHECK(again.wait().code == 50);
+  }
+  resumed.wait();
+  CHECK(std::filesystem::exists(folder / "recording.h5"));
+  CHECK_FALSE(std::filesystem::exists(folder / "recording-2.h5"));
+  CHECK_FALSE(std::filesystem::exists(folder / "recording-3.h5"));
 }
 
 TEST_CASE("a run goes on when nobody reads its progress any more", "[spec][safety]") {

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hal/config_reader.hpp"
+#include "hal/types/embedded_file.hpp"
+
+namespace rvbench::bench {
+
+/// "plan", "rig" or "kinematics", by the key that only this kind of file has; empty if none.
+std::string file_kind(const hal::ConfigReader& root);
+
+/// The fault of a file that was given as a `wanted` and seems to be another kind.
+std::optional<hal::ConfigFault> other_kind_fault(const hal::ConfigReader& root,
+                                                 const std::string& wanted);
+
+std::vector<std::string> names_of(const std::vector<EmbeddedFile>& files);
+
+/// "quick, rv20e_acceptance"
+std::string listed(const std::vector<std::string>& names);
+
+/// ` (there are: quick, rv20e_acceptance), did you mean "quick"?`
+std::string what_there_is(const std::string& wrong, const std::vector<std::string>& names);
+
+}  // namespace rvbench::bench

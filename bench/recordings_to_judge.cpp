@@ -1,0 +1,105 @@
+#include "bench/recordings_to_judge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "analysis/quality.hpp"
+#include "analysis/shaft_angle.hpp"
+#include "bench/command.hpp"
+#include "bench/file_kind.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+constexpr double speed_tolerance = 1e-2;  // as of what a file states: see RecordingHints
+
+bool is_of_shaft(const Channel& channel) {
+  return channel.info.name == channel_names::input_angle ||
+         channel.info.name == channel_names::input_torque;
+}
+
+std::optional<std::string> what_is_not_stated(const Recording& record, const std::string& file) {
+  for (const Channel& channel : record.channels) {
+    if (!(channel.rate_Hz > 0)) return file + " states no sample rate: give it with --rate HZ";
+  }
+  const bool has_speed =
+      std::isfinite(record.speed_rpm) || record.find(channel_names::input_angle) != nullptr;
+  if (!has_speed) return file + " states no shaft speed: give it with --speed RPM";
+  return std::nullopt;
+}
+
+void prefer_speed(double speed_rpm, Recording& record) {
+  const auto angle = analysis::ShaftAngle::of(record);
+  if (!angle || !angle->is_measured()) return;
+  const double measured_rpm = 60 * angle->mean_speed_Hz();
+  if (std::abs(speed_rpm - measured_rpm) <= speed_tolerance * measured_rpm) return;
+  record.notes.push_back(
+      fmt::format("speed {} rpm as given: the shaft's angle, which says {:.5g} rpm, is left out",
+                  speed_rpm, measured_rpm));
+  std::erase_if(record.channels, [](const Channel& channel) {
+    return channel.info.name == channel_names::input_angle;
+  });
+}
+
+// Nothing if at least the input shaft's own order is below half the rate.
+std::optional<std::string> what_is_too_slow(const Recording& record, const std::string& file) {
+  const auto angle = analysis::ShaftAngle::of(record);
+  if (!angle) return std::nullopt;
+  const double shaft_Hz = angle->mean_speed_Hz();
+  for (const Channel* channel : analysis::acceleration_channels(record)) {
+    if (shaft_Hz < channel->rate_Hz / 2) continue;
+    return fmt::format(
+        "{}: the input shaft turns {:.4g} times a second, and {:.4g} samples a second show only "
+        "what is below {:.4g} Hz: is --rate in Hz, and --speed in rpm?",
+        file, shaft_Hz, channel->rate_Hz, channel->rate_Hz / 2);
+  }
+  return std::nullopt;
+}
+
+// Leaves the channel asked for, beside angle and torque. @return whether it is there
+bool keep_channel(const std::string& name, Recording& record) {
+  if (name.empty()) return true;
+  if (record.find(name) == nullptr) return false;
+  std::erase_if(record.channels, [&](const Channel& channel) {
+    return channel.info.name != name && !is_of_shaft(channel);
+  });
+  return true;
+}
+
+void add_names(const Recording& record, std::vector<std::string>& names) {
+  for (const Channel* channel : analysis::acceleration_channels(record)) {
+    const std::string& name = channel->info.name;
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+}
+
+}  // namespace
+
+std::variant<std::vector<Recording>, JudgeRefusal> recordings_to_judge(const JudgeInput& input) {
+  std::vector<Recording> records;
+  std::vector<std::string> channels;
+  for (const std::string& file : input.files) {
+    Result<std::vector<Recording>> read = hal::read_recordings(file, input.hints);
+    if (!read) return JudgeRefusal{exit_codes::data_refused, read.error().where};
+    for (Recording& record : std::move(read).value()) {
+      if (const auto unstated = what_is_not_stated(record, file)) {
+        return JudgeRefusal{exit_codes::usage, *unstated};
+      }
+      if (std::isfinite(input.hints.speed_rpm)) prefer_speed(input.hints.speed_rpm, record);
+      if (const auto slow = what_is_too_slow(record, file)) {
+        return JudgeRefusal{exit_codes::usage, *slow};
+      }
+      add_names(record, channels);
+      if (keep_channel(input.channel, record)) records.push_back(std::move(record));
+    }
+  }
+  if (!records.empty()) return records;
+  return JudgeRefusal{exit_codes::usage, "no recording has a channel \"" + input.channel + "\"" +
+                                             what_there_is(input.channel, channels)};
+}
+
+}  // namespace rvbench::bench

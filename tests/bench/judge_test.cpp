@@ -1,0 +1,190 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <random>
+
+#include "bench/run_folder.hpp"
+#include "tests/bench/answers.hpp"
+#include "tests/hal/mat5_builder.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+// What `judge` makes of what the user says about a recording, right and wrong.
+namespace rvbench::bench {
+namespace {
+
+using Catch::Matchers::Contains;
+using rvbench::test::ScratchFolder;
+using test::Answer;
+using test::rvbench;
+
+constexpr double rate_Hz = 2000;
+constexpr double speed_rpm = 1815;
+
+// A channel "a" at 2 kHz: noise, and what `signal` is at an angle of the shaft in turns.
+template <typename Signal>
+std::string recorded(const ScratchFolder& scratch, double length_s, Signal signal) {
+  std::mt19937 generator(1);
+  std::normal_distribution<double> noise(0, 0.1);
+  const auto file = scratch.path() / "a.csv";
+  std::ofstream out(file);
+  out << "a\n";
+  for (int i = 0; i < length_s * rate_Hz; ++i) {
+    out << signal(i / rate_Hz * speed_rpm / 60) + noise(generator) << '\n';
+  }
+  return file.string();
+}
+
+double tone(double order, double turns) { return std::cos(2 * std::numbers::pi * order * turns); }
+
+// A shaft that is a little unbalanced.
+std::string unbalanced(const ScratchFolder& scratch) {
+  return recorded(scratch, 4, [](double turns) { return 0.2 * tone(1, turns); });
+}
+
+// An RV-20E with a damaged planet: its mesh swings twice and three times per turn of the planet
+// against the carrier, 40/121 of the shaft's.
+std::string damaged_planet(const ScratchFolder& scratch) {
+  return recorded(scratch, 17, [](double turns) {
+    const double swing = 0.5 * tone(80.0 / 121, turns) + 0.5 * tone(120.0 / 121, turns);
+    return 0.2 * tone(1, turns) + (1 + swing) * tone(20, turns);
+  });
+}
+
+Answer judge(const std::string& file, const std::string& machine,
+             std::vector<std::string> more = {}) {
+  more.insert(more.begin(), {"judge", file, "--kinematics", machine, "--json"});
+  return rvbench(more);
+}
+
+const std::vector<std::string> right{"--rate", "2000", "--speed", "1815"};
+
+bool notes(const Answer& answer, const std::string& what) {
+  const auto verdict = nlohmann::json::parse(answer.out);
+  for (const auto& note : verdict.at("quality")) {
+    if (note.at("what").get<std::string>().find(what) != std::string::npos) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("what is judged at a wrong speed, rate or machine is INVALID, not PASS", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string file = unbalanced(scratch);
+  CHECK(judge(file, "cwru_6205", right).code == 0);
+  const auto wrong = GENERATE(values<std::vector<std::string>>({
+      {"--rate", "2000", "--speed", "1600"},
+      {"--rate", "2000", "--speed", "900"},
+      {"--rate", "1700", "--speed", "1815"},
+      {"--rate", "48000", "--speed", "1815"},
+  }));
+  CAPTURE(wrong);
+  const Answer answer = judge(file, "cwru_6205", wrong);
+  CHECK(answer.code == 20);
+  CHECK(notes(answer, "cannot tell: no line of this machine"));
+}
+
+TEST_CASE("a speed that contradicts the file stays in force, and is told", "[bench]") {
+  const ScratchFolder scratch;
+  std::vector<double> samples;
+  for (int i = 0; i < 8000; ++i) samples.push_back(tone(1, i / rate_Hz * speed_rpm / 60) + i % 7);
+  const std::string file = (scratch.path() / "a.mat").string();
+  write_file(file, rvbench::test::mat5_file({rvbench::test::mat5_array("x", 8000, 1, samples),
+                                             rvbench::test::mat5_array("XRPM", 1, 1, {1815})}));
+  const std::string told = "speed 1600 rpm as given: the file says 1815 rpm";
+  const Answer answer = judge(file, "cwru_6205", {"--rate", "2000", "--speed", "1600"});
+  CHECK_THAT(answer.err, Contains(told));
+  CHECK(notes(answer, told));
+  CHECK(nlohmann::json::parse(answer.out).at("points").at(0).at("speed_rpm") == 1600);
+  const Answer nominal = judge(file, "cwru_6205", {"--rate", "2000", "--speed", "1800"});
+  CHECK_THAT(nominal.err, !Contains("as given"));  // within 1 %
+}
+
+TEST_CASE("a rate at which the shaft could not be seen is refused before the analysis", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string file = unbalanced(scratch);
+  for (const char* rate : {"2", "60.5"}) {
+    const Answer answer = judge(file, "cwru_6205", {"--rate", rate, "--speed", "1815"});
+    CHECK(answer.code == 2);
+    CHECK_THAT(answer.err, Contains("turns 30.25 times a second") && Contains("is --rate in Hz"));
+  }
+}
+
+TEST_CASE("a channel that is not there is answered with those that are", "[bench]") {
+  const ScratchFolder scratch;
+  const auto file = scratch.path() / "two.csv";
+  std::ofstream(file) << "accel_1x,accel_1y\n1,2\n2,3\n";
+  const Answer answer =
+      judge(file.string(), "rv20e", {"--rate", "2000", "--speed", "605", "--channel", "acel_1x"});
+  CHECK(answer.code == 2);
+  CHECK_THAT(answer.err,
+             Contains("there are: accel_1x, accel_1y") && Contains("did you mean \"accel_1x\"?"));
+}
+
+TEST_CASE("what the published Table 4 misses is INVALID, not PASS", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string file = damaged_planet(scratch);
+  const Answer derived = judge(file, "rv20e", right);
+  CHECK(derived.code == 10);
+  const auto verdict = nlohmann::json::parse(derived.out);
+  CHECK(verdict.at("findings").at(0).at("component") == "planet_gear");
+
+  std::vector<std::string> published = right;
+  published.insert(published.end(), {"--catalogue", "published"});
+  const Answer answer = judge(file, "rv20e", published);
+  CHECK(answer.code == 20);
+  CHECK_THAT(nlohmann::json::parse(answer.out).at("reason").get<std::string>(),
+             Contains("Table 4 as published does not hold the lines of planet_gear"));
+}
+
+TEST_CASE("the published Table 4 is of one machine, and needs a speed", "[bench]") {
+  const ScratchFolder scratch;
+  for (const char* machine : {"cwru_6205", "gear0", "two_stage"}) {
+    const Answer answer = rvbench({"judge", unbalanced(scratch), "--kinematics", machine, "--rate",
+                                   "2000", "--speed", "1815", "--catalogue", "published"});
+    CHECK(answer.code == 2);
+    CHECK_THAT(answer.err, Contains("Table 4 of the RV-20E"));
+  }
+  // The same gears by another name are the same machine, with another tooth count not.
+  const auto own = scratch.path() / "own.json";
+  const std::string text = R"({"machine": "our reducer", "rv_reducer": {"sun_teeth": 9,
+    "planet_teeth": 27, "planets": 3, "lobes": 39, "pins": 40}})";
+  write_file(own, text);
+  std::vector<std::string> published = right;
+  published.insert(published.end(), {"--catalogue", "published"});
+  CHECK(judge(unbalanced(scratch), own.string(), published).code == 20);  // 4 s are too short
+  write_file(own, std::string(text).replace(text.find("27"), 2, "28"));
+  CHECK(judge(unbalanced(scratch), own.string(), published).code == 2);
+}
+
+TEST_CASE("judge does not write over an older verdict", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string file = unbalanced(scratch);
+  std::vector<std::string> words = right;
+  words.insert(words.end(), {"--out", (scratch.path() / "judged").string()});
+  CHECK(judge(file, "cwru_6205", words).code == 0);
+  const std::string verdict = read_file(scratch.path() / "judged" / "verdict.json").value();
+  words[3] = "1600";
+  const Answer again = judge(file, "cwru_6205", words);
+  CHECK(again.code == 2);
+  CHECK_THAT(again.err, Contains("holds a verdict.json already"));
+  CHECK(read_file(scratch.path() / "judged" / "verdict.json") == verdict);
+}
+
+TEST_CASE("a result that judge cannot write is an ERROR that names it", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string file = unbalanced(scratch);
+  const auto out = scratch.path() / "judged";
+  std::filesystem::create_directories(out / "report.html.draft");  // nothing can be drafted there
+  std::vector<std::string> words = right;
+  words.insert(words.end(), {"--out", out.string()});
+  const Answer answer = judge(file, "cwru_6205", words);
+  CHECK(answer.code == 30);
+  CHECK_THAT(answer.err, Contains("not written: report.html: Is a directory"));
+  CHECK(nlohmann::json::parse(answer.out).at("exit_code") == 30);
+  CHECK(read_file(out / "verdict.json") == answer.out);
+}
+
+}  // namespace rvbench::bench

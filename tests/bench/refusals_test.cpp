@@ -1,0 +1,147 @@
+#include <sys/stat.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "bench/find_plan.hpp"
+#include "bench/rig_factory.hpp"
+#include "bench/run_folder.hpp"
+#include "bench/run_lock.hpp"
+#include "bench/sha256.hpp"
+#include "bench/verdict_json.hpp"
+#include "tests/bench/answers.hpp"
+#include "tests/bench/judgements.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace rvbench::bench {
+
+using Catch::Matchers::Contains;
+using rvbench::test::ScratchFolder;
+using test::Answer;
+using test::rvbench;
+
+TEST_CASE("with --json every refusal is one document on standard output", "[bench]") {
+  struct Case {
+    std::vector<std::string> words;
+    int code;
+    const char* reason;
+  };
+  const std::vector<Case> cases{
+      {{"run", "quick", "--rig", "sim"}, 2, "--serial is required"},
+      {{"run", "quick", "--rgi", "sim"}, 2, "unknown option --rgi"},
+      {{"run", "quick"}, 2, "--rig is required"},
+      {{"runn", "quick"}, 2, "unknown command"},
+      {{"run", "quikc", "--rig", "sim", "--serial", "A"}, 3, "did you mean \"quick\"?"},
+      {{"run", "quick", "--rig", "nowhere.json", "--serial", "A"}, 3, "nowhere.json"},
+      {{"judge", "a.csv", "--kinematics", "rv20e", "--rate", "0"}, 2, "--rate must be above 0"},
+      {{"judge", "a.csv", "--kinematics", "rv20"}, 3, "did you mean \"rv20e\"?"},
+      {{"judge", "nowhere.csv", "--kinematics", "rv20e"}, 20, "no such file"}};
+  for (const Case& refused : cases) {
+    CAPTURE(refused.reason);
+    std::vector<std::string> words = refused.words;
+    words.emplace_back("--json");
+    const Answer answer = rvbench(words);
+    CHECK(answer.code == refused.code);
+    const auto json = nlohmann::json::parse(answer.out);
+    CHECK(json.at("exit_code") == refused.code);
+    CHECK_THAT(json.at("reason").get<std::string>(), Contains(refused.reason));
+    CHECK(json.at("verdict") ==
+          (refused.code == 20 ? nlohmann::json("INVALID") : nlohmann::json(nullptr)));
+    CHECK_THAT(answer.err, Contains(refused.reason));
+    CHECK(rvbench(refused.words).out.empty());  // without --json nothing is printed there
+  }
+}
+
+TEST_CASE("a name that does not exist is answered with those that do", "[bench]") {
+  const auto told = [](const std::vector<std::string>& words) {
+    const Answer answer = rvbench(words);
+    CHECK(answer.code == 3);
+    return answer.err;
+  };
+  CHECK_THAT(told({"run", "quikc", "--rig", "sim", "--serial", "A"}),
+             Contains("there are: quick, rv20e_acceptance") && Contains("did you mean \"quick\"?"));
+  CHECK_THAT(told({"run", "quick", "--rig", "simm", "--serial", "A"}),
+             Contains("there are: sim") && Contains("did you mean \"sim\"?"));
+  CHECK_THAT(told({"run", "quick", "--rig", "sim", "--serial", "A", "--preset", "helthy"}),
+             Contains("crank_bearing") && Contains("did you mean \"healthy\"?"));
+  CHECK_THAT(
+      told({"judge", "a.csv", "--kinematics", "two_stag"}),
+      Contains("cwru_6205, gear0, rv20e, two_stage") && Contains("did you mean \"two_stage\"?"));
+}
+
+TEST_CASE("a rig file with a preset that does not exist is a bad file", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string rig = (scratch.path() / "rig.json").string();
+  write_file(rig, "{\"rig\": \"sim\",\n \"preset\": \"helthy\"}");
+  const Answer answer = rvbench({"check", rig});
+  CHECK(answer.code == 3);
+  CHECK_THAT(answer.err, Contains("rig.json:2: /preset") && Contains("did you mean \"healthy\"?"));
+}
+
+TEST_CASE("a file of another kind is told what it seems to be", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string plan = (scratch.path() / "plan.json").string();
+  const std::string rig = (scratch.path() / "rig.json").string();
+  write_file(plan, sequences::plan_to_json(std::get<0>(find_plan("quick"))));
+  write_file(rig, rig_to_json("sim", {}));
+  CHECK_THAT(rvbench({"run", plan, "--rig", plan, "--serial", "A"}).err,
+             Contains("seems to be a plan file, not a rig file"));
+  CHECK_THAT(rvbench({"run", rig, "--rig", "sim", "--serial", "A"}).err,
+             Contains("seems to be a rig file, not a plan file"));
+  CHECK_THAT(rvbench({"judge", "a.csv", "--kinematics", rig}).err,
+             Contains("seems to be a rig file, not a kinematics file"));
+}
+
+TEST_CASE("check refuses what is no regular file, and does not wait for it", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string pipe = (scratch.path() / "pipe").string();
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  const Answer answer = rvbench({"check", pipe, scratch.path().string()});
+  CHECK(answer.code == 3);
+  CHECK_THAT(answer.err, Contains("pipe: cannot be read: it is no regular file"));
+  CHECK_THAT(answer.err, Contains("no run folder"));
+}
+
+TEST_CASE("help shows what there is, and each default", "[bench]") {
+  const Answer run = rvbench({"run", "--help"});
+  CHECK_THAT(run.out, Contains("quick, rv20e_acceptance") && Contains("planet_tooth") &&
+                          Contains("default: runs") && Contains("healthy"));
+  const Answer judge = rvbench({"judge", "--help"});
+  CHECK_THAT(judge.out, Contains("two_stage") && Contains("default: derived"));
+  for (const std::string& help : {run.out, judge.out}) {
+    std::istringstream lines(help);
+    for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 80);
+  }
+}
+
+TEST_CASE("a run that another process is at work on is not resumed", "[bench]") {
+  const ScratchFolder scratch;
+  const auto folder = create_run_folder(scratch.path(), "A", "20260102T030405Z");
+  write_file(folder / "plan.json", sequences::plan_to_json(std::get<0>(find_plan("quick"))));
+  write_file(folder / "rig.json", "{}");
+  const std::vector<std::string> resume{"run",      "quick", "--rig", "sim",
+                                        "--serial", "A",     "--out", scratch.path().string(),
+                                        "--resume"};
+  {
+    const auto lock = RunLock::take(folder);
+    REQUIRE(lock);
+    CHECK_FALSE(RunLock::take(folder));
+    const Answer answer = rvbench(resume);
+    CHECK(answer.code == 2);
+    CHECK_THAT(answer.err, Contains("another rvbench is at work in"));
+  }
+  CHECK_THAT(rvbench(resume).err, Contains("rig.json says something else"));  // the lock is free
+}
+
+TEST_CASE("a report that cannot be written is refused, not an internal error", "[bench]") {
+  const ScratchFolder run;
+  write_file(run.path() / "plan.json", sequences::plan_to_json(std::get<0>(find_plan("quick"))));
+  write_file(run.path() / "verdict.json", judgement_to_json(test::passed_run()));
+  write_sums(run.path());
+  std::filesystem::create_directory(run.path() / "report.html.draft");  // as good as no room
+  const Answer answer = rvbench({"report", run.path().string()});
+  CHECK(answer.code == 2);
+  CHECK_THAT(answer.err, Contains("report: cannot be written") && Contains("Is a directory"));
+}
+
+}  // namespace rvbench::bench

@@ -1,0 +1,63 @@
+#include "bench/summary.hpp"
+
+#include <catch2/catch.hpp>
+#include <sstream>
+
+#include "tests/bench/judgements.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
+
+std::string summary_of(const Judgement& judgement) {
+  std::ostringstream out;
+  Console console{out, out};
+  print_summary(console, judgement, {}, "");
+  return out.str();
+}
+
+}  // namespace
+
+TEST_CASE("the verdict comes last, where it stays in sight", "[bench]") {
+  CHECK_THAT(summary_of(test::failed_run()), EndsWith("\nFAIL  input_shaft: misalignment\n"));
+  CHECK_THAT(summary_of(test::passed_run()), EndsWith("\nPASS  no finding above its limit\n"));
+}
+
+TEST_CASE("a frequency is told with the speed at which it was seen", "[bench]") {
+  const std::string text = summary_of(test::failed_run());
+  CHECK_THAT(text, Contains("10.08 Hz at 605 rpm"));
+  CHECK_THAT(text, Contains("171.56 Hz at 2000 rpm"));  // order 5.147
+}
+
+TEST_CASE("confidence is told of findings above their limit, and of no others", "[bench]") {
+  Judgement judgement = test::failed_run();
+  CHECK_THAT(summary_of(judgement), Contains("confidence 75 %"));
+  judgement.diagnosis.below_limit = judgement.diagnosis.findings;
+  judgement.diagnosis.below_limit.front().confidence = 0;
+  judgement.diagnosis.findings.clear();
+  CHECK_THAT(summary_of(judgement), !Contains("confidence"));
+}
+
+TEST_CASE("what the teardown came to is told, if it has something to say", "[bench]") {
+  Judgement judgement = test::failed_run();
+  CHECK_THAT(summary_of(judgement), !Contains("teardown"));
+  judgement.facts.events.emplace_back(9, "in teardown: the shaft does not stop");
+  CHECK_THAT(summary_of(judgement), Contains("In teardown: the shaft does not stop"));
+}
+
+TEST_CASE("missing result files are named on standard error", "[bench]") {
+  std::ostringstream out;
+  std::ostringstream err;
+  Console console{out, err};
+  Judgement judgement = test::failed_run();
+  print_unwritten(console, judgement);
+  CHECK(err.str().empty());
+  judgement.unwritten = {"report.html: No space left on device"};
+  print_unwritten(console, judgement);
+  CHECK_THAT(err.str(), Contains("not written: report.html: No space left on device"));
+  CHECK(out.str().empty());
+}
+
+}  // namespace rvbench::bench
