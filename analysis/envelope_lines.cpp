@@ -13,7 +13,7 @@ namespace {
 
 constexpr double smeared = 5;  // power over floor: five noise lines in a thousand reach it
 
-/// Even angle steps fine enough for all the envelope's bandwidth, rate/4 at the most.
+// Even angle steps fine enough for all the envelope's bandwidth, rate/4 at the most.
 int samples_per_turn(double rate_Hz, double speed_Hz) {
   int samples = 32;
   while (samples < 1024 && samples * speed_Hz < rate_Hz / 2) samples *= 2;
@@ -27,14 +27,14 @@ Eigen::VectorXd without_average_period(const Eigen::VectorXd& x, Eigen::Index pe
   return x - average.replicate(periods, 1);
 }
 
-/// Mean frequency of x, from its zero crossings, as an order.
+// Mean frequency of x, from its zero crossings, as an order.
 double carrier_order(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz, double speed_Hz) {
   const Eigen::Index n = x.size();
   const auto crossings = (x.head(n - 1).array() * x.tail(n - 1).array() < 0).count();
   return 0.5 * static_cast<double>(crossings) * rate_Hz / static_cast<double>(n) / speed_Hz;
 }
 
-/// The line nearest to `order`; −1 where the spectrum or the carrier ends.
+// The line nearest to `order`; −1 where the spectrum or the carrier ends.
 Eigen::Index line_at(const EnvelopeSpectra& envelope, double order) {
   const auto line = static_cast<Eigen::Index>(std::lround(order / envelope.whole.resolution));
   const bool inside =
@@ -44,11 +44,11 @@ Eigen::Index line_at(const EnvelopeSpectra& envelope, double order) {
 
 struct Sums {
   double statistic = 0;
-  double excess = 0;  ///< power above the floor
+  double excess = 0;  // power above the floor
   int lines = 0;
-  double floor_lines = 0;        ///< where the floor is known least
-  std::vector<double> ratios;    ///< of each line: power over what it must exceed
-  std::vector<double> excesses;  ///< of each line
+  double floor_lines = 0;        // where the floor is known least
+  std::vector<double> ratios;    // of each line: power over what it must exceed
+  std::vector<double> excesses;  // of each line
 
   void clear(std::size_t size) {
     statistic = excess = 0;
@@ -59,7 +59,7 @@ struct Sums {
   }
 };
 
-/// The lines of one signature in one envelope.
+// The lines of one signature in one envelope.
 class Family {
  public:
   Family(const EnvelopeSpectra& envelope, const Signature& signature,
@@ -70,7 +70,7 @@ class Family {
         rolls_(signature.slip > 0),
         floor_(rolls_ ? envelope.unlocked : envelope.lines) {}
 
-  /// @param taken  lines of the spectrum that another family explains
+  // @param taken  lines of the spectrum that another family explains
   FamilyScore score(const std::set<Eigen::Index>& taken) const {
     FamilyScore score;
     score.line_depths.resize(lines_.size());
@@ -100,7 +100,7 @@ class Family {
     return score;
   }
 
-  /// Adds the lines of a score and all higher harmonics, each as wide as slip has smeared it.
+  // Adds the lines of a score and all higher harmonics, each as wide as slip has smeared it.
   void take(const FamilyScore& score, std::set<Eigen::Index>& taken) const {
     const auto take_line = [&](double order) {
       const Eigen::Index at = line_at(envelope_, order);
@@ -144,7 +144,7 @@ class Family {
     }
   }
 
-  /// What a line must exceed to speak for this family.
+  // What a line must exceed to speak for this family.
   double base_of(const SignatureLine& wanted, Eigen::Index line) const {
     double base = floor_.floor[line];
     for (const double rival : wanted.rivals) {

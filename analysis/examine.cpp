@@ -17,10 +17,10 @@ namespace {
 constexpr double fewest_periods = 4;          // to part lines one period's order apart
 constexpr double relevant_correlation = 0.1;  // an IMF below it says nothing about the signal
 
-/// What one channel came to.
+// What one channel came to.
 struct ChannelResult {
   ChannelExamination examination;
-  std::vector<SignatureScore> scores;  ///< one per signature
+  std::vector<SignatureScore> scores;  // one per signature
   std::vector<QualityNote> quality;
   double periods = 0;
 };
@@ -41,8 +41,8 @@ void describe_signal(const Channel& channel, ChannelExamination& e) {
   e.kurtosis = kurtosis(x);
 }
 
-/// Depths of the IMFs are weighed by the share of the signal that each carries, so that a strong
-/// modulation of a mode that hardly is there does not count; the p-value is the best IMF's.
+// Depths of the IMFs are weighed by the share of the signal that each carries, so that a strong
+// modulation of a mode that hardly is there does not count; the p-value is the best IMF's.
 void weigh(SignatureScore& total, const FamilyScore& score, int imf, double share) {
   if (total.line_depths.empty()) total.line_depths.assign(score.line_depths.size(), 0.0);
   for (std::size_t i = 0; i < score.line_depths.size(); ++i) {
@@ -111,7 +111,7 @@ ChannelResult examine_channel(const Channel& channel, const Task& task) {
   return out;
 }
 
-/// The channel where a signature is deepest speaks for it; its p-value pays for the choice.
+// The channel where a signature is deepest speaks for it; its p-value pays for the choice.
 void keep_best(std::vector<SignatureScore>& best, const ChannelResult& result, int channel) {
   for (std::size_t s = 0; s < best.size(); ++s) {
     best[s].signature = static_cast<int>(s);

@@ -26,8 +26,8 @@ std::string times(const std::string& name, int harmonic) {
   return harmonic == 1 ? name : name + " x" + std::to_string(harmonic);
 }
 
-/// Where a tone lies whose two highest lines, under a Hann window, are `line` and a neighbour.
-/// Source  Grandke, IEEE Trans. Instrum. Meas. 32(2), 350-355 (1983)
+// Where a tone lies whose two highest lines, under a Hann window, are `line` and a neighbour.
+// Source  Grandke, IEEE Trans. Instrum. Meas. 32(2), 350-355 (1983)
 double place_of(const Eigen::VectorXd& amplitude, Eigen::Index line) {
   const bool above = amplitude[line + 1] > amplitude[line - 1];
   const double ratio = amplitude[above ? line + 1 : line - 1] / amplitude[line];
@@ -37,12 +37,12 @@ double place_of(const Eigen::VectorXd& amplitude, Eigen::Index line) {
 
 bool stronger(const SpectralLine& a, const SpectralLine& b) { return a.amplitude > b.amplitude; }
 
-/// A line among those that no kinematics explains, and what it is in its family: a harmonic of the
-/// fundamental, or its sideband of a mesh.
+// A line among those that no kinematics explains, and what it is in its family: a harmonic of the
+// fundamental, or its sideband of a mesh.
 struct Membership {
   std::size_t line;
   const CharacteristicOrder* mesh;
-  int multiple;  ///< of the fundamental; away from the mesh, negative below it
+  int multiple;  // of the fundamental; away from the mesh, negative below it
 };
 
 std::string role_of(const Membership& member) {
@@ -80,7 +80,7 @@ std::vector<Membership> members_of(double fundamental, const std::vector<Spectra
   return members;
 }
 
-/// A family as one line: the fundamental's order, the strongest amplitude, the roles seen.
+// A family as one line: the fundamental's order, the strongest amplitude, the roles seen.
 SpectralLine gathered(const std::vector<SpectralLine>& lines, std::size_t fundamental,
                       const std::vector<Membership>& members) {
   SpectralLine family = lines[fundamental];

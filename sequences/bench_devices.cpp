@@ -72,8 +72,8 @@ void BenchDevices::read() {
   if (fresh_.safety) values_.safety = *fresh_.safety;
 }
 
-/// A temperature that is not known would switch its interlock off: the sensor is lost. Only in
-/// virtual time, where nothing can get hot, may it never have been known: recordings hold none.
+// A temperature that is not known would switch its interlock off: the sensor is lost. Only in
+// virtual time, where nothing can get hot, may it never have been known: recordings hold none.
 void BenchDevices::read_safety() {
   const double seen_s = safety_.seen_s;
   fresh_.safety = ask<hal::SafetyStatus>(safety_, [this] { return rig_.safety->read(); });

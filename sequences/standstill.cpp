@@ -27,9 +27,9 @@ bool stands_still(const BenchDevices& devices, double limit_rpm) {
   return drive_knows && drive_stopped;
 }
 
-/// Tells a drive to stop until it does. One that answers but does not obey would have its watchdog
-/// fed by every further request: after a stop in vain it hears nothing, so that the watchdog acts.
-/// It obeys if it slows down fast enough to stand still within the time-out.
+// Tells a drive to stop until it does. One that answers but does not obey would have its watchdog
+// fed by every further request: after a stop in vain it hears nothing, so that the watchdog acts.
+// It obeys if it slows down fast enough to stand still within the time-out.
 class Stopper {
  public:
   Stopper(hal::Rig& rig, BenchDevices& devices, double timeout_s, double now_s)
@@ -63,7 +63,7 @@ class Stopper {
   BenchDevices& devices_;
   double obeys_share_;
   double next_s_;
-  double speed_rpm_ = not_known;  ///< when it was last told to stop
+  double speed_rpm_ = not_known;  // when it was last told to stop
   bool was_silent_ = false;
 };
 

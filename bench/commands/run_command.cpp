@@ -72,7 +72,7 @@ class RunCommand final : public Command {
   bool resume_ = false;
   bool json_ = false;
   std::filesystem::path folder_;
-  std::optional<RunLock> lock_;  ///< of folder_, until the command ends
+  std::optional<RunLock> lock_;  // of folder_, until the command ends
 };
 
 int RunCommand::run(Console& console) {

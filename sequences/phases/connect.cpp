@@ -11,7 +11,7 @@
 namespace rvbench::sequences {
 namespace {
 
-/// Tries them all, so that one message names everything that does not answer.
+// Tries them all, so that one message names everything that does not answer.
 std::optional<Ending> connect_all(hal::Rig& rig) {
   std::string silent;
   const auto note = [&silent](const Status& status) {
