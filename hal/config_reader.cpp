@@ -135,6 +135,10 @@ ConfigReader ConfigReader::from_text(std::string_view text, std::filesystem::pat
 
 bool ConfigReader::has(std::string_view key) const { return node_->ask(key) != nullptr; }
 
+bool ConfigReader::is_text(std::string_view key) const {
+  return has(key) && node_->json->find(key)->kind == Kind::text;
+}
+
 void ConfigReader::require(std::string_view key) {
   if (!has(key)) fault(key, "this key is missing");
 }
@@ -143,7 +147,6 @@ double ConfigReader::number(std::string_view key, Bounds bounds) {
   require(key);
   return number(key, bounds, bounds.min);
 }
-
 double ConfigReader::number(std::string_view key, Bounds bounds, double fallback) {
   const JsonNode* json = node_->ask(key);
   if (json == nullptr) return fallback;
@@ -157,7 +160,6 @@ int ConfigReader::integer(std::string_view key, Bounds bounds) {
   require(key);
   return integer(key, bounds, int(bounds.min));
 }
-
 int ConfigReader::integer(std::string_view key, Bounds bounds, int fallback) {
   const JsonNode* json = node_->ask(key);
   if (json == nullptr) return fallback;
@@ -181,7 +183,6 @@ std::string ConfigReader::text(std::string_view key) {
   if (value.empty()) fault(key, "must not be empty");
   return value;
 }
-
 std::string ConfigReader::text(std::string_view key, std::string fallback) {
   const JsonNode* json = node_->ask(key);
   if (json == nullptr) return fallback;
@@ -240,11 +241,11 @@ ConfigReader ConfigReader::object(std::string_view key) {
 std::optional<ConfigReader> ConfigReader::optional_object(std::string_view key) {
   const JsonNode* json = node_->ask(key);
   if (json == nullptr) return std::nullopt;
-  if (json->kind != Kind::object) {
-    fault(key, "expected an object, found " + show(*json));
-    return std::nullopt;
+  if (json->kind == Kind::object) {
+    return ConfigReader(document_, node_->child(*json, node_->place(key)));
   }
-  return ConfigReader(document_, node_->child(*json, node_->place(key)));
+  fault(key, "expected an object, found " + show(*json));
+  return std::nullopt;
 }
 
 std::vector<ConfigReader> ConfigReader::objects(std::string_view key, bool required) {
@@ -284,7 +285,6 @@ void ConfigReader::fault(std::string_view key, std::string message) {
 }
 
 void ConfigReader::disregard() { node_->finished = true; }
-
 void ConfigReader::finish() {
   for (const auto& child : node_->children) ConfigReader(document_, child.second).finish();
   if (std::exchange(node_->finished, true)) return;

@@ -45,7 +45,8 @@ class ConfigReader {
   static ConfigReader from_file(const std::filesystem::path& file);
   static ConfigReader from_text(std::string_view text, std::filesystem::path shown_as);
 
-  bool has(std::string_view key) const;  ///< marks the key as known
+  bool has(std::string_view key) const;      ///< marks the key as known
+  bool is_text(std::string_view key) const;  ///< likewise; for keys that take a number or a word
 
   double number(std::string_view key, Bounds bounds);  ///< required
   double number(std::string_view key, Bounds bounds, double fallback);
