@@ -1,14 +1,18 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <string_view>
 
 namespace rvbench::sim {
 
 /// State of n bodies; each is rotational (rad, rad/s) or translational (m, m/s), as declared.
 struct PlantState {
-  Eigen::VectorXd q;  ///< coordinates, size n
-  Eigen::VectorXd v;  ///< speeds, size n
+  Eigen::VectorXd q;       ///< coordinates, size n
+  Eigen::VectorXd v;       ///< speeds, size n
+  Eigen::VectorXd z = {};  ///< what terms remember, each in its own units: see TermMemory
+  Eigen::VectorXd u = {};  ///< the inputs of the plant at this time, SI
+  double t_s = 0;          ///< since the start
 };
 
 /// One physical effect. The plant sums its terms; a term never knows its neighbours.
@@ -27,6 +31,22 @@ class PhysicsTerm {
   virtual double stored_energy_J(const PlantState& s) const = 0;     ///< 0 if purely dissipative
   virtual double dissipated_power_W(const PlantState& s) const = 0;  ///< >= 0
   virtual double supplied_power_W(const PlantState&) const { return 0; }  ///< by a source
+
+  /// What its (first) body has to give to the term: a spring's pull, friction against motion; of a
+  /// source, minus its push. N or N·m; NaN if no single number says it.
+  virtual double effort(const PlantState&) const {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
+  /// How fast the remainder may turn, so that a step can resolve it.
+  /// @param inertia  kg or kg·m², size n
+  /// @return rad/s; 0 if it adds nothing faster than the bodies' own motion
+  virtual double fastest_rad_s(const Eigen::VectorXd& inertia) const {
+    (void)inertia;
+    return 0;
+  }
+
+  virtual bool is_linear() const { return false; }  ///< add_remainder() has nothing to add
 
   /// Adds the linear, constant part of the force, f = −K·q − C·v: the plant integrates it exactly.
   virtual void add_linear(Eigen::MatrixXd& stiffness, Eigen::MatrixXd& damping) const {

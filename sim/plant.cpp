@@ -1,7 +1,8 @@
 #include "sim/plant.hpp"
 
 #include <stdexcept>
-#include <unsupported/Eigen/MatrixFunctions>
+
+#include "sim/linear_flow.hpp"
 
 namespace rvbench::sim {
 
@@ -16,19 +17,11 @@ Plant::Plant(Eigen::VectorXd inertia, std::vector<std::unique_ptr<PhysicsTerm>> 
   Eigen::MatrixXd damping = Eigen::MatrixXd::Zero(n, n);
   for (const auto& term : terms_) term->add_linear(stiffness, damping);
 
-  // exp of [A·h B·h 0; 0 0 I; 0 0 0] holds phi, gamma0 and gamma1 side by side.
-  const Eigen::VectorXd inverse_inertia = inertia_.cwiseInverse();
-  Eigen::MatrixXd block = Eigen::MatrixXd::Zero(4 * n, 4 * n);
-  block.block(0, n, n, n).setIdentity();
-  block.block(n, 0, n, n) = -(inverse_inertia.asDiagonal() * stiffness);
-  block.block(n, n, n, n) = -(inverse_inertia.asDiagonal() * damping);
-  block.block(n, 2 * n, n, n) = inverse_inertia.asDiagonal();
-  block.topRows(2 * n) *= step_s;
-  block.block(2 * n, 3 * n, n, n).setIdentity();
-  const Eigen::MatrixXd exponential = block.exp();
-  phi_ = exponential.topLeftCorner(2 * n, 2 * n);
-  gamma0_ = exponential.block(0, 2 * n, 2 * n, n);
-  gamma1_ = exponential.block(0, 3 * n, 2 * n, n);
+  const LinearBodies bodies(inertia_, stiffness, damping);
+  LinearFlow flow(bodies.a, bodies.b, step_s);
+  phi_ = std::move(flow.phi);
+  gamma0_ = std::move(flow.gamma0);
+  gamma1_ = std::move(flow.gamma1);
 
   x_ = Eigen::VectorXd::Zero(2 * n);
   next_ = x_;

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "sim/term_library.hpp"
+
+namespace rvbench::sim {
+
+/// `wanted`, or wanted_2, wanted_3 ...: the first that no body and no term has.
+std::string free_name(const PlantSpec& plant, const std::string& wanted);
+
+/// Puts a term of this type in the place of the term site.reference, which leaves it its name,
+/// bodies and the parameters that both have; without a reference it is one more term.
+/// @throws std::invalid_argument if there is no such term, or the parameters are not complete
+PlantSpec replace_or_append(PlantSpec plant, const std::string& type, const EffectSite& site,
+                            const Parameters& parameters);
+
+struct BodySplit {
+  std::string effect;  ///< names the new body and its terms
+  double share = 0;    ///< of the inertia that goes to the far side, within (0, 1)
+  double stiffness = 0;
+  double damping = 0;
+};
+
+/// Moves a share of site.body_a's inertia, and the terms site.beyond, to a new body behind a spring
+/// and a damper.
+/// @throws std::invalid_argument if there is no such body or term, or the share is out of range
+PlantSpec split_body(PlantSpec plant, const EffectSite& site, const BodySplit& split);
+
+}  // namespace rvbench::sim

@@ -1,0 +1,190 @@
+#include "sim/four_stage.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/linear_flow.hpp"
+
+namespace rvbench::sim {
+namespace {
+
+constexpr double out_of_bounds = 1e9;
+
+std::vector<int> free_bodies(const PlantModel& model) {
+  std::vector<int> free;
+  for (int body = 0; body < model.inertia.size(); ++body) {
+    if (std::find(model.prescribed.begin(), model.prescribed.end(), body) ==
+        model.prescribed.end()) {
+      free.push_back(body);
+    }
+  }
+  return free;
+}
+
+}  // namespace
+
+FourStage::FourStage(const PlantModel& model, double step_s)
+    : model_(model),
+      step_s_(step_s),
+      free_(free_bodies(model)),
+      contacts_(model.terms, free_),
+      accelerations_(model.prescribed.size()) {
+  for (const auto& term : model.terms) {
+    const bool dry = dynamic_cast<const DryFriction*>(term.get()) != nullptr;
+    if (!term->is_linear() && !dry) smooth_.push_back(term.get());
+    if (const auto* memory = dynamic_cast<const TermMemory*>(term.get())) {
+      memories_.push_back(memory);
+    }
+  }
+  const Eigen::Index bodies = model.inertia.size();
+  state_.q = model.start_position;
+  state_.v = model.start_speed;
+  state_.z = Eigen::VectorXd::Zero(model.memory_size);
+  state_.u = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.pushed.size()));
+  forces_ = Eigen::VectorXd::Zero(bodies);
+  split_linear_part();
+}
+
+void FourStage::split_linear_part() {
+  const Eigen::Index bodies = model_.inertia.size();
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(bodies, bodies);
+  Eigen::MatrixXd damping = stiffness;
+  for (const auto& term : model_.terms) term->add_linear(stiffness, damping);
+
+  const auto n = static_cast<Eigen::Index>(free_.size());
+  const auto given = static_cast<Eigen::Index>(model_.prescribed.size());
+  const Eigen::Index m = model_.memory_size;
+  coupling_.resize(n, 2 * given);
+  coupling_.leftCols(given) = -stiffness(free_, model_.prescribed);
+  coupling_.rightCols(given) = -damping(free_, model_.prescribed);
+  given_ = Eigen::VectorXd::Zero(2 * given);
+
+  const Eigen::VectorXd inertia = model_.inertia(free_);
+  const LinearBodies linear(inertia, stiffness(free_, free_), damping(free_, free_));
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 * n + m, 2 * n + m);
+  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(2 * n + m, n + m);
+  a.topLeftCorner(2 * n, 2 * n) = linear.a;
+  b.topLeftCorner(2 * n, n) = linear.b;
+  b.bottomRightCorner(m, m).setIdentity();
+  LinearFlow half(a, b, step_s_ / 2);
+  const LinearFlow whole(a, b, step_s_);
+  phi_half_ = std::move(half.phi);
+  gamma_half_ = std::move(half.gamma0);
+  phi_ = whole.phi;
+  first_ = whole.gamma0 - 3 * whole.gamma1 + 4 * whole.gamma2;
+  middle_ = 2 * whole.gamma1 - 4 * whole.gamma2;
+  last_ = 4 * whole.gamma2 - whole.gamma1;
+  contacts_.set_step(whole.gamma0);
+
+  x_ = stage_ = at_half_ = next_ = Eigen::VectorXd::Zero(2 * n + m);
+  r0_ = ra_ = rb_ = rc_ = Eigen::VectorXd::Zero(n + m);
+}
+
+void FourStage::set_signals(const double* si, double t_s) {
+  state_.t_s = t_s;
+  for (Eigen::Index i = 0; i < state_.u.size(); ++i) state_.u[i] = *si++;
+  for (std::size_t i = 0; i < model_.prescribed.size(); ++i) {
+    const int body = model_.prescribed[i];
+    state_.q[body] = given_[static_cast<Eigen::Index>(i)] = *si++;
+    state_.v[body] = given_[given_.size() / 2 + static_cast<Eigen::Index>(i)] = *si++;
+    accelerations_[i] = *si++;
+  }
+}
+
+void FourStage::set_state(const Eigen::VectorXd& x) {
+  const auto n = static_cast<Eigen::Index>(free_.size());
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const int body = free_[static_cast<std::size_t>(i)];
+    state_.q[body] = x[i];
+    state_.v[body] = x[n + i];
+  }
+  for (Eigen::Index i = 0; i < state_.z.size(); ++i) state_.z[i] = x[2 * n + i];
+}
+
+void FourStage::remainder(Eigen::VectorXd& r) {
+  const auto n = static_cast<Eigen::Index>(free_.size());
+  forces_.setZero();
+  for (std::size_t i = 0; i < model_.pushed.size(); ++i) {
+    const int body = model_.pushed[i];
+    if (body >= 0) forces_[body] += state_.u[static_cast<Eigen::Index>(i)];
+  }
+  for (const PhysicsTerm* term : smooth_) term->add_remainder(state_, forces_);
+  for (Eigen::Index i = 0; i < n; ++i) r[i] = forces_[free_[static_cast<std::size_t>(i)]];
+  if (given_.size() > 0) r.head(n).noalias() += coupling_.lazyProduct(given_);
+  if (!contacts_.empty()) contacts_.add_foreseen(r);
+  if (!memories_.empty()) {
+    r.tail(state_.z.size()).setZero();
+    for (const TermMemory* memory : memories_) memory->add_rates(state_, r.tail(state_.z.size()));
+  }
+}
+
+void FourStage::start(const double* si) {
+  const auto n = static_cast<Eigen::Index>(free_.size());
+  steps_ = 0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const int body = free_[static_cast<std::size_t>(i)];
+    x_[i] = model_.start_position[body];
+    x_[n + i] = model_.start_speed[body];
+  }
+  x_.tail(state_.z.size()).setZero();
+  set_state(x_);
+  set_signals(si, 0);
+  contacts_.start(state_);
+}
+
+void FourStage::step(const double* si0, const double* si1, const double* si2) {
+  const double t_s = static_cast<double>(steps_) * step_s_;
+  ++steps_;
+  const double end_s = static_cast<double>(steps_) * step_s_;
+  if (x_.size() == 0) return set_signals(si2, end_s);
+
+  set_signals(si0, t_s);
+  contacts_.read_limits(state_);
+  remainder(r0_);
+  const bool state_matters = !smooth_.empty() || !memories_.empty();
+  at_half_.noalias() = phi_half_.lazyProduct(x_);
+  stage_ = at_half_;
+  stage_.noalias() += gamma_half_.lazyProduct(r0_);
+  set_signals(si1, 0.5 * (t_s + end_s));
+  set_state(stage_);
+  remainder(ra_);
+  if (state_matters) {
+    at_half_.noalias() += gamma_half_.lazyProduct(ra_);
+    set_state(at_half_);
+    remainder(rb_);
+    at_half_.noalias() = phi_half_.lazyProduct(stage_);
+    at_half_.noalias() += gamma_half_.lazyProduct(2 * rb_ - r0_);
+    set_signals(si2, end_s);
+    set_state(at_half_);
+  } else {
+    rb_ = ra_;
+    set_signals(si2, end_s);
+  }
+  remainder(rc_);
+  rb_ += ra_;
+  next_.noalias() = phi_.lazyProduct(x_);
+  next_.noalias() += first_.lazyProduct(r0_);
+  next_.noalias() += middle_.lazyProduct(rb_);
+  next_.noalias() += last_.lazyProduct(rc_);
+  set_state(next_);
+  if (!contacts_.empty()) {
+    contacts_.correct(state_, next_);
+    set_state(next_);
+  }
+  x_.swap(next_);
+}
+
+void FourStage::forces(Eigen::Ref<Eigen::VectorXd> f) const {
+  f.setZero();
+  for (std::size_t i = 0; i < model_.pushed.size(); ++i) {
+    const int body = model_.pushed[i];
+    if (body >= 0) f[body] += state_.u[static_cast<Eigen::Index>(i)];
+  }
+  for (const auto& term : model_.terms) term->add_force(state_, f);
+}
+
+bool FourStage::in_bounds() const {
+  return (x_.array().abs() < out_of_bounds).all();  // false of NaN, too
+}
+
+}  // namespace rvbench::sim
