@@ -102,7 +102,7 @@ double DryContacts::force_at(const Contact& contact, double speed, double& slope
   return force;
 }
 
-/// u + G·S(u) = free_speed: Newton from the side of 0, where S bends so that it never overshoots.
+// u + G·S(u) = free_speed: Newton from the side of 0, where S bends so that it never overshoots.
 double DryContacts::solve(const Contact& contact, double mobility, double free_speed) {
   const double side = free_speed < 0 ? -1 : 1;
   double limit = 0, creep = 0;

@@ -20,7 +20,7 @@ const Channel* find_channel(const std::vector<Channel>& channels, std::string_vi
   return nullptr;
 }
 
-/// Why this channel cannot be used, or "".
+// Why this channel cannot be used, or "".
 std::string channel_fault(const Channel& channel, const InputSpec& input, const Channel& first) {
   const std::string name = hal::in_quotes(input.channel);
   if (!channel.info.unit.empty() && channel.info.unit != input.unit) {
@@ -92,8 +92,8 @@ std::variant<Excitation, hal::ConfigFault> Excitation::make(const PlantSpec& pla
   return made;
 }
 
-/// @param half  half steps after the sample, 0 .. 2·substeps − 1
-/// @param at_end  the same instant, as the end of the step before
+// @param half  half steps after the sample, 0 .. 2·substeps − 1
+// @param at_end  the same instant, as the end of the step before
 double& Excitation::value(Eigen::Index sample, int half, Eigen::Index column, bool at_end) {
   const Eigen::Index halves = 2 * sample * substeps_ + half;
   const Eigen::Index step = at_end ? halves / 2 - 1 : halves / 2;
@@ -128,7 +128,7 @@ void Excitation::fill_between(const Eigen::VectorXd& x, Between between, Eigen::
   }
 }
 
-/// A position: itself, speed, acceleration. A speed: its integral, itself, acceleration.
+// A position: itself, speed, acceleration. A speed: its integral, itself, acceleration.
 void Excitation::fill_motion(const Eigen::VectorXd& x, const InputSpec& input,
                              Eigen::Index column) {
   const double cutoff = std::min(input.band_Hz / rate_Hz_, 0.5);

@@ -141,25 +141,14 @@ void FourStage::step(const double* si0, const double* si1, const double* si2) {
   set_signals(si0, t_s);
   contacts_.read_limits(state_);
   remainder(r0_);
-  const bool state_matters = !smooth_.empty() || !memories_.empty();
-  at_half_.noalias() = phi_half_.lazyProduct(x_);
-  stage_ = at_half_;
-  stage_.noalias() += gamma_half_.lazyProduct(r0_);
   set_signals(si1, 0.5 * (t_s + end_s));
-  set_state(stage_);
-  remainder(ra_);
-  if (state_matters) {
-    at_half_.noalias() += gamma_half_.lazyProduct(ra_);
-    set_state(at_half_);
-    remainder(rb_);
-    at_half_.noalias() = phi_half_.lazyProduct(stage_);
-    at_half_.noalias() += gamma_half_.lazyProduct(2 * rb_ - r0_);
-    set_signals(si2, end_s);
-    set_state(at_half_);
-  } else {
+  if (smooth_.empty() && memories_.empty()) {  // then the forces do not depend on the stages
+    remainder(ra_);
     rb_ = ra_;
-    set_signals(si2, end_s);
+  } else {
+    middle_stages();
   }
+  set_signals(si2, end_s);
   remainder(rc_);
   rb_ += ra_;
   next_.noalias() = phi_.lazyProduct(x_);
@@ -172,6 +161,21 @@ void FourStage::step(const double* si0, const double* si1, const double* si2) {
     set_state(next_);
   }
   x_.swap(next_);
+}
+
+// Leaves the state in the last stage, and r at both stages of the middle.
+void FourStage::middle_stages() {
+  at_half_.noalias() = phi_half_.lazyProduct(x_);
+  stage_ = at_half_;
+  stage_.noalias() += gamma_half_.lazyProduct(r0_);
+  set_state(stage_);
+  remainder(ra_);
+  at_half_.noalias() += gamma_half_.lazyProduct(ra_);
+  set_state(at_half_);
+  remainder(rb_);
+  at_half_.noalias() = phi_half_.lazyProduct(stage_);
+  at_half_.noalias() += gamma_half_.lazyProduct(2 * rb_ - r0_);
+  set_state(at_half_);
 }
 
 void FourStage::forces(Eigen::Ref<Eigen::VectorXd> f) const {

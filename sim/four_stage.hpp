@@ -44,6 +44,7 @@ class FourStage {
   void set_signals(const double* si, double t_s);
   void set_state(const Eigen::VectorXd& x);
   void remainder(Eigen::VectorXd& r);
+  void middle_stages();
 
   const PlantModel& model_;
   double step_s_;

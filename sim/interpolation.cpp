@@ -17,7 +17,7 @@ struct Jet {
   double value, first, second;
 };
 
-/// sin(ωt)/(πt) and its derivatives.
+// sin(ωt)/(πt) and its derivatives.
 Jet low_pass(double t, double omega) {
   const double x = omega * t;
   if (std::abs(x) < 1e-3) {
@@ -30,7 +30,7 @@ Jet low_pass(double t, double omega) {
   return {value, first, -omega * omega * value - 2 * first / t};
 }
 
-/// Blackman's window over |t| < width.
+// Blackman's window over |t| < width.
 Jet window(double t, double width) {
   if (std::abs(t) >= width) return {0, 0, 0};
   const double w = pi / width;

@@ -21,7 +21,7 @@ std::vector<std::string> names_of(const std::vector<T>& list) {
   return names;
 }
 
-/// One walk over a plant, noting what is wrong.
+// One walk over a plant, noting what is wrong.
 class Check {
  public:
   Check(const PlantSpec& plant, const TermLibrary& library) : plant_(plant), library_(library) {}

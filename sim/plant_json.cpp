@@ -123,7 +123,7 @@ OutputSpec read_output(ConfigReader& at) {
   return output;
 }
 
-/// Notes a fault where the pointer leads, or at the nearest place above that the file has.
+// Notes a fault where the pointer leads, or at the nearest place above that the file has.
 void note_at(ConfigReader at, std::string_view pointer, const std::string& message) {
   const std::size_t end = std::min(pointer.find('/', 1), pointer.size());
   const std::string key(pointer.substr(1, end - 1));

@@ -15,7 +15,7 @@
 namespace rvbench::sim {
 namespace {
 
-constexpr double steps_per_period = 12;
+constexpr double steps_per_period = 24;
 constexpr double steps_per_sample_of_dry_friction = 4;
 
 template <typename T>
@@ -25,7 +25,7 @@ int index_of(const std::vector<T>& list, std::string_view name) {
   return found == list.end() ? -1 : static_cast<int>(found - list.begin());
 }
 
-/// Index in PlantState::u: motions are no part of it.
+// Index in PlantState::u: motions are no part of it.
 int input_index(const PlantSpec& plant, std::string_view name) {
   int index = 0;
   for (const InputSpec& input : plant.inputs) {
@@ -60,7 +60,7 @@ void place_memories(PlantModel& model) {
   }
 }
 
-/// Taps of one body's position, speed and acceleration, from what is recorded of them.
+// Taps of one body's position, speed and acceleration, from what is recorded of them.
 class MotionTaps {
  public:
   void add(const InputSpec& input, int column) {
@@ -82,14 +82,14 @@ class MotionTaps {
     }
   }
   bool any() const { return rank_[0] > 0; }
-  /// @param start  of a position that is known by its speed only
+  // @param start  of a position that is known by its speed only
   void append_to(std::vector<SignalTap>& taps, double start) {
     if (rank_[0] == 1) taps_[0].offset += start;
     taps.insert(taps.end(), taps_.begin(), taps_.end());
   }
 
  private:
-  /// The better source wins: recorded (3) before differentiated once (2) before the rest (1).
+  // The better source wins: recorded (3) before differentiated once (2) before the rest (1).
   void take(std::size_t which, int rank, const SignalTap& tap) {
     if (rank <= rank_[which]) return;
     rank_[which] = rank;
@@ -120,7 +120,7 @@ void wire_inputs(const PlantSpec& plant, PlantModel& model) {
   }
 }
 
-/// rad/s of the fastest mode that bodies, springs and dampers have.
+// rad/s of the fastest mode that bodies, springs and dampers have.
 double fastest_mode_rad_s(const PlantModel& model) {
   const Eigen::Index n = model.inertia.size();
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);

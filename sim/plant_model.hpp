@@ -38,8 +38,8 @@ int columns_of(InputKind kind);
 std::variant<PlantModel, hal::ConfigFault> make_model(
     const PlantSpec& plant, const TermLibrary& library = standard_terms());
 
-/// Steps per sample that resolve what the plant's nonlinear terms see: a twelfth of its fastest
-/// period or less, so that the four-stage rule is within 1e-4 of such a force.
+/// Steps per sample that resolve what the plant's nonlinear terms see: a 24th of its fastest
+/// period or less, where a hardening spring's swing keeps time to 5e-6.
 /// @return >= 1; 1 if every body's motion is prescribed, or the plant is linear
 double substeps_wanted(const PlantModel& model, double rate_Hz);
 

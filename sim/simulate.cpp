@@ -15,11 +15,11 @@ namespace {
 
 constexpr double most_substeps = 10000;
 
-/// Where one output comes from.
+// Where one output comes from.
 struct Sensor {
   OutputKind kind;
-  std::size_t index;       ///< of the body, or of the term
-  std::size_t prescribed;  ///< place among the prescribed bodies; their number if it moves freely
+  std::size_t index;       // of the body, or of the term
+  std::size_t prescribed;  // place among the prescribed bodies; their number if it moves freely
 };
 
 template <typename T>
@@ -43,7 +43,7 @@ std::vector<Sensor> place_sensors(const PlantSpec& plant, const PlantModel& mode
   return sensors;
 }
 
-/// One run of a model along an excitation.
+// One run of a model along an excitation.
 class Run {
  public:
   Run(const PlantSpec& plant, const PlantModel& model, const Excitation& excitation)
@@ -64,7 +64,7 @@ class Run {
     }
   }
 
-  /// @return how many samples it stayed within bounds
+  // @return how many samples it stayed within bounds
   Eigen::Index go() {
     tap(0, 0, 0);
     stepper_.start(si_[0].data());
@@ -130,7 +130,7 @@ class Run {
   std::vector<Channel> channels_;
 };
 
-/// channel(t) = gain·x(t − delay) + offset
+// channel(t) = gain·x(t − delay) + offset
 void scale_and_delay(const OutputSpec& output, Channel& channel) {
   if (output.delay.value != 0) {
     const double samples = -output.delay.value * channel.rate_Hz;

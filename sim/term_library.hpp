@@ -36,16 +36,17 @@ struct Cell {
 
 /// The library's knowledge of one effect, in words that reports quote.
 struct TermCard {
-  std::string name;      ///< in plant files and verdicts
-  bool effect = true;    ///< false: a part that plants are built of, never a verdict
-  std::string equation;  ///< F is what the body has to give
-  std::string sign;      ///< which way positive parameters push
-  std::string leaves_out;
-  std::string source;
-  std::vector<Cell> touches;         ///< predicted to change
-  std::vector<Cell> must_not_touch;  ///< predicted to stay: an effect that needs them is not this
-  std::vector<std::string> mimics;   ///< names of effects that look alike
-  std::string experiment;            ///< tells it from its mimics
+  std::string name = {};      ///< in plant files and verdicts
+  bool effect = true;         ///< false: a part that plants are built of, never a verdict
+  std::string equation = {};  ///< F is what the body has to give
+  std::string sign = {};      ///< which way positive parameters push
+  std::string leaves_out = {};
+  std::string source = {};
+  std::vector<Cell> touches = {};  ///< predicted to change
+  std::vector<Cell> must_not_touch =
+      {};  ///< predicted to stay: an effect that needs them is not this
+  std::vector<std::string> mimics = {};  ///< names of effects that look alike
+  std::string experiment = {};           ///< tells it from its mimics
 };
 
 enum class ReferenceKind { none, input, term, body };
@@ -80,7 +81,7 @@ struct EffectSite {
 
 struct TermType {
   TermCard card;
-  std::vector<ParameterCard> parameters;
+  std::vector<ParameterCard> parameters = {};
   TermGate gate = {};
   /// Empty: the effect changes the structure and is no term by itself.
   std::function<std::unique_ptr<PhysicsTerm>(const TermSite&)> make = {};

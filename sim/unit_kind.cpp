@@ -9,7 +9,7 @@ namespace {
 struct Row {
   UnitKind kind;
   std::string_view rotation, translation;
-  int force, coordinate, time;  ///< powers
+  int force, coordinate, time;  // powers
 };
 
 constexpr std::array<Row, 20> rows{{

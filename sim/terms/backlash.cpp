@@ -18,7 +18,7 @@ class Backlash final : public OneAxisTerm {
     return 0.5 * stiffness_ * pressed(s) * pressed(s);
   }
   double fastest_rad_s(const Eigen::VectorXd& inertia) const override {
-    return std::sqrt(stiffness_ * mobility(inertia));
+    return finer_at_kinks * std::sqrt(stiffness_ * mobility(inertia));
   }
 
  private:

@@ -1,7 +1,8 @@
 #include "sim/terms/friction.hpp"
 
-#include <cmath>
 #include <stdexcept>
+
+#include "sim/terms/dry_friction.hpp"
 
 namespace rvbench::sim {
 
@@ -13,7 +14,7 @@ Friction::Friction(const Params& p) : p_(p) {
 }
 
 double Friction::dry_Nm(const PlantState& s) const {
-  return p_.coulomb_Nm * std::tanh(s.v[p_.body] / p_.creep_speed_rad_s);
+  return p_.coulomb_Nm * creeping_sign(s.v[p_.body], p_.creep_speed_rad_s);
 }
 
 void Friction::add_force(const PlantState& s, Eigen::Ref<Eigen::VectorXd> f) const {

@@ -41,11 +41,7 @@ TermType gravity() {
                    .equation = "F = A·sin q + B·cos q",
                    .sign = "A > 0 pulls back to q = 0, B > 0 pushes towards −q there",
                    .leaves_out = "joints below it that tilt the axis",
-                   .source = "Siciliano et al., Robotics, ch. 7.2",
-                   .touches = {},
-                   .must_not_touch = {},
-                   .mimics = {},
-                   .experiment = {}},
+                   .source = "Siciliano et al., Robotics, ch. 7.2"},
           .parameters = {part("sine"), part("cosine")},
           .gate = {.translation = false, .between_two = false},
           .make = [](const TermSite& at) { return std::make_unique<Gravity>(at); }};

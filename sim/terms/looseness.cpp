@@ -18,7 +18,7 @@ class Looseness final : public OneAxisTerm {
     return 0.5 * change_ * beyond(s) * beyond(s);
   }
   double fastest_rad_s(const Eigen::VectorXd& inertia) const override {
-    return std::sqrt(std::abs(change_) * mobility(inertia));
+    return finer_at_kinks * std::sqrt(std::abs(change_) * mobility(inertia));
   }
 
  private:
