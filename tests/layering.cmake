@@ -5,7 +5,7 @@ set(may_sequences sequences hal)
 set(may_analysis  analysis hal/types)
 set(may_sim       sim hal)
 set(may_bench     bench sequences analysis hal)
-foreach(file IN ITEMS rig_factory benchmarks/simulation)  # the only users of sim
+foreach(file IN ITEMS rig_factory benchmarks/plant_engine benchmarks/simulation)  # the only users of sim
   set(may_bench/${file}.cpp ${may_bench} sim)
 endforeach()
 
