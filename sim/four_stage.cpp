@@ -21,6 +21,17 @@ std::vector<int> free_bodies(const PlantModel& model) {
   return free;
 }
 
+// y += m·x. Plants are small: a plain loop beats what a library must find out first.
+void add_product(const Eigen::MatrixXd& m, const Eigen::VectorXd& x, Eigen::VectorXd& y) {
+  const double* column = m.data();
+  double* const out = y.data();
+  const Eigen::Index rows = m.rows();
+  for (Eigen::Index j = 0; j < m.cols(); ++j, column += rows) {
+    const double factor = x.data()[j];
+    for (Eigen::Index i = 0; i < rows; ++i) out[i] += column[i] * factor;
+  }
+}
+
 }  // namespace
 
 FourStage::FourStage(const PlantModel& model, double step_s)
@@ -102,20 +113,19 @@ void FourStage::set_state(const Eigen::VectorXd& x) {
 }
 
 void FourStage::remainder(Eigen::VectorXd& r) {
-  const auto n = static_cast<Eigen::Index>(free_.size());
-  forces_.setZero();
+  double* const f = forces_.data();
+  std::fill_n(f, forces_.size(), 0.0);
   for (std::size_t i = 0; i < model_.pushed.size(); ++i) {
-    const int body = model_.pushed[i];
-    if (body >= 0) forces_[body] += state_.u[static_cast<Eigen::Index>(i)];
+    if (model_.pushed[i] >= 0) f[model_.pushed[i]] += state_.u.data()[i];
   }
   for (const PhysicsTerm* term : smooth_) term->add_remainder(state_, forces_);
-  for (Eigen::Index i = 0; i < n; ++i) r[i] = forces_[free_[static_cast<std::size_t>(i)]];
-  if (given_.size() > 0) r.head(n).noalias() += coupling_.lazyProduct(given_);
+  for (std::size_t i = 0; i < free_.size(); ++i) r.data()[i] = f[free_[i]];
   if (!contacts_.empty()) contacts_.add_foreseen(r);
   if (!memories_.empty()) {
     r.tail(state_.z.size()).setZero();
     for (const TermMemory* memory : memories_) memory->add_rates(state_, r.tail(state_.z.size()));
   }
+  if (given_.size() > 0) add_product(coupling_, given_, r);
 }
 
 void FourStage::start(const double* si) {
@@ -151,10 +161,11 @@ void FourStage::step(const double* si0, const double* si1, const double* si2) {
   set_signals(si2, end_s);
   remainder(rc_);
   rb_ += ra_;
-  next_.noalias() = phi_.lazyProduct(x_);
-  next_.noalias() += first_.lazyProduct(r0_);
-  next_.noalias() += middle_.lazyProduct(rb_);
-  next_.noalias() += last_.lazyProduct(rc_);
+  next_.setZero();
+  add_product(phi_, x_, next_);
+  add_product(first_, r0_, next_);
+  add_product(middle_, rb_, next_);
+  add_product(last_, rc_, next_);
   set_state(next_);
   if (!contacts_.empty()) {
     contacts_.correct(state_, next_);
@@ -165,16 +176,19 @@ void FourStage::step(const double* si0, const double* si1, const double* si2) {
 
 // Leaves the state in the last stage, and r at both stages of the middle.
 void FourStage::middle_stages() {
-  at_half_.noalias() = phi_half_.lazyProduct(x_);
+  at_half_.setZero();
+  add_product(phi_half_, x_, at_half_);
   stage_ = at_half_;
-  stage_.noalias() += gamma_half_.lazyProduct(r0_);
+  add_product(gamma_half_, r0_, stage_);
   set_state(stage_);
   remainder(ra_);
-  at_half_.noalias() += gamma_half_.lazyProduct(ra_);
+  add_product(gamma_half_, ra_, at_half_);
   set_state(at_half_);
   remainder(rb_);
-  at_half_.noalias() = phi_half_.lazyProduct(stage_);
-  at_half_.noalias() += gamma_half_.lazyProduct(2 * rb_ - r0_);
+  at_half_.setZero();
+  add_product(phi_half_, stage_, at_half_);
+  rc_ = 2 * rb_ - r0_;
+  add_product(gamma_half_, rc_, at_half_);
   set_state(at_half_);
 }
 

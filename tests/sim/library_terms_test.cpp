@@ -280,10 +280,9 @@ SCENARIO("every card says what explain needs", "[sim][library]") {
   for (const sim::TermType& type : sim::standard_terms().types()) {
     const sim::TermCard& card = type.card;
     INFO(card.name);
-    CHECK(!card.equation.empty());
-    CHECK(!card.sign.empty());
-    CHECK(!card.leaves_out.empty());
-    CHECK(!card.source.empty());
+    for (const auto* words_of : {&card.equation, &card.sign, &card.leaves_out, &card.source}) {
+      CHECK(!words_of->empty());
+    }
     CHECK((type.make || type.edit));
     for (const ParameterCard& parameter : type.parameters) {
       INFO(parameter.name);
@@ -292,9 +291,7 @@ SCENARIO("every card says what explain needs", "[sim][library]") {
     }
     CHECK(card.effect == words.contains(card.name));
     if (!card.effect) continue;
-    CHECK(!card.touches.empty());
-    CHECK(!card.must_not_touch.empty());
-    CHECK(!card.experiment.empty());
+    CHECK((!card.touches.empty() && !card.must_not_touch.empty() && !card.experiment.empty()));
     for (const std::string& mimic : card.mimics) CHECK(words.contains(mimic));
     CHECK(std::any_of(type.parameters.begin(), type.parameters.end(),
                       [](const ParameterCard& p) { return p.fitted; }));
