@@ -64,7 +64,8 @@ Program::~Program() {
   std::filesystem::remove(out_.parent_path(), ignored);  // if it is empty by now
 }
 
-void Program::send(int signal) const { ::kill(process_, signal); }
+// kill(-1) would reach every process of the machine.
+bool Program::send(int signal) const { return process_ > 0 && ::kill(process_, signal) == 0; }
 
 // Another process keeps its own time: this is the one place where a spec waits for real.
 bool Program::says(const std::string& text) {

@@ -27,7 +27,8 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  void send(int signal) const;
+  /// @return whether there was a process left to send it to
+  bool send(int signal) const;
 
   /// Waits until standard error holds `text`; false if the process ended without.
   bool says(const std::string& text);

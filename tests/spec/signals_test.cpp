@@ -45,6 +45,13 @@ nlohmann::json verdict_of(const std::filesystem::path& folder) {
 
 }  // namespace
 
+TEST_CASE("a program that has ended is sent no signal, and nobody else in its place", "[spec]") {
+  const ScratchFolder scratch;
+  Program program(scratch.path(), {"/bin/true"});
+  CHECK_FALSE(program.says("a word"));
+  CHECK_FALSE(program.send(0));  // 0 only asks whether there is somebody
+}
+
 TEST_CASE("a signal ends a run ABORTED, with the shaft stopped and the folder whole",
           "[spec][safety]") {
   for (const auto& [name, signal, times] : {std::tuple{"Ctrl-C", SIGINT, 1},
