@@ -27,7 +27,9 @@ bool is_plain(char c) {
          c == '_' || c == '-';
 }
 
+// Sums are written last: a run without them was killed while its results were written.
 bool is_finished(const std::filesystem::path& run) {
+  if (!has_sums(run)) return false;
   const std::optional<std::string> verdict = read_file(run / "verdict.json");
   if (!verdict) return false;
   const std::optional<Judgement> judgement = judgement_from_json(*verdict);

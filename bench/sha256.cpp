@@ -90,6 +90,10 @@ void write_sums(const std::filesystem::path& folder) {
   write_file(folder / sums_name, text);
 }
 
+bool has_sums(const std::filesystem::path& folder) {
+  return std::filesystem::exists(folder / sums_name);
+}
+
 std::vector<std::string> verify_sums(const std::filesystem::path& folder) {
   const std::optional<std::string> list = read_file(folder / sums_name);
   if (!list) return {std::string(sums_name) + ": missing; the run did not finish"};

@@ -15,6 +15,9 @@ std::optional<std::string> sha256_of_file(
 /// Writes SHA256SUMS over every other file of the folder; `sha256sum -c SHA256SUMS` reads it.
 void write_sums(const std::filesystem::path& folder);
 
+/// Whether write_sums() has ever come to its end there.
+bool has_sums(const std::filesystem::path& folder);
+
 /// What is wrong with a folder and its SHA256SUMS: "recording.h5: does not match its hash".
 /// Empty if every file listed is there unchanged and none is unlisted.
 std::vector<std::string> verify_sums(const std::filesystem::path& folder);

@@ -82,8 +82,20 @@ TEST_CASE("only a run without a verdict on the unit can be resumed", "[bench]") 
   Judgement judgement = test::failed_run();
   judgement.ending = {Outcome::aborted, ErrorKind::none, "stopped by the operator"};
   write_file(newer / "verdict.json", judgement_to_json(judgement));
+  write_sums(newer);
   CHECK(newest_unfinished_run(scratch.path(), "A17") == newer);
   write_file(newer / "verdict.json", judgement_to_json(test::failed_run()));
+  write_sums(newer);
+  CHECK_FALSE(newest_unfinished_run(scratch.path(), "A17"));
+}
+
+TEST_CASE("a run that was killed while its results were written can be resumed", "[bench]") {
+  const ScratchFolder scratch;
+  const auto run = create_run_folder(scratch.path(), "A17", "20260102T030405Z");
+  write_file(run / "plan.json", "{}");
+  write_file(run / "verdict.json", judgement_to_json(test::passed_run()));
+  CHECK(newest_unfinished_run(scratch.path(), "A17") == run);  // no report, no sums
+  write_sums(run);
   CHECK_FALSE(newest_unfinished_run(scratch.path(), "A17"));
 }
 
