@@ -1,6 +1,7 @@
 #include "bench/file_kind.hpp"
 
 #include <array>
+#include <system_error>
 #include <utility>
 
 #include "hal/did_you_mean.hpp"
@@ -25,6 +26,11 @@ std::optional<hal::ConfigFault> other_kind_fault(const hal::ConfigReader& root,
   const std::string kind = file_kind(root);
   if (kind.empty() || kind == wanted) return std::nullopt;
   return hal::ConfigFault{0, "", "seems to be a " + kind + " file, not a " + wanted + " file"};
+}
+
+bool is_absent(const std::filesystem::path& file) {
+  std::error_code unknown;
+  return !std::filesystem::exists(file, unknown) && !unknown;
 }
 
 std::vector<std::string> names_of(const std::vector<EmbeddedFile>& files) {

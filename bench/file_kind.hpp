@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,10 @@ std::string file_kind(const hal::ConfigReader& root);
 /// The fault of a file that was given as a `wanted` and seems to be another kind.
 std::optional<hal::ConfigFault> other_kind_fault(const hal::ConfigReader& root,
                                                  const std::string& wanted);
+
+/// Whether nothing is there. What cannot even be looked at (a closed folder, a loop of links) is
+/// left to whoever opens it and tells why.
+bool is_absent(const std::filesystem::path& file);
 
 std::vector<std::string> names_of(const std::vector<EmbeddedFile>& files);
 

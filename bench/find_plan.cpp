@@ -1,7 +1,5 @@
 #include "bench/find_plan.hpp"
 
-#include <filesystem>
-
 #include "bench/file_kind.hpp"
 #include "bench/plan_files.hpp"
 
@@ -15,7 +13,7 @@ std::variant<sequences::TestPlan, std::vector<hal::ConfigFault>> find_plan(
       return sequences::parse_plan(hal::ConfigReader::from_text(file.text, file.name + ".json"));
     }
   }
-  if (!std::filesystem::exists(name_or_path)) {
+  if (is_absent(name_or_path)) {
     return Faults{
         {0, "",
          "no such file or built-in plan" + what_there_is(name_or_path, names_of(plan_files()))}};

@@ -1,7 +1,6 @@
 #include "bench/kinematics_file.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <optional>
 
@@ -16,13 +15,16 @@ namespace {
 constexpr hal::Bounds teeth{1, 10000};
 constexpr hal::Bounds length_mm{1e-3, 1e5};
 
+// Nothing if no shipped one is called that.
+const EmbeddedFile* shipped(const std::string& name) {
+  const auto found = std::ranges::find(kinematics_files(), name, &EmbeddedFile::name);
+  return found == kinematics_files().end() ? nullptr : &*found;
+}
+
 hal::ConfigReader open(const std::string& name_or_path) {
-  for (const EmbeddedFile& file : kinematics_files()) {
-    if (file.name == name_or_path) {
-      return hal::ConfigReader::from_text(file.text, file.name + ".json");
-    }
-  }
-  return hal::ConfigReader::from_file(name_or_path);
+  const EmbeddedFile* file = shipped(name_or_path);
+  return file != nullptr ? hal::ConfigReader::from_text(file->text, file->name + ".json")
+                         : hal::ConfigReader::from_file(name_or_path);
 }
 
 analysis::BearingGeometry read_bearing(hal::ConfigReader& b) {
@@ -125,12 +127,10 @@ analysis::Kinematics read_gear_train(const std::string& machine, hal::ConfigRead
 std::variant<analysis::Kinematics, std::vector<hal::ConfigFault>> read_kinematics(
     const std::string& name_or_path) {
   using Faults = std::vector<hal::ConfigFault>;
-  const std::vector<std::string> names = names_of(kinematics_files());
-  const bool is_built_in = std::ranges::find(names, name_or_path) != names.end();
-  if (!is_built_in && !std::filesystem::exists(name_or_path)) {
-    return Faults{
-        {0, "",
-         "cannot be read: No such file or built-in machine" + what_there_is(name_or_path, names)}};
+  if (shipped(name_or_path) == nullptr && is_absent(name_or_path)) {
+    return Faults{{0, "",
+                   "cannot be read: No such file or built-in machine" +
+                       what_there_is(name_or_path, names_of(kinematics_files()))}};
   }
   hal::ConfigReader root = open(name_or_path);
   if (auto fault = other_kind_fault(root, "kinematics")) return Faults{*fault};

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "bench/file_kind.hpp"
 #include "hal/did_you_mean.hpp"
@@ -55,7 +54,7 @@ std::variant<RigFile, std::vector<hal::ConfigFault>> read_rig(const std::string&
     if (!fault.empty()) return Faults{{0, "/preset", fault}};
     return RigFile(SimRig{.preset = options.preset, .seed = options.seed, .faults = {}});
   }
-  if (!std::filesystem::exists(rig)) {
+  if (is_absent(rig)) {
     return Faults{
         {0, "", "cannot be read: No such file or built-in rig" + what_there_is(rig, {"sim"})}};
   }

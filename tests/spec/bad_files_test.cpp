@@ -236,6 +236,16 @@ TEST_CASE("what is no file is refused by name", "[spec][bad_files]") {
   refused({"judge", "/dev/zero", "--kinematics", "rv20e"}, 20, "/dev/zero: is no file");
   refused({"check", "/dev/zero"}, 3, "/dev/zero: cannot be read: it is no regular file");
   refused({"report", "nowhere"}, 3, "nowhere/plan.json: cannot be read: No such file");
+  // What cannot even be looked at, as in a folder that is closed to us: true for root, too.
+  std::filesystem::create_symlink("loop.json", scratch.path() / "loop.json");
+  const std::string endless(300, 'x');
+  for (const auto& [name, told] : {std::pair<std::string, std::string>{"loop.json", "Too many"},
+                                   {endless, "File name too long"}}) {
+    refused({"check", name}, 3, name + ": cannot be read: " + told);
+    refused({"run", name, "--rig", "sim", "--serial", "A"}, 3, name + ": cannot be read: " + told);
+    refused({"run", "quick", "--rig", name, "--serial", "A"}, 3, ": cannot be read: " + told);
+    refused({"judge", "any.csv", "--kinematics", name}, 3, name + ": cannot be read: " + told);
+  }
   if (::geteuid() != 0) {  // nothing is unreadable for root
     refused({"check", "secret.json"}, 3, "secret.json: cannot be read: Permission denied");
   }
