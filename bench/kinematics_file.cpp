@@ -8,6 +8,7 @@
 #include "analysis/rv_reducer.hpp"
 #include "bench/file_kind.hpp"
 #include "bench/kinematics_files.hpp"
+#include "bench/run_folder.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -140,6 +141,11 @@ std::variant<analysis::Kinematics, std::vector<hal::ConfigFault>> read_kinematic
       root.has("rv_reducer") ? read_rv_reducer(machine, root) : read_gear_train(machine, root);
   if (!root.faults().empty()) return root.faults();
   return kinematics;
+}
+
+std::string kinematics_text(const std::string& name_or_path) {
+  const EmbeddedFile* file = shipped(name_or_path);
+  return file != nullptr ? file->text : read_file(name_or_path).value_or("");
 }
 
 }  // namespace rvbench::bench

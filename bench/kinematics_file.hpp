@@ -16,4 +16,7 @@ namespace rvbench::bench {
 std::variant<analysis::Kinematics, std::vector<hal::ConfigFault>> read_kinematics(
     const std::string& name_or_path);
 
+/// The text of the same; empty if it cannot be read.
+std::string kinematics_text(const std::string& name_or_path);
+
 }  // namespace rvbench::bench

@@ -16,7 +16,7 @@ namespace {
 
 std::vector<std::pair<std::string, std::string>> hashes_of(const std::filesystem::path& folder) {
   std::vector<std::string> names = recording_names(folder);
-  names.insert(names.begin(), {"plan.json", "rig.json"});
+  names.insert(names.begin(), {"plan.json", "rig.json", "kinematics.json"});
   names.insert(names.end(), {"verdict.json", "junit.xml"});
   std::vector<std::pair<std::string, std::string>> hashes;
   for (const std::string& name : names) {

@@ -23,6 +23,12 @@ bool is_sound(Console& console, const std::filesystem::path& folder) {
   return sound;
 }
 
+// The machine as it was when the run began; what the plan names may have changed since.
+std::string machine_of(const std::filesystem::path& folder, const sequences::TestPlan& test) {
+  const std::filesystem::path own = folder / "kinematics.json";
+  return std::filesystem::exists(own) ? own.string() : test.specimen.kinematics;
+}
+
 class ReportCommand final : public Command {
  public:
   std::string name() const override { return "report"; }
@@ -35,10 +41,9 @@ class ReportCommand final : public Command {
     const auto plan = sequences::read_plan(folder / "plan.json");
     if (plan.index() == 1) return refuse_file(console, folder / "plan.json", std::get<1>(plan));
     const sequences::TestPlan& test = std::get<0>(plan);
-    const auto kinematics = read_kinematics(test.specimen.kinematics);
-    if (kinematics.index() == 1) {
-      return refuse_file(console, test.specimen.kinematics, std::get<1>(kinematics));
-    }
+    const std::string machine = machine_of(folder, test);
+    const auto kinematics = read_kinematics(machine);
+    if (kinematics.index() == 1) return refuse_file(console, machine, std::get<1>(kinematics));
     const auto text = read_file(folder / "verdict.json");
     const auto judgement = judgement_from_json(text.value_or(""));
     if (!judgement) {

@@ -97,11 +97,13 @@ RigOptions RunCommand::rig_options() const {
   return {.preset = preset_, .seed = seed_.value_or(RigOptions().seed)};
 }
 
-// A new run folder with the resolved plan and rig, or the one to go on with.
+// A new run folder with the resolved plan, rig and machine, or the one to go on with.
 int RunCommand::prepare_folder(Console& console, const sequences::TestPlan& plan) {
-  const std::array<std::pair<const char*, std::string>, 2> resolved{
-      {{"plan.json", sequences::plan_to_json(plan)},
-       {"rig.json", rig_to_json(rig_, rig_options())}}};
+  // The plan comes last: a folder without is none to resume.
+  const std::array<std::pair<const char*, std::string>, 3> resolved{
+      {{"rig.json", rig_to_json(rig_, rig_options())},
+       {"kinematics.json", kinematics_text(plan.specimen.kinematics)},
+       {"plan.json", sequences::plan_to_json(plan)}}};
   if (!resume_) {
     folder_ = create_run_folder(out_, serial_, utc_now());
     lock_ = RunLock::take(folder_);

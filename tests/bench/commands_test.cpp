@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/find_plan.hpp"
+#include "bench/kinematics_file.hpp"
 #include "bench/plan_files.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/run_folder.hpp"
@@ -69,6 +70,39 @@ TEST_CASE("a run is resumed on the rig that it began on, and on no other", "[ben
                                  "--resume", "--out", scratch.path().string()});
   CHECK(answer.code == 2);
   CHECK_THAT(answer.err, Contains("rig.json says something else"));
+}
+
+TEST_CASE("a run is resumed on the machine that it began with, whatever its file says now",
+          "[bench]") {
+  const ScratchFolder scratch;
+  const auto folder = create_run_folder(scratch.path(), "A", "20260102T030405Z");
+  write_file(folder / "plan.json", sequences::plan_to_json(std::get<0>(find_plan("quick"))));
+  write_file(folder / "rig.json", rig_to_json("sim", {}));
+  write_file(folder / "kinematics.json", kinematics_text("cwru_6205"));
+  const Answer answer = rvbench({"run", "quick", "--rig", "sim", "--serial", "A", "--resume",
+                                 "--out", scratch.path().string()});
+  CHECK(answer.code == 2);
+  CHECK_THAT(answer.err, Contains("kinematics.json says something else"));
+}
+
+TEST_CASE("a report is rebuilt for the machine that was run, whatever its file says now",
+          "[bench]") {
+  const ScratchFolder run;
+  const ScratchFolder plans;
+  const std::string machine = (plans.path() / "mine.json").string();
+  auto plan = std::get<0>(find_plan("quick"));
+  plan.specimen.kinematics = machine;
+  write_file(run.path() / "plan.json", sequences::plan_to_json(plan));
+  write_file(run.path() / "kinematics.json", kinematics_text("rv20e"));
+  write_file(run.path() / "verdict.json", judgement_to_json(test::passed_run()));
+  write_sums(run.path());
+  SECTION("it is gone") {}
+  SECTION("it is another one") { write_file(machine, kinematics_text("cwru_6205")); }
+  const Answer answer = rvbench({"report", run.path().string()});
+  INFO(answer.err);
+  CHECK(answer.code == 0);
+  const std::string report = read_file(run.path() / "report.html").value_or("");
+  CHECK_THAT(report, Contains("sun-planet mesh") && !Contains("motor shaft"));
 }
 
 TEST_CASE("judge never guesses a rate or a speed", "[bench]") {

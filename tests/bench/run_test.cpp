@@ -48,8 +48,8 @@ TEST_CASE("a run leaves a folder that says everything and agrees with its exit c
 
   const std::filesystem::path folder =
       std::filesystem::directory_iterator(scratch.path() / "runs" / "A17")->path();
-  for (const char* name : {"plan.json", "rig.json", "recording.h5", "verdict.json", "junit.xml",
-                           "report.html", "log.jsonl", "SHA256SUMS"}) {
+  for (const char* name : {"plan.json", "rig.json", "kinematics.json", "recording.h5",
+                           "verdict.json", "junit.xml", "report.html", "log.jsonl", "SHA256SUMS"}) {
     INFO(name);
     CHECK(std::filesystem::file_size(folder / name) > 0);
   }
