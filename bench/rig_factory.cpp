@@ -82,7 +82,11 @@ Made make_rig(const std::string& rig, const RigOptions& options) {
 
 std::vector<hal::ConfigFault> check_rig(const std::string& file) {
   auto rig = read_rig(file, {});
-  return rig.index() == 1 ? std::get<1>(std::move(rig)) : std::vector<hal::ConfigFault>{};
+  if (rig.index() == 1) return std::get<1>(std::move(rig));
+  const auto* replay = std::get_if<ReplayRig>(&std::get<0>(rig));
+  if (replay == nullptr) return {};
+  Made made = make(*replay);  // its recording may be missing, or none
+  return made.index() == 1 ? std::get<1>(std::move(made)) : std::vector<hal::ConfigFault>{};
 }
 
 std::string rig_to_json(const std::string& rig, const RigOptions& options) {

@@ -20,7 +20,10 @@ Faults plan_faults(const std::string& file) {
   if (plan.index() == 1) return std::get<1>(std::move(plan));
   const sequences::TestPlan& test = std::get<0>(plan);
   const auto kinematics = read_kinematics(test.specimen.kinematics);
-  if (kinematics.index() == 1) return {};  // a file of its own, to be checked as such
+  if (kinematics.index() == 1) {
+    const auto& first = std::get<1>(kinematics).front();
+    return {{0, "/specimen/kinematics", hal::describe(test.specimen.kinematics, first)}};
+  }
   return limits_on_unknown_parts(test.limits, std::get<0>(kinematics));
 }
 

@@ -105,6 +105,22 @@ TEST_CASE("a report is rebuilt for the machine that was run, whatever its file s
   CHECK_THAT(report, Contains("sun-planet mesh") && !Contains("motor shaft"));
 }
 
+TEST_CASE("check follows what a plan and a rig name", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string plan = (scratch.path() / "plan.json").string();
+  const std::string rig = (scratch.path() / "rig.json").string();
+  auto quick = std::get<0>(find_plan("quick"));
+  CHECK(quick.specimen.kinematics == "rv20e");
+  quick.specimen.kinematics = "rv20";
+  write_file(plan, sequences::plan_to_json(quick));
+  write_file(rig, R"({"rig": "replay", "recording": "gone.h5"})");
+  const Answer answer = rvbench({"check", plan, rig});
+  CHECK(answer.code == 3);
+  CHECK_THAT(answer.err, Contains("plan.json: /specimen/kinematics: rv20: cannot be read") &&
+                             Contains("did you mean \"rv20e\"?"));
+  CHECK_THAT(answer.err, Contains("rig.json: /recording: gone.h5: no such file"));
+}
+
 TEST_CASE("judge never guesses a rate or a speed", "[bench]") {
   const ScratchFolder scratch;
   const std::string file = (scratch.path() / "bare.csv").string();
