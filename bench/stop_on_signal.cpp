@@ -44,8 +44,10 @@ StopOnSignal::StopOnSignal() {
   action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
   for (std::size_t i = 0; i < signals.size(); ++i) {
-    action.sa_handler = signals[i] == SIGPIPE ? SIG_IGN : on_stop_signal;
-    sigaction(signals[i], &action, &previous_[i]);
+    sigaction(signals[i], nullptr, &previous_[i]);
+    const bool nohup = signals[i] == SIGHUP && previous_[i].sa_handler == SIG_IGN;
+    action.sa_handler = signals[i] == SIGPIPE || nohup ? SIG_IGN : on_stop_signal;
+    sigaction(signals[i], &action, nullptr);
   }
 }
 

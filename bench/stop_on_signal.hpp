@@ -9,7 +9,8 @@ namespace rvbench::bench {
 
 /// While it lives, SIGINT, SIGTERM and SIGHUP (the terminal is gone) request a stop instead of
 /// killing the process. Further ones change nothing: the teardown that stops the shaft cannot be
-/// skipped from the keyboard. SIGPIPE is ignored: a run does not end because nobody reads.
+/// skipped from the keyboard. A SIGHUP that the caller ignores (nohup) stays ignored. SIGPIPE is
+/// ignored, too: a run does not end because nobody reads.
 ///
 /// Threads  one object at a time in a process
 class StopOnSignal {

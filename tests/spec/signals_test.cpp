@@ -83,6 +83,19 @@ TEST_CASE("a signal ends a run ABORTED, with the shaft stopped and the folder wh
   }
 }
 
+TEST_CASE("a run that was started to outlive its terminal does", "[spec]") {
+  const ScratchFolder scratch;
+  write_long_plan(scratch);
+  std::vector<std::string> words = run_words();
+  words.insert(words.begin(), "/usr/bin/nohup");
+  Program program(scratch.path(), words);
+  REQUIRE(program.says("warm up at"));
+  program.send(SIGHUP);
+  REQUIRE(program.says("measure: 20 %"));
+  program.send(SIGINT);
+  CHECK(program.wait().code == 50);
+}
+
 TEST_CASE("a killed run leaves its samples, is told from a finished one, and can go on",
           "[spec][safety]") {
   const ScratchFolder scratch;
