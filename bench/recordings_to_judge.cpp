@@ -11,20 +11,50 @@
 #include "analysis/shaft_angle.hpp"
 #include "bench/command.hpp"
 #include "bench/file_kind.hpp"
+#include "bench/rising_channels.hpp"
 
 namespace rvbench::bench {
 namespace {
 
 constexpr double speed_tolerance = 1e-2;  // as of what a file states: see RecordingHints
+constexpr double least_peak = 1e-30;
+constexpr double largest_peak = 1e30;
 
 bool is_of_shaft(const Channel& channel) {
   return channel.info.name == channel_names::input_angle ||
          channel.info.name == channel_names::input_torque;
 }
 
-std::optional<std::string> what_is_not_stated(const Recording& record, const std::string& file) {
+// No vibration in any unit: squares of it would overflow, or vanish.
+std::optional<std::string> what_is_beyond(const Recording& record, const std::string& file,
+                                          const std::string& kept) {
+  for (const Channel* channel : analysis::acceleration_channels(record)) {
+    if (!kept.empty() && channel->info.name != kept) continue;
+    double most = 0;
+    for (const double x : channel->samples) {
+      if (std::isfinite(x)) most = std::max(most, std::abs(x));
+    }
+    if (most == 0 || (most >= least_peak && most <= largest_peak)) continue;
+    return fmt::format("{}: {}: its largest sample, {:.3g}, is no vibration in any unit", file,
+                       channel->info.name, most);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> what_cannot_be_judged(Recording& record, const std::string& file,
+                                                 const std::string& kept) {
+  if (const auto beyond = what_is_beyond(record, file, kept)) return beyond;
+  const auto uneven = leave_out_rising_channels(kept, record);
+  if (uneven) return file + ": " + *uneven;
+  return std::nullopt;
+}
+
+std::optional<std::string> what_is_not_stated(const Recording& record, const std::string& file,
+                                              const std::string& hint) {
   for (const Channel& channel : record.channels) {
-    if (!(channel.rate_Hz > 0)) return file + " states no sample rate: give it with --rate HZ";
+    if (!(channel.rate_Hz > 0)) {
+      return file + " states no sample rate: give it with --rate HZ" + hint;
+    }
   }
   const bool has_speed =
       std::isfinite(record.speed_rpm) || record.find(channel_names::input_angle) != nullptr;
@@ -86,7 +116,12 @@ std::variant<std::vector<Recording>, JudgeRefusal> recordings_to_judge(const Jud
     Result<std::vector<Recording>> read = hal::read_recordings(file, input.hints);
     if (!read) return JudgeRefusal{exit_codes::data_refused, read.error().where};
     for (Recording& record : std::move(read).value()) {
-      if (const auto unstated = what_is_not_stated(record, file)) {
+      const std::size_t known = record.notes.size();
+      if (const auto spoiled = what_cannot_be_judged(record, file, input.channel)) {
+        return JudgeRefusal{exit_codes::data_refused, *spoiled};
+      }
+      const std::string hint = record.notes.size() > known ? " (" + record.notes.back() + ")" : "";
+      if (const auto unstated = what_is_not_stated(record, file, hint)) {
         return JudgeRefusal{exit_codes::usage, *unstated};
       }
       if (std::isfinite(input.hints.speed_rpm)) prefer_speed(input.hints.speed_rpm, record);

@@ -24,7 +24,8 @@ struct JudgeRefusal {
 
 /// Reads every file. A speed that the user gives goes before an angle that contradicts it; a note
 /// of the recording tells. Refused: a rate or speed that nobody states, a channel that no file
-/// has, and a rate at which not even the input shaft's own order could be seen.
+/// has, a rate at which not even the input shaft's own order could be seen, samples beyond any
+/// unit, and a time that rises unevenly.
 std::variant<std::vector<Recording>, JudgeRefusal> recordings_to_judge(const JudgeInput& input);
 
 }  // namespace rvbench::bench

@@ -24,14 +24,15 @@ constexpr double speed_rpm = 1815;
 
 // A channel "a" at 2 kHz: noise, and what `signal` is at an angle of the shaft in turns.
 template <typename Signal>
-std::string recorded(const ScratchFolder& scratch, double length_s, Signal signal) {
+std::string recorded(const ScratchFolder& scratch, double length_s, Signal signal,
+                     double unit = 1) {
   std::mt19937 generator(1);
   std::normal_distribution<double> noise(0, 0.1);
   const auto file = scratch.path() / "a.csv";
   std::ofstream out(file);
   out << "a\n";
   for (int i = 0; i < length_s * rate_Hz; ++i) {
-    out << signal(i / rate_Hz * speed_rpm / 60) + noise(generator) << '\n';
+    out << unit * (signal(i / rate_Hz * speed_rpm / 60) + noise(generator)) << '\n';
   }
   return file.string();
 }
@@ -41,6 +42,18 @@ double tone(double order, double turns) { return std::cos(2 * std::numbers::pi *
 // A shaft that is a little unbalanced.
 std::string unbalanced(const ScratchFolder& scratch) {
   return recorded(scratch, 4, [](double turns) { return 0.2 * tone(1, turns); });
+}
+
+// The same, 4 s long, beside a column "t" that holds what a clock shows at a time.
+std::string timed(const ScratchFolder& scratch, double (*clock_s)(double t_s)) {
+  std::ifstream in(unbalanced(scratch));
+  const auto file = scratch.path() / "timed.csv";
+  std::ofstream out(file);
+  std::string value;
+  std::getline(in, value);
+  out << "t,a\n";
+  for (int i = 0; std::getline(in, value); ++i) out << clock_s(i / rate_Hz) << ',' << value << '\n';
+  return file.string();
 }
 
 // An RV-20E with a damaged planet: its mesh swings twice and three times per turn of the planet
@@ -121,6 +134,51 @@ TEST_CASE("a channel that is not there is answered with those that are", "[bench
   CHECK(answer.code == 2);
   CHECK_THAT(answer.err,
              Contains("there are: accel_1x, accel_1y") && Contains("did you mean \"accel_1x\"?"));
+}
+
+TEST_CASE("a column that only rises is time, not vibration", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string file = timed(scratch, [](double t_s) { return std::round(1e3 * t_s) / 1e3; });
+  // A clock of whole milliseconds: 7999 steps in 4.000 s.
+  const std::string told =
+      "t only rises, as no vibration does, and is left out; in seconds it "
+      "says 1999.75 Hz";
+  const Answer answer = judge(file, "cwru_6205", right);
+  CHECK(answer.code == 0);
+  const auto channels = nlohmann::json::parse(answer.out).at("points").at(0).at("channels");
+  REQUIRE(channels.size() == 1);
+  CHECK(channels.at(0).at("name") == "a");
+  CHECK(notes(answer, told));
+  const Answer no_rate = judge(file, "cwru_6205", {"--speed", "1815"});
+  CHECK(no_rate.code == 2);
+  CHECK_THAT(no_rate.err, Contains("give it with --rate HZ (" + told + ")"));
+}
+
+TEST_CASE("time that jumps is no single rate: INVALID, unless a channel is asked for", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string file = timed(scratch, [](double t_s) { return t_s < 2 ? t_s : t_s + 0.1; });
+  const Answer answer = judge(file, "cwru_6205", right);
+  CHECK(answer.code == 20);
+  CHECK_THAT(answer.err, Contains("t only rises, as time does, but unevenly: samples are missing"));
+  std::vector<std::string> words = right;
+  words.insert(words.end(), {"--channel", "a"});
+  const Answer asked = judge(file, "cwru_6205", words);
+  CHECK(asked.code == 0);
+  CHECK(notes(asked, "t only rises, as no vibration does, and is left out"));
+}
+
+TEST_CASE("samples beyond any unit are INVALID, not an internal error", "[bench]") {
+  const ScratchFolder scratch;
+  for (const double unit : {1e300, 1e-300}) {
+    const std::string file = recorded(
+        scratch, 4, [](double turns) { return 0.2 * tone(1, turns); }, unit);
+    const Answer answer = judge(file, "cwru_6205", right);
+    CHECK(answer.code == 20);
+    CHECK_THAT(answer.err, Contains("a: its largest sample") && Contains("no vibration"));
+  }
+  const std::string file = recorded(
+      scratch, 4, [](double turns) { return 0.2 * tone(1, turns); }, 1e-12);
+  CHECK(judge(file, "cwru_6205", right).code == 0);
 }
 
 TEST_CASE("what the published Table 4 misses is INVALID, not PASS", "[bench]") {
