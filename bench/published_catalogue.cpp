@@ -41,13 +41,12 @@ void hold_against_derived(Judgement& published, const Judgement& derived) {
     if (std::ranges::find(named, finding.component, &analysis::Finding::component) != named.end()) {
       continue;
     }
-    const bool was_pass = published.ending.outcome == Outcome::pass;
     const std::string what = fmt::format(
         "Table 4 as published does not hold the lines of {}: {} (order {:.4g}), which the derived "
         "orders show above the limit: judge with --catalogue derived",
         finding.component, finding.mechanism, finding.order);
-    published.diagnosis.quality.push_back({published.machine, what, was_pass});
-    if (was_pass) published.ending = {Outcome::invalid, ErrorKind::none, what};
+    published.diagnosis.quality.push_back({published.machine, what, true});
+    published.ending = graver(published.ending, {Outcome::invalid, ErrorKind::none, what});
   }
 }
 

@@ -10,7 +10,8 @@ namespace rvbench::bench {
 bool is_of_table4(const analysis::Kinematics& derived);
 
 /// The table rounds, and mixes speeds: it does not hold every line of a fault. A judgement by it is
-/// no PASS where one by the derived orders has findings, or cannot tell; a quality note says so.
+/// INVALID where one by the derived orders finds a part that it does not name, or cannot tell: what
+/// it names instead may show that part's lines. A quality note says so.
 void hold_against_derived(Judgement& published, const Judgement& derived);
 
 }  // namespace rvbench::bench
