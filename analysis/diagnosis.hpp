@@ -21,7 +21,7 @@ struct QualityNote {
 /// How much of a characteristic family of lines one record shows.
 struct SignatureScore {
   int signature = 0;     ///< index into Kinematics::signatures
-  double order = 0;      ///< where it was found; strays from the nominal one only within slip
+  double order = 0;      ///< where it was found; off the nominal one only within slip or tolerance
   double depth = 0;      ///< modulation depth: rms of the family's envelope lines over the mean
                          ///< envelope, noise floor taken out; 1 = fully modulated
   double statistic = 0;  ///< line power over the local noise floor, summed over the family

@@ -77,13 +77,14 @@ class Family {
     // Orders are tried so densely that the highest line moves by half a line from try to try.
     double highest = 0;
     for (const SignatureLine& line : lines_) highest = std::max(highest, line.order);
+    const double reach = std::max(signature_.slip, signature_.tolerance);
     const auto tries =
-        static_cast<int>(std::ceil(2 * signature_.slip * highest / envelope_.whole.resolution));
+        static_cast<int>(std::ceil(2 * reach * highest / envelope_.whole.resolution));
     double best_stretch = 1;
     Sums best, sums;
     sum_lines(1, taken, best);
     for (int i = -tries; i <= tries && tries > 0; ++i) {
-      const double stretch = 1 + signature_.slip * i / tries;
+      const double stretch = 1 + reach * i / tries;
       sum_lines(stretch, taken, sums);
       if (sums.statistic <= best.statistic) continue;
       std::swap(best, sums);

@@ -30,7 +30,7 @@ EnvelopeSpectra envelope_spectra(const Eigen::Ref<const Eigen::VectorXd>& x, dou
 struct FamilyScore {
   double order = 0;                 ///< fundamental as found
   double statistic = 0;             ///< Σ power/floor over the family's lines
-  double p_value = 1;               ///< for all orders tried within slip
+  double p_value = 1;               ///< for all orders tried within slip or tolerance
   double depth = 0;                 ///< modulation depth of the family, noise taken out
   std::vector<double> line_depths;  ///< of each line, same order as `lines` given
 };
@@ -43,6 +43,7 @@ struct FamilyScore {
 /// sideband above it.
 ///
 /// @param lines  from signature_lines(); those of a family are scaled together within its slip
+///               or tolerance
 std::vector<FamilyScore> score_families(const EnvelopeSpectra& envelope,
                                         const std::vector<Signature>& signatures,
                                         const std::vector<std::vector<SignatureLine>>& lines);

@@ -26,6 +26,7 @@ struct Signature {
   int harmonics = 1;
   std::vector<double> sidebands;  ///< spacings in orders, searched on both sides
   double slip = 0;                ///< relative: how far rolling elements may stray from `order`
+  double tolerance = 0;           ///< relative: how far a printed `order` may be off the part's own
   double depth_limit = 0;         ///< modulation depth above which the part counts as bad
   std::string limit_why;
   std::string advice;
