@@ -97,8 +97,14 @@ void BenchDevices::take_torque(hal::TorqueBlock block) {
     ++known;
     last = {block.t0_s + double(i) / fresh_.torque_rate_Hz, sample.angle_rad};
   }
-  if (known == 0 || (!angles_.empty() && last.time_s <= angles_.back().time_s)) {
+  if (block.samples.empty() || !(end_s > torque_end_s_)) {
     torque_.error = "its samples do not go on";
+    return;
+  }
+  torque_end_s_ = end_s;
+  fresh_.torque = std::move(block);  // lost samples, too: the record has a place for each
+  if (known == 0) {
+    torque_.error = "its samples are lost";
     return;
   }
   torque_.seen_s = std::min(end_s, rig_.clock->now_s());
@@ -112,18 +118,21 @@ void BenchDevices::take_torque(hal::TorqueBlock block) {
     fresh_.speed_rpm =
         units::rpm_from_rad_s((last.angle_rad - before.angle_rad) / (last.time_s - before.time_s));
   }
-  fresh_.torque = std::move(block);
 }
 
 void BenchDevices::take_accelerations(hal::AccelerationBlock block) {
   const double end_s = block.t0_s + double(block.scans.rows()) / fresh_.acceleration_rate_Hz;
-  if (block.lost >= block.scans.rows() || end_s <= accelerations_end_s_) {
+  if (block.scans.rows() == 0 || !(end_s > accelerations_end_s_)) {
     accelerations_.error = "its samples do not go on";
     return;
   }
   accelerations_end_s_ = end_s;
-  accelerations_.seen_s = std::min(end_s, rig_.clock->now_s());
-  fresh_.accelerations = std::move(block);
+  if (block.lost < block.scans.rows()) {
+    accelerations_.seen_s = std::min(end_s, rig_.clock->now_s());
+  } else {
+    accelerations_.error = "its samples are lost";
+  }
+  fresh_.accelerations = std::move(block);  // lost scans, too: the record has a place for each
 }
 
 void BenchDevices::write(double speed_rpm, double brake_torque_Nm) {

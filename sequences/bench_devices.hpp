@@ -35,7 +35,8 @@ struct FreshValues {
 
 /// Asks every device of a rig at its own pace, and knows how old each answer is.
 ///
-/// A block of samples that does not go on in time is no answer: the device is frozen. A device
+/// A block of samples that does not go on in time is no answer: the device is frozen. One whose
+/// samples are all lost is none either, but is handed on: it has its place in a record. A device
 /// that failed is asked again after 20, 40, 80 ... ms, so that waiting for it does not starve the
 /// others.
 class BenchDevices {
@@ -91,6 +92,7 @@ class BenchDevices {
   FreshValues fresh_;
   BenchValues values_;
   std::deque<AnglePoint> angles_;
+  double torque_end_s_ = -1;
   double accelerations_end_s_ = -1;
   bool temperature_was_known_ = false;
 

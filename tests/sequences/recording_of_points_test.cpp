@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "hal/types/units.hpp"
 #include "sequences/bench_loop.hpp"
@@ -9,6 +12,59 @@ using namespace rvbench;
 using hal::MirrorFault;
 using test::Run;
 using test::small_plan;
+
+namespace {
+
+constexpr double lost_from_s = 12.0;
+constexpr double lost_until_s = 12.055;  // before anything counts as stale
+
+// For some ticks not one scan comes through.
+class LosingAccelerometers final : public hal::Accelerometers {
+ public:
+  LosingAccelerometers(std::unique_ptr<hal::Accelerometers> whole, double until_s)
+      : whole_(std::move(whole)), until_s_(until_s) {}
+  const std::vector<ChannelInfo>& channels() const override { return whole_->channels(); }
+  double range_m_s2() const override { return whole_->range_m_s2(); }
+  double rate_Hz() const override { return whole_->rate_Hz(); }
+  Status connect() override { return whole_->connect(); }
+  Status start() override { return whole_->start(); }
+  void stop() noexcept override { whole_->stop(); }
+  Result<hal::AccelerationBlock> read() override {
+    auto read = whole_->read();
+    if (!read || read.value().t0_s < lost_from_s || read.value().t0_s > until_s_) return read;
+    hal::AccelerationBlock block = read.value();
+    block.scans.setConstant(float(not_known));
+    block.lost = int(block.scans.rows());
+    return block;
+  }
+
+ private:
+  std::unique_ptr<hal::Accelerometers> whole_;
+  double until_s_;
+};
+
+// Likewise the samples of torque and angle.
+class LosingTorqueSensor final : public hal::TorqueSensor {
+ public:
+  LosingTorqueSensor(std::unique_ptr<hal::TorqueSensor> whole, double until_s)
+      : whole_(std::move(whole)), until_s_(until_s) {}
+  double rate_Hz() const override { return whole_->rate_Hz(); }
+  Status connect() override { return whole_->connect(); }
+  Result<hal::TorqueBlock> read() override {
+    auto read = whole_->read();
+    if (!read || read.value().t0_s < lost_from_s || read.value().t0_s > until_s_) return read;
+    hal::TorqueBlock block = read.value();
+    block.samples.assign(block.samples.size(), {});
+    block.lost = int(block.samples.size());
+    return block;
+  }
+
+ private:
+  std::unique_ptr<hal::TorqueSensor> whole_;
+  double until_s_;
+};
+
+}  // namespace
 
 TEST_CASE("a record holds the turns asked for, on both sample clocks", "[sequences]") {
   Run run;
@@ -54,6 +110,51 @@ TEST_CASE("lost samples make the run INVALID", "[sequences]") {
   const auto& summary = run.go();
   CHECK(summary.points.at(0).status == "samples_lost");
   CHECK(exit_code(summary.ending) == 20);
+}
+
+TEST_CASE("samples lost for some ticks on end keep their place in the record", "[sequences]") {
+  Run run;
+  SECTION("scans: the record is not ok") {
+    run.rig.accelerometers =
+        std::make_unique<LosingAccelerometers>(std::move(run.rig.accelerometers), lost_until_s);
+    CHECK(run.go().points.at(0).status == "samples_lost");
+    const auto& point = run.recording.points.at(0);
+    CHECK(double(point.scans) ==
+          Approx((point.accelerations_to_s - point.accelerations_from_s) * 4960).margin(0.5));
+  }
+  SECTION("torque and angle: so few do no harm") {
+    run.rig.torque_sensor =
+        std::make_unique<LosingTorqueSensor>(std::move(run.rig.torque_sensor), lost_until_s);
+    CHECK(run.go().points.at(0).status == "ok");
+    const auto& torque = run.recording.points.at(0).torque;
+    const auto lost = std::count_if(torque.begin(), torque.end(), [](const auto& sample) {
+      return std::isnan(sample.angle_rad);
+    });
+    CHECK((lost >= 50 && lost <= 70));  // ticks of 10 ms
+    // 1815 rpm, sample by sample: the angle stands where its place in the record says.
+    const double whole_rad = double(torque.size() - 1) / 1000 * 1815 * units::two_pi / 60;
+    CHECK(torque.back().angle_rad - torque.front().angle_rad == Approx(whole_rad).margin(0.01));
+  }
+}
+
+TEST_CASE("a device whose samples are all lost is lost as soon as the last good one is stale",
+          "[sequences][safety]") {
+  Run run;
+  std::string device;
+  SECTION("accelerometers") {
+    device = "accelerometers";
+    run.rig.accelerometers =
+        std::make_unique<LosingAccelerometers>(std::move(run.rig.accelerometers), 1e9);
+  }
+  SECTION("torque sensor") {
+    device = "torque sensor";
+    run.rig.torque_sensor =
+        std::make_unique<LosingTorqueSensor>(std::move(run.rig.torque_sensor), 1e9);
+  }
+  const auto& summary = run.go();
+  CHECK(exit_code(summary.ending) == 30);
+  CHECK_THAT(summary.ending.reason, Catch::Contains(device) && Catch::Contains("samples are lost"));
+  CHECK(run.stopped_s() == Approx(lost_from_s + 0.3).margin(0.05));
 }
 
 TEST_CASE("a record that does not come by its turns is too short", "[sequences]") {
