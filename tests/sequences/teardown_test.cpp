@@ -78,6 +78,11 @@ TEST_CASE("a plan beyond the rig is refused before anything turns, without a wai
   const auto [options, reason] = GENERATE(values<std::pair<hal::MirrorOptions, std::string>>({
       {{.max_speed_rpm = 1500}, "the plan asks for 1815 rpm, the drive can do 1500 rpm"},
       {{.max_brake_torque_Nm = 100}, "the plan asks for 167 N·m, the brake can do 100 N·m"},
+      {{.acceleration_rate_Hz = 2000},
+       "the accelerometers run at 2000 Hz, the plan asks for 4960 Hz"},
+      {{.acceleration_range_m_s2 = 300},
+       "the acceleration interlock of 300 m/s² could never trip: the accelerometers show no more "
+       "than 300 m/s²"},
   }));
   Run run(options);
   const auto& summary = run.go();
