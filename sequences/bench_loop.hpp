@@ -55,7 +55,8 @@ class BenchLoop {
   double now_s() const { return rig_.clock->now_s(); }
   hal::Rig& rig() { return rig_; }
   BenchDevices& devices() { return devices_; }
-  double brake_torque_Nm() const { return brake_torque_Nm_; }  ///< as commanded
+  double brake_torque_Nm() const { return brake_torque_Nm_; }    ///< as commanded
+  const std::optional<Ending>& ended() const { return ended_; }  ///< empty while the run goes on
   const std::vector<hal::PointResult>& points() const { return points_; }
 
  private:

@@ -147,7 +147,9 @@ void tell(BenchLoop& loop, const RunSummary& summary, const Ending& measured,
 // All of a run but what guards it.
 void run(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
   const double start_s = loop.now_s();
-  const Ending measured = guarded([&] { return set_up_and_measure(plan, loop); });
+  Ending measured = guarded([&] { return set_up_and_measure(plan, loop); });
+  // What ended the run counts, also where telling it threw.
+  if (loop.ended()) measured = graver(measured, *loop.ended());
   Ending torn_down = tear_down(plan, loop, summary);
   torn_down = graver(torn_down, guarded([&] {
                        loop.interrupt_record();

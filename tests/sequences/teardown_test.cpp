@@ -25,6 +25,15 @@ class Defective final : public sequences::Phase {
   }
 };
 
+// A log whose disk is full when the worst is to be told.
+class TongueTied final : public sequences::RunObserver {
+ public:
+  void progress(double, double, const std::string&) override {}
+  void event(double, const std::string& text) override {
+    if (text.find("emergency stop") != std::string::npos) throw std::runtime_error("disk full");
+  }
+};
+
 }  // namespace
 
 TEST_CASE("the brake is released at standstill, not before", "[sequences]") {
@@ -111,6 +120,18 @@ TEST_CASE("a defect in a phase's own timeline is an ERROR, with the bench told t
   CHECK(run.world().brake_torque_Nm() == 0);
   CHECK_FALSE(summary.shaft_stopped);  // nobody looked
   CHECK(summary.points.empty());
+}
+
+TEST_CASE("a trip that cannot be told is a trip all the same", "[sequences][safety]") {
+  Run run;
+  run.world().schedule(MirrorFault::estop, 5);
+  TongueTied observer;
+  const auto summary = sequences::run_sequence(test::plan_of(small_plan), run.rig, run.recording,
+                                               observer, run.stop.get_token());
+  CHECK(exit_code(summary.ending) == 40);
+  CHECK(run.stopped_s() == Approx(5).margin(0.02));
+  CHECK(summary.shaft_stopped);
+  CHECK(summary.brake_released);
 }
 
 TEST_CASE("with everything dead the teardown still ends, at its time-out", "[sequences][safety]") {
