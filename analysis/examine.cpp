@@ -74,7 +74,6 @@ void score_imfs(const Channel& channel, const Emd& modes, const Task& task, Chan
         envelope_spectra(modes.imfs.col(k), channel.rate_Hz, channel.start_s, task.angle,
                          task.kinematics.period_turns);
     if (!(envelope.mean > 0)) return;
-    out.periods = envelope.periods;
     if (lines.empty()) lines = signature_lines(task.kinematics, envelope.whole.resolution);
     const double c = correlations[static_cast<std::size_t>(k)];
     const std::vector<FamilyScore> scores =
@@ -86,7 +85,8 @@ void score_imfs(const Channel& channel, const Emd& modes, const Task& task, Chan
   for (std::size_t s = 0; s < out.scores.size(); ++s) {
     SignatureScore& score = out.scores[s];
     score.depth = std::sqrt(score.depth);
-    score.p_value = std::min(1.0, score.p_value * static_cast<double>(relevant.size()));
+    const auto searched = std::max<std::size_t>(relevant.size(), 1);
+    score.p_value = std::min(1.0, score.p_value * static_cast<double>(searched));
     for (double& depth : score.line_depths) depth = std::sqrt(depth);
     if (lines.empty()) continue;
     for (const SignatureLine& line : lines[s]) score.line_orders.push_back(line.order);
@@ -106,6 +106,8 @@ ChannelResult examine_channel(const Channel& channel, const Task& task) {
   for (Eigen::Index k = 0; k < modes.imfs.cols(); ++k) {
     out.examination.imf_correlation.push_back(correlation(modes.imfs.col(k), channel.samples));
   }
+  out.periods = task.angle.whole_periods(channel.samples.size(), channel.rate_Hz, channel.start_s,
+                                         task.kinematics.period_turns);
   score_imfs(channel, modes, task, out);
   out.examination.lines = spectral_lines(channel, task.angle, task.kinematics);
   return out;

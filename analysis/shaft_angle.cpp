@@ -77,6 +77,7 @@ std::optional<ShaftAngle> ShaftAngle::of(const Recording& record) {
   ShaftAngle shaft;
   const Channel* angle = record.find(channel_names::input_angle);
   if (angle != nullptr && angle->samples.size() > 1) {
+    if (!(angle->rate_Hz > 0)) return std::nullopt;
     shaft.is_measured_ = true;
     shaft.start_s_ = angle->start_s;
     shaft.step_s_ = 1 / angle->rate_Hz;
@@ -123,13 +124,18 @@ double ShaftAngle::time_before(Eigen::Index after, double turns) const {
   return start_s_ + step_s_ * (static_cast<double>(after - 1) + (turns - turns_[after - 1]) / rise);
 }
 
+double ShaftAngle::whole_periods(Eigen::Index count, double rate_Hz, double start_s,
+                                 double period_turns) const {
+  const double until_s = start_s + static_cast<double>(count) / rate_Hz;
+  return std::floor((turns_at(until_s) - turns_at(start_s)) / period_turns + 1e-6);
+}
+
 Eigen::VectorXd ShaftAngle::resample(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz,
                                      double start_s, double period_turns,
                                      int samples_per_turn) const {
+  const double periods = whole_periods(x.size(), rate_Hz, start_s, period_turns);
+  if (!(periods >= 1)) return {};
   const double first = turns_at(start_s);
-  const double last = turns_at(start_s + static_cast<double>(x.size()) / rate_Hz);
-  const double periods = std::floor((last - first) / period_turns + 1e-6);
-  if (periods < 1) return {};
   const auto n = static_cast<Eigen::Index>(std::llround(periods * period_turns * samples_per_turn));
   Eigen::VectorXd even(n);
   Eigen::Index after = 0;

@@ -11,14 +11,17 @@ namespace rvbench::analysis {
 class ShaftAngle {
  public:
   /// From the channel input_angle if the record has one, else from its mean speed.
-  /// Empty if it has neither, if the shaft turned back, or if it never turned.
+  /// Empty if it has neither, or no rate with it, if the shaft turned back, or never turned.
   static std::optional<ShaftAngle> of(const Recording& record);
 
   bool is_measured() const { return is_measured_; }  ///< else the speed was taken as constant
   double mean_speed_Hz() const;
   double turns_at(double time_s) const;  ///< extrapolates at the ends
   double time_at(double turns) const;    ///< the inverse
-  double first_s() const { return start_s_; }
+
+  /// Whole periods of so many input turns that `count` samples from start_s on span.
+  double whole_periods(Eigen::Index count, double rate_Hz, double start_s,
+                       double period_turns) const;
 
   /// Samples x, taken at rate_Hz from start_s on, anew at even steps of the shaft angle, over the
   /// largest whole number of periods that fits. Empty if not even one fits.

@@ -98,6 +98,7 @@ TEST_CASE("a shaft that stands, turns back or is not known has no angle", "[anal
   CHECK_FALSE(ShaftAngle::of(measured(angle(Eigen::ArrayXd::Constant(1000, 3), 100))));
   CHECK_FALSE(ShaftAngle::of(measured(angle(10 * t * (9 - t), 100))));
   CHECK_FALSE(ShaftAngle::of(measured(angle(Eigen::ArrayXd::Constant(1000, not_known), 100))));
+  CHECK_FALSE(ShaftAngle::of(measured(angle(10 * t, 0))));  // at no rate that is known
 }
 
 SCENARIO("over the shaft angle, an order of a run-up is one line", "[analysis][angle]") {
@@ -134,6 +135,15 @@ TEST_CASE("channels on clocks of their own meet at the same instant", "[analysis
   CHECK(even.size() == 100 * 64);
   const Eigen::VectorXd ideal = (two_pi * 3 * test::times_s(even.size(), 64)).sin();
   CHECK((even - ideal).head(99 * 64).cwiseAbs().maxCoeff() < 1e-3);
+}
+
+TEST_CASE("a record spans so many whole periods as the shaft turned in it", "[analysis][angle]") {
+  // 10 s from 2 s on, at 10 rev/s and 0.5 rev/s² more: 10·10 + 0.25·(12² − 2²) = 135 turns.
+  const auto shaft = ShaftAngle::of(measured(angle(run_up(test::times_s(1300, 100)), 100)));
+  REQUIRE(shaft);
+  CHECK(shaft->whole_periods(count, rate_Hz, 2, 45) == 3);
+  CHECK(shaft->whole_periods(count, rate_Hz, 2, 46) == 2);
+  CHECK(shaft->whole_periods(count, rate_Hz, 2, 136) == 0);
 }
 
 TEST_CASE("a record shorter than one period gives nothing", "[analysis][angle]") {
