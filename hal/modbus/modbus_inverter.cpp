@@ -109,7 +109,10 @@ Status ModbusInverter::attempt(const std::function<Status()>& request) {
     if (!opened) return opened;
     registers::Settings settings;
     const Status identified = identify(settings);
-    if (!identified) return identified;
+    if (!identified) {
+      link_.close();  // an exception reply leaves it open: the next request would go to a stranger
+      return identified;
+    }
   }
   return request();
 }

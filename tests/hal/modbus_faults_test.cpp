@@ -116,6 +116,30 @@ SCENARIO("a setpoint that failed is never replayed", "[hal][modbus]") {
                                                           : IoErrc::disconnected));
 }
 
+SCENARIO("what does not say who it is gets no command", "[hal][modbus]") {
+  Bench bench;
+  REQUIRE(bench.drive.connect());
+  REQUIRE(bench.drive.set_speed(300));
+  GIVEN("a new link over which the drive was too busy to be identified") {
+    bench.server->inject({.fault = WireFault::silent, .requests = 1});
+    REQUIRE_FALSE(bench.drive.set_speed(600));  // a time-out: the link is closed
+    bench.server->inject({.fault = WireFault::busy, .requests = 1});
+    const auto refused = bench.drive.set_speed(600);
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().code == IoErrc::refused);
+    CHECK_THAT(refused.error().where, Catch::Contains("identify"));
+    bench.server->inject({});
+    const int before = bench.server->requests();
+    WHEN("the next setpoint is sent") {
+      REQUIRE(bench.drive.set_speed(600));
+      THEN("the drive was asked for its identity first") {
+        CHECK(bench.server->requests() - before == 2);
+        CHECK(bench.model.state().setpoint_Hz == Approx(20));
+      }
+    }
+  }
+}
+
 SCENARIO("a dead link neither blocks nor breaks anything", "[hal][modbus]") {
   Bench bench;
   REQUIRE(bench.drive.connect());
