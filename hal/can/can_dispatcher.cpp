@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -17,7 +18,8 @@ class SharedBus {
     for (const std::uint32_t id : ids) mailboxes_[id];
   }
 
-  Status open() {
+  Status open(std::uint32_t id) {
+    mailboxes_.at(id).error.reset();  // the others' devices have yet to hear of theirs
     if (is_open_) return Done{};
     Status status = bus_->open();
     is_open_ = static_cast<bool>(status);
@@ -27,31 +29,48 @@ class SharedBus {
   Status send(const CanFrame& frame) { return bus_->send(frame); }
 
   Result<CanFrame> receive(std::uint32_t id) {
-    std::deque<CanFrame>& mailbox = mailboxes_.at(id);
-    Result<CanFrame> next = bus_->receive();
-    for (; next; next = bus_->receive()) deliver(next.value());
-    if (mailbox.empty()) return fail(next.error());
-    const CanFrame frame = mailbox.front();
-    mailbox.pop_front();
-    return frame;
+    empty_bus();
+    Mailbox& mailbox = mailboxes_.at(id);
+    if (!mailbox.frames.empty()) {
+      const CanFrame frame = mailbox.frames.front();
+      mailbox.frames.pop_front();
+      return frame;
+    }
+    if (mailbox.error) return *std::exchange(mailbox.error, std::nullopt);
+    return IoError{IoErrc::timeout, "CAN: receive"};
   }
 
  private:
+  struct Mailbox {
+    std::deque<CanFrame> frames;
+    std::optional<IoError> error;  // of the bus, to be told once, after the frames
+  };
+
+  void empty_bus() {
+    for (;;) {
+      const Result<CanFrame> next = bus_->receive();
+      if (!next) return note(next.error());
+      deliver(next.value());
+    }
+  }
+
   void deliver(const CanFrame& frame) {
     const auto found = mailboxes_.find(frame.id);
     if (found == mailboxes_.end()) return;
-    if (found->second.size() == mailbox_capacity) found->second.pop_front();
-    found->second.push_back(frame);
+    std::deque<CanFrame>& frames = found->second.frames;
+    if (frames.size() == mailbox_capacity) frames.pop_front();
+    frames.push_back(frame);
   }
 
   // A bus that was lost can be opened anew.
-  IoError fail(const IoError& error) {
+  void note(const IoError& error) {
+    if (error.code == IoErrc::timeout) return;
     if (error.code == IoErrc::disconnected) is_open_ = false;
-    return error;
+    for (auto& [id, mailbox] : mailboxes_) mailbox.error = error;
   }
 
   std::unique_ptr<CanTransport> bus_;
-  std::map<std::uint32_t, std::deque<CanFrame>> mailboxes_;
+  std::map<std::uint32_t, Mailbox> mailboxes_;
   bool is_open_ = false;
 };
 
@@ -59,7 +78,7 @@ class Port final : public CanTransport {
  public:
   Port(std::shared_ptr<SharedBus> bus, std::uint32_t id) : bus_(std::move(bus)), id_(id) {}
 
-  Status open() override { return bus_->open(); }
+  Status open() override { return bus_->open(id_); }
   Status send(const CanFrame& frame) override { return bus_->send(frame); }
   Result<CanFrame> receive() override { return bus_->receive(id_); }
 

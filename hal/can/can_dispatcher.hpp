@@ -12,7 +12,7 @@ namespace rvbench::hal {
 /// to the bus. So each device has a transport to itself and none takes the frames of another.
 ///
 /// Frames with other identifiers are dropped. A port that nobody reads keeps its newest 4096
-/// frames. An error of the bus is told to every port that asks.
+/// frames. An error of the bus is told to every port once, after the frames that wait there.
 ///
 /// Threads  the ports share the bus: one caller at a time for all of them together
 std::vector<std::unique_ptr<CanTransport>> split_by_id(std::unique_ptr<CanTransport> bus,

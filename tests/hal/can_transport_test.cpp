@@ -3,8 +3,11 @@
 
 #include <catch2/catch.hpp>
 #include <cerrno>
+#include <deque>
+#include <memory>
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
 #include "hal/can/can_dispatcher.hpp"
 #include "hal/can/in_process_transport.hpp"
@@ -18,6 +21,23 @@ namespace {
 hal::CanFrame numbered(std::uint32_t id, std::uint8_t number) {
   return {.id = id, .length = 1, .data = {number}};
 }
+
+// A bus that gives frames and errors as scripted, then nothing.
+class ScriptedBus final : public hal::CanTransport {
+ public:
+  explicit ScriptedBus(std::deque<Result<hal::CanFrame>>& script) : script_(script) {}
+  Status open() override { return Done{}; }
+  Status send(const hal::CanFrame&) override { return Done{}; }
+  Result<hal::CanFrame> receive() override {
+    if (script_.empty()) return IoError{IoErrc::timeout, "nothing"};
+    Result<hal::CanFrame> next = script_.front();
+    script_.pop_front();
+    return next;
+  }
+
+ private:
+  std::deque<Result<hal::CanFrame>>& script_;
+};
 
 bool kernel_has_can() {
   const int probe = ::socket(PF_CAN, SOCK_RAW | SOCK_CLOEXEC, 1);
@@ -95,6 +115,34 @@ SCENARIO("each device gets its own frames, whoever asks first", "[hal][can]") {
     THEN("the other goes on") {
       REQUIRE(bus.nodes->send(numbered(0x281, 7)));
       CHECK(ports[1]->receive().value().data[0] == 7);
+    }
+  }
+}
+
+SCENARIO("every device hears of an error of the bus", "[hal][can]") {
+  std::deque<Result<hal::CanFrame>> script{numbered(0x181, 1),
+                                           IoError{IoErrc::overrun, "frames were dropped"},
+                                           numbered(0x181, 2), numbered(0x281, 3)};
+  auto ports = hal::split_by_id(std::make_unique<ScriptedBus>(script), {0x181, 0x281});
+  REQUIRE(ports[0]->open());
+  REQUIRE(ports[1]->open());
+  const auto codes = [&](hal::CanTransport& port) {
+    std::vector<IoErrc> heard;
+    for (int i = 0; i < 4; ++i) {
+      if (const auto received = port.receive(); !received) heard.push_back(received.error().code);
+    }
+    return heard;
+  };
+  // Two frames for one port, one for the other; then each is told once.
+  CHECK(codes(*ports[0]) == std::vector{IoErrc::overrun, IoErrc::timeout});
+  CHECK(codes(*ports[1]) == std::vector{IoErrc::overrun, IoErrc::timeout, IoErrc::timeout});
+  WHEN("one device opens a lost bus anew") {
+    script.emplace_back(IoError{IoErrc::disconnected, "bus-off"});
+    CHECK(ports[0]->receive().error().code == IoErrc::disconnected);
+    REQUIRE(ports[0]->open());
+    THEN("the other does not go on as if nothing had been") {
+      CHECK(codes(*ports[1]).front() == IoErrc::disconnected);
+      CHECK(ports[0]->receive().error().code == IoErrc::timeout);
     }
   }
 }
