@@ -17,7 +17,8 @@ struct Table4Row {
 inline constexpr std::array<double, 3> table4_speeds_rpm = {605, 1210, 1815};
 
 /// The seven rows, in the order of print. They mix speeds: the meshing row fits a motor 2.3 to 3 %
-/// below nominal, the drive shaft's one 0.8 % below, the others fit the nominal speed.
+/// below nominal, the others fit the nominal speed. What is printed as the drive shaft is 120/121
+/// of it: the sun against the carrier.
 const std::array<Table4Row, 7>& table4();
 
 /// Table 4 as a catalogue: the published Hz of the column nearest to `speed_rpm`, as orders of that

@@ -33,6 +33,13 @@ TEST_CASE("the published meshing row fits a motor below nominal speed, the pin r
   }
 }
 
+TEST_CASE("the row printed as drive shaft is the sun against the carrier, at nominal speed",
+          "[analysis][literature]") {
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(table4()[0].frequency_Hz[i] == Approx(120.0 / 121 * table4_speeds_rpm[i] / 60));
+  }
+}
+
 TEST_CASE("the published catalogue has the same rows at every speed", "[analysis]") {
   const Kinematics slow = published_table4(598);
   const Kinematics fast = published_table4(1790);
@@ -64,7 +71,7 @@ TEST_CASE("a line that the table prints is found, though it repeats with the gea
 
 TEST_CASE("what the table does not print to its digits is not found by it", "[analysis]") {
   CHECK(judged_by_table4(turning.tone(carrier)).findings.empty());
-  // The shaft at 1815 rpm turns 30.25 times a second: printed is 30.0.
+  // The shaft at 1815 rpm turns 30.25 times a second, printed is 30.0: it is the sun's row.
   CHECK(judged_by_table4(turning.modulated(carrier, 1, 0.4)).findings.empty());
 }
 
