@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 
+#include <system_error>
+
 #include "hal/hdf5/attributes.hpp"
 #include "hal/hdf5/growing_series.hpp"
 #include "hal/hdf5/sample_group.hpp"
@@ -44,14 +46,7 @@ void make_point(const Handle& file, int number, const RecordingLayout& layout) {
   }
 }
 
-}  // namespace
-
-std::string point_path(int point) { return fmt::format("/points/{:03}", point); }
-
-Handle make_skeleton(const std::filesystem::path& path, const RecordingLayout& layout) {
-  const Handle access = file_access();
-  Handle file =
-      own(H5Fcreate(path.c_str(), H5F_ACC_EXCL, H5P_DEFAULT, access.id()), H5Fclose, "create");
+void fill(const Handle& file, const RecordingLayout& layout) {
   write_text(file, "software", layout.software);
   write_integer(file, "format_version", 1);
   make_group(file, "/points");
@@ -60,6 +55,25 @@ Handle make_skeleton(const std::filesystem::path& path, const RecordingLayout& l
   }
   create_tables(file);
   check(H5Fstart_swmr_write(file.id()), "start SWMR writing");
+}
+
+}  // namespace
+
+std::string point_path(int point) { return fmt::format("/points/{:03}", point); }
+
+Handle make_skeleton(const std::filesystem::path& path, const RecordingLayout& layout) {
+  const Handle access = file_access();
+  Handle file =
+      own(H5Fcreate(path.c_str(), H5F_ACC_EXCL, H5P_DEFAULT, access.id()), H5Fclose, "create");
+  try {
+    fill(file, layout);
+  } catch (const FileFailure&) {
+    // Half a skeleton cannot be repaired: a run could never be resumed beside it.
+    file.close();
+    std::error_code ignored;
+    std::filesystem::remove(path, ignored);
+    throw;
+  }
   return file;
 }
 

@@ -244,6 +244,24 @@ TEST_CASE("a full disk is reported, and again at each later call", "[hal][record
   CHECK(WEXITSTATUS(status) == 0);
 }
 
+TEST_CASE("a recording that cannot even be begun leaves no file behind", "[hal][recording]") {
+  const ScratchFolder scratch;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{4096, 4096};  // of the 63 points' groups
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    const auto made = RecordingWriter::create(scratch / "r.h5", test::layout_of(63, 12));
+    if (made) ::_exit(1);
+    ::_exit(made.error().where.find("r.h5") == std::string::npos ? 2 : 0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  REQUIRE(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 0);
+  CHECK_FALSE(std::filesystem::exists(scratch / "r.h5"));
+}
+
 #endif
 
 }  // namespace rvbench::hal
