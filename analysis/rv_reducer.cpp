@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "hal/types/require_positive.hpp"
+
 namespace rvbench::analysis {
 namespace {
 
@@ -15,10 +17,14 @@ struct Rates {
 };
 
 void check(const RvGeometry& g) {
-  if (g.sun_teeth < 1 || g.planet_teeth < 1 || g.planets < 1 || g.lobes < 1) {
-    throw std::invalid_argument("rv_reducer: counts must be positive");
+  require_positive(g.sun_teeth, "rv_reducer", "sun_teeth");
+  require_positive(g.planet_teeth, "rv_reducer", "planet_teeth");
+  require_positive(g.planets, "rv_reducer", "planets");
+  require_positive(g.lobes, "rv_reducer", "lobes");
+  if (g.pins != g.lobes + 1) {
+    throw std::invalid_argument("rv_reducer: pins are " + std::to_string(g.pins) +
+                                ", must be one more than lobes, " + std::to_string(g.lobes));
   }
-  if (g.pins != g.lobes + 1) throw std::invalid_argument("rv_reducer: pins must be lobes + 1");
 }
 
 double ratio(const RvGeometry& g) {

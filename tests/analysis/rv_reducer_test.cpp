@@ -110,10 +110,15 @@ TEST_CASE("each signature says what its limit is for and what to do", "[analysis
 }
 
 TEST_CASE("tooth counts that do not mesh are refused", "[analysis][kinematics][errors]") {
-  const auto geometry = GENERATE(RvGeometry{0, 27, 2, 39, 40}, RvGeometry{9, -1, 2, 39, 40},
-                                 RvGeometry{9, 27, 0, 39, 40}, RvGeometry{9, 27, 2, 0, 1},
-                                 RvGeometry{9, 27, 2, 39, 39}, RvGeometry{9, 27, 2, 40, 39});
-  CHECK_THROWS_AS(rv_reducer("none", geometry, {}), std::invalid_argument);
+  const auto [geometry, wrong] = GENERATE(values<std::pair<RvGeometry, std::string>>({
+      {{0, 27, 2, 39, 40}, "sun_teeth is 0"},
+      {{9, -1, 2, 39, 40}, "planet_teeth is -1"},
+      {{9, 27, 0, 39, 40}, "planets is 0"},
+      {{9, 27, 2, 0, 1}, "lobes is 0"},
+      {{9, 27, 2, 39, 39}, "pins are 39, must be one more than lobes, 39"},
+      {{9, 27, 2, 40, 39}, "pins are 39, must be one more than lobes, 40"},
+  }));
+  CHECK_THROWS_WITH(rv_reducer("none", geometry, {}), Catch::Contains("rv_reducer: " + wrong));
 }
 
 TEST_CASE("the derived orders account for every row of the published Table 4",
