@@ -113,11 +113,6 @@ double ShaftAngle::turns_at(double time_s) const {
   return turns_[i] + (turns_[i + 1] - turns_[i]) * (place - static_cast<double>(i));
 }
 
-double ShaftAngle::time_at(double turns) const {
-  const auto* begin = turns_.data();
-  return time_before(std::upper_bound(begin, begin + turns_.size(), turns) - begin, turns);
-}
-
 double ShaftAngle::time_before(Eigen::Index after, double turns) const {
   after = std::clamp<Eigen::Index>(after, 1, turns_.size() - 1);
   const double rise = std::max(turns_[after] - turns_[after - 1], 1e-300);

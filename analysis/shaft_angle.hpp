@@ -17,7 +17,6 @@ class ShaftAngle {
   bool is_measured() const { return is_measured_; }  ///< else the speed was taken as constant
   double mean_speed_Hz() const;
   double turns_at(double time_s) const;  ///< extrapolates at the ends
-  double time_at(double turns) const;    ///< the inverse
 
   /// Whole periods of so many input turns that `count` samples from start_s on span.
   double whole_periods(Eigen::Index count, double rate_Hz, double start_s,

@@ -13,7 +13,6 @@ constexpr double rad_s_from_rpm(double rpm) { return rpm * two_pi / 60; }
 constexpr double rpm_from_rad_s(double rad_s) { return rad_s * 60 / two_pi; }
 constexpr double Hz_from_rpm(double rpm) { return rpm / 60; }
 constexpr double rpm_from_Hz(double hz) { return hz * 60; }
-constexpr double m_s2_from_g(double g) { return g * standard_gravity_m_s2; }
 constexpr double g_from_m_s2(double m_s2) { return m_s2 / standard_gravity_m_s2; }
 
 }  // namespace rvbench::units
