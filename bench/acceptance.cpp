@@ -18,7 +18,7 @@ namespace rvbench::bench {
 namespace {
 
 Ending bench_fault(const IoError& error) {
-  return {Outcome::error, ErrorKind::device_lost, describe(error)};
+  return {Outcome::error, ErrorKind::none, describe(error)};
 }
 
 hal::RecordingLayout layout_of(const Acceptance& acceptance, const hal::Rig& rig) {

@@ -16,10 +16,18 @@ std::vector<std::pair<double, std::string>> events_in(const std::filesystem::pat
   std::ifstream in(file);
   for (std::string text; std::getline(in, text);) {
     const auto line = nlohmann::json::parse(text, nullptr, false);
-    if (line.is_discarded() || !line.contains("event") || !line.contains("time_s")) continue;
+    if (!line.is_object() || !line.contains("event") || !line.contains("time_s")) continue;
+    if (!line["event"].is_string() || !line["time_s"].is_number()) continue;
     events.emplace_back(line["time_s"].get<double>(), line["event"].get<std::string>());
   }
   return events;
+}
+
+bool ends_within_a_line(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::ate);
+  if (!in || in.tellg() <= 0) return false;
+  in.seekg(-1, std::ios::end);
+  return in.get() != '\n';
 }
 
 }  // namespace
@@ -27,6 +35,7 @@ std::vector<std::pair<double, std::string>> events_in(const std::filesystem::pat
 RunLog::RunLog(const std::filesystem::path& file, ProgressBar& bar)
     : file_(file, std::ios::app), bar_(bar), events_(events_in(file)) {
   if (!file_) throw std::system_error(errno, std::generic_category(), file.string());
+  if (ends_within_a_line(file)) file_ << '\n';  // a killed run's: the next event needs its own
 }
 
 void RunLog::progress(double done_s, double total_s, const std::string& doing) {

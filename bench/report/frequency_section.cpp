@@ -102,10 +102,9 @@ std::string published_unexplained() {
                 {"10 Hz at 1210 rpm", "order 1/2 of the input shaft has no kinematic source"}}) +
          paragraph(
              "Table 4 is shown as published. Its meshing row fits a motor 3.0 / 2.5 / 2.3 % below "
-             "nominal "
-             "speed (slip), its other rows fit nominal speed: the table mixes speeds. Here lines "
-             "are matched "
-             "in orders of the measured speed.");
+             "nominal speed (slip), its drive-shaft row is the sun against the carrier (120/121), "
+             "the others fit nominal speed: the table mixes speeds. Here lines are matched in "
+             "orders of the measured speed.");
 }
 
 }  // namespace
