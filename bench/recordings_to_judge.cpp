@@ -12,18 +12,13 @@
 #include "bench/command.hpp"
 #include "bench/file_kind.hpp"
 #include "bench/rising_channels.hpp"
+#include "hal/types/units.hpp"
 
 namespace rvbench::bench {
 namespace {
 
-constexpr double speed_tolerance = 1e-2;  // as of what a file states: see RecordingHints
 constexpr double least_peak = 1e-30;
 constexpr double largest_peak = 1e30;
-
-bool is_of_shaft(const Channel& channel) {
-  return channel.info.name == channel_names::input_angle ||
-         channel.info.name == channel_names::input_torque;
-}
 
 // No vibration in any unit: squares of it would overflow, or vanish.
 std::optional<std::string> what_is_beyond(const Recording& record, const std::string& file,
@@ -65,8 +60,8 @@ std::optional<std::string> what_is_not_stated(const Recording& record, const std
 void prefer_speed(double speed_rpm, Recording& record) {
   const auto angle = analysis::ShaftAngle::of(record);
   if (!angle || !angle->is_measured()) return;
-  const double measured_rpm = 60 * angle->mean_speed_Hz();
-  if (std::abs(speed_rpm - measured_rpm) <= speed_tolerance * measured_rpm) return;
+  const double measured_rpm = units::rpm_from_Hz(angle->mean_speed_Hz());
+  if (std::abs(speed_rpm - measured_rpm) <= hal::speed_tolerance * measured_rpm) return;
   record.notes.push_back(
       fmt::format("speed {} rpm as given: the shaft's angle, which says {:.5g} rpm, is left out",
                   speed_rpm, measured_rpm));
@@ -95,7 +90,7 @@ bool keep_channel(const std::string& name, Recording& record) {
   if (name.empty()) return true;
   if (record.find(name) == nullptr) return false;
   std::erase_if(record.channels, [&](const Channel& channel) {
-    return channel.info.name != name && !is_of_shaft(channel);
+    return channel.info.name != name && !is_of_shaft(channel.info);
   });
   return true;
 }

@@ -192,13 +192,12 @@ std::string ConfigReader::text(std::string_view key, std::string fallback) {
 }
 
 std::string ConfigReader::choice(std::string_view key,
-                                 std::initializer_list<std::string_view> allowed) {
+                                 const std::vector<std::string_view>& allowed) {
   require(key);
-  return choice(key, allowed, std::string(*allowed.begin()));
+  return choice(key, allowed, std::string(allowed.front()));
 }
 
-std::string ConfigReader::choice(std::string_view key,
-                                 std::initializer_list<std::string_view> allowed,
+std::string ConfigReader::choice(std::string_view key, const std::vector<std::string_view>& allowed,
                                  std::string fallback) {
   const JsonNode* json = node_->ask(key);
   if (json == nullptr) return fallback;

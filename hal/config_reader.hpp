@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -55,8 +54,8 @@ class ConfigReader {
   bool boolean(std::string_view key, bool fallback);
   std::string text(std::string_view key);
   std::string text(std::string_view key, std::string fallback);
-  std::string choice(std::string_view key, std::initializer_list<std::string_view> allowed);
-  std::string choice(std::string_view key, std::initializer_list<std::string_view> allowed,
+  std::string choice(std::string_view key, const std::vector<std::string_view>& allowed);
+  std::string choice(std::string_view key, const std::vector<std::string_view>& allowed,
                      std::string fallback);
   std::vector<double> numbers(std::string_view key, Bounds bounds);  ///< required, not empty
 

@@ -13,10 +13,6 @@ constexpr int most_sweeps = 50;
 constexpr int most_iterations = 60;
 constexpr double tolerance = 1e-12;
 
-double speed_of(const PlantState& s, Axis axis) {
-  return axis.body_b == housing ? s.v[axis.body_a] : s.v[axis.body_a] - s.v[axis.body_b];
-}
-
 Eigen::VectorXd direction_of(Axis axis, const std::vector<int>& free) {
   Eigen::VectorXd direction = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(free.size()));
   for (std::size_t i = 0; i < free.size(); ++i) {
@@ -125,7 +121,7 @@ double DryContacts::solve(const Contact& contact, double mobility, double free_s
 
 void DryContacts::correct(const PlantState& s, Eigen::VectorXd& x) {
   for (Contact& contact : contacts_) {
-    contact.free_speed = speed_of(s, contact.axis);
+    contact.free_speed = contact.shares.front().term->speed(s);
     contact.force = contact.foreseen;
   }
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {

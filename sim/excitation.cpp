@@ -13,13 +13,6 @@
 namespace rvbench::sim {
 namespace {
 
-const Channel* find_channel(const std::vector<Channel>& channels, std::string_view name) {
-  for (const Channel& channel : channels) {
-    if (channel.info.name == name) return &channel;
-  }
-  return nullptr;
-}
-
 // Why this channel cannot be used, or "".
 std::string channel_fault(const Channel& channel, const InputSpec& input, const Channel& first) {
   const std::string name = hal::in_quotes(input.channel);

@@ -7,19 +7,13 @@
 #include <set>
 
 #include "hal/did_you_mean.hpp"
+#include "sim/named.hpp"
 
 namespace rvbench::sim {
 namespace {
 
 using hal::did_you_mean;
 using hal::in_quotes;
-
-template <typename T>
-std::vector<std::string> names_of(const std::vector<T>& list) {
-  std::vector<std::string> names;
-  for (const T& item : list) names.push_back(item.name);
-  return names;
-}
 
 // One walk over a plant, noting what is wrong.
 class Check {

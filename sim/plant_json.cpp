@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "hal/did_you_mean.hpp"
 #include "sim/plant_check.hpp"
 #include "sim/plant_files.hpp"
 #include "sim/plant_words.hpp"
@@ -14,20 +13,15 @@ using hal::ConfigReader;
 
 constexpr hal::Bounds any{-unbounded, unbounded};
 
+// @param fallback  a word; empty if the key is required
 template <typename T, std::size_t n>
 T choose(ConfigReader& at, const char* key, const std::array<Word<T>, n>& words,
          std::string fallback = {}) {
-  const std::string word = fallback.empty() ? at.text(key) : at.text(key, std::move(fallback));
-  std::vector<std::string> known;
-  std::string list;
-  for (const auto& entry : words) {
-    if (entry.word == word) return entry.value;
-    known.emplace_back(entry.word);
-    list += (list.empty() ? "" : ", ") + hal::in_quotes(entry.word);
-  }
-  at.fault(key, "expected one of " + list + "; found " + hal::in_quotes(word) +
-                    hal::did_you_mean(word, known));
-  return words.front().value;
+  std::vector<std::string_view> known;
+  for (const auto& entry : words) known.push_back(entry.word);
+  const std::string word =
+      fallback.empty() ? at.choice(key, known) : at.choice(key, known, std::move(fallback));
+  return std::ranges::find(words, word, &Word<T>::word)->value;
 }
 
 Quantity read_quantity(ConfigReader& at) {

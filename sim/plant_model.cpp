@@ -8,6 +8,7 @@
 
 #include "hal/types/units.hpp"
 #include "sim/linear_flow.hpp"
+#include "sim/named.hpp"
 #include "sim/plant_check.hpp"
 #include "sim/term_memory.hpp"
 #include "sim/terms/dry_friction.hpp"
@@ -17,13 +18,6 @@ namespace {
 
 constexpr double steps_per_period = 24;
 constexpr double steps_per_sample_of_dry_friction = 4;
-
-template <typename T>
-int index_of(const std::vector<T>& list, std::string_view name) {
-  const auto found =
-      std::find_if(list.begin(), list.end(), [&](const T& item) { return item.name == name; });
-  return found == list.end() ? -1 : static_cast<int>(found - list.begin());
-}
 
 // Index in PlantState::u: motions are no part of it.
 int input_index(const PlantSpec& plant, std::string_view name) {

@@ -1,17 +1,8 @@
 #include "sim/plant_spec.hpp"
 
+#include "sim/named.hpp"
+
 namespace rvbench::sim {
-namespace {
-
-template <typename T>
-const T* find_named(const std::vector<T>& list, std::string_view name) {
-  for (const T& item : list) {
-    if (item.name == name) return &item;
-  }
-  return nullptr;
-}
-
-}  // namespace
 
 const BodySpec* PlantSpec::find_body(std::string_view body) const {
   return find_named(bodies, body);

@@ -8,6 +8,7 @@
 
 #include "sim/four_stage.hpp"
 #include "sim/interpolation.hpp"
+#include "sim/named.hpp"
 #include "sim/plant_check.hpp"
 
 namespace rvbench::sim {
@@ -22,23 +23,15 @@ struct Sensor {
   std::size_t prescribed;  // place among the prescribed bodies; their number if it moves freely
 };
 
-template <typename T>
-std::size_t index_of(const std::vector<T>& list, std::string_view name) {
-  return static_cast<std::size_t>(
-      std::find_if(list.begin(), list.end(), [&](const T& item) { return item.name == name; }) -
-      list.begin());
-}
-
 std::vector<Sensor> place_sensors(const PlantSpec& plant, const PlantModel& model) {
   std::vector<Sensor> sensors;
   for (const OutputSpec& output : plant.outputs) {
     const bool of_term = output.kind == OutputKind::effort;
-    const std::size_t index =
+    const int index =
         of_term ? index_of(plant.terms, output.of) : index_of(plant.bodies, output.of);
-    const auto place =
-        std::find(model.prescribed.begin(), model.prescribed.end(), static_cast<int>(index));
-    sensors.push_back(
-        {output.kind, index, static_cast<std::size_t>(place - model.prescribed.begin())});
+    const auto place = std::find(model.prescribed.begin(), model.prescribed.end(), index);
+    sensors.push_back({output.kind, static_cast<std::size_t>(index),
+                       static_cast<std::size_t>(place - model.prescribed.begin())});
   }
   return sensors;
 }
@@ -187,12 +180,9 @@ SimulatedOrFault simulate(const PlantSpec& plant, const Excitation& excitation,
 
 SimulatedOrFault simulate(const PlantSpec& plant, const std::vector<Channel>& inputs,
                           const TermLibrary& library) {
-  double rate_Hz = 0;
-  for (const Channel& channel : inputs) {
-    if (!plant.inputs.empty() && channel.info.name == plant.inputs.front().channel) {
-      rate_Hz = channel.rate_Hz;
-    }
-  }
+  const Channel* first =
+      plant.inputs.empty() ? nullptr : find_channel(inputs, plant.inputs.front().channel);
+  const double rate_Hz = first == nullptr ? 0 : first->rate_Hz;
   const auto substeps = substeps_for(plant, rate_Hz > 0 ? rate_Hz : 1e3, library);
   if (const auto* fault = std::get_if<hal::ConfigFault>(&substeps)) return *fault;
   const auto excitation = Excitation::make(plant, inputs, std::get<int>(substeps));

@@ -104,8 +104,6 @@ class Selector {
     std::atomic<std::size_t> done = 0;
     parallel_for(effects.size(), [&](std::size_t i) {
       trials[i] = try_effect(on_, now_, effects[i]);
-      trials[i].fit.effects = now_.fit.effects;
-      trials[i].fit.effects.push_back(effects[i]);
       tell(fmt::format("effect {}: fitting candidates", steps_.size() + 1),
            double(++done) / double(effects.size()));
     });
@@ -131,7 +129,7 @@ class Selector {
     for (std::size_t i = 0; i < ranked.size(); ++i) {
       if (ranked[i].effects.back() == step.effect) step.share_won = shares[i];
     }
-    if (auto standing = stand(on_, best.fit)) now_ = std::move(*standing);
+    now_ = {best.fit, best.held_out, best.extrapolated};
     steps_.push_back(std::move(step));
   }
 
@@ -186,27 +184,26 @@ class Selector {
   // Exchanges earlier effects for rivals that predict clearly better beside the newest one.
   void exchange() {
     for (std::size_t s = 0; s + 1 < steps_.size(); ++s) {
+      const auto rest = refit_without(steps_[s].effect);
+      if (!rest) continue;
       for (const Trial& rival : std::vector<Trial>(steps_[s].tried)) {
         if (rival.effect() == steps_[s].effect || !rival.fit.not_certified.empty()) continue;
         const bool held =
             std::ranges::find(now_.fit.effects, rival.effect()) != now_.fit.effects.end();
-        if (!held) try_exchange(s, rival.effect());
+        if (!held) try_exchange(s, *rest, rival.effect());
       }
     }
   }
 
-  void try_exchange(std::size_t s, std::size_t effect) {
-    const auto rest = refit_without(steps_[s].effect);
-    if (!rest) return;
-    const Trial trial = try_effect(on_, *rest, effect);
+  // @param rest  the present model without the effect of step s
+  void try_exchange(std::size_t s, const Standing& rest, std::size_t effect) {
+    const Trial trial = try_effect(on_, rest, effect);
     if (!trial.refused.empty() || !margin(trial.held_out, now_.held_out).is_clear()) return;
-    if (auto standing = stand(on_, trial.fit)) {
-      now_ = std::move(*standing);
-      steps_[s].effect = effect;
-      steps_[s].over_before = trial.over_before;
-      steps_[s].p_value = trial.p_value;
-      steps_[s].equals.clear();
-    }
+    now_ = {trial.fit, trial.held_out, trial.extrapolated};
+    steps_[s].effect = effect;
+    steps_[s].over_before = trial.over_before;
+    steps_[s].p_value = trial.p_value;
+    steps_[s].equals.clear();
   }
 
   // The present model without one of its effects, fitted anew.

@@ -15,6 +15,7 @@ namespace rvbench::analysis {
 struct Trial {
   Fit fit;
   HeldOut held_out;
+  HeldOut extrapolated;
   Margin over_before;   ///< over the model without it
   double p_value = 1;   ///< of its size, clustered by unit, times the number of candidates
   std::string refused;  ///< why it cannot be accepted; empty if it can

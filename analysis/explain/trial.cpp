@@ -77,6 +77,7 @@ Trial try_effect(const Tryout& on, const Standing& before, std::size_t effect) {
     return trial;
   }
   trial.held_out = now->held_out;
+  trial.extrapolated = now->extrapolated;
   trial.over_before = margin(now->held_out, before.held_out);
   const std::size_t first = before.fit.values.size();
   trial.p_value = std::min(

@@ -19,10 +19,10 @@ std::string number(double value, int significant = 3);
 /// An order with its fraction of 121 where it is one: "0.3223 (39/121)".
 std::string order_text(double order, double period_turns);
 
-/// "< 1e-15" where a p-value is too small to mean its digits.
 /// "171.56 Hz at 1815 rpm": a frequency says nothing without the speed, which its order tells.
 std::string frequency_text(double frequency_Hz, double order);
 
+/// "< 1e-15" where a p-value is too small to mean its digits.
 std::string p_value_text(double p_value);
 
 std::string spoken(std::string name);  ///< "input_shaft" → "input shaft", escaped

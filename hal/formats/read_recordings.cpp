@@ -20,8 +20,7 @@ namespace {
 using formats::bad_file;
 using formats::Format;
 
-constexpr double rate_tolerance = 1e-3;   // crystals agree far better
-constexpr double speed_tolerance = 1e-2;  // a motor's slip may be left out of a nominal speed
+constexpr double rate_tolerance = 1e-3;  // crystals agree far better
 
 std::vector<Format> known_formats() {
   return {formats::hdf5_format(), formats::mat5_format(), formats::csv_format()};
@@ -82,9 +81,7 @@ bool differs(double given, double stated, double tolerance) {
 void apply_rate(double rate_Hz, Recording& recording) {
   double stated_Hz = 0;
   for (Channel& channel : recording.channels) {
-    const bool is_of_shaft = channel.info.name == channel_names::input_angle ||
-                             channel.info.name == channel_names::input_torque;
-    if (is_of_shaft && channel.rate_Hz > 0) continue;
+    if (is_of_shaft(channel.info) && channel.rate_Hz > 0) continue;
     if (channel.rate_Hz > 0 && differs(rate_Hz, channel.rate_Hz, rate_tolerance)) {
       stated_Hz = channel.rate_Hz;
     }

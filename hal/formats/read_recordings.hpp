@@ -8,6 +8,9 @@
 
 namespace rvbench::hal {
 
+/// Relative: speeds that differ by less are one; a motor's slip may be left out of a nominal one.
+inline constexpr double speed_tolerance = 1e-2;
+
 /// What the user knows about a file. It goes before what the file says; a note tells if the two
 /// differ, rates by more than 0.1 % or speeds by more than 1 %.
 struct RecordingHints {

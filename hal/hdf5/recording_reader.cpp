@@ -132,9 +132,7 @@ void Hdf5RecordingReader::apply_index(int number, Recording& recording) const {
   recording.speed_rpm = row->speed_rpm;
   recording.torque_Nm = row->torque_Nm;
   for (Channel& channel : recording.channels) {
-    const bool torque = channel.info.name == channel_names::input_torque ||
-                        channel.info.name == channel_names::input_angle;
-    const double first_s = torque ? row->torque_t0_s : row->acceleration_t0_s;
+    const double first_s = is_of_shaft(channel.info) ? row->torque_t0_s : row->acceleration_t0_s;
     channel.start_s = std::isnan(first_s) ? row->t0_s : first_s;
   }
 }

@@ -26,6 +26,14 @@ struct Channel {
   Eigen::VectorXd samples;  ///< N values in info.unit; NaN where the device gave none
 };
 
+/// The channel of that name; nullptr if there is none.
+inline const Channel* find_channel(const std::vector<Channel>& channels, std::string_view name) {
+  for (const Channel& channel : channels) {
+    if (channel.info.name == name) return &channel;
+  }
+  return nullptr;
+}
+
 /// What was measured at one point of the plan, or in one file of another program.
 struct Recording {
   std::string source;  ///< "runs/A17/.../recording.h5#012", "IR007_0.mat"
@@ -39,12 +47,7 @@ struct Recording {
   std::vector<std::string> notes;  ///< how the file was read, where it was not obvious
 
   /// The channel of that name; nullptr if there is none.
-  const Channel* find(std::string_view name) const {
-    for (const Channel& channel : channels) {
-      if (channel.info.name == name) return &channel;
-    }
-    return nullptr;
-  }
+  const Channel* find(std::string_view name) const { return find_channel(channels, name); }
 };
 
 /// Names that analysis looks for. Accelerations are all channels in m/s² (or of unknown unit).
@@ -52,5 +55,10 @@ namespace channel_names {
 inline constexpr std::string_view input_angle = "input_angle";    ///< rad, unwrapped
 inline constexpr std::string_view input_torque = "input_torque";  ///< N·m
 }  // namespace channel_names
+
+/// Whether it is angle or torque of the input shaft: they have a clock of their own.
+inline bool is_of_shaft(const ChannelInfo& channel) {
+  return channel.name == channel_names::input_angle || channel.name == channel_names::input_torque;
+}
 
 }  // namespace rvbench

@@ -3,18 +3,6 @@
 #include "sim/terms/periodic_push.hpp"
 
 namespace rvbench::sim {
-namespace {
-
-ParameterCard part(std::string name) {
-  return {.name = std::move(name),
-          .unit = UnitKind::force,
-          .min = -unbounded,
-          .max = unbounded,
-          .start = 0.02};
-}
-
-}  // namespace
-
 TermType external_force() {
   return {
       .card = {.name = "external_force",
@@ -28,8 +16,8 @@ TermType external_force() {
                .mimics = {"mains_hum", "inverter_ripple", "housing_mode"},
                .experiment = "change the speed: it stays; stand still: it stays"},
       .parameters =
-          {part("cosine"),
-           part("sine"),
+          {push_card("cosine"),
+           push_card("sine"),
            {.name = "frequency", .unit = UnitKind::frequency, .min = 0, .max = 1e6, .start = 1}},
       .make = [](const TermSite& at) {
         return std::make_unique<PeriodicPush>("external_force", at.axis, at["cosine"], at["sine"],

@@ -3,18 +3,6 @@
 #include "sim/terms/periodic_push.hpp"
 
 namespace rvbench::sim {
-namespace {
-
-ParameterCard part(std::string name) {
-  return {.name = std::move(name),
-          .unit = UnitKind::force,
-          .min = -unbounded,
-          .max = unbounded,
-          .start = 0.02};
-}
-
-}  // namespace
-
 TermType inverter_ripple() {
   return {
       .card = {.name = "inverter_ripple",
@@ -29,8 +17,8 @@ TermType inverter_ripple() {
                                   {Ledger::quasi_static, "means"}},
                .mimics = {"pin_ripple", "external_force"},
                .experiment = "coast down: it is gone at once; change the load: its order moves"},
-      .parameters = {part("cosine"),
-                     part("sine"),
+      .parameters = {push_card("cosine"),
+                     push_card("sine"),
                      {.name = "electrical_frequency",
                       .unit = UnitKind::frequency,
                       .min = 0,

@@ -1,6 +1,7 @@
 #include "sim/terms/periodic_push.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "hal/types/units.hpp"
 
@@ -16,6 +17,14 @@ PeriodicPush::PeriodicPush(std::string_view name, Axis axis, double cosine, doub
 double PeriodicPush::effort(const PlantState& s) const {
   const double phase_rad = frequency_rad_s_ * s.t_s;
   return -cosine_ * std::cos(phase_rad) - sine_ * std::sin(phase_rad);
+}
+
+ParameterCard push_card(std::string name) {
+  return {.name = std::move(name),
+          .unit = UnitKind::force,
+          .min = -unbounded,
+          .max = unbounded,
+          .start = 0.02};
 }
 
 }  // namespace rvbench::sim

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+
+#include "sim/term_library.hpp"
 #include "sim/terms/one_axis_term.hpp"
 
 namespace rvbench::sim {
@@ -16,5 +19,8 @@ class PeriodicPush final : public OneAxisTerm {
  private:
   double cosine_, sine_, frequency_rad_s_;
 };
+
+/// A or B, as every type that pushes periodically asks for them.
+ParameterCard push_card(std::string name);
 
 }  // namespace rvbench::sim

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/scratch_folder.hpp"
+
 using rvbench::hal::Bounds;
 using rvbench::hal::ConfigFault;
 using rvbench::hal::ConfigReader;
@@ -213,10 +215,10 @@ TEST_CASE("a file that cannot be read is a fault without a line", "[hal][config]
 }
 
 TEST_CASE("a file is read as its text is", "[hal][config]") {
-  const auto file = std::filesystem::temp_directory_path() / "rvbench_config_reader_test.json";
+  const rvbench::test::ScratchFolder scratch;
+  const auto file = scratch / "plan.json";
   std::ofstream(file) << "{\"a\": 1.5}";
   auto root = ConfigReader::from_file(file);
   CHECK(root.number("a", any) == 1.5);
   CHECK(printed(root) == "");
-  std::filesystem::remove(file);
 }
