@@ -77,4 +77,21 @@ PlantSpec split_body(PlantSpec plant, const EffectSite& site, const BodySplit& s
   return plant;
 }
 
+PlantSpec with_probes(PlantSpec plant, const std::string& body,
+                      const std::vector<OutputKind>& kinds) {
+  plant.outputs.clear();
+  for (const OutputKind kind : kinds) {
+    OutputSpec output;
+    output.kind = kind;
+    output.of = body;
+    output.unit = std::string(si_unit(kind, plant.motion_of(body)));
+    output.channel = "probe " + std::to_string(plant.outputs.size());
+    output.gain = {1, "1"};
+    output.offset = {0, output.unit};
+    output.delay = {0, "s"};
+    plant.outputs.push_back(std::move(output));
+  }
+  return plant;
+}
+
 }  // namespace rvbench::sim

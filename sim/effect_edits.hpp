@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "sim/term_library.hpp"
 
 namespace rvbench::sim {
@@ -24,5 +26,9 @@ struct BodySplit {
 /// and a damper.
 /// @throws std::invalid_argument if there is no such body or term, or the share is out of range
 PlantSpec split_body(PlantSpec plant, const EffectSite& site, const BodySplit& split);
+
+/// The plant with other sensors: on one body, in SI, without gain, offset or delay.
+PlantSpec with_probes(PlantSpec plant, const std::string& body,
+                      const std::vector<OutputKind>& kinds);
 
 }  // namespace rvbench::sim

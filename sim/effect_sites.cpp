@@ -1,0 +1,79 @@
+#include "sim/effect_sites.hpp"
+
+#include <algorithm>
+
+namespace rvbench::sim {
+namespace {
+
+bool may_move(const TermGate& gate, Motion motion) {
+  return motion == Motion::rotation ? gate.rotation : gate.translation;
+}
+
+// Each body against the housing, each pair that a term joins.
+std::vector<EffectSite> axes_of(const PlantSpec& plant, const TermGate& gate) {
+  std::vector<EffectSite> axes;
+  for (const BodySpec& body : plant.bodies) {
+    if (gate.on_one && may_move(gate, body.motion)) axes.push_back({body.name});
+  }
+  for (const TermSpec& term : plant.terms) {
+    if (!gate.between_two || term.body_b == housing_name) continue;
+    const bool known = std::ranges::any_of(axes, [&](const EffectSite& axis) {
+      return axis.body_a == term.body_a && axis.body_b == term.body_b;
+    });
+    if (!known && may_move(gate, plant.motion_of(term.body_a))) {
+      axes.push_back({term.body_a, term.body_b});
+    }
+  }
+  return axes;
+}
+
+std::vector<std::string> references_of(const PlantSpec& plant, ReferenceKind kind) {
+  std::vector<std::string> names;
+  switch (kind) {
+    case ReferenceKind::none: names.emplace_back(); break;
+    case ReferenceKind::input:
+      for (const InputSpec& input : plant.inputs) {
+        if (input.kind == InputKind::signal) names.push_back(input.name);
+      }
+      break;
+    case ReferenceKind::term:
+      for (const TermSpec& term : plant.terms) names.push_back(term.name);
+      break;
+    case ReferenceKind::body:
+      for (const BodySpec& body : plant.bodies) {  // by whose angle something goes round
+        if (body.motion == Motion::rotation) names.push_back(body.name);
+      }
+      break;
+  }
+  return names;
+}
+
+bool acts_already(const PlantSpec& plant, const TermType& type, const EffectSite& site) {
+  return std::ranges::any_of(plant.terms, [&](const TermSpec& term) {
+    return term.type == type.card.name && term.body_a == site.body_a &&
+           term.body_b == site.body_b && term.reference == site.reference;
+  });
+}
+
+}  // namespace
+
+std::vector<EffectSite> sites_of(const PlantSpec& plant, const TermType& type) {
+  std::vector<EffectSite> sites;
+  for (const EffectSite& axis : axes_of(plant, type.gate)) {
+    for (const std::string& reference : references_of(plant, type.gate.reference)) {
+      EffectSite site = axis;
+      site.reference = reference;
+      if (!acts_already(plant, type, site)) sites.push_back(std::move(site));
+    }
+  }
+  return sites;
+}
+
+std::string describe(const EffectSite& site) {
+  std::string text = site.body_b == housing_name ? site.body_a + " against the housing"
+                                                 : site.body_a + " and " + site.body_b;
+  if (!site.reference.empty()) text += ", by " + site.reference;
+  return text;
+}
+
+}  // namespace rvbench::sim
