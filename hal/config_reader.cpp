@@ -231,6 +231,27 @@ std::vector<double> ConfigReader::numbers(std::string_view key, Bounds bounds) {
   return values.empty() ? std::vector<double>{bounds.min} : values;
 }
 
+std::vector<std::string> ConfigReader::texts(std::string_view key) {
+  const JsonNode* json = node_->ask(key);
+  std::vector<std::string> values;
+  require(key);
+  if (json == nullptr) return values;
+  if (json->kind != Kind::array) {
+    fault(key, "expected an array of texts, found " + show(*json));
+  } else if (json->items.empty()) {
+    fault(key, "must not be empty");
+  } else {
+    for (const JsonNode& item : json->items) {
+      if (item.kind != Kind::text) {
+        document_->note(
+            {item.line, node_->place(key, values.size()), "expected a text, found " + show(item)});
+      }
+      values.push_back(item.text);
+    }
+  }
+  return values;
+}
+
 ConfigReader ConfigReader::object(std::string_view key) {
   require(key);
   if (auto found = optional_object(key)) return *found;

@@ -58,6 +58,7 @@ class ConfigReader {
   std::string choice(std::string_view key, const std::vector<std::string_view>& allowed,
                      std::string fallback);
   std::vector<double> numbers(std::string_view key, Bounds bounds);  ///< required, not empty
+  std::vector<std::string> texts(std::string_view key);              ///< required, not empty
 
   /// A required object; an empty stand-in after noting a fault.
   ConfigReader object(std::string_view key);
