@@ -2,6 +2,7 @@
 
 #include <ceres/ceres.h>
 #include <fmt/format.h>
+#include <glog/logging.h>
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -12,9 +13,14 @@ namespace rvbench::analysis {
 namespace {
 
 constexpr double difference_step = 1e-4;  // of a parameter's scale
+constexpr int most_iterations = 30;       // of a fit, after the opening
+constexpr int most_refit_iterations = 8;  // from where a fit on nearly the same data ended
 constexpr double same_cost = 1e-4;
 constexpr double same_value = 0.05;
-constexpr double same_in_errors = 0.1;  // of a standard error
+constexpr double same_in_errors = 0.1;     // of a standard error
+constexpr int opening_iterations = 2;      // of each start
+constexpr int middle_iterations = 4;       // of those that go on after that
+constexpr std::size_t most_finalists = 3;  // starts that go on after that
 
 // The rows of the units that are learned from.
 std::vector<Eigen::Index> trained_rows(const ForwardModel& model,
@@ -97,9 +103,19 @@ struct Descent {
   bool converged = false;
 };
 
+// A model that cannot be evaluated at some values is an answer here, not news for standard error.
+void keep_ceres_silent() {
+  [[maybe_unused]] static const int once = FLAGS_minloglevel = google::GLOG_FATAL;
+}
+
 Descent descend(const ForwardModel& model, const std::vector<std::size_t>& effects,
                 const std::vector<ModelParameter>& parameters, std::vector<double> values,
-                const std::vector<bool>& trained) {
+                const std::vector<bool>& trained, int iterations) {
+  if (parameters.empty()) {
+    const auto residuals = model.residuals(effects, values, trained);
+    if (!residuals) return {values, std::numeric_limits<double>::infinity(), false};
+    return {values, (*residuals)(trained_rows(model, trained)).squaredNorm(), true};
+  }
   ceres::Problem problem;
   problem.AddResidualBlock(new Cost(model, effects, trained, parameters), nullptr, values.data());
   for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -114,12 +130,16 @@ Descent descend(const ForwardModel& model, const std::vector<std::size_t>& effec
   }
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
-  options.max_num_iterations = 60;
-  options.function_tolerance = 1e-7;
-  options.parameter_tolerance = 1e-7;
+  options.max_num_iterations = iterations;
+  options.function_tolerance = 0.1 * same_cost;
+  options.parameter_tolerance = 1e-6;
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
+  keep_ceres_silent();
   ceres::Solve(options, &problem, &summary);
+  if (!summary.IsSolutionUsable()) {
+    return {values, std::numeric_limits<double>::infinity(), false};
+  }
   return {values, 2 * summary.final_cost, summary.termination_type == ceres::CONVERGENCE};
 }
 
@@ -129,6 +149,7 @@ Eigen::MatrixXd clustered_covariance(const ForwardModel& model, const Eigen::Mat
                                      const std::vector<ModelParameter>& parameters,
                                      const std::vector<bool>& trained) {
   const Eigen::Index n = slopes.cols();
+  if (n == 0) return {};
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(n, n);
   Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(n, n);
   double units = 0;
@@ -143,7 +164,9 @@ Eigen::MatrixXd clustered_covariance(const ForwardModel& model, const Eigen::Mat
   }
   for (Eigen::Index i = 0; i < n; ++i) {
     const double spread = parameters[static_cast<std::size_t>(i)].spread;
-    if (std::isfinite(spread)) information(i, i) += 1 / (spread * spread);
+    if (!std::isfinite(spread)) continue;
+    information(i, i) += 1 / (spread * spread);
+    scatter(i, i) += 1 / (spread * spread);
   }
   const Eigen::MatrixXd inverse = information.completeOrthogonalDecomposition().pseudoInverse();
   return units / std::max(units - static_cast<double>(n), 1.0) * inverse * scatter * inverse;
@@ -165,6 +188,17 @@ std::string disagreement(const Descent& best, const Descent& other,
     }
   }
   return {};
+}
+
+// Whether the first two came to rest in the same place.
+bool settled(const std::vector<Descent>& ends, const std::vector<ModelParameter>& parameters) {
+  if (ends.size() < 2 || !ends[0].converged || !ends[1].converged) return false;
+  if (std::abs(ends[1].cost - ends[0].cost) > ends[0].cost * same_cost) return false;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const double apart = std::abs(ends[0].values[i] - ends[1].values[i]);
+    if (apart > same_value * std::abs(ends[0].values[i])) return false;
+  }
+  return true;
 }
 
 std::string certificate(const std::vector<Descent>& ends,
@@ -211,11 +245,29 @@ std::optional<Eigen::MatrixXd> jacobian(const ForwardModel& model,
 }
 
 Fit fit_from(const ForwardModel& model, const std::vector<std::size_t>& effects,
-             const std::vector<std::vector<double>>& starts, const std::vector<bool>& trained) {
+             const std::vector<std::vector<double>>& starts, const std::vector<bool>& trained,
+             const MustBeat& must_beat) {
   const std::vector<ModelParameter> parameters = parameters_of(model, effects);
   std::vector<Descent> ends;
   for (const std::vector<double>& start : starts) {
-    ends.push_back(descend(model, effects, parameters, start, trained));
+    ends.push_back(descend(model, effects, parameters, start, trained, opening_iterations));
+  }
+  std::ranges::sort(ends, {}, &Descent::cost);
+  if (ends.size() > most_finalists) ends.resize(most_finalists);
+  for (Descent& end : ends) {
+    if (end.converged) continue;
+    end = descend(model, effects, parameters, end.values, trained, middle_iterations);
+  }
+  std::ranges::sort(ends, {}, &Descent::cost);
+  const auto given_up = [&] {
+    return Fit{effects, ends.front().values, {}, {}, ends.front().cost, "explains too little"};
+  };
+  if (ends.front().cost > must_beat.after_first_moves) return given_up();
+  for (std::size_t i = 0; i < ends.size() && !settled(ends, parameters); ++i) {
+    if (ends[i].converged) continue;
+    ends[i] = descend(model, effects, parameters, ends[i].values, trained, most_iterations);
+    if (!ends[i].converged) break;
+    if (ends[i].cost > must_beat.at_rest) return given_up();
   }
   std::ranges::sort(ends, {}, &Descent::cost);
   Fit fit{effects, ends.front().values, {}, {}, ends.front().cost, {}};
@@ -233,7 +285,7 @@ Fit fit_from(const ForwardModel& model, const std::vector<std::size_t>& effects,
 }
 
 Fit fit_with(const ForwardModel& model, const Fit& before, std::size_t added,
-             const std::vector<bool>& trained) {
+             const std::vector<bool>& trained, const MustBeat& must_beat) {
   std::vector<std::size_t> effects = before.effects;
   effects.push_back(added);
   std::vector<std::vector<double>> starts;
@@ -241,12 +293,13 @@ Fit fit_with(const ForwardModel& model, const Fit& before, std::size_t added,
     starts.push_back(before.values);
     starts.back().insert(starts.back().end(), own.begin(), own.end());
   }
-  return fit_from(model, effects, starts, trained);
+  return fit_from(model, effects, starts, trained, must_beat);
 }
 
 Refit refit_from(const ForwardModel& model, const std::vector<std::size_t>& effects,
                  const std::vector<double>& start, const std::vector<bool>& trained) {
-  const Descent end = descend(model, effects, parameters_of(model, effects), start, trained);
+  const Descent end =
+      descend(model, effects, parameters_of(model, effects), start, trained, most_refit_iterations);
   auto residuals = model.residuals(effects, end.values, trained);
   return {end.values, residuals ? std::move(*residuals) : Eigen::VectorXd()};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,12 @@ struct Fit {
   std::string not_certified;         ///< why it must not be ranked; empty if several starts agree
 };
 
+/// Costs above which a fit is not worth going on with.
+struct MustBeat {
+  double after_first_moves = std::numeric_limits<double>::infinity();
+  double at_rest = std::numeric_limits<double>::infinity();
+};
+
 /// Least squares by simulation, from several starts.
 ///
 /// The fit moves the base and every effect together. It is certified if at least two starts end
@@ -26,14 +33,18 @@ struct Fit {
 /// Covariance  (JᵀJ)⁻¹ (Σ_u g_u g_uᵀ) (JᵀJ)⁻¹ with g_u = J_uᵀ r_u: dependence within a unit does
 ///             not count as knowledge
 /// Source      Liang & Zeger, Biometrika 73(1), 13-22 (1986)
-/// @param starts   each of the size of all values; the best end wins
-/// @param trained  per unit: whether it is learned from
+/// All starts make their first moves; the three best go on until two come to rest in one place.
+///
+/// @param starts     each of the size of all values; the best end wins
+/// @param trained    per unit: whether it is learned from
+/// @param must_beat  where no start comes below it the fit ends there, without residuals
 Fit fit_from(const ForwardModel& model, const std::vector<std::size_t>& effects,
-             const std::vector<std::vector<double>>& starts, const std::vector<bool>& trained);
+             const std::vector<std::vector<double>>& starts, const std::vector<bool>& trained,
+             const MustBeat& must_beat = {});
 
 /// The fit of `before` with `added` as one more effect, from that effect's own starts.
 Fit fit_with(const ForwardModel& model, const Fit& before, std::size_t added,
-             const std::vector<bool>& trained);
+             const std::vector<bool>& trained, const MustBeat& must_beat = {});
 
 /// Where a fit comes to rest on other units, without a certificate.
 struct Refit {

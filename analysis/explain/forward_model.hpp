@@ -27,8 +27,10 @@ struct ModelParameter {
 struct Candidate {
   std::string name;   ///< the field's own word, as "coulomb_friction"
   std::string where;  ///< "slide", "coupling between motor and input shaft"
-  /// The first one is its size: at zero the effect is absent.
+  /// The first ones are its sizes.
   std::vector<ModelParameter> parameters;
+  std::size_t sizes = 1;         ///< parameters that measure it; the others are its shape
+  bool vanishes_at_zero = true;  ///< false: it changes the structure, and its size is no small one
   std::vector<std::vector<double>> starts;  ///< values to start fits from, at least two
   std::vector<std::string> mimics;          ///< names that can look alike
   std::string experiment;                   ///< what would tell it from them
@@ -44,6 +46,7 @@ struct ObservedUnit {
   std::string load;       ///< and those of one load; empty likewise
   Eigen::Index first = 0;
   Eigen::Index size = 0;
+  std::string programme = {};  ///< records of one programme repeat each other; empty if none does
 };
 
 /// What analysis needs of a machine's model in order to compare it with recordings: the
@@ -67,6 +70,10 @@ class ForwardModel {
   virtual std::optional<Eigen::VectorXd> residuals(const std::vector<std::size_t>& effects,
                                                    const std::vector<double>& values,
                                                    const std::vector<bool>& trained) const = 0;
+
+  /// What a law of unknown shape might depend on (ways, speeds, forces, load), one row for each
+  /// value of the residuals. Empty if that is not known.
+  virtual Eigen::MatrixXd states() const { return {}; }
 };
 
 }  // namespace rvbench::analysis

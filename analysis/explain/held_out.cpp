@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <random>
 #include <set>
@@ -50,6 +51,14 @@ std::vector<Fold> extrapolation_folds(const std::vector<ObservedUnit>& units) {
   return folds;
 }
 
+double log_density_of(const Eigen::Ref<const Eigen::VectorXd>& residuals, double mean_square,
+                      double counts_as) {
+  const auto size = static_cast<double>(residuals.size());
+  return -0.5 * std::max(size * counts_as, 1.0) *
+         (std::log(2 * std::numbers::pi * mean_square) +
+          residuals.squaredNorm() / size / mean_square);
+}
+
 double independent_share(const ForwardModel& model, const Eigen::VectorXd& residuals) {
   double product = 0, power = 0;
   for (const ObservedUnit& unit : model.units()) {
@@ -76,9 +85,9 @@ std::optional<HeldOut> predict_held_out(const ForwardModel& model, const Fit& fi
       if (trained[u]) continue;
       const ObservedUnit& unit = model.units()[u];
       const auto size = static_cast<double>(unit.size);
-      const double square = refit.residuals.segment(unit.first, unit.size).squaredNorm();
-      densities.push_back(-0.5 * std::max(size * counts_as, 1.0) *
-                          (std::log(2 * std::numbers::pi * scatter) + square / size / scatter));
+      const auto residuals = refit.residuals.segment(unit.first, unit.size);
+      const double square = residuals.squaredNorm();
+      densities.push_back(log_density_of(residuals, scatter, counts_as));
       squares.push_back(square / size);
       sum += square;
       values += size;
@@ -107,10 +116,10 @@ std::vector<double> shares_won(const std::vector<HeldOut>& models, int count) {
   if (models.empty()) return shares;
   const Eigen::Index n = models.front().log_density.size();
   std::mt19937_64 engine(1);  // NOLINT(cert-msc51-cpp): the same data give the same shares
-  std::uniform_int_distribution<Eigen::Index> draw(0, std::max<Eigen::Index>(n - 1, 0));
   for (int i = 0; i < count; ++i) {
     Eigen::VectorXd times = Eigen::VectorXd::Zero(n);
-    for (Eigen::Index k = 0; k < n; ++k) times[draw(engine)] += 1;
+    for (Eigen::Index k = 0; k < n; ++k)
+      times[static_cast<Eigen::Index>(engine() % static_cast<std::uint64_t>(n))] += 1;
     std::vector<double> sums;
     for (const HeldOut& model : models) sums.push_back(times.dot(model.log_density));
     shares[static_cast<std::size_t>(std::ranges::max_element(sums) - sums.begin())] += 1.0 / count;

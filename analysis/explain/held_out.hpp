@@ -41,6 +41,10 @@ struct HeldOut {
 std::optional<HeldOut> predict_held_out(const ForwardModel& model, const Fit& fit,
                                         const std::vector<Fold>& folds, double counts_as);
 
+/// Log density of a unit's residuals, normal with this mean square.
+double log_density_of(const Eigen::Ref<const Eigen::VectorXd>& residuals, double mean_square,
+                      double counts_as);
+
 /// What a value is worth where neighbours correlate by ρ: (1 − ρ)/(1 + ρ).
 double independent_share(const ForwardModel& model, const Eigen::VectorXd& residuals);
 

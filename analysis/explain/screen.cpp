@@ -15,7 +15,8 @@ constexpr double screening_step = 1e-3;  // of the size's scale: small, but not 
 // Takes out of a vector what the columns of a matrix span.
 class Projector {
  public:
-  explicit Projector(const Eigen::MatrixXd& columns) {
+  explicit Projector(const Eigen::MatrixXd& columns) : basis_(columns.rows(), 0) {
+    if (columns.cols() == 0) return;
     // Columns of different units: scaled first, so that the rank is told from directions alone.
     Eigen::MatrixXd scaled = columns;
     for (Eigen::Index i = 0; i < scaled.cols(); ++i) {
@@ -73,7 +74,7 @@ Eigen::VectorXd mark_of(const ForwardModel& model, const Fit& fit, std::size_t e
   values.insert(values.end(), start.begin(), start.end());
   const double step =
       std::copysign(screening_step * model.library()[effect].parameters.front().scale, start[0]);
-  values[fit.values.size()] = step;
+  if (model.library()[effect].vanishes_at_zero) values[fit.values.size()] = step;
   const auto moved = model.residuals(effects, values, trained);
   if (!moved || !moved->allFinite()) return {};
   return (*moved - fit.residuals) / step;
@@ -126,6 +127,15 @@ std::vector<Screened> screen(const ForwardModel& model, const Fit& fit,
   std::erase_if(all, [](const Screened& s) { return s.direction.size() == 0; });
   std::ranges::sort(all, std::ranges::greater{}, &Screened::explains);
   return all;
+}
+
+double pair_explains(const Screened& a, const Screened& b) {
+  const double alike = a.direction.dot(b.direction);
+  const double apart = 1 - alike * alike;
+  if (apart < 1e-9) return std::max(a.explains, b.explains);
+  const double first = std::copysign(std::sqrt(a.explains), a.scores.sum());
+  const double second = std::copysign(std::sqrt(b.explains), b.scores.sum());
+  return (a.explains + b.explains - 2 * alike * first * second) / apart;
 }
 
 double pair_p_value(const Screened& a, const Screened& b) {

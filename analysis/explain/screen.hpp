@@ -25,6 +25,9 @@ struct Screened {
 std::vector<Screened> screen(const ForwardModel& model, const Fit& fit,
                              const std::vector<bool>& trained);
 
+/// Share of what the fit leaves over that two candidates explain together, 0 to 1.
+double pair_explains(const Screened& a, const Screened& b);
+
 /// Probability that two candidates together explain this much by chance, by the scatter of their
 /// scores from unit to unit.
 /// Source  Hotelling, Ann. Math. Stat. 2(3), 360-378 (1931)

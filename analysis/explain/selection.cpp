@@ -12,19 +12,26 @@
 namespace rvbench::analysis {
 namespace {
 
-constexpr double worth_a_fit = 0.1;    // p of a score: a fit asks for a hundredth of it, and less
-constexpr double worth_a_pair = 0.01;  // the same, of all pairs together
-constexpr double beyond_known = 3;     // spreads: so far off nothing is known of it after all
+constexpr double worth_a_fit = 0.1;     // p of a score: a fit asks for a hundredth of it, and less
+constexpr double worth_trying = 0.1;    // of the gain wanted, as a small effect would bring it
+constexpr std::size_t most_pairs = 4;   // tried after a screening
+constexpr double worth_a_pair = 0.01;   // the same, of all pairs together
+constexpr std::size_t most_rivals = 4;  // of an effect: with itself
+constexpr double beyond_known = 3;      // spreads: so far off nothing is known of it after all
 
-// Why the base cannot be trusted: a parameter that had to leave what is known of it.
-std::string miscalibration(const ForwardModel& model, const Fit& base) {
+// Why the base cannot be trusted: a parameter that had to leave what is known of it. One that is
+// bounded to one side only is bounded by physics, not by knowledge: zero says nothing against it.
+std::string miscalibration(const ForwardModel& model, const Fit& fit) {
   for (std::size_t i = 0; i < model.base().size(); ++i) {
     const ModelParameter& p = model.base()[i];
-    const bool at_low = base.values[i] <= p.low + 1e-6 * p.scale;
-    const bool at_high = base.values[i] >= p.high - 1e-6 * p.scale;
-    if (at_low || at_high || std::abs(base.values[i] - p.nominal) > beyond_known * p.spread) {
+    const bool is_known = std::isfinite(p.low) && std::isfinite(p.high);
+    const bool at_low = p.nominal > p.low && fit.values[i] <= p.low + 1e-6 * p.scale;
+    const bool at_high = p.nominal < p.high && fit.values[i] >= p.high - 1e-6 * p.scale;
+    if ((is_known && (at_low || at_high)) ||
+        std::abs(fit.values[i] - p.nominal) > beyond_known * p.spread) {
+      const double within = is_known ? 0.5 * (p.high - p.low) : beyond_known * p.spread;
       return fmt::format("{} had to go to {:.4g} {}, known as {:.4g} within {:.2g}", p.name,
-                         base.values[i], p.unit, p.nominal, p.spread);
+                         fit.values[i], p.unit, p.nominal, within);
     }
   }
   return {};
@@ -45,9 +52,8 @@ class Selector {
 
   Selection run() {
     Selection result;
-    tell("calibrating the base", 0);
+    tell("base", 0, "calibrating");
     result.base = fit_base();
-    result.miscalibrated = miscalibration(on_.model, result.base);
     on_.counts_as = independent_share(on_.model, result.base.residuals);
     auto base = stand(on_, result.base);
     if (!base) {
@@ -62,12 +68,14 @@ class Selector {
     result.fit = now_.fit;
     result.held_out = now_.held_out;
     result.last_tried = last_tried_;
+    // What was left out may have pulled the base away: only what stays away is miscalibrated.
+    result.miscalibrated = miscalibration(on_.model, now_.fit);
     return result;
   }
 
  private:
-  void tell(const std::string& doing, double share) const {
-    if (options_.progress) options_.progress(doing, share);
+  void tell(const std::string& stage, double share, const std::string& doing) const {
+    if (options_.progress) options_.progress(stage, share, doing);
   }
 
   Fit fit_base() const {
@@ -85,8 +93,7 @@ class Selector {
     if (screened_.size() > options_.tries) screened_.resize(options_.tries);
     std::vector<Trial> trials = try_all();
     std::ranges::sort(trials, predicts_better);
-    const auto best =
-        std::ranges::find_if(trials, [](const Trial& t) { return t.refused.empty(); });
+    const auto best = simplest_of_the_best(trials);
     if (best == trials.end()) {
       last_tried_ = std::move(trials);
       return accept_pair();
@@ -95,17 +102,32 @@ class Selector {
     return true;
   }
 
+  // Of those that none beats clearly, the one with the fewest parameters.
+  std::vector<Trial>::const_iterator simplest_of_the_best(const std::vector<Trial>& trials) const {
+    const auto accepted = [](const Trial& t) { return t.refused.empty(); };
+    const auto best = std::ranges::find_if(trials, accepted);
+    auto simplest = best;
+    for (auto t = best; t != trials.end(); ++t) {
+      const bool simpler = t->fit.values.size() < simplest->fit.values.size();
+      if (accepted(*t) && simpler && !margin(best->held_out, t->held_out).is_clear()) simplest = t;
+    }
+    return simplest;
+  }
+
   std::vector<Trial> try_all() const {
     std::vector<std::size_t> effects;
     for (const Screened& s : screened_) {
-      if (s.p_value < worth_a_fit) effects.push_back(s.effect);
+      const bool may_gain = on_.gain_of(s.explains) > worth_trying * on_.least_gain();
+      if (s.p_value < worth_a_fit && may_gain) effects.push_back(s.effect);
     }
     std::vector<Trial> trials(effects.size());
     std::atomic<std::size_t> done = 0;
+    const std::string stage = fmt::format("effect {}", steps_.size() + 1);
+    tell(stage, 0, "fitting candidates");
     parallel_for(effects.size(), [&](std::size_t i) {
       trials[i] = try_effect(on_, now_, effects[i]);
-      tell(fmt::format("effect {}: fitting candidates", steps_.size() + 1),
-           double(++done) / double(effects.size()));
+      tell(stage, double(++done) / double(effects.size()),
+           on_.model.library()[effects[i]].name + " fitted");
     });
     return trials;
   }
@@ -121,7 +143,8 @@ class Selector {
       if (trial.held_out.log_density.size() == 0 || !trial.fit.not_certified.empty()) continue;
       ranked.push_back(trial.held_out);
       const bool itself = trial.effect() == step.effect;
-      if (!itself && trial.refused.empty() && !margin(best.held_out, trial.held_out).is_clear()) {
+      const Margin apart = margin(best.held_out, trial.held_out);
+      if (!itself && trial.refused.empty() && std::abs(apart.delta) <= 2 * apart.se) {
         step.equals.push_back(trial.effect());
       }
     }
@@ -138,8 +161,12 @@ class Selector {
     if (steps_.size() + 2 > options_.most_effects) return false;
     const auto pairs = promising_pairs();
     std::vector<PairTrial> trials(pairs.size());
-    parallel_for(pairs.size(),
-                 [&](std::size_t i) { trials[i] = try_pair(pairs[i].first, pairs[i].second); });
+    std::atomic<std::size_t> done = 0;
+    parallel_for(pairs.size(), [&](std::size_t i) {
+      trials[i] = try_pair(pairs[i].first, pairs[i].second);
+      tell(fmt::format("effect {}, pairs", steps_.size() + 1),
+           double(++done) / double(pairs.size()), "fitting");
+    });
     std::erase_if(trials, [](const PairTrial& t) { return !t.second.refused.empty(); });
     const auto best = std::ranges::min_element(trials, [](const PairTrial& a, const PairTrial& b) {
       return predicts_better(a.second, b.second);
@@ -150,15 +177,26 @@ class Selector {
     return true;
   }
 
-  std::vector<std::pair<std::size_t, std::size_t>> promising_pairs() const {
-    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  struct Pair {
+    std::size_t first, second;
+    double gain;
+  };
+
+  std::vector<Pair> promising_pairs() const {
+    std::vector<Pair> pairs;
     const std::size_t n = screened_.size();
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t k = i + 1; k < n; ++k) {
-        const double p = pair_p_value(screened_[i], screened_[k]) * double(n * (n - 1)) / 2;
-        if (p < worth_a_pair) pairs.emplace_back(screened_[i].effect, screened_[k].effect);
+        const Screened &a = screened_[i], &b = screened_[k];
+        const double p = pair_p_value(a, b) * double(n * (n - 1)) / 2;
+        const double gain = on_.gain_of(pair_explains(a, b));
+        if (p < worth_a_pair && gain > on_.least_gain()) {
+          pairs.push_back({a.effect, b.effect, gain});
+        }
       }
     }
+    std::ranges::sort(pairs, std::ranges::greater{}, &Pair::gain);
+    if (pairs.size() > most_pairs) pairs.resize(most_pairs);
     return pairs;
   }
 
@@ -170,10 +208,13 @@ class Selector {
   PairTrial try_pair(std::size_t a, std::size_t b) const {
     PairTrial pair;
     pair.second.refused = "its partner cannot be fitted";
-    pair.first = try_effect(on_, now_, a);
+    pair.first.fit = fit_with(on_.model, now_.fit, a, on_.everything);
     if (!pair.first.fit.not_certified.empty()) return pair;
     const auto first = stand(on_, pair.first.fit);
     if (!first) return pair;
+    pair.first.held_out = first->held_out;
+    pair.first.extrapolated = first->extrapolated;
+    pair.first.over_before = margin(first->held_out, now_.held_out);
     pair.second = try_effect(on_, *first, b);
     if (pair.second.refused.empty() && !margin(pair.second.held_out, now_.held_out).is_clear()) {
       pair.second.refused = "the pair does not predict left-out conditions clearly better";
@@ -186,7 +227,9 @@ class Selector {
     for (std::size_t s = 0; s + 1 < steps_.size(); ++s) {
       const auto rest = refit_without(steps_[s].effect);
       if (!rest) continue;
-      for (const Trial& rival : std::vector<Trial>(steps_[s].tried)) {
+      std::vector<Trial> rivals = steps_[s].tried;
+      if (rivals.size() > most_rivals) rivals.resize(most_rivals);
+      for (const Trial& rival : rivals) {
         if (rival.effect() == steps_[s].effect || !rival.fit.not_certified.empty()) continue;
         const bool held =
             std::ranges::find(now_.fit.effects, rival.effect()) != now_.fit.effects.end();
@@ -203,7 +246,9 @@ class Selector {
     steps_[s].effect = effect;
     steps_[s].over_before = trial.over_before;
     steps_[s].p_value = trial.p_value;
+    steps_[s].share_won = 0;
     steps_[s].equals.clear();
+    steps_[s].tried = {trial};
   }
 
   // The present model without one of its effects, fitted anew.

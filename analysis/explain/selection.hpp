@@ -46,8 +46,11 @@ struct Selection {
 struct SelectionOptions {
   std::size_t tries = 8;  ///< candidates fitted after each screening
   std::size_t most_effects = 6;
-  /// Told what is done and how much of the present step, 0 to 1. May stop the work by throwing.
-  std::function<void(const std::string& doing, double share)> progress = {};
+  /// Told the stage of the work, how much of it is done, 0 to 1, and what was done last; from any
+  /// thread, also from two at once.
+  /// May stop the work by throwing.
+  std::function<void(const std::string& stage, double share, const std::string& doing)> progress =
+      {};
 };
 
 /// Adds effects to the base as long as one predicts left-out conditions clearly better.

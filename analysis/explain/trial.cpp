@@ -11,42 +11,65 @@ namespace rvbench::analysis {
 namespace {
 
 constexpr double least_p = 0.01;
-constexpr double at_bound = 1e-3;  // of the range
+constexpr double at_bound = 1e-3;  // of the scale
+constexpr double least_odds = 20;
+constexpr double worth_going_on = 0.5;  // of the gain wanted, after the first moves of a fit
 
-// The first parameter of the effect that ended at a bound, in words; empty if none did. A size may
-// end at zero: then it is not significant.
+// The first parameter of the effect that ended at a bound, in words; empty if none did. That a size
+// is small says nothing here: whether it is significant does.
 std::string bound_reached(const Fit& fit, const std::vector<ModelParameter>& parameters,
-                          std::size_t first) {
+                          std::size_t first, std::size_t sizes) {
   for (std::size_t i = first; i < parameters.size(); ++i) {
     const ModelParameter& p = parameters[i];
-    const double margin = at_bound * (p.high - p.low);
-    if (!std::isfinite(margin)) continue;
-    if (fit.values[i] < p.low + margin || fit.values[i] > p.high - margin) {
+    const double near = at_bound * p.scale;
+    const bool is_size = i < first + sizes;
+    const bool at_low = fit.values[i] < p.low + near && !(is_size && p.low == 0);
+    const bool at_high = fit.values[i] > p.high - near && !(is_size && p.high == 0);
+    if (at_low || at_high) {
       return fmt::format("{} ended at its bound, {:.4g} {}", p.name, fit.values[i], p.unit);
     }
   }
   return {};
 }
 
-// Of the size of the last effect, two-sided.
-double size_p_value(const Tryout& on, const Fit& fit, std::size_t at) {
-  const auto index = static_cast<Eigen::Index>(at);
-  const double error = std::sqrt(std::max(fit.covariance(index, index), 0.0));
-  if (!(error > 0)) return 1;
+// Of the sizes of the last effect being nothing: the clearest one, for as many as there are.
+double size_p_value(const Tryout& on, const Fit& fit, std::size_t first) {
+  const std::size_t sizes = on.model.library()[fit.effects.back()].sizes;
   const auto units = static_cast<double>(on.everything.size());
   const double freedom = std::max(units - static_cast<double>(fit.values.size()), 1.0);
-  return t_p_value(fit.values[at] / error, freedom);
+  double least = 1;
+  for (std::size_t i = first; i < first + sizes; ++i) {
+    const auto index = static_cast<Eigen::Index>(i);
+    const double error = std::sqrt(std::max(fit.covariance(index, index), 0.0));
+    if (error > 0) least = std::min(least, t_p_value(fit.values[i] / error, freedom));
+  }
+  return std::min(1.0, least * static_cast<double>(sizes));
 }
 
-std::string refusal(const Trial& trial, const Standing& now, const Standing& before,
-                    const std::vector<ModelParameter>& parameters, std::size_t first) {
+// Why a fit need not be tried on what was left out.
+std::string hopeless(const Tryout& on, const Trial& trial, std::size_t first) {
   if (!trial.fit.not_certified.empty()) return "not fitted: " + trial.fit.not_certified;
-  if (!trial.over_before.is_clear()) return "does not predict left-out conditions clearly better";
+  if (trial.p_value > least_p) return "its size is not significant";
+  return bound_reached(trial.fit, parameters_of(on.model, trial.fit.effects), first,
+                       on.model.library()[trial.effect()].sizes);
+}
+
+double independent_values(const Tryout& on) {
+  double sum = 0;
+  for (const ObservedUnit& unit : on.model.units()) {
+    sum += std::max(static_cast<double>(unit.size) * on.counts_as, 1.0);
+  }
+  return sum;
+}
+
+std::string unconvincing(const Tryout& on, const Trial& trial, const Standing& now,
+                         const Standing& before) {
+  if (!trial.over_before.is_clear() || trial.over_before.delta < on.least_gain())
+    return "does not predict left-out conditions clearly better";
   if (now.extrapolated.log_density.sum() < before.extrapolated.log_density.sum()) {
     return "predicts left-out speeds or loads worse";
   }
-  if (trial.p_value > least_p) return "its size is not significant";
-  return bound_reached(trial.fit, parameters, first);
+  return {};
 }
 
 }  // namespace
@@ -57,6 +80,18 @@ Tryout::Tryout(const ForwardModel& tried)
       extrapolations(extrapolation_folds(tried.units())),
       everything(tried.units().size(), true) {}
 
+double Tryout::least_gain() const {
+  return std::log(least_odds * static_cast<double>(model.library().size()));
+}
+
+double Tryout::gain_of(double share) const {
+  return -0.5 * independent_values(*this) * std::log1p(-std::min(share, 1 - 1e-12));
+}
+
+double Tryout::cost_worth(double gain, double cost_before) const {
+  return cost_before * std::exp(-2 * gain / independent_values(*this));
+}
+
 std::optional<Standing> stand(const Tryout& on, Fit fit) {
   auto held_out = predict_held_out(on.model, fit, on.conditions, on.counts_as);
   auto extrapolated = predict_held_out(on.model, fit, on.extrapolations, on.counts_as);
@@ -66,11 +101,23 @@ std::optional<Standing> stand(const Tryout& on, Fit fit) {
 
 Trial try_effect(const Tryout& on, const Standing& before, std::size_t effect) {
   Trial trial;
-  trial.fit = fit_with(on.model, before.fit, effect, on.everything);
+  const double gain = on.least_gain();
+  trial.fit = fit_with(on.model, before.fit, effect, on.everything,
+                       {on.cost_worth(worth_going_on * gain, before.fit.cost),
+                        on.cost_worth(gain, before.fit.cost)});
   if (trial.fit.residuals.size() == 0) {
     trial.refused = trial.fit.not_certified;
     return trial;
   }
+  if (trial.fit.cost > on.cost_worth(gain, before.fit.cost)) {
+    trial.refused = trial.fit.not_certified = "explains too little";
+    return trial;
+  }
+  const std::size_t first = before.fit.values.size();
+  trial.p_value = std::min(
+      1.0, size_p_value(on, trial.fit, first) * static_cast<double>(on.model.library().size()));
+  trial.refused = hopeless(on, trial, first);
+  if (!trial.refused.empty()) return trial;
   const auto now = stand(on, trial.fit);
   if (!now) {
     trial.refused = "the model cannot be evaluated without one of the conditions";
@@ -79,10 +126,7 @@ Trial try_effect(const Tryout& on, const Standing& before, std::size_t effect) {
   trial.held_out = now->held_out;
   trial.extrapolated = now->extrapolated;
   trial.over_before = margin(now->held_out, before.held_out);
-  const std::size_t first = before.fit.values.size();
-  trial.p_value = std::min(
-      1.0, size_p_value(on, trial.fit, first) * static_cast<double>(on.model.library().size()));
-  trial.refused = refusal(trial, *now, before, parameters_of(on.model, trial.fit.effects), first);
+  trial.refused = unconvincing(on, trial, *now, before);
   return trial;
 }
 

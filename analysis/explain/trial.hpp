@@ -14,6 +14,14 @@ struct Tryout {
   std::vector<bool> everything;  ///< per unit: true
   double counts_as = 1;          ///< what one value of the base's residuals is worth
 
+  /// Log density that an effect must win on what was left out: odds of 20 to 1, after the odds
+  /// against any one of the library.
+  double least_gain() const;
+  /// Log density won by explaining this share of what is left.
+  double gain_of(double share) const;
+  /// Cost below which a fit has won that on what it learned from.
+  double cost_worth(double gain, double cost_before) const;
+
   explicit Tryout(const ForwardModel& model);
 };
 

@@ -48,7 +48,7 @@ TEST_CASE("two effects are found as two", "[explain]") {
 TEST_CASE("effects that the data cannot part are named as equals", "[explain]") {
   // Over speeds of one sign and little range a square and a cube are alike once noise covers the
   // rest: the answer must hold both, whichever comes first.
-  const ToyModel model({{{"drag", {0.05}}}, 0.15, 0.9});
+  const ToyModel model({{{"drag", {0.08}}}, 0.15, 0.9});
   const Selection found = select_effects(model);
   REQUIRE(found.steps.size() == 1);
   std::set<std::string> set{model.library()[found.steps[0].effect].name};

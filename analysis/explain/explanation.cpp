@@ -1,0 +1,200 @@
+#include "analysis/explain/explanation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/explain/ceiling.hpp"
+#include "analysis/explain/repeat_against_repeat.hpp"
+#include "analysis/explain/trial.hpp"
+
+namespace rvbench::analysis {
+namespace {
+
+constexpr std::size_t most_rivals = 3;
+constexpr double ninety_pct = 1.645;  // standard errors to each side
+constexpr std::size_t fewest_units = 8;
+constexpr double worth_telling = 0.5;  // of what any law could explain: less is not the answer
+
+std::vector<Estimate> estimates(const ForwardModel& model, const Fit& fit) {
+  std::vector<Estimate> all;
+  const std::vector<ModelParameter> parameters = parameters_of(model, fit.effects);
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const auto index = static_cast<Eigen::Index>(i);
+    const double error = std::sqrt(std::max(fit.covariance(index, index), 0.0));
+    all.push_back({parameters[i].name, parameters[i].unit, fit.values[i],
+                   fit.values[i] - ninety_pct * error, fit.values[i] + ninety_pct * error});
+  }
+  return all;
+}
+
+// Where the parameters of an effect begin among a fit's values.
+std::size_t place_of(const ForwardModel& model, const Fit& fit, std::size_t effect) {
+  std::size_t at = model.base().size();
+  for (const std::size_t held : fit.effects) {
+    if (held == effect) break;
+    at += model.library()[held].parameters.size();
+  }
+  return at;
+}
+
+std::vector<RivalEffect> rivals_of(const ForwardModel& model, const Step& step) {
+  std::vector<RivalEffect> rivals;
+  const auto own = std::ranges::find_if(
+      step.tried, [&](const Trial& trial) { return trial.effect() == step.effect; });
+  if (own == step.tried.end()) return rivals;
+  for (const Trial& trial : step.tried) {
+    if (trial.effect() == step.effect || trial.held_out.log_density.size() == 0) continue;
+    if (rivals.size() == most_rivals) break;
+    rivals.push_back({model.library()[trial.effect()].name, margin(own->held_out, trial.held_out)});
+  }
+  return rivals;
+}
+
+ExplainedEffect explained(const ForwardModel& model, const Selection& found, const Step& step,
+                          const std::vector<Estimate>& values, double error_before) {
+  const Candidate& candidate = model.library()[step.effect];
+  ExplainedEffect effect;
+  effect.name = candidate.name;
+  effect.where = candidate.where;
+  effect.next_experiment = candidate.experiment;
+  if (!step.equals.empty()) {
+    effect.verdict = ExplainVerdict::one_of_class;
+    effect.one_of.push_back(candidate.name);
+    for (const std::size_t other : step.equals)
+      effect.one_of.push_back(model.library()[other].name);
+  }
+  const std::size_t at = place_of(model, found.fit, step.effect);
+  effect.parameters.assign(values.begin() + std::ptrdiff_t(at),
+                           values.begin() + std::ptrdiff_t(at + candidate.parameters.size()));
+  effect.error_before = error_before;
+  effect.error_after = found.held_out.rms;
+  for (const Trial& trial : step.tried) {
+    if (trial.effect() == step.effect) effect.error_after = trial.held_out.rms;
+  }
+  effect.over_before = step.over_before;
+  effect.p_value = step.p_value;
+  effect.share_won = step.share_won;
+  effect.rivals = rivals_of(model, step);
+  return effect;
+}
+
+std::string sentence(const Explanation& explanation) {
+  switch (explanation.verdict) {
+    case ExplainVerdict::null: return "nothing is missing that these recordings could show";
+    case ExplainVerdict::miscalibrated: return explanation.selection.miscalibrated;
+    case ExplainVerdict::none_of_the_above:
+      if (explanation.effects.empty()) {
+        return "something repeatable is missing, and no effect of the library is it";
+      }
+      break;
+    default: break;
+  }
+  std::string text = "left out: ";
+  for (std::size_t i = 0; i < explanation.effects.size(); ++i) {
+    const ExplainedEffect& effect = explanation.effects[i];
+    text += fmt::format("{}{} ({})", i == 0 ? "" : ", then ",
+                        effect.one_of.empty()
+                            ? effect.name
+                            : "one of " + fmt::format("{}", fmt::join(effect.one_of, ", ")),
+                        effect.where);
+  }
+  return text + fmt::format("; held-out error {:.3g} -> {:.3g} %",
+                            100 * explanation.held_out_before, 100 * explanation.held_out_after);
+}
+
+double trained_error(const Fit& fit) {
+  const auto n = static_cast<double>(fit.residuals.size());
+  return n > 0 ? std::sqrt(fit.residuals.squaredNorm() / n) : 0;
+}
+
+// Whether a law of any shape would predict much that the explanation does not.
+bool misses_much(const Explanation& e) {
+  if (!e.ceiling_after.known || !e.ceiling_after.over_model.is_clear()) return false;
+  const double any =
+      e.held_out_before * e.held_out_before - e.ceiling_after.error * e.ceiling_after.error;
+  const double named = e.held_out_before * e.held_out_before - e.held_out_after * e.held_out_after;
+  return any > 0 && named < worth_telling * any;
+}
+
+SelfNull self_null_of(const ForwardModel& model, const Fit& fit, const SelectionOptions& options) {
+  const auto repeats = RepeatAgainstRepeat::make(model, fit);
+  if (!repeats) return {};
+  SelectionOptions own = options;
+  if (options.progress) {
+    own.progress = [&](const std::string&, double share, const std::string& doing) {
+      options.progress("repeat against repeat", share, doing);
+    };
+  }
+  const Selection found = select_effects(*repeats, own);
+  return {true, found.steps.empty() ? std::vector<Estimate>() : estimates(*repeats, found.fit),
+          found.base_held_out.rms};
+}
+
+void conclude(const ForwardModel& model, Explanation& e) {
+  if (!e.selection.miscalibrated.empty()) {
+    e.verdict = ExplainVerdict::miscalibrated;
+  } else if (misses_much(e)) {
+    e.verdict = ExplainVerdict::none_of_the_above;
+  } else if (e.effects.empty()) {
+    e.verdict = ExplainVerdict::null;
+  } else {
+    e.verdict = e.effects.front().verdict;
+  }
+  for (const Trial& trial : e.selection.last_tried) {
+    if (e.cannot_exclude.size() == most_rivals || trial.held_out.log_density.size() == 0) continue;
+    e.cannot_exclude.push_back({model.library()[trial.effect()].name, trial.over_before});
+  }
+  e.reason = sentence(e);
+}
+
+}  // namespace
+
+const char* to_string(ExplainVerdict verdict) noexcept {
+  switch (verdict) {
+    case ExplainVerdict::null: return "NULL";
+    case ExplainVerdict::named: return "NAMED";
+    case ExplainVerdict::one_of_class: return "CLASS";
+    case ExplainVerdict::none_of_the_above: return "NONE_OF_THE_ABOVE";
+    case ExplainVerdict::miscalibrated: return "MISCALIBRATED";
+    case ExplainVerdict::not_resolvable: return "NOT_RESOLVABLE";
+  }
+  return "";
+}
+
+Explanation explain(const ForwardModel& model, const SelectionOptions& options) {
+  Explanation e;
+  Tryout on(model);
+  if (on.conditions.empty() || model.units().size() < fewest_units) {
+    e.verdict = ExplainVerdict::not_resolvable;
+    e.reason = fmt::format("{} stretches under {} conditions are too few to leave any out",
+                           model.units().size(), on.conditions.size());
+    return e;
+  }
+  e.selection = select_effects(model, options);
+  const Selection& found = e.selection;
+  e.trained_before = trained_error(found.base);
+  e.trained_after = trained_error(found.fit);
+  e.held_out_before = found.base_held_out.rms;
+  e.held_out_after = found.held_out.rms;
+  if (found.fit.covariance.size() > 0) {
+    const std::vector<Estimate> values = estimates(model, found.fit);
+    for (std::size_t i = 0; i < model.base().size(); ++i) {
+      (model.base()[i].nuisance ? e.nuisances : e.base).push_back(values[i]);
+    }
+    double before = e.held_out_before;
+    for (const Step& step : found.steps) {
+      e.effects.push_back(explained(model, found, step, values, before));
+      before = e.effects.back().error_after;
+    }
+    on.counts_as = independent_share(model, found.base.residuals);
+    e.ceiling_before = flexible_ceiling(on, {found.base, found.base_held_out, {}});
+    e.ceiling_after = flexible_ceiling(on, {found.fit, found.held_out, {}});
+    e.self_null = self_null_of(model, found.fit, options);
+  }
+  conclude(model, e);
+  return e;
+}
+
+}  // namespace rvbench::analysis

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/explain/selection.hpp"
+
+namespace rvbench::analysis {
+
+/// What an explanation says: of the whole, and of each effect.
+enum class ExplainVerdict {
+  null,               ///< nothing is missing that these data could show
+  named,              ///< one effect, and no other does as well
+  one_of_class,       ///< one of several that the data cannot part
+  none_of_the_above,  ///< something repeatable is missing, and nothing in the library is it
+  miscalibrated,      ///< the base had to leave what is known of it
+  not_resolvable      ///< the data are too short or too few to tell
+};
+
+const char* to_string(ExplainVerdict verdict) noexcept;  ///< "NULL", "NAMED", "CLASS", ...
+
+/// A number found by a fit, with the interval that holds it nine times in ten.
+struct Estimate {
+  std::string name, unit;
+  double value = 0, low = 0, high = 0;
+};
+
+/// What else could be meant, and by how much it predicts worse.
+struct RivalEffect {
+  std::string name;
+  Margin behind;
+};
+
+struct ExplainedEffect {
+  ExplainVerdict verdict = ExplainVerdict::named;
+  std::string name;
+  std::string where;
+  std::vector<std::string> one_of;  ///< with itself, where the verdict is one_of_class
+  std::vector<Estimate> parameters;
+  double error_before = 0;  ///< held out, relative, without it
+  double error_after = 0;   ///< and with it, at the time it was accepted
+  Margin over_before;
+  double p_value = 1;
+  double share_won = 0;
+  std::vector<RivalEffect> rivals;  ///< at most three, nearest first
+  std::string next_experiment;
+};
+
+/// How much of what is left a law of any shape could predict on left-out conditions.
+struct Ceiling {
+  bool known = false;  ///< false: the model does not say what a law might depend on
+  double error = 0;    ///< held out, relative
+  Margin over_model;   ///< over what the explanation predicts
+};
+
+/// What the same search finds between two records that repeat each other.
+struct SelfNull {
+  bool known = false;           ///< false: no records repeat each other
+  std::vector<Estimate> found;  ///< what drifted, or what is found by chance; empty: NULL
+  double error = 0;             ///< of one repeat as the model of the other, relative
+};
+
+struct Explanation {
+  ExplainVerdict verdict = ExplainVerdict::null;
+  std::string reason;  ///< one sentence for people
+  std::vector<ExplainedEffect> effects;
+  std::vector<Estimate> nuisances, base;
+  double trained_before = 0, trained_after = 0;    ///< relative errors
+  double held_out_before = 0, held_out_after = 0;  ///< likewise, on left-out conditions
+  Ceiling ceiling_before, ceiling_after;
+  SelfNull self_null;
+  std::vector<RivalEffect> cannot_exclude;  ///< tried last and refused, the nearest three
+  Selection selection;
+};
+
+/// Locates, names and sizes what a model leaves out of its recordings.
+/// @throws what options.progress throws
+Explanation explain(const ForwardModel& model, const SelectionOptions& options = {});
+
+}  // namespace rvbench::analysis
