@@ -9,8 +9,12 @@
 namespace rvbench::bench {
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 3> key_of_kind = {
-    {{"plan", "main"}, {"rig", "rig"}, {"kinematics", "machine"}}};
+constexpr std::array<std::pair<const char*, const char*>, 5> key_of_kind = {
+    {{"plan", "main"},
+     {"rig", "rig"},
+     {"kinematics", "machine"},
+     {"plant", "plant"},
+     {"campaign", "campaign"}}};
 
 }  // namespace
 

@@ -5,8 +5,11 @@ set(may_sequences sequences hal)
 set(may_analysis  analysis hal/types)
 set(may_sim       sim hal)
 set(may_bench     bench sequences analysis hal)
-foreach(file IN ITEMS rig_factory benchmarks/plant_engine benchmarks/simulation)  # the only users of sim
-  set(may_bench/${file}.cpp ${may_bench} sim)
+foreach(file IN ITEMS  # the only users of sim
+    rig_factory.cpp time_twin.cpp time_twin.hpp twin_candidates.cpp twin_candidates.hpp
+    commands/check_command.cpp commands/explain_command.cpp commands/simulate_command.cpp
+    benchmarks/plant_engine.cpp benchmarks/simulation.cpp)
+  set(may_bench/${file} ${may_bench} sim)
 endforeach()
 
 # The simulator reads the manuals for itself: it shares no register or frame table with the drivers.

@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "bench/campaign.hpp"
 #include "bench/commands/commands.hpp"
 #include "bench/file_kind.hpp"
 #include "bench/judging.hpp"
@@ -9,6 +10,7 @@
 #include "bench/run_folder.hpp"
 #include "bench/sha256.hpp"
 #include "sequences/plan.hpp"
+#include "sim/plant_json.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -32,11 +34,25 @@ Faults kinematics_faults(const std::string& file) {
   return kinematics.index() == 1 ? std::get<1>(std::move(kinematics)) : Faults{};
 }
 
+Faults plant_faults(const std::string& file) {
+  auto plant = sim::read_plant(file);
+  return plant.index() == 1 ? std::get<1>(std::move(plant)) : Faults{};
+}
+
+Faults campaign_faults(const std::string& file) {
+  auto campaign = read_campaign(file);
+  return campaign.index() == 1 ? std::get<1>(std::move(campaign)) : Faults{};
+}
+
 Faults faults_of(const std::string& kind, const std::string& file) {
   if (kind == "plan") return plan_faults(file);
   if (kind == "rig") return check_rig(file);
   if (kind == "kinematics") return kinematics_faults(file);
-  return {{1, "", "neither plan (\"main\"), rig (\"rig\") nor kinematics (\"machine\")"}};
+  if (kind == "plant") return plant_faults(file);
+  if (kind == "campaign") return campaign_faults(file);
+  return {{1, "",
+           "neither plan (\"main\"), rig (\"rig\"), kinematics (\"machine\"), plant (\"plant\") "
+           "nor campaign (\"campaign\")"}};
 }
 
 int check_run(Console& console, const std::filesystem::path& folder) {
@@ -64,7 +80,7 @@ class CheckCommand final : public Command {
  public:
   std::string name() const override { return "check"; }
   std::string summary() const override {
-    return "validates plan, rig and kinematics files and run folders";
+    return "validates plan, rig, kinematics, plant and campaign files and run folders";
   }
   std::string examples() const override {
     return "  rvbench check plans/mine.json bench_a.json\n"

@@ -12,6 +12,8 @@ namespace rvbench::bench {
 std::unique_ptr<Command> make_run_command();
 std::unique_ptr<Command> make_check_command();
 std::unique_ptr<Command> make_judge_command();
+std::unique_ptr<Command> make_explain_command();
+std::unique_ptr<Command> make_simulate_command();
 std::unique_ptr<Command> make_report_command();
 
 /// Prints every fault of a file on standard error, one a line. @return exit_codes::bad_file

@@ -1,0 +1,220 @@
+#include "bench/campaign.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "bench/sha256.hpp"
+#include "bench/uniform_time.hpp"
+#include "hal/did_you_mean.hpp"
+#include "hal/formats/read_recordings.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+constexpr int parts_of_one_file = 4;
+constexpr double lead_in_s = 1;
+
+struct Stretch {
+  double from_s = 0, to_s = 0;
+  std::string name, condition, speed, load, programme;
+  bool learned_from = true;
+};
+
+struct CampaignFile {
+  std::string path;
+  double rate_Hz = not_known;
+  std::string time_column;
+  std::vector<std::string> columns;
+  std::vector<Stretch> stretches;
+};
+
+// Names the columns; a fault if their number is another.
+std::string name_columns(Recording& recording, const std::vector<std::string>& columns) {
+  if (columns.empty()) return {};
+  if (columns.size() != recording.channels.size()) {
+    return fmt::format("{} columns are named, the file has {}", columns.size(),
+                       recording.channels.size());
+  }
+  for (std::size_t i = 0; i < columns.size(); ++i) recording.channels[i].info.name = columns[i];
+  return {};
+}
+
+// Takes the time column out and puts the others on uniform times.
+std::string use_time_column(Recording& recording, const CampaignFile& file,
+                            std::vector<std::string>& notes) {
+  if (file.time_column.empty()) return {};
+  const Channel* stamps = recording.find(file.time_column);
+  if (stamps == nullptr) return "there is no column " + hal::in_quotes(file.time_column);
+  const Eigen::VectorXd time_s = stamps->samples;
+  const auto made = uniform_time(time_s, file.rate_Hz);
+  if (const auto* fault = std::get_if<std::string>(&made)) return *fault;
+  const UniformTime& time = std::get<UniformTime>(made);
+  std::erase_if(recording.channels, [&](const Channel& channel) {
+    return channel.info.name == file.time_column || channel.samples.size() != time_s.size();
+  });
+  for (Channel& channel : recording.channels) {
+    channel.rate_Hz = time.rate_Hz;
+    channel.start_s = 0;
+    if (time.resampled) channel.samples = resampled(time_s, channel.samples, time);
+  }
+  if (time.resampled) {
+    notes.push_back(
+        fmt::format("{}: time stamps are not uniform (up to {:.3g} s apart): resampled "
+                    "at {:.6g} Hz on straight lines",
+                    file.path, time.worst_gap_s, time.rate_Hz));
+  }
+  return {};
+}
+
+// Without channels of another length or rate than the longest: scalars among the variables.
+std::string keep_longest(Recording& recording) {
+  Eigen::Index longest = 0;
+  for (const Channel& channel : recording.channels) {
+    longest = std::max(longest, channel.samples.size());
+  }
+  std::erase_if(recording.channels,
+                [&](const Channel& channel) { return channel.samples.size() != longest; });
+  if (longest < 2) return "has no channel of at least 2 samples";
+  const double rate_Hz = recording.channels.front().rate_Hz;
+  if (!(rate_Hz > 0)) return "states no sample rate: give rate_Hz, or --rate HZ";
+  return {};
+}
+
+CampaignRecord cut(const Recording& whole, const Stretch& stretch) {
+  CampaignRecord record;
+  record.name = stretch.name;
+  record.condition = stretch.condition;
+  record.speed = stretch.speed;
+  record.load = stretch.load;
+  record.programme = stretch.programme;
+  record.learned_from = stretch.learned_from;
+  const double rate_Hz = whole.channels.front().rate_Hz;
+  const Eigen::Index size = whole.channels.front().samples.size();
+  const auto from =
+      std::min(size, static_cast<Eigen::Index>(std::llround(stretch.from_s * rate_Hz)));
+  const auto to = std::min(size, static_cast<Eigen::Index>(std::llround(stretch.to_s * rate_Hz)));
+  record.lead_in = std::min(from, static_cast<Eigen::Index>(std::llround(lead_in_s * rate_Hz)));
+  const Eigen::Index first = from - record.lead_in;
+  record.recording = whole;
+  for (Channel& channel : record.recording.channels) {
+    channel.samples =
+        Eigen::VectorXd(channel.samples.segment(first, std::max<Eigen::Index>(to - first, 0)));
+    channel.start_s += static_cast<double>(first) / rate_Hz;
+  }
+  return record;
+}
+
+double length_s(const Recording& recording) {
+  const Channel& first = recording.channels.front();
+  return static_cast<double>(first.samples.size()) / first.rate_Hz;
+}
+
+std::vector<Stretch> equal_parts(const std::string& name, double whole_s, int parts) {
+  std::vector<Stretch> stretches;
+  for (int i = 0; i < parts; ++i) {
+    const std::string part =
+        parts == 1 ? name : fmt::format("{}, part {} of {}", name, i + 1, parts);
+    stretches.push_back({whole_s * i / parts, whole_s * (i + 1) / parts, part, part, "", "", ""});
+  }
+  return stretches;
+}
+
+std::string stretch_fault(const Stretch& stretch, double whole_s) {
+  if (stretch.to_s > stretch.from_s && stretch.to_s <= whole_s * (1 + 1e-9) + 1e-9) return {};
+  return fmt::format("{} to {} s is no stretch of a recording of {:.6g} s", stretch.from_s,
+                     stretch.to_s, whole_s);
+}
+
+// Adds one file's records. @return why not; "" if it did
+std::string add_file(Campaign& campaign, const CampaignFile& file, int parts) {
+  const hal::RecordingHints hints{file.time_column.empty() ? file.rate_Hz : not_known, not_known};
+  auto read = hal::read_recordings(file.path, hints);
+  if (!read) return read.error().where;
+  for (Recording& recording : std::move(read).value()) {
+    std::string fault = name_columns(recording, file.columns);
+    if (fault.empty()) fault = use_time_column(recording, file, campaign.notes);
+    if (fault.empty()) fault = keep_longest(recording);
+    if (!fault.empty()) return file.path + ": " + fault;
+    const double whole_s = length_s(recording);
+    const std::string name = std::filesystem::path(recording.source).filename().string();
+    const std::vector<Stretch> stretches =
+        file.stretches.empty() ? equal_parts(name, whole_s, parts) : file.stretches;
+    for (const Stretch& stretch : stretches) {
+      fault = stretch_fault(stretch, whole_s);
+      if (!fault.empty()) return file.path + ": " + fault;
+      campaign.records.push_back(cut(recording, stretch));
+    }
+  }
+  if (const auto hash = sha256_of_file(file.path)) campaign.hashes.emplace_back(file.path, *hash);
+  return {};
+}
+
+Stretch parse_stretch(hal::ConfigReader& json, const std::string& file) {
+  Stretch stretch;
+  stretch.from_s = json.number("from_s", {0, 1e7}, 0);
+  stretch.to_s = json.number("to_s", {0, 1e7});
+  stretch.condition =
+      json.text("condition", fmt::format("{}, {:g} to {:g} s", file, stretch.from_s, stretch.to_s));
+  stretch.name = json.text("name", stretch.condition);
+  stretch.speed = json.text("speed", "");
+  stretch.load = json.text("load", "");
+  stretch.programme = json.text("programme", "");
+  stretch.learned_from = json.choice("use", {"learn", "predict"}, "learn") == "learn";
+  return stretch;
+}
+
+CampaignFile parse_file(hal::ConfigReader& json, const std::filesystem::path& folder) {
+  CampaignFile file;
+  const std::string name = json.text("file");
+  file.path = (folder / name).string();
+  if (json.has("rate_Hz")) file.rate_Hz = json.number("rate_Hz", {1e-3, 1e8});
+  file.time_column = json.text("time_column", "");
+  if (json.has("columns")) file.columns = json.texts("columns");
+  for (hal::ConfigReader& record : json.objects("records", false)) {
+    file.stretches.push_back(parse_stretch(record, name));
+  }
+  return file;
+}
+
+CampaignOrFaults whole(Campaign campaign, std::vector<hal::ConfigFault> faults) {
+  if (!faults.empty()) return faults;
+  return campaign;
+}
+
+}  // namespace
+
+CampaignOrFaults read_campaign(const std::string& path) {
+  hal::ConfigReader root = hal::ConfigReader::from_file(path);
+  Campaign campaign;
+  campaign.name = root.text("campaign");
+  std::vector<CampaignFile> files;
+  for (hal::ConfigReader& json : root.objects("files")) {
+    files.push_back(parse_file(json, std::filesystem::path(path).parent_path()));
+  }
+  root.finish();
+  std::vector<hal::ConfigFault> faults = root.faults();
+  for (std::size_t i = 0; i < files.size() && faults.empty(); ++i) {
+    const std::string fault =
+        add_file(campaign, files[i], files.size() == 1 ? parts_of_one_file : 1);
+    if (!fault.empty()) faults.push_back({0, fmt::format("/files/{}", i), fault});
+  }
+  return whole(std::move(campaign), std::move(faults));
+}
+
+CampaignOrFaults campaign_of(const std::vector<std::string>& files, double rate_Hz) {
+  Campaign campaign;
+  std::vector<hal::ConfigFault> faults;
+  for (const std::string& file : files) {
+    campaign.name +=
+        (campaign.name.empty() ? "" : ", ") + std::filesystem::path(file).filename().string();
+    const std::string fault =
+        add_file(campaign, {file, rate_Hz, "", {}, {}}, files.size() == 1 ? parts_of_one_file : 1);
+    if (!fault.empty()) faults.push_back({0, "", fault});
+  }
+  return whole(std::move(campaign), std::move(faults));
+}
+
+}  // namespace rvbench::bench

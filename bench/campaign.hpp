@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "hal/config_reader.hpp"
+#include "hal/types/recording.hpp"
+
+namespace rvbench::bench {
+
+/// A stretch of a recording that is compared with a model.
+struct CampaignRecord {
+  std::string name;
+  std::string condition;     ///< records of one condition are left out together
+  std::string speed;         ///< "" if the speed is no condition
+  std::string load;          ///< "" if the load is no condition
+  std::string programme;     ///< records of one programme repeat each other; "" if none does
+  bool learned_from = true;  ///< false: only predicted, never fitted
+  Eigen::Index lead_in = 0;  ///< samples before the stretch, for the model to come into step
+  Recording recording;       ///< one rate, one length, with the lead-in
+};
+
+/// Recordings of one machine under several conditions.
+struct Campaign {
+  std::string name;
+  std::vector<CampaignRecord> records;
+  std::vector<std::pair<std::string, std::string>> hashes;  ///< file, SHA-256
+  std::vector<std::string> notes;                           ///< what was done to the data
+};
+
+using CampaignOrFaults = std::variant<Campaign, std::vector<hal::ConfigFault>>;
+
+/// Reads a campaign file with the recordings it names, relative to itself.
+///
+///     {"campaign": "emps", "files": [{"file": "DATA_EMPS.mat", "rate_Hz": 1000,
+///       "records": [{"from_s": 0, "to_s": 6.134, "condition": "cycle 1"}, ...]}]}
+///
+/// A file without "records" is cut into four conditions of equal length. `columns` names the
+/// columns of a file that has no names; a `time_column` [s] that is not uniform is resampled at
+/// rate_Hz, with a note.
+/// @return the campaign, or every fault of the file and of the recordings
+CampaignOrFaults read_campaign(const std::string& path);
+
+/// A campaign of bare recordings: each file one condition, or four of equal length if there is
+/// only one.
+/// @param rate_Hz  of files that do not state it; NaN if not known
+CampaignOrFaults campaign_of(const std::vector<std::string>& files, double rate_Hz);
+
+}  // namespace rvbench::bench

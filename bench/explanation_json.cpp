@@ -1,0 +1,126 @@
+#include "bench/explanation_json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace rvbench::bench {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json number(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+ordered_json estimates(const std::vector<analysis::Estimate>& all) {
+  ordered_json json = ordered_json::array();
+  for (const analysis::Estimate& e : all) {
+    json.push_back({{"name", e.name},
+                    {"value", number(e.value)},
+                    {"unit", e.unit},
+                    {"ci90", {number(e.low), number(e.high)}}});
+  }
+  return json;
+}
+
+ordered_json rivals(const std::vector<analysis::RivalEffect>& all) {
+  ordered_json json = ordered_json::array();
+  for (const analysis::RivalEffect& rival : all) {
+    json.push_back({{"name", rival.name},
+                    {"delta", number(rival.behind.delta)},
+                    {"se", number(rival.behind.se)}});
+  }
+  return json;
+}
+
+// Null if no records repeat each other.
+ordered_json self_null(const analysis::SelfNull& found) {
+  if (!found.known) return nullptr;
+  return {{"verdict", found.found.empty() ? "NULL" : "NAMED"},
+          {"error", number(found.error)},
+          {"found", estimates(found.found)}};
+}
+
+ordered_json record_errors_json(const std::vector<RecordError>& records) {
+  ordered_json json = ordered_json::array();
+  for (const RecordError& record : records) {
+    json.push_back({{"record", record.record},
+                    {"channel", record.channel},
+                    {"unit", record.unit},
+                    {"use", record.learned_from ? "learn" : "predict"},
+                    {"rms_before", number(record.before)},
+                    {"rms_after", number(record.after)},
+                    {"relative_before", number(record.relative_before)},
+                    {"relative_after", number(record.relative_after)}});
+  }
+  return json;
+}
+
+ordered_json effect_json(const analysis::ExplainedEffect& effect, const ordered_json& floor) {
+  return {{"verdict", to_string(effect.verdict)},
+          {"name", effect.name},
+          {"class", effect.one_of},
+          {"location", {{"where", effect.where}}},
+          {"parameters", estimates(effect.parameters)},
+          {"held_out",
+           {{"before", number(effect.error_before)},
+            {"after", number(effect.error_after)},
+            {"floor", floor},
+            {"metric", "relative RMS error on left-out conditions"}}},
+          {"p_value", number(effect.p_value)},
+          {"bootstraps_won", number(effect.share_won)},
+          {"rivals", rivals(effect.rivals)},
+          {"next_experiment", effect.next_experiment}};
+}
+
+}  // namespace
+
+std::vector<RecordError> record_errors(const TimeTwin& twin, const analysis::Selection& found) {
+  const auto before = twin.compare(found.base.effects, found.base.values);
+  const auto after = twin.compare(found.fit.effects, found.fit.values);
+  std::vector<RecordError> errors;
+  if (before.size() != after.size()) return errors;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const TimeTwin::Comparison& b = before[i];
+    errors.push_back({b.record, b.channel, b.unit, b.learned_from, b.error(), after[i].error(),
+                      b.relative_error(), after[i].relative_error()});
+  }
+  return errors;
+}
+
+std::string explanation_to_json(const analysis::Explanation& e, const ExplainFacts& facts) {
+  const ordered_json floor =
+      e.ceiling_after.known ? number(e.ceiling_after.error) : ordered_json(nullptr);
+  ordered_json effects = ordered_json::array();
+  for (const analysis::ExplainedEffect& effect : e.effects) {
+    effects.push_back(effect_json(effect, floor));
+  }
+  ordered_json hashes = ordered_json::array();
+  for (const auto& [file, hash] : facts.hashes) {
+    hashes.push_back({{"file", file}, {"sha256", hash}});
+  }
+  const ordered_json json{
+      {"verdict", to_string(e.verdict)},
+      {"reason", e.reason},
+      {"effects", effects},
+      {"base", estimates(e.base)},
+      {"nuisances", estimates(e.nuisances)},
+      {"fit",
+       {{"train", {{"before", number(e.trained_before)}, {"after", number(e.trained_after)}}},
+        {"held_out",
+         {{"before", number(e.held_out_before)},
+          {"after", number(e.held_out_after)},
+          {"floor", floor}}}}},
+      {"records", record_errors_json(facts.records)},
+      {"self_null", self_null(e.self_null)},
+      {"cannot_exclude", rivals(e.cannot_exclude)},
+      {"plant", facts.plant},
+      {"plant_updated",
+       facts.plant_updated.empty() ? ordered_json(nullptr) : ordered_json(facts.plant_updated)},
+      {"notes", facts.notes},
+      {"software", facts.software},
+      {"data_sha256", hashes}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace rvbench::bench

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/explain/explanation.hpp"
+#include "bench/time_twin.hpp"
+
+namespace rvbench::bench {
+
+/// How far a record is from the plant, as it was and with what was left out.
+struct RecordError {
+  std::string record, channel, unit;
+  bool learned_from = true;
+  double before = 0, after = 0;                    ///< RMS, in the channel's unit
+  double relative_before = 0, relative_after = 0;  ///< of the RMS of what was measured
+};
+
+/// Of every record and output. Empty if one of the plants cannot be simulated.
+std::vector<RecordError> record_errors(const TimeTwin& twin, const analysis::Selection& found);
+
+/// What stands around an explanation in explain.json.
+struct ExplainFacts {
+  std::string plant, software;
+  std::string plant_updated;  ///< path, or "" if there is none
+  std::vector<RecordError> records;
+  std::vector<std::string> notes;
+  std::vector<std::pair<std::string, std::string>> hashes;  ///< file, SHA-256
+};
+
+/// The document explain.json. Errors are relative: of the outputs' deviation.
+std::string explanation_to_json(const analysis::Explanation& explanation,
+                                const ExplainFacts& facts);
+
+}  // namespace rvbench::bench

@@ -1,0 +1,343 @@
+#include "bench/time_twin.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/quality.hpp"
+#include "bench/twin_candidates.hpp"
+#include "hal/did_you_mean.hpp"
+#include "sim/effect_edits.hpp"
+#include "sim/interpolation.hpp"
+#include "sim/plant_check.hpp"
+#include "sim/simulate.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+constexpr double unit_length_s = 0.25;
+constexpr int units_per_record = 12;
+constexpr double coming_into_step_s = 1;  // of a free motion: not compared
+constexpr double filter_edges = 3;        // periods of the band: not compared
+constexpr double thinned_to = 2.5;        // samples per period of the band
+
+double rms(const Eigen::VectorXd& x) {
+  return x.size() > 0 ? std::sqrt(x.squaredNorm() / static_cast<double>(x.size())) : 0;
+}
+
+double deviation(const Eigen::VectorXd& x) { return x.size() > 0 ? rms(x.array() - x.mean()) : 0; }
+
+// Why a recording cannot be compared with this output; empty if it can. A way may rest at its end
+// for long: only a force or an acceleration that does has lost its top.
+std::string output_fault(const Recording& recording, const sim::OutputSpec& output) {
+  const std::string name = hal::in_quotes(output.channel);
+  const Channel* channel = recording.find(output.channel);
+  if (channel == nullptr) return name + " is no channel of the recording";
+  if (!channel->info.unit.empty() && channel->info.unit != output.unit) {
+    return fmt::format("{} is in {}, the plant shows {}", name, channel->info.unit, output.unit);
+  }
+  if (!channel->samples.allFinite()) return name + " has samples that are not finite";
+  const bool may_rest =
+      output.kind == sim::OutputKind::position || output.kind == sim::OutputKind::speed;
+  if (may_rest) return {};
+  for (const analysis::QualityNote& note : analysis::channel_quality(*channel, not_known)) {
+    if (note.invalidates) return name + " is " + note.what;
+  }
+  return {};
+}
+
+}  // namespace
+
+struct TimeTwin::Record {
+  CampaignRecord about;  // its recording is empty
+  sim::Excitation excitation;
+  std::vector<Eigen::VectorXd> measured;  // per output of the plant
+  Eigen::Index first = 0, last = 0;       // what is compared
+  Eigen::Index thin = 1;                  // of these, each so many-th
+};
+
+TimeTwin::TimeTwin(sim::PlantSpec plant, const sim::TermLibrary& library)
+    : plant_(std::move(plant)), terms_(library) {
+  for (const sim::InputSpec& input : plant_.inputs) band_Hz_ = std::max(band_Hz_, input.band_Hz);
+}
+
+std::variant<std::unique_ptr<TimeTwin>, std::vector<hal::ConfigFault>> TimeTwin::make(
+    sim::PlantSpec plant, const Campaign& campaign, const sim::TermLibrary& library) {
+  std::vector<hal::ConfigFault> faults = sim::check_plant(plant, library);
+  if (!faults.empty()) return faults;
+  std::unique_ptr<TimeTwin> twin(new TimeTwin(std::move(plant), library));
+  faults = twin->load(campaign);
+  if (!faults.empty()) return faults;
+  twin->find_parameters();
+  twin->find_candidates();
+  twin->cut_units();
+  return twin;
+}
+
+std::vector<hal::ConfigFault> TimeTwin::load(const Campaign& campaign) {
+  std::vector<hal::ConfigFault> faults;
+  for (const CampaignRecord& of : campaign.records) {
+    const double rate_Hz = of.recording.channels.front().rate_Hz;
+    const auto steps = sim::substeps_for(plant_, rate_Hz, terms_);
+    if (const auto* fault = std::get_if<hal::ConfigFault>(&steps)) return {*fault};
+    auto made = sim::Excitation::make(plant_, of.recording.channels, std::get<int>(steps));
+    if (auto* fault = std::get_if<hal::ConfigFault>(&made)) {
+      fault->message = of.name + ": " + fault->message;
+      faults.push_back(*fault);
+      continue;
+    }
+    auto record =
+        std::make_shared<Record>(Record{of, std::get<sim::Excitation>(std::move(made)), {}});
+    for (std::size_t i = 0; i < plant_.outputs.size(); ++i) {
+      const std::string fault = output_fault(of.recording, plant_.outputs[i]);
+      if (fault.empty()) {
+        record->measured.push_back(of.recording.find(plant_.outputs[i].channel)->samples);
+      } else {
+        faults.push_back({0, fmt::format("/outputs/{}/channel", i), of.name + ": " + fault});
+      }
+    }
+    record->about.recording = {};
+    const Eigen::Index size = record->excitation.samples();
+    const double edge_s = band_Hz_ > 0 ? filter_edges / band_Hz_ : 0;
+    const double into_step_s = band_Hz_ > 0 ? edge_s : coming_into_step_s;
+    record->first = std::max(of.lead_in, static_cast<Eigen::Index>(into_step_s * rate_Hz));
+    record->last = size - static_cast<Eigen::Index>(edge_s * rate_Hz);
+    if (band_Hz_ > 0) {
+      record->thin =
+          std::max<Eigen::Index>(1, static_cast<Eigen::Index>(rate_Hz / (thinned_to * band_Hz_)));
+    }
+    if (record->last - record->first < 2 * units_per_record * record->thin) {
+      faults.push_back({0, "", of.name + ": too short to be compared"});
+    }
+    records_.push_back(std::move(record));
+  }
+  if (!faults.empty()) return faults;
+  if (std::ranges::none_of(records_, [](const auto& r) { return r->about.learned_from; })) {
+    return {{0, "", "there is no recording to learn from"}};
+  }
+  for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
+    double sum = 0, count = 0;
+    for (const auto& record : records_) {
+      if (!record->about.learned_from) continue;
+      sum += std::pow(deviation(record->measured[o]), 2);
+      ++count;
+    }
+    spread_.push_back(std::sqrt(sum / count));
+    if (!(spread_.back() > 0)) {
+      faults.push_back({0, fmt::format("/outputs/{}/channel", o),
+                        hal::in_quotes(plant_.outputs[o].channel) + " never changes"});
+    }
+  }
+  return faults;
+}
+
+sim::NaturalScales TimeTwin::natural_scales() const {
+  const sim::BodySpec& body = plant_.bodies.front();
+  const bool driven = std::ranges::any_of(plant_.inputs, [&](const sim::InputSpec& input) {
+    return input.kind >= sim::InputKind::position && input.body == body.name;
+  });
+  const sim::PlantSpec probe =
+      sim::with_probes(plant_, body.name,
+                       {sim::OutputKind::position, sim::OutputKind::speed,
+                        driven ? sim::OutputKind::drive : sim::OutputKind::acceleration});
+  sim::NaturalScales scales;
+  const auto run = sim::simulate(probe, records_.front()->excitation, terms_);
+  const auto* shown = std::get_if<sim::Simulated>(&run);
+  if (shown == nullptr) return scales;
+  const auto size = [&](std::size_t i) {
+    const double value = deviation(shown->channels[i].samples);
+    return value > 0 ? value : 1;
+  };
+  scales = {driven ? size(2) : size(2) * body.inertia.value, size(0), size(1)};
+  return scales;
+}
+
+void TimeTwin::find_parameters() {
+  const ParameterScales scales{natural_scales(), 1 / records_.front()->excitation.rate_Hz(),
+                               largest_deviation()};
+  sim::PlantSpec copy = plant_;
+  const std::vector<sim::PlacedQuantity> all = sim::quantities(copy);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].quantity->tolerance_pct == 0) continue;
+    moved_.push_back(i);
+    base_.push_back(model_parameter(plant_, all[i], scales, terms_));
+  }
+}
+
+void TimeTwin::find_candidates() {
+  const sim::NaturalScales natural = natural_scales();
+  for (std::size_t t = 0; t < terms_.types().size(); ++t) {
+    const sim::TermType& type = terms_.types()[t];
+    if (!type.card.effect) continue;
+    for (const sim::EffectSite& site : sim::sites_of(plant_, type)) {
+      TwinCandidate made = candidate_at(plant_, type, site, natural);
+      if (made.candidate.parameters.empty()) continue;
+      acts_.emplace_back(t, site);
+      chosen_.push_back(std::move(made.chosen));
+      candidates_.push_back(std::move(made.candidate));
+    }
+  }
+}
+
+double TimeTwin::largest_deviation() const {
+  double largest = 0;
+  for (const Eigen::VectorXd& x : records_.front()->measured) {
+    largest = std::max(largest, deviation(x));
+  }
+  return largest;
+}
+
+void TimeTwin::cut_units() {
+  Eigen::Index at = 0;
+  const auto outputs = static_cast<Eigen::Index>(plant_.outputs.size());
+  for (const auto& record : records_) {
+    if (!record->about.learned_from) continue;
+    const double rate_Hz = record->excitation.rate_Hz();
+    const Eigen::Index size = (record->last - record->first) / record->thin;
+    const double length_s = static_cast<double>(record->last - record->first) / rate_Hz;
+    const auto count = static_cast<Eigen::Index>(
+        std::clamp(length_s / unit_length_s, 1.0, double(units_per_record)));
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const Eigen::Index own = (size * (i + 1) / count - size * i / count) * outputs;
+      units_.push_back({record->about.name, record->about.condition, record->about.speed,
+                        record->about.load, at, own, record->about.programme});
+      at += own;
+    }
+  }
+}
+
+Eigen::VectorXd TimeTwin::below_band(const Eigen::VectorXd& x, double rate_Hz) const {
+  if (band_Hz_ == 0 || 2 * band_Hz_ >= rate_Hz) return x;
+  const sim::Interpolation filter(0, 0, band_Hz_ / rate_Hz);
+  Eigen::VectorXd out(x.size());
+  for (Eigen::Index i = 0; i < x.size(); ++i) out[i] = filter(x, i);
+  return out;
+}
+
+// The difference where it is compared, below the band, each so many-th sample of it.
+Eigen::VectorXd TimeTwin::thinned(const Record& record, const Eigen::VectorXd& apart) const {
+  const Eigen::Index size = (record.last - record.first) / record.thin;
+  Eigen::VectorXd out(size);
+  const double rate_Hz = record.excitation.rate_Hz();
+  if (band_Hz_ == 0 || 2 * band_Hz_ >= rate_Hz) {
+    for (Eigen::Index i = 0; i < size; ++i) out[i] = apart[record.first + i * record.thin];
+    return out;
+  }
+  const sim::Interpolation filter(0, 0, band_Hz_ / rate_Hz);
+  for (Eigen::Index i = 0; i < size; ++i) out[i] = filter(apart, record.first + i * record.thin);
+  return out;
+}
+
+sim::PlantSpec TimeTwin::plant_with(const std::vector<std::size_t>& effects,
+                                    const std::vector<double>& values) const {
+  sim::PlantSpec plant = plant_;
+  const std::vector<sim::PlacedQuantity> all = sim::quantities(plant);
+  for (std::size_t i = 0; i < moved_.size(); ++i) all[moved_[i]].quantity->value = values[i];
+  std::size_t at = moved_.size();
+  for (const std::size_t effect : effects) {
+    const auto& [t, site] = acts_[effect];
+    const sim::TermType& type = terms_.types()[t];
+    const sim::Motion motion = plant_.motion_of(site.body_a);
+    sim::Parameters parameters;
+    for (const sim::ParameterCard& card : type.parameters) {
+      const auto chosen = chosen_[effect].find(card.name);
+      const double value = chosen != chosen_[effect].end() ? chosen->second : values[at++];
+      parameters[card.name] = {value, std::string(sim::unit_of(card.unit, motion)), 0};
+    }
+    plant = sim::with_effect(plant, type.card.name, site, parameters, terms_);
+  }
+  return plant;
+}
+
+// @param show  of a record, one signal per output of the plant
+// @return what it shows of the records that are learned from, in order of the units
+std::optional<Eigen::VectorXd> TimeTwin::by_units(
+    const std::function<std::optional<std::vector<Eigen::VectorXd>>(const Record&)>& show) const {
+  const analysis::ObservedUnit& last = units_.back();
+  Eigen::VectorXd out(last.first + last.size);
+  auto unit = units_.begin();
+  for (const auto& record : records_) {
+    if (!record->about.learned_from) continue;
+    auto shown = show(*record);
+    if (!shown) return std::nullopt;
+    for (Eigen::VectorXd& signal : *shown) signal = thinned(*record, signal);
+    Eigen::Index from = 0;
+    while (unit != units_.end() && unit->record == record->about.name &&
+           from < shown->front().size()) {
+      const Eigen::Index each = unit->size / static_cast<Eigen::Index>(shown->size());
+      for (std::size_t o = 0; o < shown->size(); ++o) {
+        out.segment(unit->first + static_cast<Eigen::Index>(o) * each, each) =
+            (*shown)[o].segment(from, each);
+      }
+      from += each;
+      ++unit;
+    }
+  }
+  return out;
+}
+
+std::optional<Eigen::VectorXd> TimeTwin::residuals(const std::vector<std::size_t>& effects,
+                                                   const std::vector<double>& values,
+                                                   const std::vector<bool>&) const {
+  const sim::PlantSpec plant = plant_with(effects, values);
+  return by_units([&](const Record& record) -> std::optional<std::vector<Eigen::VectorXd>> {
+    const auto run = sim::simulate(plant, record.excitation, terms_);
+    const auto* shown = std::get_if<sim::Simulated>(&run);
+    if (shown == nullptr) return std::nullopt;
+    std::vector<Eigen::VectorXd> apart;
+    for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
+      apart.emplace_back((record.measured[o] - shown->channels[o].samples) / spread_[o]);
+    }
+    return apart;
+  });
+}
+
+Eigen::MatrixXd TimeTwin::states() const {
+  const sim::OutputSpec& seen = plant_.outputs.front();
+  const sim::TermSpec* term = plant_.find_term(seen.of);
+  const std::string body = term != nullptr ? term->body_a : seen.of;
+  const sim::PlantSpec probe =
+      sim::with_probes(plant_, body, {sim::OutputKind::position, sim::OutputKind::speed});
+  Eigen::MatrixXd states;
+  for (std::size_t column = 0; column < probe.outputs.size(); ++column) {
+    const auto values =
+        by_units([&](const Record& record) -> std::optional<std::vector<Eigen::VectorXd>> {
+          const auto run = sim::simulate(probe, record.excitation, terms_);
+          const auto* shown = std::get_if<sim::Simulated>(&run);
+          if (shown == nullptr) return std::nullopt;
+          return std::vector<Eigen::VectorXd>(plant_.outputs.size(),
+                                              shown->channels[column].samples);
+        });
+    if (!values) return {};
+    states.conservativeResize(values->size(), states.cols() + 1);
+    states.rightCols(1) = *values;
+  }
+  return states;
+}
+
+double TimeTwin::Comparison::error() const { return rms(measured - simulated); }
+double TimeTwin::Comparison::relative_error() const { return error() / rms(measured); }
+
+std::vector<TimeTwin::Comparison> TimeTwin::compare(const std::vector<std::size_t>& effects,
+                                                    const std::vector<double>& values) const {
+  const sim::PlantSpec plant = plant_with(effects, values);
+  std::vector<Comparison> all;
+  for (const auto& record : records_) {
+    const auto run = sim::simulate(plant, record->excitation, terms_);
+    const auto* shown = std::get_if<sim::Simulated>(&run);
+    if (shown == nullptr) return {};
+    const double rate_Hz = record->excitation.rate_Hz();
+    for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
+      const auto range = Eigen::seq(record->first, record->last - 1);
+      all.push_back({record->about.name, plant_.outputs[o].channel, plant_.outputs[o].unit,
+                     record->about.learned_from, rate_Hz,
+                     record->excitation.start_s() + static_cast<double>(record->first) / rate_Hz,
+                     below_band(record->measured[o], rate_Hz)(range),
+                     below_band(shown->channels[o].samples, rate_Hz)(range)});
+    }
+  }
+  return all;
+}
+
+}  // namespace rvbench::bench

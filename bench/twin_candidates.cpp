@@ -1,0 +1,136 @@
+#include "bench/twin_candidates.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rvbench::bench {
+namespace {
+
+constexpr double part_of_value = 0.05;  // of a parameter: a noticeable change
+constexpr double most_delay_samples = 2;
+constexpr double widest_shape = 5;  // times its usual scale, and its fifth
+
+double bound(double card) {
+  if (card >= sim::unbounded) return std::numeric_limits<double>::infinity();
+  return card <= -sim::unbounded ? -std::numeric_limits<double>::infinity() : card;
+}
+
+const sim::ParameterCard* card_of(const sim::TermType& type, std::string_view name) {
+  const auto found = std::ranges::find(type.parameters, name, &sim::ParameterCard::name);
+  return found == type.parameters.end() ? nullptr : &*found;
+}
+
+// The leading parameters without which the effect is nothing: the first, and those that may be
+// zero.
+std::size_t sizes_of(const sim::TermType& type) {
+  std::size_t sizes = 1;
+  while (sizes < type.parameters.size() && type.parameters[sizes].fitted &&
+         type.parameters[sizes].fallback == 0.0) {
+    ++sizes;
+  }
+  return sizes;
+}
+
+// Starts: as the cards say, the other way round, smaller, and each shape wider and narrower.
+std::vector<std::vector<double>> starts_of(
+    const std::vector<analysis::ModelParameter>& parameters) {
+  std::vector<double> first;
+  for (const analysis::ModelParameter& p : parameters) first.push_back(p.scale);
+  std::vector<std::vector<double>> starts{first, first};
+  starts[1][0] *= 0.2;
+  if (parameters[0].low < 0) {
+    starts.push_back(first);
+    starts[2][0] *= -1;
+  }
+  for (std::size_t i = 1; i < parameters.size(); ++i) {
+    for (const double factor : {3.0, 1.0 / 3}) {
+      starts.push_back(first);
+      starts.back()[i] = std::clamp(first[i] * factor, parameters[i].low, parameters[i].high);
+    }
+  }
+  return starts;
+}
+
+// Narrows what may be by what the card of the parameter's term says.
+void bound_by_card(analysis::ModelParameter& p, const sim::PlantSpec& plant,
+                   const sim::NaturalScales& natural, const sim::TermLibrary& terms) {
+  for (std::size_t t = 0; t < plant.terms.size(); ++t) {
+    const std::string prefix = fmt::format("/terms/{}/parameters/", t);
+    if (!p.name.starts_with(prefix)) continue;
+    const sim::ParameterCard* card =
+        card_of(*terms.find(plant.terms[t].type), p.name.substr(prefix.size()));
+    if (card == nullptr) return;
+    p.low = std::max(p.low, bound(card->min));
+    p.high = std::min(p.high, bound(card->max));
+    if (p.scale == 0) p.scale = part_of_value * sim::natural_scale(card->unit, natural);
+  }
+}
+
+}  // namespace
+
+analysis::ModelParameter model_parameter(const sim::PlantSpec& plant,
+                                         const sim::PlacedQuantity& placed,
+                                         const ParameterScales& scales,
+                                         const sim::TermLibrary& terms) {
+  const sim::Quantity& quantity = *placed.quantity;
+  analysis::ModelParameter p;
+  p.name = placed.pointer;
+  p.unit = quantity.unit;
+  p.nominal = quantity.value;
+  p.scale = part_of_value * std::abs(quantity.value);
+  p.nuisance = p.name.starts_with("/outputs") || p.name.starts_with("/inputs");
+  const bool is_delay = p.name.ends_with("/delay");
+  if (std::isfinite(quantity.tolerance_pct)) {
+    const double width = std::abs(quantity.value) * quantity.tolerance_pct / 100;
+    p.low = quantity.value - width;
+    p.high = quantity.value + width;
+  } else if (is_delay) {
+    p.low = -most_delay_samples * scales.sample_s;
+    p.high = most_delay_samples * scales.sample_s;
+  } else if (p.name.starts_with("/bodies")) {
+    p.low = 1e-3 * quantity.value;
+  }
+  if (is_delay) p.scale = 0.1 * scales.sample_s;
+  bound_by_card(p, plant, scales.natural, terms);
+  // An offset of a channel that is nominally none.
+  if (p.scale == 0) p.scale = part_of_value * scales.deviation;
+  return p;
+}
+
+TwinCandidate candidate_at(const sim::PlantSpec& plant, const sim::TermType& type,
+                           const sim::EffectSite& site, const sim::NaturalScales& natural) {
+  TwinCandidate made;
+  analysis::Candidate& candidate = made.candidate;
+  candidate.name = type.card.name;
+  candidate.where = sim::describe(site);
+  candidate.mimics = type.card.mimics;
+  candidate.experiment = type.card.experiment;
+  candidate.vanishes_at_zero = bool(type.make);
+  candidate.sizes = sizes_of(type);
+  const sim::Motion motion = plant.motion_of(site.body_a);
+  for (const sim::ParameterCard& card : type.parameters) {
+    const double size = sim::natural_scale(card.unit, natural) * card.start;
+    if (!card.fitted) {
+      made.chosen[card.name] = size;
+      continue;
+    }
+    analysis::ModelParameter p;
+    p.name = card.name;
+    p.unit = std::string(sim::unit_of(card.unit, motion));
+    p.low = bound(card.min);
+    p.high = bound(card.max);
+    p.scale = size != 0 ? std::abs(size) : 1;
+    if (candidate.parameters.size() >= candidate.sizes && size != 0) {
+      // A shape far from what the motion covers is another law in disguise.
+      p.low = std::max(p.low, p.scale / widest_shape);
+      p.high = std::min(p.high, p.scale * widest_shape);
+    }
+    candidate.parameters.push_back(std::move(p));
+  }
+  if (!candidate.parameters.empty()) candidate.starts = starts_of(candidate.parameters);
+  return made;
+}
+
+}  // namespace rvbench::bench

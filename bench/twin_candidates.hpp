@@ -1,0 +1,36 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "analysis/explain/forward_model.hpp"
+#include "sim/effect_sites.hpp"
+#include "sim/plant_spec.hpp"
+#include "sim/term_library.hpp"
+
+namespace rvbench::bench {
+
+/// What is much and what is little on a machine, for parameters whose own value does not tell.
+struct ParameterScales {
+  sim::NaturalScales natural;
+  double sample_s = 0;
+  double deviation = 0;  ///< of what was measured, in its unit
+};
+
+/// A quantity of the plant as a fit moves it: within its tolerance, within what the term's card
+/// says of it; a free delay within two samples.
+analysis::ModelParameter model_parameter(const sim::PlantSpec& plant,
+                                         const sim::PlacedQuantity& placed,
+                                         const ParameterScales& scales,
+                                         const sim::TermLibrary& terms);
+
+/// An effect at one place, as analysis tries it.
+struct TwinCandidate {
+  analysis::Candidate candidate;         ///< without parameters if there is nothing to fit
+  std::map<std::string, double> chosen;  ///< parameters that are not fitted
+};
+
+TwinCandidate candidate_at(const sim::PlantSpec& plant, const sim::TermType& type,
+                           const sim::EffectSite& site, const sim::NaturalScales& natural);
+
+}  // namespace rvbench::bench

@@ -1,0 +1,108 @@
+#include "bench/campaign.hpp"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <functional>
+
+#include "tests/support/scratch_folder.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+using Catch::Matchers::Contains;
+
+void write_ramp(const std::string& path, int rows) {
+  std::ofstream file(path);
+  file << "x,force\n";
+  for (int row = 0; row < rows; ++row) file << row << ',' << 2 * row << '\n';
+}
+
+Campaign read(const test::ScratchFolder& scratch, const std::string& text) {
+  std::ofstream(scratch / "c.json") << text;
+  const auto made = read_campaign(scratch / "c.json");
+  if (const auto* faults = std::get_if<1>(&made)) FAIL(faults->front().message);
+  return std::get<Campaign>(made);
+}
+
+std::vector<hal::ConfigFault> faults_of(const test::ScratchFolder& scratch,
+                                        const std::string& text) {
+  std::ofstream(scratch / "c.json") << text;
+  const auto made = read_campaign(scratch / "c.json");
+  REQUIRE(made.index() == 1);
+  return std::get<1>(made);
+}
+
+}  // namespace
+
+TEST_CASE("a campaign cuts its recordings into stretches", "[bench][explain]") {
+  const test::ScratchFolder scratch;
+  write_ramp(scratch / "ramp.csv", 10000);
+  const Campaign campaign = read(scratch, R"({"campaign": "ramp", "files": [
+    {"file": "ramp.csv", "rate_Hz": 1000, "records": [
+      {"from_s": 2, "to_s": 4, "condition": "slow", "programme": "p"},
+      {"from_s": 0, "to_s": 1, "condition": "fast", "speed": "605", "use": "predict"}]}]})");
+  REQUIRE(campaign.records.size() == 2);
+  const CampaignRecord& slow = campaign.records[0];
+  CHECK(slow.condition == "slow");
+  CHECK(slow.programme == "p");
+  CHECK(slow.learned_from);
+  CHECK(slow.lead_in == 1000);  // the model comes into step on the second before
+  CHECK(slow.recording.find("x")->samples.size() == 3000);
+  CHECK(slow.recording.find("x")->samples[slow.lead_in] == 2000);
+  CHECK(slow.recording.find("force")->samples[slow.lead_in] == 4000);
+  CHECK(campaign.records[1].lead_in == 0);
+  CHECK(campaign.records[1].speed == "605");
+  CHECK_FALSE(campaign.records[1].learned_from);
+  REQUIRE(campaign.hashes.size() == 1);
+  CHECK(campaign.hashes[0].second.size() == 64);
+}
+
+TEST_CASE("a recording alone is left out by quarters", "[bench][explain]") {
+  const test::ScratchFolder scratch;
+  write_ramp(scratch / "ramp.csv", 8000);
+  const auto made = campaign_of({scratch / "ramp.csv"}, 1000);
+  REQUIRE(made.index() == 0);
+  const Campaign& campaign = std::get<Campaign>(made);
+  REQUIRE(campaign.records.size() == 4);
+  CHECK(campaign.records[3].condition != campaign.records[2].condition);
+  CHECK(campaign.records[3].recording.find("x")->samples[campaign.records[3].lead_in] == 6000);
+}
+
+TEST_CASE("columns without names get theirs from the campaign", "[bench][explain]") {
+  const test::ScratchFolder scratch;
+  std::ofstream file(scratch / "bare.csv");
+  for (int row = 0; row < 4000; ++row) file << 10 + 0.001 * row << ',' << row << '\n';
+  file.close();
+  const Campaign campaign = read(scratch, R"({"campaign": "bare", "files": [
+    {"file": "bare.csv", "columns": ["t", "way"], "time_column": "t"}]})");
+  REQUIRE(campaign.records.size() == 4);
+  REQUIRE(campaign.records[0].recording.channels.size() == 1);
+  CHECK(campaign.records[0].recording.channels[0].rate_Hz == Approx(1000));
+  CHECK(campaign.notes.empty());
+}
+
+TEST_CASE("what a campaign does not say right is told with its place", "[bench][explain]") {
+  const test::ScratchFolder scratch;
+  write_ramp(scratch / "ramp.csv", 100);
+  const auto wrong = faults_of(scratch, R"({"campaign": "x", "files": [
+    {"file": "ramp.csv", "rate_Hz": -1, "records": [{"from_s": 0, "to_s": 1, "use": "guess"}]}],
+    "speed": 3})");
+  REQUIRE(wrong.size() == 3);
+  CHECK(wrong[0].pointer == "/files/0/rate_Hz");
+  CHECK(wrong[1].pointer == "/files/0/records/0/use");
+  CHECK(wrong[2].pointer == "/speed");
+
+  const auto message = [&](const std::string& file) {
+    return faults_of(scratch, R"({"campaign": "x", "files": [)" + file + "]}").front().message;
+  };
+  CHECK_THAT(message(R"({"file": "absent.csv"})"), Contains("absent.csv"));
+  CHECK_THAT(message(R"({"file": "ramp.csv"})"), Contains("states no sample rate"));
+  CHECK_THAT(message(R"({"file": "ramp.csv", "rate_Hz": 10, "columns": ["a"]})"),
+             Contains("1 columns are named, the file has 2"));
+  CHECK_THAT(message(R"({"file": "ramp.csv", "time_column": "t"})"),
+             Contains("there is no column \"t\""));
+  CHECK_THAT(message(R"({"file": "ramp.csv", "rate_Hz": 10, "records": [{"to_s": 11}]})"),
+             Contains("0 to 11 s is no stretch of a recording of 10 s"));
+}
+
+}  // namespace rvbench::bench

@@ -1,0 +1,154 @@
+#include "bench/time_twin.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "analysis/explain/explanation.hpp"
+#include "sim/plant_json.hpp"
+#include "tests/bench/moved_slide.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+using analysis::ExplainVerdict;
+using analysis::Explanation;
+using Catch::Matchers::Contains;
+using test::MovedSlide;
+
+std::unique_ptr<TimeTwin> twin_of(const sim::PlantSpec& plant, const Campaign& campaign) {
+  auto made = TimeTwin::make(plant, campaign);
+  if (const auto* faults = std::get_if<1>(&made)) FAIL(faults->front().message);
+  return std::get<0>(std::move(made));
+}
+
+Explanation explained(const MovedSlide& slide) {
+  return analysis::explain(*twin_of(MovedSlide::plant(), slide.campaign()));
+}
+
+std::vector<std::string> names(const Explanation& explanation) {
+  std::vector<std::string> all;
+  for (const auto& effect : explanation.effects) all.push_back(effect.name);
+  return all;
+}
+
+double sign(double v) { return v > 0 ? 1 : -1; }
+
+}  // namespace
+
+TEST_CASE("nothing is named where the plant says it all", "[bench][explain][null]") {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    MovedSlide slide;
+    slide.seed = seed;
+    const Explanation found = explained(slide);
+    INFO(found.reason);
+    CHECK(found.verdict == ExplainVerdict::null);
+    REQUIRE(found.base.size() == 2);
+    CHECK(found.base[0].value == Approx(3).epsilon(0.002));
+    CHECK(found.base[1].value == Approx(8).epsilon(0.02));
+  }
+}
+
+TEST_CASE("dry friction is named, with its size, and nothing after it", "[bench][explain]") {
+  MovedSlide slide;
+  slide.law = [](double, double v) { return 2.5 * sign(v); };
+  const Explanation found = explained(slide);
+  INFO(found.reason);
+  REQUIRE(names(found) == std::vector<std::string>{"coulomb_friction"});
+  const analysis::ExplainedEffect& friction = found.effects[0];
+  CHECK(friction.verdict == ExplainVerdict::named);
+  CHECK(friction.where == "slide against the housing");
+  CHECK(friction.parameters[0].unit == "N");
+  CHECK(friction.parameters[0].value == Approx(2.5).epsilon(0.05));
+  CHECK(friction.share_won > 0.95);
+  CHECK(found.held_out_after < 0.3 * found.held_out_before);
+  CHECK(found.self_null.known);
+  CHECK(found.self_null.found.empty());
+}
+
+TEST_CASE("a hardening spring is named as a cubic stiffness", "[bench][explain]") {
+  MovedSlide slide;
+  slide.law = [](double q, double) { return 900 * q * q * q; };
+  const Explanation found = explained(slide);
+  INFO(found.reason);
+  REQUIRE(names(found) == std::vector<std::string>{"cubic_stiffness"});
+  CHECK(found.effects[0].parameters[0].value == Approx(900).epsilon(0.05));
+}
+
+TEST_CASE("two laws left out together are named as two", "[bench][explain]") {
+  MovedSlide slide;
+  slide.law = [](double q, double v) { return 2.5 * sign(v) + 900 * q * q * q; };
+  auto found = names(explained(slide));
+  std::ranges::sort(found);
+  CHECK(found == std::vector<std::string>{"coulomb_friction", "cubic_stiffness"});
+}
+
+TEST_CASE("the updated plant leaves nothing to explain", "[bench][explain]") {
+  MovedSlide slide;
+  slide.law = [](double, double v) { return 2.5 * sign(v); };
+  const auto twin = twin_of(MovedSlide::plant(), slide.campaign());
+  const Explanation found = analysis::explain(*twin);
+  const auto& fit = found.selection.fit;
+  const auto updated = sim::parse_plant(hal::ConfigReader::from_text(
+      sim::write_plant(twin->plant_with(fit.effects, fit.values)), "plant_updated.json"));
+  REQUIRE(updated.index() == 0);
+  slide.seed = 2;  // another day
+  const Explanation again = analysis::explain(*twin_of(std::get<0>(updated), slide.campaign()));
+  INFO(again.reason);
+  CHECK(again.verdict == ExplainVerdict::null);
+}
+
+TEST_CASE("a transducer wrong by half is no physics", "[bench][explain]") {
+  MovedSlide slide;
+  slide.gain = 1.5;
+  const Explanation found = explained(slide);
+  INFO(found.reason);
+  CHECK(found.verdict == ExplainVerdict::miscalibrated);
+  CHECK_THAT(found.reason, Contains("/bodies/0/mass"));
+}
+
+TEST_CASE("what drifts from one repeat to the other is told", "[bench][explain]") {
+  MovedSlide slide;
+  slide.drift_N = 1;
+  const Explanation found = explained(slide);
+  REQUIRE(found.self_null.known);
+  REQUIRE(found.self_null.found.size() == 1);
+  // An offset of the transducer and a constant force on the slide are one and the same here.
+  CHECK(found.self_null.found[0].unit == "N");
+  CHECK(found.self_null.found[0].value == Approx(0.6).epsilon(0.1));
+}
+
+TEST_CASE("recordings that do not fit the plant are refused, with the place", "[bench][explain]") {
+  const auto refusal = [](const std::function<void(Channel & way, Channel & force)>& spoil) {
+    Campaign campaign = MovedSlide().campaign();
+    auto& channels = campaign.records[2].recording.channels;
+    spoil(channels[0], channels[1]);
+    const auto made = TimeTwin::make(MovedSlide::plant(), campaign);
+    REQUIRE(made.index() == 1);
+    const hal::ConfigFault& fault = std::get<1>(made).front();
+    return fault.pointer + ": " + fault.message;
+  };
+  CHECK_THAT(refusal([](Channel&, Channel& force) { force.info.name = "load"; }),
+             Contains("/outputs/0/channel: record 3: \"force\" is no channel"));
+  CHECK_THAT(refusal([](Channel&, Channel& force) { force.info.unit = "V"; }),
+             Contains("\"force\" is in V, the plant shows N"));
+  CHECK_THAT(refusal([](Channel&, Channel& force) {
+               force.samples[100] = std::numeric_limits<double>::quiet_NaN();
+             }),
+             Contains("not finite"));
+  CHECK_THAT(refusal([](Channel&, Channel& force) {
+               force.samples = force.samples.cwiseMin(3).cwiseMax(-3);
+             }),
+             Contains("clipped"));
+  CHECK_THAT(refusal([](Channel& way, Channel& force) {
+               way.samples = Eigen::VectorXd(way.samples.head(50));
+               force.samples = Eigen::VectorXd(force.samples.head(50));
+             }),
+             Contains("too short"));
+  CHECK_THAT(refusal([](Channel& way, Channel&) { way.info.name = "angle"; }),
+             Contains("record 3") && Contains("way"));
+}
+
+}  // namespace rvbench::bench
