@@ -130,6 +130,11 @@ std::string stretch_fault(const Stretch& stretch, double whole_s) {
 
 // Adds one file's records. @return why not; "" if it did
 std::string add_file(Campaign& campaign, const CampaignFile& file, int parts) {
+  const auto hash = sha256_of_file(file.path);
+  for (const auto& [other, known] : campaign.hashes) {
+    if (hash == known) return file.path + ": the same recording as " + other;
+  }
+  if (hash) campaign.hashes.emplace_back(file.path, *hash);
   const hal::RecordingHints hints{file.time_column.empty() ? file.rate_Hz : not_known, not_known};
   auto read = hal::read_recordings(file.path, hints);
   if (!read) return read.error().where;
@@ -148,7 +153,6 @@ std::string add_file(Campaign& campaign, const CampaignFile& file, int parts) {
       campaign.records.push_back(cut(recording, stretch));
     }
   }
-  if (const auto hash = sha256_of_file(file.path)) campaign.hashes.emplace_back(file.path, *hash);
   return {};
 }
 
@@ -179,14 +183,14 @@ CampaignFile parse_file(hal::ConfigReader& json, const std::filesystem::path& fo
   return file;
 }
 
-CampaignOrFaults whole(Campaign campaign, std::vector<hal::ConfigFault> faults) {
-  if (!faults.empty()) return faults;
+CampaignOrRefusal whole(Campaign campaign, std::vector<hal::ConfigFault> faults) {
+  if (!faults.empty()) return CampaignRefusal{std::move(faults), true};
   return campaign;
 }
 
 }  // namespace
 
-CampaignOrFaults read_campaign(const std::string& path) {
+CampaignOrRefusal read_campaign(const std::string& path) {
   hal::ConfigReader root = hal::ConfigReader::from_file(path);
   Campaign campaign;
   campaign.name = root.text("campaign");
@@ -195,8 +199,9 @@ CampaignOrFaults read_campaign(const std::string& path) {
     files.push_back(parse_file(json, std::filesystem::path(path).parent_path()));
   }
   root.finish();
-  std::vector<hal::ConfigFault> faults = root.faults();
-  for (std::size_t i = 0; i < files.size() && faults.empty(); ++i) {
+  if (!root.faults().empty()) return CampaignRefusal{root.faults(), false};
+  std::vector<hal::ConfigFault> faults;
+  for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string fault =
         add_file(campaign, files[i], files.size() == 1 ? parts_of_one_file : 1);
     if (!fault.empty()) faults.push_back({0, fmt::format("/files/{}", i), fault});
@@ -204,7 +209,7 @@ CampaignOrFaults read_campaign(const std::string& path) {
   return whole(std::move(campaign), std::move(faults));
 }
 
-CampaignOrFaults campaign_of(const std::vector<std::string>& files, double rate_Hz) {
+CampaignOrRefusal campaign_of(const std::vector<std::string>& files, double rate_Hz) {
   Campaign campaign;
   std::vector<hal::ConfigFault> faults;
   for (const std::string& file : files) {

@@ -30,7 +30,13 @@ struct Campaign {
   std::vector<std::string> notes;                           ///< what was done to the data
 };
 
-using CampaignOrFaults = std::variant<Campaign, std::vector<hal::ConfigFault>>;
+/// Why there is no campaign: faults of its file, or, where that has none, of its recordings.
+struct CampaignRefusal {
+  std::vector<hal::ConfigFault> faults;
+  bool of_recordings = false;
+};
+
+using CampaignOrRefusal = std::variant<Campaign, CampaignRefusal>;
 
 /// Reads a campaign file with the recordings it names, relative to itself.
 ///
@@ -40,12 +46,12 @@ using CampaignOrFaults = std::variant<Campaign, std::vector<hal::ConfigFault>>;
 /// A file without "records" is cut into four conditions of equal length. `columns` names the
 /// columns of a file that has no names; a `time_column` [s] that is not uniform is resampled at
 /// rate_Hz, with a note.
-/// @return the campaign, or every fault of the file and of the recordings
-CampaignOrFaults read_campaign(const std::string& path);
+/// A recording that is given twice is refused: nothing could be left out of it.
+CampaignOrRefusal read_campaign(const std::string& path);
 
 /// A campaign of bare recordings: each file one condition, or four of equal length if there is
 /// only one.
 /// @param rate_Hz  of files that do not state it; NaN if not known
-CampaignOrFaults campaign_of(const std::vector<std::string>& files, double rate_Hz);
+CampaignOrRefusal campaign_of(const std::vector<std::string>& files, double rate_Hz);
 
 }  // namespace rvbench::bench

@@ -18,6 +18,7 @@ inline constexpr int internal_error = 1;
 inline constexpr int usage = 2;
 inline constexpr int bad_file = 3;
 inline constexpr int data_refused = 20;
+inline constexpr int aborted = 50;
 }  // namespace exit_codes
 
 /// One option of a command, and the variable that receives its value.

@@ -76,6 +76,7 @@ ordered_json effect_json(const analysis::ExplainedEffect& effect, const ordered_
 }  // namespace
 
 std::vector<RecordError> record_errors(const TimeTwin& twin, const analysis::Selection& found) {
+  if (found.base.residuals.size() == 0) return {};  // nothing was fitted
   const auto before = twin.compare(found.base.effects, found.base.values);
   const auto after = twin.compare(found.fit.effects, found.fit.values);
   std::vector<RecordError> errors;

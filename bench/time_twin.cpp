@@ -79,6 +79,13 @@ std::vector<hal::ConfigFault> TimeTwin::load(const Campaign& campaign) {
   std::vector<hal::ConfigFault> faults;
   for (const CampaignRecord& of : campaign.records) {
     const double rate_Hz = of.recording.channels.front().rate_Hz;
+    if (2 * band_Hz_ > rate_Hz) {
+      faults.push_back(
+          {0, "/inputs",
+           fmt::format("{}: a motion below {:g} Hz needs a rate above {:g} Hz, not {:g}", of.name,
+                       band_Hz_, 2 * band_Hz_, rate_Hz)});
+      continue;
+    }
     const auto steps = sim::substeps_for(plant_, rate_Hz, terms_);
     if (const auto* fault = std::get_if<hal::ConfigFault>(&steps)) return {*fault};
     auto made = sim::Excitation::make(plant_, of.recording.channels, std::get<int>(steps));
@@ -280,6 +287,7 @@ std::optional<Eigen::VectorXd> TimeTwin::by_units(
 std::optional<Eigen::VectorXd> TimeTwin::residuals(const std::vector<std::size_t>& effects,
                                                    const std::vector<double>& values,
                                                    const std::vector<bool>&) const {
+  if (stop_.stop_requested()) throw Interrupted();
   const sim::PlantSpec plant = plant_with(effects, values);
   return by_units([&](const Record& record) -> std::optional<std::vector<Eigen::VectorXd>> {
     const auto run = sim::simulate(plant, record.excitation, terms_);

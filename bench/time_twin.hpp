@@ -3,6 +3,8 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <stdexcept>
+#include <stop_token>
 #include <string>
 #include <variant>
 #include <vector>
@@ -39,6 +41,12 @@ class TimeTwin final : public analysis::ForwardModel {
   /// Position and speed of the body that the first output is about, as the base moves it.
   Eigen::MatrixXd states() const override;
 
+  /// From now on residuals() throws Interrupted once a stop is requested.
+  void stop_on(std::stop_token stop) { stop_ = std::move(stop); }
+  struct Interrupted : std::runtime_error {
+    Interrupted() : std::runtime_error("interrupted") {}
+  };
+
   /// The plant with these effects and values: what an accepted explanation makes of it.
   sim::PlantSpec plant_with(const std::vector<std::size_t>& effects,
                             const std::vector<double>& values) const;
@@ -73,6 +81,7 @@ class TimeTwin final : public analysis::ForwardModel {
 
   sim::PlantSpec plant_;
   const sim::TermLibrary& terms_;
+  std::stop_token stop_;
   double band_Hz_ = 0;  ///< 0: no limit
   std::vector<std::shared_ptr<const Record>> records_;
   std::vector<double> spread_;      ///< per output: of what was measured

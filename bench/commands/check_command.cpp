@@ -41,7 +41,7 @@ Faults plant_faults(const std::string& file) {
 
 Faults campaign_faults(const std::string& file) {
   auto campaign = read_campaign(file);
-  return campaign.index() == 1 ? std::get<1>(std::move(campaign)) : Faults{};
+  return campaign.index() == 1 ? std::get<1>(std::move(campaign)).faults : Faults{};
 }
 
 Faults faults_of(const std::string& kind, const std::string& file) {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <mutex>
 #include <system_error>
@@ -12,6 +13,7 @@
 #include "bench/report/explanation_page.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/software_version.hpp"
+#include "bench/stop_on_signal.hpp"
 #include "bench/time_twin.hpp"
 #include "sim/plant_files.hpp"
 #include "sim/plant_json.hpp"
@@ -40,10 +42,13 @@ class ExplainCommand final : public Command {
   int run(Console& console) override;
 
  private:
-  CampaignOrFaults campaign() const {
+  CampaignOrRefusal campaign() const {
     const bool one = files_.size() == 1 && std::filesystem::path(files_[0]).extension() == ".json";
     return one ? read_campaign(files_[0]) : campaign_of(files_, rate_Hz_.value_or(not_known));
   }
+  analysis::Explanation explained(Console& console, TimeTwin& twin) const;
+  int tell(Console& console, const Campaign& campaign, const TimeTwin& twin,
+           const analysis::Explanation& explanation) const;
   void print(Console& console, const analysis::Explanation& explanation) const;
   void print_records(Console& console, const std::vector<RecordError>& records) const;
   void print_self_null(Console& console, const analysis::SelfNull& self_null) const;
@@ -119,7 +124,7 @@ void ExplainCommand::write_out(const TimeTwin& twin, const analysis::Explanation
                                ExplainFacts& facts) const {
   const std::filesystem::path folder = out_;
   const analysis::Fit& fit = explanation.selection.fit;
-  if (!fit.values.empty()) {
+  if (fit.residuals.size() > 0) {
     facts.plant_updated = (folder / "plant_updated.json").string();
     write_file(facts.plant_updated, sim::write_plant(twin.plant_with(fit.effects, fit.values)));
   }
@@ -127,25 +132,10 @@ void ExplainCommand::write_out(const TimeTwin& twin, const analysis::Explanation
   write_file(folder / "explain.html", make_explanation_page(explanation, facts, twin));
 }
 
-int ExplainCommand::run(Console& console) {
-  auto plant = sim::read_plant(plant_);
-  if (plant.index() == 1) return refuse_file(console, plant_, std::get<1>(plant));
-  auto read = campaign();
-  if (read.index() == 1) {
-    refuse_file(console, files_.front(), std::get<1>(read));
-    return exit_codes::data_refused;
-  }
-  const Campaign& campaign = std::get<0>(read);
-  auto made = TimeTwin::make(std::get<0>(std::move(plant)), campaign);
-  if (made.index() == 1) {
-    refuse_file(console, plant_, std::get<1>(made));
-    return exit_codes::data_refused;
-  }
-  const TimeTwin& twin = *std::get<0>(made);
-  std::error_code unusable;
-  if (!out_.empty()) std::filesystem::create_directories(out_, unusable);
-  if (unusable) return refuse_usage(console, "explain: --out " + out_ + ": " + unusable.message());
-
+// @throws TimeTwin::Interrupted
+analysis::Explanation ExplainCommand::explained(Console& console, TimeTwin& twin) const {
+  const StopOnSignal signals;
+  twin.stop_on(signals.token());
   ProgressBar bar(console, progress_style(console, json_));
   analysis::SelectionOptions options;
   std::mutex one_at_a_time;
@@ -153,12 +143,19 @@ int ExplainCommand::run(Console& console) {
     const std::scoped_lock locked(one_at_a_time);
     bar.show(stage, share, doing);
   };
-  const analysis::Explanation explanation = analysis::explain(twin, options);
-  bar.clear();
+  return analysis::explain(twin, options);
+}
+
+int ExplainCommand::tell(Console& console, const Campaign& campaign, const TimeTwin& twin,
+                         const analysis::Explanation& explanation) const {
   ExplainFacts facts{
       plant_,         software_version(), "", record_errors(twin, explanation.selection),
       campaign.notes, campaign.hashes};
-  if (!out_.empty()) write_out(twin, explanation, facts);
+  try {
+    if (!out_.empty()) write_out(twin, explanation, facts);
+  } catch (const std::system_error& error) {
+    return refuse_usage(console, std::string("explain: --out: ") + error.what());
+  }
   if (json_) {
     console.out << explanation_to_json(explanation, facts);
   } else {
@@ -170,6 +167,36 @@ int ExplainCommand::run(Console& console) {
   }
   const bool refused = explanation.verdict == analysis::ExplainVerdict::not_resolvable;
   return refused ? exit_codes::data_refused : exit_codes::done;
+}
+
+int ExplainCommand::run(Console& console) {
+  if (rate_Hz_ && !(*rate_Hz_ > 0 && std::isfinite(*rate_Hz_))) {
+    return refuse_usage(console, "--rate must be above 0 and finite");
+  }
+  auto plant = sim::read_plant(plant_);
+  if (plant.index() == 1) return refuse_file(console, plant_, std::get<1>(plant));
+  auto read = campaign();
+  if (const auto* refusal = std::get_if<CampaignRefusal>(&read)) {
+    if (!refusal->of_recordings) return refuse_file(console, files_.front(), refusal->faults);
+    for (const hal::ConfigFault& fault : refusal->faults) complain(console, fault.message);
+    return exit_codes::data_refused;
+  }
+  const Campaign& campaign = std::get<0>(read);
+  auto made = TimeTwin::make(std::get<0>(std::move(plant)), campaign);
+  if (made.index() == 1) {
+    refuse_file(console, plant_, std::get<1>(made));
+    return exit_codes::data_refused;
+  }
+  TimeTwin& twin = *std::get<0>(made);
+  std::error_code unusable;
+  if (!out_.empty()) std::filesystem::create_directories(out_, unusable);
+  if (unusable) return refuse_usage(console, "explain: --out " + out_ + ": " + unusable.message());
+  try {
+    return tell(console, campaign, twin, explained(console, twin));
+  } catch (const TimeTwin::Interrupted&) {
+    complain(console, "rvbench: explain: interrupted; nothing was written");
+    return exit_codes::aborted;
+  }
 }
 
 }  // namespace

@@ -168,7 +168,7 @@ std::string make_explanation_page(const Explanation& e, const ExplainFacts& fact
   html += errors_section(e);
   html += records_section(facts.records);
   html += self_null_section(e.self_null);
-  if (!e.selection.fit.values.empty()) html += residual_plots(e, twin);
+  if (e.selection.fit.residuals.size() > 0) html += residual_plots(e, twin);
   html += section("Calibration of the measurement", estimates_table(e.nuisances));
   html += section("Calibration of the plant", estimates_table(e.base));
   html += data_section(facts);

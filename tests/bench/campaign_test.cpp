@@ -20,12 +20,11 @@ void write_ramp(const std::string& path, int rows) {
 Campaign read(const test::ScratchFolder& scratch, const std::string& text) {
   std::ofstream(scratch / "c.json") << text;
   const auto made = read_campaign(scratch / "c.json");
-  if (const auto* faults = std::get_if<1>(&made)) FAIL(faults->front().message);
+  if (const auto* refusal = std::get_if<1>(&made)) FAIL(refusal->faults.front().message);
   return std::get<Campaign>(made);
 }
 
-std::vector<hal::ConfigFault> faults_of(const test::ScratchFolder& scratch,
-                                        const std::string& text) {
+CampaignRefusal refusal_of(const test::ScratchFolder& scratch, const std::string& text) {
   std::ofstream(scratch / "c.json") << text;
   const auto made = read_campaign(scratch / "c.json");
   REQUIRE(made.index() == 1);
@@ -84,16 +83,19 @@ TEST_CASE("columns without names get theirs from the campaign", "[bench][explain
 TEST_CASE("what a campaign does not say right is told with its place", "[bench][explain]") {
   const test::ScratchFolder scratch;
   write_ramp(scratch / "ramp.csv", 100);
-  const auto wrong = faults_of(scratch, R"({"campaign": "x", "files": [
+  const auto [wrong, of_recordings] = refusal_of(scratch, R"({"campaign": "x", "files": [
     {"file": "ramp.csv", "rate_Hz": -1, "records": [{"from_s": 0, "to_s": 1, "use": "guess"}]}],
     "speed": 3})");
+  CHECK_FALSE(of_recordings);
   REQUIRE(wrong.size() == 3);
   CHECK(wrong[0].pointer == "/files/0/rate_Hz");
   CHECK(wrong[1].pointer == "/files/0/records/0/use");
   CHECK(wrong[2].pointer == "/speed");
 
   const auto message = [&](const std::string& file) {
-    return faults_of(scratch, R"({"campaign": "x", "files": [)" + file + "]}").front().message;
+    const auto refusal = refusal_of(scratch, R"({"campaign": "x", "files": [)" + file + "]}");
+    CHECK(refusal.of_recordings);
+    return refusal.faults.front().message;
   };
   CHECK_THAT(message(R"({"file": "absent.csv"})"), Contains("absent.csv"));
   CHECK_THAT(message(R"({"file": "ramp.csv"})"), Contains("states no sample rate"));
@@ -103,6 +105,9 @@ TEST_CASE("what a campaign does not say right is told with its place", "[bench][
              Contains("there is no column \"t\""));
   CHECK_THAT(message(R"({"file": "ramp.csv", "rate_Hz": 10, "records": [{"to_s": 11}]})"),
              Contains("0 to 11 s is no stretch of a recording of 10 s"));
+  CHECK_THAT(
+      message(R"({"file": "ramp.csv", "rate_Hz": 10}, {"file": "./ramp.csv", "rate_Hz": 10})"),
+      Contains("the same recording as"));
 }
 
 }  // namespace rvbench::bench

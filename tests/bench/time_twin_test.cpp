@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "analysis/explain/explanation.hpp"
+#include "bench/explanation_json.hpp"
 #include "sim/plant_json.hpp"
 #include "tests/bench/moved_slide.hpp"
 
@@ -118,6 +119,16 @@ TEST_CASE("what drifts from one repeat to the other is told", "[bench][explain]"
   // An offset of the transducer and a constant force on the slide are one and the same here.
   CHECK(found.self_null.found[0].unit == "N");
   CHECK(found.self_null.found[0].value == Approx(0.6).epsilon(0.1));
+}
+
+TEST_CASE("of one condition nothing can be left out, and nothing is named", "[bench][explain]") {
+  Campaign campaign = MovedSlide().campaign();
+  for (CampaignRecord& record : campaign.records) record.condition = "the only one";
+  const auto twin = twin_of(MovedSlide::plant(), campaign);
+  const Explanation found = analysis::explain(*twin);
+  CHECK(found.verdict == ExplainVerdict::not_resolvable);
+  CHECK(found.effects.empty());
+  CHECK(record_errors(*twin, found.selection).empty());
 }
 
 TEST_CASE("recordings that do not fit the plant are refused, with the place", "[bench][explain]") {

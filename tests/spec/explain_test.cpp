@@ -1,4 +1,6 @@
 #include <catch2/catch.hpp>
+#include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -90,6 +92,22 @@ TEST_CASE("explain says what was left out, models it, and the model runs", "[spe
   CHECK_THAT(text_of(scratch / "sim.csv"), Catch::Matchers::StartsWith("time_s,way,force\n"));
 }
 
+TEST_CASE("an interrupted explain ends ABORTED, and writes nothing", "[spec][explain]") {
+  const ScratchFolder scratch;
+  test::MovedSlide slide;
+  slide.law = [](double, double v) { return v > 0 ? 2.5 : -2.5; };
+  const auto files = write_slide(scratch, slide);
+  test::Program program(scratch.path(),
+                        {test::rvbench_path(), "explain", "--plant", "slide.json", "--rate", "500",
+                         "--rec", files[0], files[1], files[2], "--out", "explained"});
+  REQUIRE(program.says("effect 1"));
+  REQUIRE(program.send(SIGINT));
+  const Answer answer = program.wait();
+  CHECK(answer.code == 50);
+  CHECK_THAT(answer.err, Contains("interrupted"));
+  CHECK_FALSE(std::filesystem::exists(scratch / "explained/explain.json"));
+}
+
 TEST_CASE("explain refuses what it cannot compare, and says why", "[spec][explain]") {
   const ScratchFolder scratch;
   const auto files = write_slide(scratch, {});
@@ -103,6 +121,14 @@ TEST_CASE("explain refuses what it cannot compare, and says why", "[spec][explai
   std::ofstream(scratch / "short.csv") << "way,force\n1,2\n2,3\n3,1\n";
   refused(explain(scratch, {"short.csv"}), 20, "too short");
   refused(explain(scratch, {"absent.csv"}), 20, "absent.csv");
+  refused(explain(scratch, {files[0], files[0]}), 20, "the same recording as");
+  refused(explain(scratch, {"slide.json"}), 3, "/campaign: this key is missing");
+  refused(test::rvbench(scratch.path(),
+                        {"explain", "--plant", "slide.json", "--rec", files[0], "--rate", "0"}),
+          2, "--rate must be above 0");
+  refused(test::rvbench(scratch.path(),
+                        {"explain", "--plant", "slide.json", "--rec", files[0], "--rate", "50"}),
+          20, "needs a rate above 80 Hz, not 50");
   refused(test::rvbench(scratch.path(), {"explain", "--plant", "slide.json", "--rec", files[0]}),
           20, "states no sample rate");
   refused(test::rvbench(scratch.path(),
