@@ -55,13 +55,16 @@ Ceiling flexible_ceiling(const Tryout& on, const Standing& standing) {
   const Eigen::MatrixXd states = on.model.states();
   if (states.rows() != standing.fit.residuals.size() || states.cols() == 0) return ceiling;
   const Eigen::MatrixXd features = features_of(states);
-  const Eigen::VectorXd& residuals = standing.fit.residuals;
-  ceiling.known = true;
 
   HeldOut flexible{{}, standing.held_out.log_density, standing.held_out.mean_square, 0};
   Eigen::Index at = 0;
   double sum = 0, values = 0;
   for (const Fold& fold : on.conditions) {
+    std::vector<bool> trained = fold.held_out;
+    trained.flip();
+    const Eigen::VectorXd residuals =
+        refit_from(on.model, standing.fit.effects, standing.fit.values, trained).residuals;
+    if (residuals.size() == 0) return ceiling;
     Sums all{Eigen::MatrixXd::Zero(features.cols(), features.cols()),
              Eigen::VectorXd::Zero(features.cols()), 0};
     double power = 0;
@@ -90,6 +93,7 @@ Ceiling flexible_ceiling(const Tryout& on, const Standing& standing) {
       values += static_cast<double>(unit.size);
     }
   }
+  ceiling.known = true;
   ceiling.error = values > 0 ? std::sqrt(sum / values) : 0;
   ceiling.over_model = margin(flexible, standing.held_out);
   return ceiling;

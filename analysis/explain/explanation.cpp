@@ -43,7 +43,7 @@ std::vector<RivalEffect> rivals_of(const ForwardModel& model, const Step& step) 
   std::vector<RivalEffect> rivals;
   const auto own = std::ranges::find_if(
       step.tried, [&](const Trial& trial) { return trial.effect() == step.effect; });
-  if (own == step.tried.end()) return rivals;
+  if (own == step.tried.end() || own->held_out.log_density.size() == 0) return rivals;
   for (const Trial& trial : step.tried) {
     if (trial.effect() == step.effect || trial.held_out.log_density.size() == 0) continue;
     if (rivals.size() == most_rivals) break;
@@ -71,7 +71,8 @@ ExplainedEffect explained(const ForwardModel& model, const Selection& found, con
   effect.error_before = error_before;
   effect.error_after = found.held_out.rms;
   for (const Trial& trial : step.tried) {
-    if (trial.effect() == step.effect) effect.error_after = trial.held_out.rms;
+    if (trial.effect() == step.effect && trial.held_out.rms > 0)
+      effect.error_after = trial.held_out.rms;
   }
   effect.over_before = step.over_before;
   effect.p_value = step.p_value;
@@ -168,8 +169,10 @@ Explanation explain(const ForwardModel& model, const SelectionOptions& options) 
   Tryout on(model);
   if (on.conditions.empty() || model.units().size() < fewest_units) {
     e.verdict = ExplainVerdict::not_resolvable;
-    e.reason = fmt::format("{} stretches under {} conditions are too few to leave any out",
-                           model.units().size(), on.conditions.size());
+    e.reason =
+        fmt::format("{} stretches under {} are too few to leave any out", model.units().size(),
+                    on.conditions.empty() ? "one condition"
+                                          : fmt::format("{} conditions", on.conditions.size()));
     return e;
   }
   e.selection = select_effects(model, options);
@@ -178,7 +181,7 @@ Explanation explain(const ForwardModel& model, const SelectionOptions& options) 
   e.trained_after = trained_error(found.fit);
   e.held_out_before = found.base_held_out.rms;
   e.held_out_after = found.held_out.rms;
-  if (found.fit.covariance.size() > 0) {
+  if (found.fit.residuals.size() > 0) {
     const std::vector<Estimate> values = estimates(model, found.fit);
     for (std::size_t i = 0; i < model.base().size(); ++i) {
       (model.base()[i].nuisance ? e.nuisances : e.base).push_back(values[i]);

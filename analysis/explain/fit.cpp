@@ -260,14 +260,15 @@ Fit fit_from(const ForwardModel& model, const std::vector<std::size_t>& effects,
   }
   std::ranges::sort(ends, {}, &Descent::cost);
   const auto given_up = [&] {
-    return Fit{effects, ends.front().values, {}, {}, ends.front().cost, "explains too little"};
+    const Descent& best = std::ranges::min(ends, {}, &Descent::cost);
+    return Fit{effects, best.values, {}, {}, best.cost, "explains too little"};
   };
   if (ends.front().cost > must_beat.after_first_moves) return given_up();
   for (std::size_t i = 0; i < ends.size() && !settled(ends, parameters); ++i) {
     if (ends[i].converged) continue;
     ends[i] = descend(model, effects, parameters, ends[i].values, trained, most_iterations);
     if (!ends[i].converged) break;
-    if (ends[i].cost > must_beat.at_rest) return given_up();
+    if (std::ranges::min(ends, {}, &Descent::cost).cost > must_beat.at_rest) return given_up();
   }
   std::ranges::sort(ends, {}, &Descent::cost);
   Fit fit{effects, ends.front().values, {}, {}, ends.front().cost, {}};

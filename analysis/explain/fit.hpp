@@ -19,7 +19,8 @@ struct Fit {
   std::string not_certified;         ///< why it must not be ranked; empty if several starts agree
 };
 
-/// Costs above which a fit is not worth going on with.
+/// Costs above which a fit is not worth going on with: of the best start after the first moves, and
+/// of the best one once the first has come to rest.
 struct MustBeat {
   double after_first_moves = std::numeric_limits<double>::infinity();
   double at_rest = std::numeric_limits<double>::infinity();

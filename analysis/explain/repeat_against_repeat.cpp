@@ -7,6 +7,7 @@ namespace rvbench::analysis {
 namespace {
 
 constexpr std::size_t parts_of_one_programme = 4;
+constexpr std::size_t fewest_units = 8;
 
 // The units of each record of a programme, in the order in which they were recorded.
 using Programme = std::vector<std::vector<const ObservedUnit*>>;
@@ -48,7 +49,7 @@ std::optional<RepeatAgainstRepeat> RepeatAgainstRepeat::make(const ForwardModel&
                                                              const Fit& fit) {
   RepeatAgainstRepeat repeats(model, fit);
   repeats.pair_records();
-  if (repeats.pairs_.empty()) return std::nullopt;
+  if (repeats.pairs_.size() < fewest_units) return std::nullopt;
   repeats.make_library();
   return repeats;
 }
@@ -62,6 +63,7 @@ void RepeatAgainstRepeat::pair_records() {
       const ObservedUnit& first = *programme.front()[i];
       const ObservedUnit& last = *programme.back()[i];
       ObservedUnit unit = last;
+      unit.condition = unit.programme;
       if (programmes.size() == 1) {
         unit.condition = std::to_string(parts_of_one_programme * i / count);
         unit.speed = unit.load = "";

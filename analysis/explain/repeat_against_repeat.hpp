@@ -18,7 +18,7 @@ namespace rvbench::analysis {
 class RepeatAgainstRepeat final : public ForwardModel {
  public:
   /// @param model  outlives it  @param fit  evaluated; both repeats are compared with it first
-  /// @return nothing if no two records repeat each other
+  /// @return nothing if no two records repeat each other for 8 units at least
   static std::optional<RepeatAgainstRepeat> make(const ForwardModel& model, const Fit& fit);
 
   const std::vector<ObservedUnit>& units() const override { return units_; }

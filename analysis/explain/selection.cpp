@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 #include "analysis/explain/trial.hpp"
 #include "hal/types/parallel_for.hpp"
@@ -54,6 +55,10 @@ class Selector {
     Selection result;
     tell("base", 0, "calibrating");
     result.base = fit_base();
+    if (result.base.residuals.size() == 0) {
+      result.miscalibrated = "the base cannot be evaluated: " + result.base.not_certified;
+      return result;
+    }
     on_.counts_as = independent_share(on_.model, result.base.residuals);
     auto base = stand(on_, result.base);
     if (!base) {
@@ -172,7 +177,9 @@ class Selector {
       return predicts_better(a.second, b.second);
     });
     if (best == trials.end()) return false;
-    accept(best->first, last_tried_);
+    std::erase_if(last_tried_, [&](const Trial& t) { return t.effect() == best->first.effect(); });
+    last_tried_.insert(last_tried_.begin(), best->first);
+    accept(best->first, std::exchange(last_tried_, {}));
     accept(best->second, {best->second});
     return true;
   }
@@ -216,7 +223,11 @@ class Selector {
     pair.first.extrapolated = first->extrapolated;
     pair.first.over_before = margin(first->held_out, now_.held_out);
     pair.second = try_effect(on_, *first, b);
-    if (pair.second.refused.empty() && !margin(pair.second.held_out, now_.held_out).is_clear()) {
+    if (!pair.second.refused.empty()) return pair;
+    const Standalone partner = stands_alone(on_, pair.second.fit, now_.fit.effects.size());
+    pair.first.p_value = partner.p_value;
+    pair.second.refused = partner.refused;
+    if (!margin(pair.second.held_out, now_.held_out).is_clear()) {
       pair.second.refused = "the pair does not predict left-out conditions clearly better";
     }
     return pair;

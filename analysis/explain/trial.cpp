@@ -18,11 +18,11 @@ constexpr double worth_going_on = 0.5;  // of the gain wanted, after the first m
 // The first parameter of the effect that ended at a bound, in words; empty if none did. That a size
 // is small says nothing here: whether it is significant does.
 std::string bound_reached(const Fit& fit, const std::vector<ModelParameter>& parameters,
-                          std::size_t first, std::size_t sizes) {
-  for (std::size_t i = first; i < parameters.size(); ++i) {
+                          std::size_t first, const Candidate& effect) {
+  for (std::size_t i = first; i < first + effect.parameters.size(); ++i) {
     const ModelParameter& p = parameters[i];
     const double near = at_bound * p.scale;
-    const bool is_size = i < first + sizes;
+    const bool is_size = i < first + effect.sizes;
     const bool at_low = fit.values[i] < p.low + near && !(is_size && p.low == 0);
     const bool at_high = fit.values[i] > p.high - near && !(is_size && p.high == 0);
     if (at_low || at_high) {
@@ -32,9 +32,8 @@ std::string bound_reached(const Fit& fit, const std::vector<ModelParameter>& par
   return {};
 }
 
-// Of the sizes of the last effect being nothing: the clearest one, for as many as there are.
-double size_p_value(const Tryout& on, const Fit& fit, std::size_t first) {
-  const std::size_t sizes = on.model.library()[fit.effects.back()].sizes;
+// Of these sizes of an effect being nothing: the clearest one, for as many as there are.
+double size_p_value(const Tryout& on, const Fit& fit, std::size_t first, std::size_t sizes) {
   const auto units = static_cast<double>(on.everything.size());
   const double freedom = std::max(units - static_cast<double>(fit.values.size()), 1.0);
   double least = 1;
@@ -44,14 +43,6 @@ double size_p_value(const Tryout& on, const Fit& fit, std::size_t first) {
     if (error > 0) least = std::min(least, t_p_value(fit.values[i] / error, freedom));
   }
   return std::min(1.0, least * static_cast<double>(sizes));
-}
-
-// Why a fit need not be tried on what was left out.
-std::string hopeless(const Tryout& on, const Trial& trial, std::size_t first) {
-  if (!trial.fit.not_certified.empty()) return "not fitted: " + trial.fit.not_certified;
-  if (trial.p_value > least_p) return "its size is not significant";
-  return bound_reached(trial.fit, parameters_of(on.model, trial.fit.effects), first,
-                       on.model.library()[trial.effect()].sizes);
 }
 
 double independent_values(const Tryout& on) {
@@ -73,6 +64,25 @@ std::string unconvincing(const Tryout& on, const Trial& trial, const Standing& n
 }
 
 }  // namespace
+
+Standalone stands_alone(const Tryout& on, const Fit& fit, std::size_t place) {
+  const Candidate& effect = on.model.library()[fit.effects.at(place)];
+  std::size_t first = on.model.base().size();
+  for (std::size_t i = 0; i < place; ++i) {
+    first += on.model.library()[fit.effects[i]].parameters.size();
+  }
+  Standalone result;
+  result.p_value = std::min(1.0, size_p_value(on, fit, first, effect.sizes) *
+                                     static_cast<double>(on.model.library().size()));
+  if (!fit.not_certified.empty()) {
+    result.refused = "not fitted: " + fit.not_certified;
+  } else if (result.p_value > least_p) {
+    result.refused = "its size is not significant";
+  } else {
+    result.refused = bound_reached(fit, parameters_of(on.model, fit.effects), first, effect);
+  }
+  return result;
+}
 
 Tryout::Tryout(const ForwardModel& tried)
     : model(tried),
@@ -113,10 +123,9 @@ Trial try_effect(const Tryout& on, const Standing& before, std::size_t effect) {
     trial.refused = trial.fit.not_certified = "explains too little";
     return trial;
   }
-  const std::size_t first = before.fit.values.size();
-  trial.p_value = std::min(
-      1.0, size_p_value(on, trial.fit, first) * static_cast<double>(on.model.library().size()));
-  trial.refused = hopeless(on, trial, first);
+  const Standalone alone = stands_alone(on, trial.fit, before.fit.effects.size());
+  trial.p_value = alone.p_value;
+  trial.refused = alone.refused;
   if (!trial.refused.empty()) return trial;
   const auto now = stand(on, trial.fit);
   if (!now) {

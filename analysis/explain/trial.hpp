@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "analysis/explain/selection.hpp"
@@ -34,6 +35,15 @@ struct Standing {
 
 /// @return nothing if the model cannot be evaluated in a fold
 std::optional<Standing> stand(const Tryout& on, Fit fit);
+
+/// Whether a fit may be ranked, for one of its effects.
+struct Standalone {
+  double p_value = 1;   ///< of its size, times the number of candidates
+  std::string refused;  ///< not certified, not significant, at a bound; empty if none of these
+};
+
+/// @param place  of the effect in fit.effects
+Standalone stands_alone(const Tryout& on, const Fit& fit, std::size_t place);
 
 /// Tries `effect` on top of what stands.
 Trial try_effect(const Tryout& on, const Standing& before, std::size_t effect);

@@ -40,6 +40,19 @@ TEST_CASE("an effect is tried on every body and every joint, but not twice", "[s
         std::vector<std::string>{"b against the housing", "a and b"});
 }
 
+TEST_CASE("a joint is one place, whichever body its terms call the first", "[sim][explain]") {
+  PlantSpec pair = two_masses();
+  TermSpec damper = pair.terms[0];
+  damper.name = "damper";
+  damper.type = "damper";
+  std::swap(damper.body_a, damper.body_b);
+  damper.parameters = {{"damping", {1, "N·s/m", 0}}};
+  pair.terms.push_back(damper);
+  const auto places = places_of(pair, "cubic_stiffness");
+  CHECK(places.size() == 3);
+  CHECK(std::ranges::count(places, "b and a") == 0);
+}
+
 TEST_CASE("what needs a rotor, or another term, is tried where there is one", "[sim][explain]") {
   const PlantSpec pair = two_masses();
   CHECK(places_of(pair, "unbalance").empty());
