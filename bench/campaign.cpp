@@ -128,6 +128,33 @@ std::string stretch_fault(const Stretch& stretch, double whole_s) {
                      stretch.to_s, whole_s);
 }
 
+// Stretches of one file that share samples, one of them learned from and the other left out of it.
+std::string overlap_fault(const std::vector<Stretch>& stretches) {
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const Stretch &a = stretches[i], &b = stretches[k];
+      const bool apart = a.to_s <= b.from_s || b.to_s <= a.from_s;
+      const bool alike =
+          a.learned_from == b.learned_from && (!a.learned_from || a.condition == b.condition);
+      if (apart || alike) continue;
+      return fmt::format("\"{}\" and \"{}\" share samples: what is left out would be known", b.name,
+                         a.name);
+    }
+  }
+  return {};
+}
+
+// `wanted`, or "wanted (2)" ...: the first that no record has.
+std::string free_name(const Campaign& campaign, const std::string& wanted) {
+  std::string name = wanted;
+  for (int i = 2;
+       std::ranges::find(campaign.records, name, &CampaignRecord::name) != campaign.records.end();
+       ++i) {
+    name = fmt::format("{} ({})", wanted, i);
+  }
+  return name;
+}
+
 // Adds one file's records. @return why not; "" if it did
 std::string add_file(Campaign& campaign, const CampaignFile& file, int parts) {
   const auto hash = sha256_of_file(file.path);
@@ -144,13 +171,18 @@ std::string add_file(Campaign& campaign, const CampaignFile& file, int parts) {
     if (fault.empty()) fault = keep_longest(recording);
     if (!fault.empty()) return file.path + ": " + fault;
     const double whole_s = length_s(recording);
-    const std::string name = std::filesystem::path(recording.source).filename().string();
+    const std::string name =
+        free_name(campaign, std::filesystem::path(recording.source).filename().string());
     const std::vector<Stretch> stretches =
         file.stretches.empty() ? equal_parts(name, whole_s, parts) : file.stretches;
+    fault = overlap_fault(stretches);
+    if (!fault.empty()) return file.path + ": " + fault;
     for (const Stretch& stretch : stretches) {
       fault = stretch_fault(stretch, whole_s);
       if (!fault.empty()) return file.path + ": " + fault;
-      campaign.records.push_back(cut(recording, stretch));
+      CampaignRecord record = cut(recording, stretch);
+      record.name = free_name(campaign, record.name);
+      campaign.records.push_back(std::move(record));
     }
   }
   return {};
@@ -184,7 +216,7 @@ CampaignFile parse_file(hal::ConfigReader& json, const std::filesystem::path& fo
 }
 
 CampaignOrRefusal whole(Campaign campaign, std::vector<hal::ConfigFault> faults) {
-  if (!faults.empty()) return CampaignRefusal{std::move(faults), true};
+  if (!faults.empty()) return Refusal{std::move(faults), true};
   return campaign;
 }
 
@@ -198,8 +230,9 @@ CampaignOrRefusal read_campaign(const std::string& path) {
   for (hal::ConfigReader& json : root.objects("files")) {
     files.push_back(parse_file(json, std::filesystem::path(path).parent_path()));
   }
+  if (files.empty() && root.has("files")) root.fault("files", "names no recording");
   root.finish();
-  if (!root.faults().empty()) return CampaignRefusal{root.faults(), false};
+  if (!root.faults().empty()) return Refusal{root.faults(), false};
   std::vector<hal::ConfigFault> faults;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string fault =

@@ -30,13 +30,13 @@ struct Campaign {
   std::vector<std::string> notes;                           ///< what was done to the data
 };
 
-/// Why there is no campaign: faults of its file, or, where that has none, of its recordings.
-struct CampaignRefusal {
+/// Why something cannot be compared: faults of a file, or, where that has none, of recordings.
+struct Refusal {
   std::vector<hal::ConfigFault> faults;
   bool of_recordings = false;
 };
 
-using CampaignOrRefusal = std::variant<Campaign, CampaignRefusal>;
+using CampaignOrRefusal = std::variant<Campaign, Refusal>;
 
 /// Reads a campaign file with the recordings it names, relative to itself.
 ///

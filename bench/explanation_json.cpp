@@ -121,7 +121,7 @@ std::string explanation_to_json(const analysis::Explanation& e, const ExplainFac
       {"notes", facts.notes},
       {"software", facts.software},
       {"data_sha256", hashes}};
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace rvbench::bench

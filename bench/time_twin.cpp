@@ -30,13 +30,18 @@ double deviation(const Eigen::VectorXd& x) { return x.size() > 0 ? rms(x.array()
 
 // Why a recording cannot be compared with this output; empty if it can. A way may rest at its end
 // for long: only a force or an acceleration that does has lost its top.
-std::string output_fault(const Recording& recording, const sim::OutputSpec& output) {
+std::string output_fault(const Recording& recording, const sim::OutputSpec& output,
+                         const sim::Excitation& inputs) {
   const std::string name = hal::in_quotes(output.channel);
   const Channel* channel = recording.find(output.channel);
   if (channel == nullptr) return name + " is no channel of the recording";
   if (!channel->info.unit.empty() && channel->info.unit != output.unit) {
     return fmt::format("{} is in {}, the plant shows {}", name, channel->info.unit, output.unit);
   }
+  const bool in_step = channel->rate_Hz == inputs.rate_Hz() &&
+                       channel->start_s == inputs.start_s() &&
+                       channel->samples.size() == inputs.samples();
+  if (!in_step) return name + " has another rate, start or length than the inputs";
   if (!channel->samples.allFinite()) return name + " has samples that are not finite";
   const bool may_rest =
       output.kind == sim::OutputKind::position || output.kind == sim::OutputKind::speed;
@@ -53,6 +58,7 @@ struct TimeTwin::Record {
   CampaignRecord about;  // its recording is empty
   sim::Excitation excitation;
   std::vector<Eigen::VectorXd> measured;  // per output of the plant
+  Eigen::Index into_step = 0;             // samples that the model needs to come into step
   Eigen::Index first = 0, last = 0;       // what is compared
   Eigen::Index thin = 1;                  // of these, each so many-th
 };
@@ -62,67 +68,101 @@ TimeTwin::TimeTwin(sim::PlantSpec plant, const sim::TermLibrary& library)
   for (const sim::InputSpec& input : plant_.inputs) band_Hz_ = std::max(band_Hz_, input.band_Hz);
 }
 
-std::variant<std::unique_ptr<TimeTwin>, std::vector<hal::ConfigFault>> TimeTwin::make(
-    sim::PlantSpec plant, const Campaign& campaign, const sim::TermLibrary& library) {
-  std::vector<hal::ConfigFault> faults = sim::check_plant(plant, library);
-  if (!faults.empty()) return faults;
+std::variant<std::unique_ptr<TimeTwin>, Refusal> TimeTwin::make(sim::PlantSpec plant,
+                                                                const Campaign& campaign,
+                                                                const sim::TermLibrary& library) {
+  if (auto faults = sim::check_plant(plant, library); !faults.empty()) {
+    return Refusal{std::move(faults), false};
+  }
   std::unique_ptr<TimeTwin> twin(new TimeTwin(std::move(plant), library));
-  faults = twin->load(campaign);
-  if (!faults.empty()) return faults;
+  if (Refusal refusal = twin->load(campaign); !refusal.faults.empty()) return refusal;
+  twin->align_repeats();
   twin->find_parameters();
   twin->find_candidates();
   twin->cut_units();
   return twin;
 }
 
-std::vector<hal::ConfigFault> TimeTwin::load(const Campaign& campaign) {
-  std::vector<hal::ConfigFault> faults;
+Refusal TimeTwin::load(const Campaign& campaign) {
+  Refusal refusal{{}, true};
   for (const CampaignRecord& of : campaign.records) {
-    const double rate_Hz = of.recording.channels.front().rate_Hz;
-    if (2 * band_Hz_ > rate_Hz) {
-      faults.push_back(
-          {0, "/inputs",
-           fmt::format("{}: a motion below {:g} Hz needs a rate above {:g} Hz, not {:g}", of.name,
-                       band_Hz_, 2 * band_Hz_, rate_Hz)});
-      continue;
+    const auto steps = sim::substeps_for(plant_, of.recording.channels.front().rate_Hz, terms_);
+    if (const auto* fault = std::get_if<hal::ConfigFault>(&steps)) return {{*fault}, false};
+    for (hal::ConfigFault& fault : load_record(of)) {
+      fault.message = of.name + ": " + fault.message;
+      refusal.faults.push_back(std::move(fault));
     }
-    const auto steps = sim::substeps_for(plant_, rate_Hz, terms_);
-    if (const auto* fault = std::get_if<hal::ConfigFault>(&steps)) return {*fault};
-    auto made = sim::Excitation::make(plant_, of.recording.channels, std::get<int>(steps));
-    if (auto* fault = std::get_if<hal::ConfigFault>(&made)) {
-      fault->message = of.name + ": " + fault->message;
-      faults.push_back(*fault);
-      continue;
-    }
-    auto record =
-        std::make_shared<Record>(Record{of, std::get<sim::Excitation>(std::move(made)), {}});
-    for (std::size_t i = 0; i < plant_.outputs.size(); ++i) {
-      const std::string fault = output_fault(of.recording, plant_.outputs[i]);
-      if (fault.empty()) {
-        record->measured.push_back(of.recording.find(plant_.outputs[i].channel)->samples);
-      } else {
-        faults.push_back({0, fmt::format("/outputs/{}/channel", i), of.name + ": " + fault});
-      }
-    }
-    record->about.recording = {};
-    const Eigen::Index size = record->excitation.samples();
-    const double edge_s = band_Hz_ > 0 ? filter_edges / band_Hz_ : 0;
-    const double into_step_s = band_Hz_ > 0 ? edge_s : coming_into_step_s;
-    record->first = std::max(of.lead_in, static_cast<Eigen::Index>(into_step_s * rate_Hz));
-    record->last = size - static_cast<Eigen::Index>(edge_s * rate_Hz);
-    if (band_Hz_ > 0) {
-      record->thin =
-          std::max<Eigen::Index>(1, static_cast<Eigen::Index>(rate_Hz / (thinned_to * band_Hz_)));
-    }
-    if (record->last - record->first < 2 * units_per_record * record->thin) {
-      faults.push_back({0, "", of.name + ": too short to be compared"});
-    }
-    records_.push_back(std::move(record));
   }
-  if (!faults.empty()) return faults;
+  if (!refusal.faults.empty()) return refusal;
+  for (const auto& record : records_) {
+    const auto run = sim::simulate(plant_, record->excitation, terms_);
+    if (const auto* fault = std::get_if<hal::ConfigFault>(&run)) return {{*fault}, false};
+  }
   if (std::ranges::none_of(records_, [](const auto& r) { return r->about.learned_from; })) {
-    return {{0, "", "there is no recording to learn from"}};
+    return {{{0, "", "there is no recording to learn from"}}, true};
   }
+  refusal.faults = find_spreads();
+  return refusal;
+}
+
+std::vector<hal::ConfigFault> TimeTwin::load_record(const CampaignRecord& of) {
+  const double rate_Hz = of.recording.channels.front().rate_Hz;
+  if (2 * band_Hz_ > rate_Hz) {
+    return {{0, "/inputs",
+             fmt::format("a motion below {:g} Hz needs a rate above {:g} Hz, not {:g}", band_Hz_,
+                         2 * band_Hz_, rate_Hz)}};
+  }
+  const int steps = std::get<int>(sim::substeps_for(plant_, rate_Hz, terms_));
+  auto made = sim::Excitation::make(plant_, of.recording.channels, steps);
+  if (auto* fault = std::get_if<hal::ConfigFault>(&made)) return {*fault};
+  auto record =
+      std::make_shared<Record>(Record{of, std::get<sim::Excitation>(std::move(made)), {}});
+  std::vector<hal::ConfigFault> faults;
+  for (std::size_t i = 0; i < plant_.outputs.size(); ++i) {
+    const std::string fault = output_fault(of.recording, plant_.outputs[i], record->excitation);
+    if (fault.empty()) {
+      record->measured.push_back(of.recording.find(plant_.outputs[i].channel)->samples);
+    } else {
+      faults.push_back({0, fmt::format("/outputs/{}/channel", i), fault});
+    }
+  }
+  record->about.recording = {};
+  const Eigen::Index size = record->excitation.samples();
+  const double edge_s = band_Hz_ > 0 ? filter_edges / band_Hz_ : 0;
+  const double into_step_s = band_Hz_ > 0 ? edge_s : coming_into_step_s;
+  record->into_step = static_cast<Eigen::Index>(into_step_s * rate_Hz);
+  record->first = std::max(of.lead_in, record->into_step);
+  record->last = size - static_cast<Eigen::Index>(edge_s * rate_Hz);
+  if (band_Hz_ > 0) {
+    record->thin =
+        std::max<Eigen::Index>(1, static_cast<Eigen::Index>(rate_Hz / (thinned_to * band_Hz_)));
+  }
+  if (record->last - record->first < 2 * units_per_record * record->thin) {
+    faults.push_back({0, "", "too short to be compared"});
+  }
+  records_.push_back(std::move(record));
+  return faults;
+}
+
+// Repeats are compared over the same part of their programme: one that begins its file has no
+// samples before it for the model to come into step.
+void TimeTwin::align_repeats() {
+  std::map<std::string, Eigen::Index> lengths;
+  for (const auto& record : records_) {
+    const std::string& programme = record->about.programme;
+    if (programme.empty()) continue;
+    record->first = record->about.lead_in + record->into_step;
+    const auto [at, is_new] = lengths.try_emplace(programme, record->last - record->first);
+    if (!is_new) at->second = std::min(at->second, record->last - record->first);
+  }
+  for (const auto& record : records_) {
+    const auto length = lengths.find(record->about.programme);
+    if (length != lengths.end()) record->last = record->first + length->second;
+  }
+}
+
+std::vector<hal::ConfigFault> TimeTwin::find_spreads() {
+  std::vector<hal::ConfigFault> faults;
   for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
     double sum = 0, count = 0;
     for (const auto& record : records_) {
@@ -139,6 +179,11 @@ std::vector<hal::ConfigFault> TimeTwin::load(const Campaign& campaign) {
   return faults;
 }
 
+// What is only to be predicted tells nothing, not even how large things are.
+const TimeTwin::Record& TimeTwin::first_learned() const {
+  return **std::ranges::find_if(records_, [](const auto& r) { return r->about.learned_from; });
+}
+
 sim::NaturalScales TimeTwin::natural_scales() const {
   const sim::BodySpec& body = plant_.bodies.front();
   const bool driven = std::ranges::any_of(plant_.inputs, [&](const sim::InputSpec& input) {
@@ -149,7 +194,7 @@ sim::NaturalScales TimeTwin::natural_scales() const {
                        {sim::OutputKind::position, sim::OutputKind::speed,
                         driven ? sim::OutputKind::drive : sim::OutputKind::acceleration});
   sim::NaturalScales scales;
-  const auto run = sim::simulate(probe, records_.front()->excitation, terms_);
+  const auto run = sim::simulate(probe, first_learned().excitation, terms_);
   const auto* shown = std::get_if<sim::Simulated>(&run);
   if (shown == nullptr) return scales;
   const auto size = [&](std::size_t i) {
@@ -161,7 +206,7 @@ sim::NaturalScales TimeTwin::natural_scales() const {
 }
 
 void TimeTwin::find_parameters() {
-  const ParameterScales scales{natural_scales(), 1 / records_.front()->excitation.rate_Hz(),
+  const ParameterScales scales{natural_scales(), 1 / first_learned().excitation.rate_Hz(),
                                largest_deviation()};
   sim::PlantSpec copy = plant_;
   const std::vector<sim::PlacedQuantity> all = sim::quantities(copy);
@@ -189,7 +234,7 @@ void TimeTwin::find_candidates() {
 
 double TimeTwin::largest_deviation() const {
   double largest = 0;
-  for (const Eigen::VectorXd& x : records_.front()->measured) {
+  for (const Eigen::VectorXd& x : first_learned().measured) {
     largest = std::max(largest, deviation(x));
   }
   return largest;

@@ -28,9 +28,9 @@ namespace rvbench::bench {
 class TimeTwin final : public analysis::ForwardModel {
  public:
   /// @return the twin, or why plant and recordings do not fit
-  static std::variant<std::unique_ptr<TimeTwin>, std::vector<hal::ConfigFault>> make(
+  static std::variant<std::unique_ptr<TimeTwin>, Refusal> make(
       sim::PlantSpec plant, const Campaign& campaign,
-      const sim::TermLibrary& library = sim::standard_terms());
+      const sim::TermLibrary& library = sim::standard_terms());  ///< outlives the twin
 
   const std::vector<analysis::ObservedUnit>& units() const override { return units_; }
   const std::vector<analysis::ModelParameter>& base() const override { return base_; }
@@ -68,7 +68,11 @@ class TimeTwin final : public analysis::ForwardModel {
   struct Record;
   TimeTwin(sim::PlantSpec plant, const sim::TermLibrary& library);
 
-  std::vector<hal::ConfigFault> load(const Campaign& campaign);
+  Refusal load(const Campaign& campaign);
+  std::vector<hal::ConfigFault> load_record(const CampaignRecord& of);
+  void align_repeats();
+  std::vector<hal::ConfigFault> find_spreads();
+  const Record& first_learned() const;
   void find_parameters();
   void find_candidates();
   void cut_units();
@@ -83,7 +87,7 @@ class TimeTwin final : public analysis::ForwardModel {
   const sim::TermLibrary& terms_;
   std::stop_token stop_;
   double band_Hz_ = 0;  ///< 0: no limit
-  std::vector<std::shared_ptr<const Record>> records_;
+  std::vector<std::shared_ptr<Record>> records_;
   std::vector<double> spread_;      ///< per output: of what was measured
   std::vector<std::size_t> moved_;  ///< of quantities(plant), those in base()
   std::vector<std::pair<std::size_t, sim::EffectSite>> acts_;  ///< per candidate: type and place

@@ -96,6 +96,7 @@ analysis::ModelParameter model_parameter(const sim::PlantSpec& plant,
   bound_by_card(p, plant, scales.natural, terms);
   // An offset of a channel that is nominally none.
   if (p.scale == 0) p.scale = part_of_value * scales.deviation;
+  if (p.scale == 0) p.scale = 1;
   return p;
 }
 

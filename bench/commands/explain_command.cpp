@@ -1,5 +1,7 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <cmath>
 #include <filesystem>
 #include <mutex>
@@ -42,9 +44,12 @@ class ExplainCommand final : public Command {
   int run(Console& console) override;
 
  private:
+  bool names_campaign() const {
+    return files_.size() == 1 && std::filesystem::path(files_[0]).extension() == ".json";
+  }
   CampaignOrRefusal campaign() const {
-    const bool one = files_.size() == 1 && std::filesystem::path(files_[0]).extension() == ".json";
-    return one ? read_campaign(files_[0]) : campaign_of(files_, rate_Hz_.value_or(not_known));
+    return names_campaign() ? read_campaign(files_[0])
+                            : campaign_of(files_, rate_Hz_.value_or(not_known));
   }
   analysis::Explanation explained(Console& console, TimeTwin& twin) const;
   int tell(Console& console, const Campaign& campaign, const TimeTwin& twin,
@@ -173,23 +178,29 @@ int ExplainCommand::run(Console& console) {
   if (rate_Hz_ && !(*rate_Hz_ > 0 && std::isfinite(*rate_Hz_))) {
     return refuse_usage(console, "--rate must be above 0 and finite");
   }
+  if (rate_Hz_ && names_campaign()) {
+    return refuse_usage(console, "explain: a campaign file states its rates: leave --rate out");
+  }
   auto plant = sim::read_plant(plant_);
   if (plant.index() == 1) return refuse_file(console, plant_, std::get<1>(plant));
   auto read = campaign();
-  if (const auto* refusal = std::get_if<CampaignRefusal>(&read)) {
+  if (const auto* refusal = std::get_if<Refusal>(&read)) {
     if (!refusal->of_recordings) return refuse_file(console, files_.front(), refusal->faults);
     for (const hal::ConfigFault& fault : refusal->faults) complain(console, fault.message);
     return exit_codes::data_refused;
   }
   const Campaign& campaign = std::get<0>(read);
   auto made = TimeTwin::make(std::get<0>(std::move(plant)), campaign);
-  if (made.index() == 1) {
-    refuse_file(console, plant_, std::get<1>(made));
-    return exit_codes::data_refused;
+  if (const auto* refusal = std::get_if<Refusal>(&made)) {
+    refuse_file(console, plant_, refusal->faults);
+    return refusal->of_recordings ? exit_codes::data_refused : exit_codes::bad_file;
   }
   TimeTwin& twin = *std::get<0>(made);
   std::error_code unusable;
   if (!out_.empty()) std::filesystem::create_directories(out_, unusable);
+  if (!unusable && !out_.empty() && access(out_.c_str(), W_OK) != 0) {
+    unusable.assign(errno, std::generic_category());
+  }
   if (unusable) return refuse_usage(console, "explain: --out " + out_ + ": " + unusable.message());
   try {
     return tell(console, campaign, twin, explained(console, twin));

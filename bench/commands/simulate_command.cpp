@@ -71,7 +71,8 @@ int SimulateCommand::run(Console& console) {
   const auto run = sim::simulate(spec, recording.channels);
   if (const auto* fault = std::get_if<hal::ConfigFault>(&run)) {
     refuse_file(console, plant_, {*fault});
-    return exit_codes::data_refused;
+    const bool of_recording = fault->pointer.starts_with("/inputs");
+    return of_recording ? exit_codes::data_refused : exit_codes::bad_file;
   }
   const sim::Simulated& shown = std::get<sim::Simulated>(run);
   std::vector<const Channel*> channels;

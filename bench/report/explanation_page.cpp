@@ -61,7 +61,7 @@ std::string effect_box(const analysis::ExplainedEffect& effect) {
       percent(effect.error_before), percent(effect.error_after), effect.over_before.delta,
       effect.over_before.se, report::p_value_text(effect.p_value), 100 * effect.share_won,
       estimates_table(effect.parameters), rivals_text(effect.rivals, "worse"),
-      xml_escaped(effect.next_experiment));
+      effect.next_experiment.empty() ? "nothing known" : xml_escaped(effect.next_experiment));
 }
 
 std::string errors_section(const Explanation& e) {

@@ -1,6 +1,7 @@
 #include "bench/campaign.hpp"
 
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 
@@ -24,7 +25,7 @@ Campaign read(const test::ScratchFolder& scratch, const std::string& text) {
   return std::get<Campaign>(made);
 }
 
-CampaignRefusal refusal_of(const test::ScratchFolder& scratch, const std::string& text) {
+Refusal refusal_of(const test::ScratchFolder& scratch, const std::string& text) {
   std::ofstream(scratch / "c.json") << text;
   const auto made = read_campaign(scratch / "c.json");
   REQUIRE(made.index() == 1);
@@ -67,6 +68,27 @@ TEST_CASE("a recording alone is left out by quarters", "[bench][explain]") {
   CHECK(campaign.records[3].recording.find("x")->samples[campaign.records[3].lead_in] == 6000);
 }
 
+TEST_CASE("files of one name, and repeats of one condition, stay apart", "[bench][explain]") {
+  const test::ScratchFolder scratch;
+  std::filesystem::create_directories(scratch / "monday");
+  std::filesystem::create_directories(scratch / "tuesday");
+  write_ramp(scratch / "monday/run.csv", 5000);
+  write_ramp(scratch / "tuesday/run.csv", 6000);
+  const auto made = campaign_of({scratch / "monday/run.csv", scratch / "tuesday/run.csv"}, 1000);
+  REQUIRE(made.index() == 0);
+  const auto& days = std::get<Campaign>(made).records;
+  REQUIRE(days.size() == 2);
+  CHECK(days[0].name != days[1].name);
+  CHECK(days[0].condition != days[1].condition);
+
+  const Campaign repeats = read(scratch, R"({"campaign": "r", "files": [
+    {"file": "monday/run.csv", "rate_Hz": 1000, "records": [
+      {"from_s": 0, "to_s": 2, "condition": "slow"},
+      {"from_s": 2, "to_s": 4, "condition": "slow"}]}]})");
+  CHECK(repeats.records[0].name != repeats.records[1].name);
+  CHECK(repeats.records[0].condition == repeats.records[1].condition);
+}
+
 TEST_CASE("columns without names get theirs from the campaign", "[bench][explain]") {
   const test::ScratchFolder scratch;
   std::ofstream file(scratch / "bare.csv");
@@ -103,6 +125,9 @@ TEST_CASE("what a campaign does not say right is told with its place", "[bench][
              Contains("1 columns are named, the file has 2"));
   CHECK_THAT(message(R"({"file": "ramp.csv", "time_column": "t"})"),
              Contains("there is no column \"t\""));
+  CHECK_THAT(message(R"({"file": "ramp.csv", "rate_Hz": 10, "records": [
+               {"to_s": 6, "condition": "a"}, {"to_s": 6, "condition": "b"}]})"),
+             Contains("share samples"));
   CHECK_THAT(message(R"({"file": "ramp.csv", "rate_Hz": 10, "records": [{"to_s": 11}]})"),
              Contains("0 to 11 s is no stretch of a recording of 10 s"));
   CHECK_THAT(

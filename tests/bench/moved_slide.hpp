@@ -19,10 +19,10 @@ struct MovedSlide {
   double noise_N = 0.1;
   double drift_N = 0;  ///< from the first record to the last
   double gain = 1;     ///< of the force transducer
+  double length_s = 6;
   unsigned seed = 1;
 
   static constexpr double rate_Hz = 500;
-  static constexpr double length_s = 6;
 
   bench::Campaign campaign() const {
     bench::Campaign all;

@@ -10,6 +10,7 @@
 #include "tests/spec/program.hpp"
 #include "tests/support/real_data.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/under_sanitizer.hpp"
 
 // What a model leaves out of real machines, which others have measured and identified.
 namespace rvbench {
@@ -17,20 +18,11 @@ namespace {
 
 using nlohmann::json;
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool has_time = false;  // hours of work, and no line of code that other tests leave out
-#else
-constexpr bool has_time = true;
-#endif
-
 // Null where there are no real recordings, or no time for them.
 json explained(const std::string& plant, const std::string& campaign) {
   const auto folder = test::data_folder();
   if (!folder) return nullptr;
-  if (!has_time) {
-    WARN("skipped: too long under a sanitizer");
-    return nullptr;
-  }
+  if (test::too_long_under_sanitizer()) return nullptr;
   std::ostringstream text;
   text << std::ifstream(RVBENCH_SOURCE_DIR "/tests/campaigns/" + campaign + ".json").rdbuf();
   json named = json::parse(text.str());
@@ -76,6 +68,7 @@ TEST_CASE("a positioning axis leaves out Coulomb friction, then its asymmetry",
   CHECK(asymmetry.at("bootstraps_won") >= 0.95);
   CHECK(said.at("base")[0].at("value").get<double>() == Approx(95.1).epsilon(0.01));
   // One cycle against another: nothing, or the drift of the offset by about 0.3 N.
+  CHECK(said.at("self_null").at("error") < 0.02);
   for (const json& drift : said.at("self_null").at("found")) {
     CHECK(drift.at("unit") == "N");
     CHECK(std::abs(drift.at("value").get<double>()) == Approx(0.3).margin(0.2));
