@@ -56,12 +56,13 @@ struct SelectionOptions {
 /// Adds effects to the base as long as one predicts left-out conditions clearly better.
 ///
 /// A candidate is accepted if its fit is certified, it predicts left-out conditions better by more
-/// than two standard errors, it does not predict left-out speeds and loads worse, its size is
-/// significant (p times the number of candidates below 0.01) and inside its bounds. Of those that
-/// are accepted the best one is taken; those within two standard errors of it are its equals.
-/// After each step earlier ones are exchanged for their rivals where that predicts clearly better;
-/// where no single candidate passes, pairs of the best are tried; in the end each effect that the
-/// others made needless is dropped.
+/// than two standard errors and at odds of 20 to 1 after the odds against any one of the library,
+/// it does not predict left-out speeds and loads worse, its size is significant (p times the number
+/// of candidates below 0.01) and inside its bounds. Of those that are accepted and that none
+/// predicts clearly better, the one with the fewest parameters is taken; those within two standard
+/// errors of it are its equals. After each step earlier ones are exchanged for their rivals where
+/// that predicts clearly better; where no single candidate passes, the four most promising pairs
+/// are tried; in the end each effect that the others made needless is dropped.
 Selection select_effects(const ForwardModel& model, const SelectionOptions& options = {});
 
 }  // namespace rvbench::analysis

@@ -74,7 +74,8 @@ class ToyModel final : public analysis::ForwardModel {
   void add(const std::string& name, std::vector<analysis::ModelParameter> parameters,
            std::vector<std::vector<double>> starts, Law law) {
     by_name_[name] = library_.size();
-    library_.push_back({name, "slide", std::move(parameters), 1, true, std::move(starts), {}, {}, {}});
+    library_.push_back(
+        {name, "slide", std::move(parameters), 1, true, std::move(starts), {}, {}, {}});
     laws_.push_back(law);
   }
 
