@@ -17,10 +17,8 @@ namespace {
 constexpr int parts_of_one_file = 4;
 constexpr double lead_in_s = 1;
 
-struct Stretch {
+struct Stretch : RecordLabels {
   double from_s = 0, to_s = 0;
-  std::string name, condition, speed, load, programme;
-  bool learned_from = true;
 };
 
 struct CampaignFile {
@@ -84,13 +82,7 @@ std::string keep_longest(Recording& recording) {
 }
 
 CampaignRecord cut(const Recording& whole, const Stretch& stretch) {
-  CampaignRecord record;
-  record.name = stretch.name;
-  record.condition = stretch.condition;
-  record.speed = stretch.speed;
-  record.load = stretch.load;
-  record.programme = stretch.programme;
-  record.learned_from = stretch.learned_from;
+  CampaignRecord record{stretch, 0, {}};
   const double rate_Hz = whole.channels.front().rate_Hz;
   const Eigen::Index size = whole.channels.front().samples.size();
   const auto from =
@@ -117,7 +109,8 @@ std::vector<Stretch> equal_parts(const std::string& name, double whole_s, int pa
   for (int i = 0; i < parts; ++i) {
     const std::string part =
         parts == 1 ? name : fmt::format("{}, part {} of {}", name, i + 1, parts);
-    stretches.push_back({whole_s * i / parts, whole_s * (i + 1) / parts, part, part, "", "", ""});
+    stretches.push_back(
+        {{part, part, "", "", "", true}, whole_s * i / parts, whole_s * (i + 1) / parts});
   }
   return stretches;
 }

@@ -10,14 +10,18 @@
 
 namespace rvbench::bench {
 
-/// A stretch of a recording that is compared with a model.
-struct CampaignRecord {
+/// What a campaign says of a stretch of a recording.
+struct RecordLabels {
   std::string name;
   std::string condition;     ///< records of one condition are left out together
   std::string speed;         ///< "" if the speed is no condition
   std::string load;          ///< "" if the load is no condition
   std::string programme;     ///< records of one programme repeat each other; "" if none does
   bool learned_from = true;  ///< false: only predicted, never fitted
+};
+
+/// A stretch of a recording that is compared with a model.
+struct CampaignRecord : RecordLabels {
   Eigen::Index lead_in = 0;  ///< samples before the stretch, for the model to come into step
   Recording recording;       ///< one rate, one length, with the lead-in
 };

@@ -75,12 +75,17 @@ ordered_json effect_json(const analysis::ExplainedEffect& effect, const ordered_
 
 }  // namespace
 
-std::vector<RecordError> record_errors(const TimeTwin& twin, const analysis::Selection& found) {
+Comparisons compare(const TimeTwin& twin, const analysis::Selection& found) {
   if (found.base.residuals.size() == 0) return {};  // nothing was fitted
-  const auto before = twin.compare(found.base.effects, found.base.values);
-  const auto after = twin.compare(found.fit.effects, found.fit.values);
+  Comparisons both{twin.compare(found.base.effects, found.base.values),
+                   twin.compare(found.fit.effects, found.fit.values)};
+  if (both.before.size() != both.after.size()) return {};
+  return both;
+}
+
+std::vector<RecordError> record_errors(const Comparisons& comparisons) {
+  const auto& [before, after] = comparisons;
   std::vector<RecordError> errors;
-  if (before.size() != after.size()) return errors;
   for (std::size_t i = 0; i < before.size(); ++i) {
     const TimeTwin::Comparison& b = before[i];
     errors.push_back({b.record, b.channel, b.unit, b.learned_from, b.error(), after[i].error(),

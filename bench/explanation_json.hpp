@@ -17,8 +17,15 @@ struct RecordError {
   double relative_before = 0, relative_after = 0;  ///< of the RMS of what was measured
 };
 
-/// Of every record and output. Empty if one of the plants cannot be simulated.
-std::vector<RecordError> record_errors(const TimeTwin& twin, const analysis::Selection& found);
+/// Every record and output beside the plant as it was, and with what was left out.
+struct Comparisons {
+  std::vector<TimeTwin::Comparison> before, after;  ///< of one length
+};
+
+/// Empty if nothing was fitted, or one of the plants cannot be simulated.
+Comparisons compare(const TimeTwin& twin, const analysis::Selection& found);
+
+std::vector<RecordError> record_errors(const Comparisons& comparisons);
 
 /// What stands around an explanation in explain.json.
 struct ExplainFacts {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "analysis/quality.hpp"
 #include "bench/twin_candidates.hpp"
@@ -55,7 +56,8 @@ std::string output_fault(const Recording& recording, const sim::OutputSpec& outp
 }  // namespace
 
 struct TimeTwin::Record {
-  CampaignRecord about;  // its recording is empty
+  RecordLabels about;
+  Eigen::Index lead_in = 0;
   sim::Excitation excitation;
   std::vector<Eigen::VectorXd> measured;  // per output of the plant
   Eigen::Index into_step = 0;             // samples that the model needs to come into step
@@ -77,8 +79,9 @@ std::variant<std::unique_ptr<TimeTwin>, Refusal> TimeTwin::make(sim::PlantSpec p
   std::unique_ptr<TimeTwin> twin(new TimeTwin(std::move(plant), library));
   if (Refusal refusal = twin->load(campaign); !refusal.faults.empty()) return refusal;
   twin->align_repeats();
-  twin->find_parameters();
-  twin->find_candidates();
+  const sim::NaturalScales natural = twin->natural_scales();
+  twin->find_parameters(natural);
+  twin->find_candidates(natural);
   twin->cut_units();
   return twin;
 }
@@ -88,7 +91,7 @@ Refusal TimeTwin::load(const Campaign& campaign) {
   for (const CampaignRecord& of : campaign.records) {
     const auto steps = sim::substeps_for(plant_, of.recording.channels.front().rate_Hz, terms_);
     if (const auto* fault = std::get_if<hal::ConfigFault>(&steps)) return {{*fault}, false};
-    for (hal::ConfigFault& fault : load_record(of)) {
+    for (hal::ConfigFault& fault : load_record(of, std::get<int>(steps))) {
       fault.message = of.name + ": " + fault.message;
       refusal.faults.push_back(std::move(fault));
     }
@@ -105,18 +108,17 @@ Refusal TimeTwin::load(const Campaign& campaign) {
   return refusal;
 }
 
-std::vector<hal::ConfigFault> TimeTwin::load_record(const CampaignRecord& of) {
+std::vector<hal::ConfigFault> TimeTwin::load_record(const CampaignRecord& of, int steps) {
   const double rate_Hz = of.recording.channels.front().rate_Hz;
   if (2 * band_Hz_ > rate_Hz) {
     return {{0, "/inputs",
              fmt::format("a motion below {:g} Hz needs a rate above {:g} Hz, not {:g}", band_Hz_,
                          2 * band_Hz_, rate_Hz)}};
   }
-  const int steps = std::get<int>(sim::substeps_for(plant_, rate_Hz, terms_));
   auto made = sim::Excitation::make(plant_, of.recording.channels, steps);
   if (auto* fault = std::get_if<hal::ConfigFault>(&made)) return {*fault};
-  auto record =
-      std::make_shared<Record>(Record{of, std::get<sim::Excitation>(std::move(made)), {}});
+  auto record = std::make_shared<Record>(
+      Record{of, of.lead_in, std::get<sim::Excitation>(std::move(made)), {}});
   std::vector<hal::ConfigFault> faults;
   for (std::size_t i = 0; i < plant_.outputs.size(); ++i) {
     const std::string fault = output_fault(of.recording, plant_.outputs[i], record->excitation);
@@ -126,12 +128,11 @@ std::vector<hal::ConfigFault> TimeTwin::load_record(const CampaignRecord& of) {
       faults.push_back({0, fmt::format("/outputs/{}/channel", i), fault});
     }
   }
-  record->about.recording = {};
   const Eigen::Index size = record->excitation.samples();
   const double edge_s = band_Hz_ > 0 ? filter_edges / band_Hz_ : 0;
   const double into_step_s = band_Hz_ > 0 ? edge_s : coming_into_step_s;
   record->into_step = static_cast<Eigen::Index>(into_step_s * rate_Hz);
-  record->first = std::max(of.lead_in, record->into_step);
+  record->first = std::max(record->lead_in, record->into_step);
   record->last = size - static_cast<Eigen::Index>(edge_s * rate_Hz);
   if (band_Hz_ > 0) {
     record->thin =
@@ -151,7 +152,7 @@ void TimeTwin::align_repeats() {
   for (const auto& record : records_) {
     const std::string& programme = record->about.programme;
     if (programme.empty()) continue;
-    record->first = record->about.lead_in + record->into_step;
+    record->first = record->lead_in + record->into_step;
     const auto [at, is_new] = lengths.try_emplace(programme, record->last - record->first);
     if (!is_new) at->second = std::min(at->second, record->last - record->first);
   }
@@ -205,8 +206,8 @@ sim::NaturalScales TimeTwin::natural_scales() const {
   return scales;
 }
 
-void TimeTwin::find_parameters() {
-  const ParameterScales scales{natural_scales(), 1 / first_learned().excitation.rate_Hz(),
+void TimeTwin::find_parameters(const sim::NaturalScales& natural) {
+  const ParameterScales scales{natural, 1 / first_learned().excitation.rate_Hz(),
                                largest_deviation()};
   sim::PlantSpec copy = plant_;
   const std::vector<sim::PlacedQuantity> all = sim::quantities(copy);
@@ -217,8 +218,7 @@ void TimeTwin::find_parameters() {
   }
 }
 
-void TimeTwin::find_candidates() {
-  const sim::NaturalScales natural = natural_scales();
+void TimeTwin::find_candidates(const sim::NaturalScales& natural) {
   for (std::size_t t = 0; t < terms_.types().size(); ++t) {
     const sim::TermType& type = terms_.types()[t];
     if (!type.card.effect) continue;
@@ -259,25 +259,17 @@ void TimeTwin::cut_units() {
   }
 }
 
-Eigen::VectorXd TimeTwin::below_band(const Eigen::VectorXd& x, double rate_Hz) const {
-  if (band_Hz_ == 0 || 2 * band_Hz_ >= rate_Hz) return x;
-  const sim::Interpolation filter(0, 0, band_Hz_ / rate_Hz);
-  Eigen::VectorXd out(x.size());
-  for (Eigen::Index i = 0; i < x.size(); ++i) out[i] = filter(x, i);
-  return out;
-}
-
-// The difference where it is compared, below the band, each so many-th sample of it.
-Eigen::VectorXd TimeTwin::thinned(const Record& record, const Eigen::VectorXd& apart) const {
-  const Eigen::Index size = (record.last - record.first) / record.thin;
-  Eigen::VectorXd out(size);
+// Where the record is compared, below the band, each `step`-th sample.
+Eigen::VectorXd TimeTwin::below_band(const Record& record, const Eigen::VectorXd& x,
+                                     Eigen::Index step) const {
+  Eigen::VectorXd out((record.last - record.first) / step);
   const double rate_Hz = record.excitation.rate_Hz();
   if (band_Hz_ == 0 || 2 * band_Hz_ >= rate_Hz) {
-    for (Eigen::Index i = 0; i < size; ++i) out[i] = apart[record.first + i * record.thin];
+    for (Eigen::Index i = 0; i < out.size(); ++i) out[i] = x[record.first + i * step];
     return out;
   }
   const sim::Interpolation filter(0, 0, band_Hz_ / rate_Hz);
-  for (Eigen::Index i = 0; i < size; ++i) out[i] = filter(apart, record.first + i * record.thin);
+  for (Eigen::Index i = 0; i < out.size(); ++i) out[i] = filter(x, record.first + i * step);
   return out;
 }
 
@@ -313,7 +305,9 @@ std::optional<Eigen::VectorXd> TimeTwin::by_units(
     if (!record->about.learned_from) continue;
     auto shown = show(*record);
     if (!shown) return std::nullopt;
-    for (Eigen::VectorXd& signal : *shown) signal = thinned(*record, signal);
+    for (Eigen::VectorXd& signal : *shown) {
+      signal = below_band(*record, signal, record->thin);
+    }
     Eigen::Index from = 0;
     while (unit != units_.end() && unit->record == record->about.name &&
            from < shown->front().size()) {
@@ -352,19 +346,23 @@ Eigen::MatrixXd TimeTwin::states() const {
   const std::string body = term != nullptr ? term->body_a : seen.of;
   const sim::PlantSpec probe =
       sim::with_probes(plant_, body, {sim::OutputKind::position, sim::OutputKind::speed});
-  Eigen::MatrixXd states;
-  for (std::size_t column = 0; column < probe.outputs.size(); ++column) {
-    const auto values =
-        by_units([&](const Record& record) -> std::optional<std::vector<Eigen::VectorXd>> {
-          const auto run = sim::simulate(probe, record.excitation, terms_);
-          const auto* shown = std::get_if<sim::Simulated>(&run);
-          if (shown == nullptr) return std::nullopt;
-          return std::vector<Eigen::VectorXd>(plant_.outputs.size(),
-                                              shown->channels[column].samples);
-        });
-    if (!values) return {};
-    states.conservativeResize(values->size(), states.cols() + 1);
-    states.rightCols(1) = *values;
+  std::vector<Channel> shown;  // position and speed of each record in turn
+  for (const auto& record : records_) {
+    if (!record->about.learned_from) continue;
+    auto run = sim::simulate(probe, record->excitation, terms_);
+    auto* simulated = std::get_if<sim::Simulated>(&run);
+    if (simulated == nullptr) return {};
+    std::ranges::move(simulated->channels, std::back_inserter(shown));
+  }
+  const std::size_t columns = probe.outputs.size();
+  Eigen::MatrixXd states(units_.back().first + units_.back().size, Eigen::Index(columns));
+  for (std::size_t column = 0; column < columns; ++column) {
+    std::size_t at = column;
+    states.col(Eigen::Index(column)) = *by_units([&](const Record&) {
+      const Eigen::VectorXd& state = shown[at].samples;
+      at += columns;
+      return std::optional(std::vector<Eigen::VectorXd>(plant_.outputs.size(), state));
+    });
   }
   return states;
 }
@@ -382,12 +380,11 @@ std::vector<TimeTwin::Comparison> TimeTwin::compare(const std::vector<std::size_
     if (shown == nullptr) return {};
     const double rate_Hz = record->excitation.rate_Hz();
     for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
-      const auto range = Eigen::seq(record->first, record->last - 1);
       all.push_back({record->about.name, plant_.outputs[o].channel, plant_.outputs[o].unit,
                      record->about.learned_from, rate_Hz,
                      record->excitation.start_s() + static_cast<double>(record->first) / rate_Hz,
-                     below_band(record->measured[o], rate_Hz)(range),
-                     below_band(shown->channels[o].samples, rate_Hz)(range)});
+                     below_band(*record, record->measured[o], 1),
+                     below_band(*record, shown->channels[o].samples, 1)});
     }
   }
   return all;

@@ -69,17 +69,17 @@ class TimeTwin final : public analysis::ForwardModel {
   TimeTwin(sim::PlantSpec plant, const sim::TermLibrary& library);
 
   Refusal load(const Campaign& campaign);
-  std::vector<hal::ConfigFault> load_record(const CampaignRecord& of);
+  std::vector<hal::ConfigFault> load_record(const CampaignRecord& of, int steps);
   void align_repeats();
   std::vector<hal::ConfigFault> find_spreads();
   const Record& first_learned() const;
-  void find_parameters();
-  void find_candidates();
+  void find_parameters(const sim::NaturalScales& natural);
+  void find_candidates(const sim::NaturalScales& natural);
   void cut_units();
   sim::NaturalScales natural_scales() const;
   double largest_deviation() const;
-  Eigen::VectorXd below_band(const Eigen::VectorXd& x, double rate_Hz) const;
-  Eigen::VectorXd thinned(const Record& record, const Eigen::VectorXd& apart) const;
+  Eigen::VectorXd below_band(const Record& record, const Eigen::VectorXd& x,
+                             Eigen::Index step) const;
   std::optional<Eigen::VectorXd> by_units(
       const std::function<std::optional<std::vector<Eigen::VectorXd>>(const Record&)>& show) const;
 

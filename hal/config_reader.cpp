@@ -212,42 +212,38 @@ std::string ConfigReader::choice(std::string_view key, const std::vector<std::st
   return fallback;
 }
 
-std::vector<double> ConfigReader::numbers(std::string_view key, Bounds bounds) {
+// Of an array that is required and must not be empty; none where it is not so, with the fault.
+const std::vector<JsonNode>& ConfigReader::items(std::string_view key, const char* of) {
+  static const std::vector<JsonNode> none;
   const JsonNode* json = node_->ask(key);
-  std::vector<double> values;
   require(key);
-  if (json == nullptr) return {bounds.min};
+  if (json == nullptr) return none;
   if (json->kind != Kind::array) {
-    fault(key, "expected an array of numbers, found " + show(*json));
-  } else if (json->items.empty()) {
-    fault(key, "must not be empty");
-  } else {
-    for (const JsonNode& item : json->items) {
-      const std::string wrong = number_fault(item, bounds);
-      if (!wrong.empty()) document_->note({item.line, node_->place(key, values.size()), wrong});
-      values.push_back(wrong.empty() ? item.number : bounds.min);
-    }
+    fault(key, std::string("expected an array of ") + of + ", found " + show(*json));
+    return none;
+  }
+  if (json->items.empty()) fault(key, "must not be empty");
+  return json->items;
+}
+
+std::vector<double> ConfigReader::numbers(std::string_view key, Bounds bounds) {
+  std::vector<double> values;
+  for (const JsonNode& item : items(key, "numbers")) {
+    const std::string wrong = number_fault(item, bounds);
+    if (!wrong.empty()) document_->note({item.line, node_->place(key, values.size()), wrong});
+    values.push_back(wrong.empty() ? item.number : bounds.min);
   }
   return values.empty() ? std::vector<double>{bounds.min} : values;
 }
 
 std::vector<std::string> ConfigReader::texts(std::string_view key) {
-  const JsonNode* json = node_->ask(key);
   std::vector<std::string> values;
-  require(key);
-  if (json == nullptr) return values;
-  if (json->kind != Kind::array) {
-    fault(key, "expected an array of texts, found " + show(*json));
-  } else if (json->items.empty()) {
-    fault(key, "must not be empty");
-  } else {
-    for (const JsonNode& item : json->items) {
-      if (item.kind != Kind::text) {
-        document_->note(
-            {item.line, node_->place(key, values.size()), "expected a text, found " + show(item)});
-      }
-      values.push_back(item.text);
+  for (const JsonNode& item : items(key, "texts")) {
+    if (item.kind != Kind::text) {
+      document_->note(
+          {item.line, node_->place(key, values.size()), "expected a text, found " + show(item)});
     }
+    values.push_back(item.text);
   }
   return values;
 }

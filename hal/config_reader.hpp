@@ -9,6 +9,8 @@
 
 namespace rvbench::hal {
 
+struct JsonNode;
+
 /// One thing wrong in a configuration file.
 struct ConfigFault {
   int line = 0;         ///< 1-based; 0 if the file could not be read at all
@@ -84,6 +86,7 @@ class ConfigReader {
   struct Node;
   ConfigReader(std::shared_ptr<Document> document, std::shared_ptr<Node> node);
   void require(std::string_view key);
+  const std::vector<JsonNode>& items(std::string_view key, const char* of);
 
   std::shared_ptr<Document> document_;
   std::shared_ptr<Node> node_;

@@ -42,12 +42,6 @@ Eigen::MatrixXd features_of(const Eigen::MatrixXd& states) {
   return features;
 }
 
-struct Sums {
-  Eigen::MatrixXd squares;
-  Eigen::VectorXd products;
-  double count = 0;
-};
-
 }  // namespace
 
 Ceiling flexible_ceiling(const Tryout& on, const Standing& standing) {
@@ -56,39 +50,36 @@ Ceiling flexible_ceiling(const Tryout& on, const Standing& standing) {
   if (states.rows() != standing.fit.residuals.size() || states.cols() == 0) return ceiling;
   const Eigen::MatrixXd features = features_of(states);
 
-  HeldOut flexible{{}, standing.held_out.log_density, standing.held_out.mean_square, 0};
+  HeldOut flexible{{}, standing.held_out.log_density, 0};
   Eigen::Index at = 0;
   double sum = 0, values = 0;
   for (const Fold& fold : on.conditions) {
-    std::vector<bool> trained = fold.held_out;
-    trained.flip();
     const Eigen::VectorXd residuals =
-        refit_from(on.model, standing.fit.effects, standing.fit.values, trained).residuals;
+        refit_from(on.model, standing.fit.effects, standing.fit.values, fold.trained()).residuals;
     if (residuals.size() == 0) return ceiling;
-    Sums all{Eigen::MatrixXd::Zero(features.cols(), features.cols()),
-             Eigen::VectorXd::Zero(features.cols()), 0};
-    double power = 0;
+    Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(features.cols(), features.cols());
+    Eigen::VectorXd products = Eigen::VectorXd::Zero(features.cols());
+    double count = 0, power = 0;
     for (std::size_t u = 0; u < fold.held_out.size(); ++u) {
       if (fold.held_out[u]) continue;
       const ObservedUnit& unit = on.model.units()[u];
       const auto f = features.middleRows(unit.first, unit.size);
       const auto r = residuals.segment(unit.first, unit.size);
-      all.squares.noalias() += f.transpose() * f;
-      all.products.noalias() += f.transpose() * r;
-      all.count += static_cast<double>(unit.size);
+      squares.noalias() += f.transpose() * f;
+      products.noalias() += f.transpose() * r;
+      count += static_cast<double>(unit.size);
       power += r.squaredNorm();
     }
-    all.squares.diagonal().array() += ridge * all.count;
-    const Eigen::VectorXd weights = all.squares.ldlt().solve(all.products);
-    const double left = power - 2 * weights.dot(all.products) + weights.dot(all.squares * weights);
-    const double scatter = std::max(left, 1e-12 * power) / all.count;
+    squares.diagonal().array() += ridge * count;
+    const Eigen::VectorXd weights = squares.ldlt().solve(products);
+    const double left = power - 2 * weights.dot(products) + weights.dot(squares * weights);
+    const double scatter = std::max(left, 1e-12 * power) / count;
     for (std::size_t u = 0; u < fold.held_out.size(); ++u) {
       if (!fold.held_out[u]) continue;
       const ObservedUnit& unit = on.model.units()[u];
       const Eigen::VectorXd apart = residuals.segment(unit.first, unit.size) -
                                     features.middleRows(unit.first, unit.size) * weights;
-      flexible.log_density[at] = log_density_of(apart, scatter, on.counts_as);
-      flexible.mean_square[at++] = apart.squaredNorm() / static_cast<double>(unit.size);
+      flexible.log_density[at++] = log_density_of(apart, scatter, on.counts_as);
       sum += apart.squaredNorm();
       values += static_cast<double>(unit.size);
     }

@@ -13,8 +13,7 @@ namespace rvbench::analysis {
 namespace {
 
 constexpr std::size_t most_rivals = 3;
-constexpr double ninety_pct = 1.645;  // standard errors to each side
-constexpr std::size_t fewest_units = 8;
+constexpr double ninety_pct = 1.645;   // standard errors to each side
 constexpr double worth_telling = 0.5;  // of what any law could explain: less is not the answer
 
 std::vector<Estimate> estimates(const ForwardModel& model, const Fit& fit) {
@@ -27,16 +26,6 @@ std::vector<Estimate> estimates(const ForwardModel& model, const Fit& fit) {
                    fit.values[i] - ninety_pct * error, fit.values[i] + ninety_pct * error});
   }
   return all;
-}
-
-// Where the parameters of an effect begin among a fit's values.
-std::size_t place_of(const ForwardModel& model, const Fit& fit, std::size_t effect) {
-  std::size_t at = model.base().size();
-  for (const std::size_t held : fit.effects) {
-    if (held == effect) break;
-    at += model.library()[held].parameters.size();
-  }
-  return at;
 }
 
 std::vector<RivalEffect> rivals_of(const ForwardModel& model, const Step& step) {
@@ -65,7 +54,9 @@ ExplainedEffect explained(const ForwardModel& model, const Selection& found, con
     for (const std::size_t other : step.equals)
       effect.one_of.push_back(model.library()[other].name);
   }
-  const std::size_t at = place_of(model, found.fit, step.effect);
+  const auto& held = found.fit.effects;
+  const auto place = std::ranges::find(held, step.effect) - held.begin();
+  const std::size_t at = first_value_of(model, held, static_cast<std::size_t>(place));
   effect.parameters.assign(values.begin() + std::ptrdiff_t(at),
                            values.begin() + std::ptrdiff_t(at + candidate.parameters.size()));
   effect.error_before = error_before;

@@ -225,6 +225,13 @@ std::vector<ModelParameter> parameters_of(const ForwardModel& model,
   return all;
 }
 
+std::size_t first_value_of(const ForwardModel& model, const std::vector<std::size_t>& effects,
+                           std::size_t place) {
+  std::size_t at = model.base().size();
+  for (std::size_t i = 0; i < place; ++i) at += model.library()[effects[i]].parameters.size();
+  return at;
+}
+
 std::optional<Eigen::MatrixXd> jacobian(const ForwardModel& model,
                                         const std::vector<std::size_t>& effects,
                                         const std::vector<double>& values,

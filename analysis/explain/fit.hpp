@@ -59,6 +59,11 @@ Refit refit_from(const ForwardModel& model, const std::vector<std::size_t>& effe
 std::vector<ModelParameter> parameters_of(const ForwardModel& model,
                                           const std::vector<std::size_t>& effects);
 
+/// Where the values of one of the effects begin, after those of the base and of the effects before.
+/// @param place  of the effect in `effects`
+std::size_t first_value_of(const ForwardModel& model, const std::vector<std::size_t>& effects,
+                           std::size_t place);
+
 /// d residuals / d parameter, one column for each value. @return nothing where it cannot be had
 std::optional<Eigen::MatrixXd> jacobian(const ForwardModel& model,
                                         const std::vector<std::size_t>& effects,

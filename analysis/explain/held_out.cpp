@@ -38,6 +38,12 @@ double trained_mean_square(const ForwardModel& model, const Eigen::VectorXd& res
 
 }  // namespace
 
+std::vector<bool> Fold::trained() const {
+  std::vector<bool> others = held_out;
+  others.flip();
+  return others;
+}
+
 std::vector<Fold> condition_folds(const std::vector<ObservedUnit>& units) {
   std::vector<Fold> folds;
   add_folds(folds, units, &ObservedUnit::condition, 2);
@@ -72,12 +78,11 @@ double independent_share(const ForwardModel& model, const Eigen::VectorXd& resid
 
 std::optional<HeldOut> predict_held_out(const ForwardModel& model, const Fit& fit,
                                         const std::vector<Fold>& folds, double counts_as) {
-  HeldOut result{fit.effects, {}, {}, 0};
-  std::vector<double> densities, squares;
+  HeldOut result{fit.effects, {}, 0};
+  std::vector<double> densities;
   double sum = 0, values = 0;
   for (const Fold& fold : folds) {
-    std::vector<bool> trained = fold.held_out;
-    trained.flip();
+    const std::vector<bool> trained = fold.trained();
     const Refit refit = refit_from(model, fit.effects, fit.values, trained);
     if (refit.residuals.size() == 0) return std::nullopt;
     const double scatter = trained_mean_square(model, refit.residuals, trained);
@@ -88,14 +93,12 @@ std::optional<HeldOut> predict_held_out(const ForwardModel& model, const Fit& fi
       const auto residuals = refit.residuals.segment(unit.first, unit.size);
       const double square = residuals.squaredNorm();
       densities.push_back(log_density_of(residuals, scatter, counts_as));
-      squares.push_back(square / size);
       sum += square;
       values += size;
     }
   }
   result.log_density =
       Eigen::Map<Eigen::VectorXd>(densities.data(), Eigen::Index(densities.size()));
-  result.mean_square = Eigen::Map<Eigen::VectorXd>(squares.data(), Eigen::Index(squares.size()));
   result.rms = values > 0 ? std::sqrt(sum / values) : 0;
   return result;
 }

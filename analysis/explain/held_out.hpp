@@ -10,10 +10,14 @@
 
 namespace rvbench::analysis {
 
+/// Units below which there is too little to leave any out.
+inline constexpr std::size_t fewest_units = 8;
+
 /// One thing left out: per unit, whether it is.
 struct Fold {
   std::string left_out;
   std::vector<bool> held_out;
+  std::vector<bool> trained() const;  ///< the others
 };
 
 /// A fold for each condition. Empty if there is only one.
@@ -28,8 +32,7 @@ struct HeldOut {
   std::vector<std::size_t> effects;
   /// Per fold and unit held out there, in order: log density of its values.
   Eigen::VectorXd log_density;
-  Eigen::VectorXd mean_square;  ///< likewise: of its residuals
-  double rms = 0;               ///< over all of them
+  double rms = 0;  ///< of all their residuals
 };
 
 /// Fits anew without each fold, starting where `fit` ended, and predicts the fold.

@@ -7,7 +7,6 @@ namespace rvbench::analysis {
 namespace {
 
 constexpr std::size_t parts_of_one_programme = 4;
-constexpr std::size_t fewest_units = 8;
 
 // The units of each record of a programme, in the order in which they were recorded.
 using Programme = std::vector<std::vector<const ObservedUnit*>>;

@@ -6,6 +6,7 @@
 
 #include "analysis/explain/fit.hpp"
 #include "analysis/explain/forward_model.hpp"
+#include "analysis/explain/held_out.hpp"
 
 namespace rvbench::analysis {
 

@@ -277,7 +277,7 @@ class Selector {
       }
       at += count;
     }
-    Fit fit = fit_from(on_.model, effects, {start, start}, on_.everything);
+    Fit fit = fit_from(on_.model, effects, {start}, on_.everything);
     if (fit.residuals.size() == 0) return std::nullopt;
     return stand(on_, std::move(fit));
   }

@@ -67,10 +67,7 @@ std::string unconvincing(const Tryout& on, const Trial& trial, const Standing& n
 
 Standalone stands_alone(const Tryout& on, const Fit& fit, std::size_t place) {
   const Candidate& effect = on.model.library()[fit.effects.at(place)];
-  std::size_t first = on.model.base().size();
-  for (std::size_t i = 0; i < place; ++i) {
-    first += on.model.library()[fit.effects[i]].parameters.size();
-  }
+  const std::size_t first = first_value_of(on.model, fit.effects, place);
   Standalone result;
   result.p_value = std::min(1.0, size_p_value(on, fit, first, effect.sizes) *
                                      static_cast<double>(on.model.library().size()));

@@ -1,5 +1,7 @@
 #include "bench/commands/commands.hpp"
 
+#include <cmath>
+
 namespace rvbench::bench {
 
 std::vector<std::unique_ptr<Command>> make_commands() {
@@ -22,6 +24,12 @@ int refuse_file(Console& console, const std::filesystem::path& file,
 int refuse_usage(Console& console, const std::string& message) {
   complain(console, "rvbench: " + message);
   return exit_codes::usage;
+}
+
+bool is_positive(Console& console, const std::string& option, std::optional<double> value) {
+  if (!value || (*value > 0 && std::isfinite(*value))) return true;
+  refuse_usage(console, option + " must be above 0 and finite");
+  return false;
 }
 
 int refuse_data(Console& console, const std::string& message) {

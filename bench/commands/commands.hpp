@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "bench/command.hpp"
@@ -22,6 +24,9 @@ int refuse_file(Console& console, const std::filesystem::path& file,
 
 /// Prints why the arguments make no sense. @return exit_codes::usage
 int refuse_usage(Console& console, const std::string& message);
+
+/// Whether the value of an option is above 0 and finite, or not given; prints it if not.
+bool is_positive(Console& console, const std::string& option, std::optional<double> value);
 
 /// Prints why a recording cannot be used. @return exit_codes::data_refused
 int refuse_data(Console& console, const std::string& message);

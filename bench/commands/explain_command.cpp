@@ -2,7 +2,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cmath>
 #include <filesystem>
 #include <mutex>
 #include <system_error>
@@ -58,7 +57,7 @@ class ExplainCommand final : public Command {
   void print_records(Console& console, const std::vector<RecordError>& records) const;
   void print_self_null(Console& console, const analysis::SelfNull& self_null) const;
   void write_out(const TimeTwin& twin, const analysis::Explanation& explanation,
-                 ExplainFacts& facts) const;
+                 const Comparisons& comparisons, ExplainFacts& facts) const;
 
   std::string plant_;
   std::vector<std::string> files_;
@@ -126,7 +125,7 @@ void ExplainCommand::print_self_null(Console& console, const analysis::SelfNull&
 }
 
 void ExplainCommand::write_out(const TimeTwin& twin, const analysis::Explanation& explanation,
-                               ExplainFacts& facts) const {
+                               const Comparisons& comparisons, ExplainFacts& facts) const {
   const std::filesystem::path folder = out_;
   const analysis::Fit& fit = explanation.selection.fit;
   if (fit.residuals.size() > 0) {
@@ -134,7 +133,7 @@ void ExplainCommand::write_out(const TimeTwin& twin, const analysis::Explanation
     write_file(facts.plant_updated, sim::write_plant(twin.plant_with(fit.effects, fit.values)));
   }
   write_file(folder / "explain.json", explanation_to_json(explanation, facts));
-  write_file(folder / "explain.html", make_explanation_page(explanation, facts, twin));
+  write_file(folder / "explain.html", make_explanation_page(explanation, facts, comparisons));
 }
 
 // @throws TimeTwin::Interrupted
@@ -153,11 +152,11 @@ analysis::Explanation ExplainCommand::explained(Console& console, TimeTwin& twin
 
 int ExplainCommand::tell(Console& console, const Campaign& campaign, const TimeTwin& twin,
                          const analysis::Explanation& explanation) const {
-  ExplainFacts facts{
-      plant_,         software_version(), "", record_errors(twin, explanation.selection),
-      campaign.notes, campaign.hashes};
+  const Comparisons comparisons = compare(twin, explanation.selection);
+  ExplainFacts facts{plant_,         software_version(), "", record_errors(comparisons),
+                     campaign.notes, campaign.hashes};
   try {
-    if (!out_.empty()) write_out(twin, explanation, facts);
+    if (!out_.empty()) write_out(twin, explanation, comparisons, facts);
   } catch (const std::system_error& error) {
     return refuse_usage(console, std::string("explain: --out: ") + error.what());
   }
@@ -175,9 +174,7 @@ int ExplainCommand::tell(Console& console, const Campaign& campaign, const TimeT
 }
 
 int ExplainCommand::run(Console& console) {
-  if (rate_Hz_ && !(*rate_Hz_ > 0 && std::isfinite(*rate_Hz_))) {
-    return refuse_usage(console, "--rate must be above 0 and finite");
-  }
+  if (!is_positive(console, "--rate", rate_Hz_)) return exit_codes::usage;
   if (rate_Hz_ && names_campaign()) {
     return refuse_usage(console, "explain: a campaign file states its rates: leave --rate out");
   }

@@ -103,11 +103,8 @@ int JudgeCommand::run(Console& console) {
 
 // What can be known to be wrong before anything is read. An older verdict is not written over.
 int JudgeCommand::check_options(Console& console) const {
-  for (const auto& [value, name] :
-       {std::pair{speed_rpm_, "--speed"}, std::pair{rate_Hz_, "--rate"}}) {
-    if (value && !(*value > 0 && std::isfinite(*value))) {
-      return refuse_usage(console, std::string(name) + " must be above 0 and finite");
-    }
+  if (!is_positive(console, "--speed", speed_rpm_) || !is_positive(console, "--rate", rate_Hz_)) {
+    return exit_codes::usage;
   }
   if (out_.empty()) return exit_codes::done;
   const auto refuse = [&](const std::string& why) {

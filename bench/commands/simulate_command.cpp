@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <filesystem>
 #include <system_error>
 
@@ -55,9 +54,7 @@ std::string csv_of(const std::vector<const Channel*>& channels) {
 }
 
 int SimulateCommand::run(Console& console) {
-  if (rate_Hz_ && !(*rate_Hz_ > 0 && std::isfinite(*rate_Hz_))) {
-    return refuse_usage(console, "--rate must be above 0 and finite");
-  }
+  if (!is_positive(console, "--rate", rate_Hz_)) return exit_codes::usage;
   const auto plant = sim::read_plant(plant_);
   if (plant.index() == 1) return refuse_file(console, plant_, std::get<1>(plant));
   const sim::PlantSpec& spec = std::get<0>(plant);

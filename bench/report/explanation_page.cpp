@@ -108,11 +108,10 @@ std::string self_null_section(const analysis::SelfNull& self_null) {
                      estimates_table(self_null.found));
 }
 
-std::string residual_plots(const Explanation& e, const TimeTwin& twin) {
-  const auto before = twin.compare(e.selection.base.effects, e.selection.base.values);
-  const auto after = twin.compare(e.selection.fit.effects, e.selection.fit.values);
+std::string residual_plots(const Comparisons& comparisons) {
+  const auto& [before, after] = comparisons;
   std::string plots;
-  for (std::size_t i = 0; i < std::min(before.size(), after.size()) && i < most_records; ++i) {
+  for (std::size_t i = 0; i < std::min(before.size(), most_records); ++i) {
     const TimeTwin::Comparison& b = before[i];
     const Eigen::VectorXd left_before = b.measured - b.simulated;
     const Eigen::VectorXd left_after = after[i].measured - after[i].simulated;
@@ -151,7 +150,7 @@ std::string data_section(const ExplainFacts& facts) {
 }  // namespace
 
 std::string make_explanation_page(const Explanation& e, const ExplainFacts& facts,
-                                  const TimeTwin& twin) {
+                                  const Comparisons& comparisons) {
   std::string html =
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
@@ -168,7 +167,7 @@ std::string make_explanation_page(const Explanation& e, const ExplainFacts& fact
   html += errors_section(e);
   html += records_section(facts.records);
   html += self_null_section(e.self_null);
-  if (e.selection.fit.residuals.size() > 0) html += residual_plots(e, twin);
+  html += residual_plots(comparisons);
   html += section("Calibration of the measurement", estimates_table(e.nuisances));
   html += section("Calibration of the plant", estimates_table(e.base));
   html += data_section(facts);
