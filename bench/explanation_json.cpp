@@ -75,7 +75,7 @@ ordered_json effect_json(const analysis::ExplainedEffect& effect, const ordered_
 
 }  // namespace
 
-Comparisons compare(const TimeTwin& twin, const analysis::Selection& found) {
+Comparisons compare(const Twin& twin, const analysis::Selection& found) {
   if (found.base.residuals.size() == 0) return {};  // nothing was fitted
   Comparisons both{twin.compare(found.base.effects, found.base.values),
                    twin.compare(found.fit.effects, found.fit.values)};
@@ -87,7 +87,7 @@ std::vector<RecordError> record_errors(const Comparisons& comparisons) {
   const auto& [before, after] = comparisons;
   std::vector<RecordError> errors;
   for (std::size_t i = 0; i < before.size(); ++i) {
-    const TimeTwin::Comparison& b = before[i];
+    const Twin::Comparison& b = before[i];
     errors.push_back({b.record, b.channel, b.unit, b.learned_from, b.error(), after[i].error(),
                       b.relative_error(), after[i].relative_error()});
   }

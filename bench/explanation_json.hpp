@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analysis/explain/explanation.hpp"
-#include "bench/time_twin.hpp"
+#include "bench/twin.hpp"
 
 namespace rvbench::bench {
 
@@ -19,11 +19,11 @@ struct RecordError {
 
 /// Every record and output beside the plant as it was, and with what was left out.
 struct Comparisons {
-  std::vector<TimeTwin::Comparison> before, after;  ///< of one length
+  std::vector<Twin::Comparison> before, after;  ///< of one length
 };
 
 /// Empty if nothing was fitted, or one of the plants cannot be simulated.
-Comparisons compare(const TimeTwin& twin, const analysis::Selection& found);
+Comparisons compare(const Twin& twin, const analysis::Selection& found);
 
 std::vector<RecordError> record_errors(const Comparisons& comparisons);
 

@@ -7,7 +7,6 @@
 #include <iterator>
 
 #include "analysis/quality.hpp"
-#include "bench/twin_candidates.hpp"
 #include "hal/did_you_mean.hpp"
 #include "sim/effect_edits.hpp"
 #include "sim/interpolation.hpp"
@@ -70,20 +69,20 @@ TimeTwin::TimeTwin(sim::PlantSpec plant, const sim::TermLibrary& library)
   for (const sim::InputSpec& input : plant_.inputs) band_Hz_ = std::max(band_Hz_, input.band_Hz);
 }
 
-std::variant<std::unique_ptr<TimeTwin>, Refusal> TimeTwin::make(sim::PlantSpec plant,
-                                                                const Campaign& campaign,
-                                                                const sim::TermLibrary& library) {
+TwinOrRefusal TimeTwin::make(sim::PlantSpec plant, const Campaign& campaign,
+                             const sim::TermLibrary& library) {
   if (auto faults = sim::check_plant(plant, library); !faults.empty()) {
     return Refusal{std::move(faults), false};
   }
   std::unique_ptr<TimeTwin> twin(new TimeTwin(std::move(plant), library));
   if (Refusal refusal = twin->load(campaign); !refusal.faults.empty()) return refusal;
   twin->align_repeats();
-  const sim::NaturalScales natural = twin->natural_scales();
-  twin->find_parameters(natural);
-  twin->find_candidates(natural);
+  const ParameterScales scales{twin->natural_scales(),
+                               1 / twin->first_learned().excitation.rate_Hz(),
+                               twin->largest_deviation()};
+  twin->family_.emplace(twin->plant_, scales, library);
   twin->cut_units();
-  return twin;
+  return std::unique_ptr<Twin>(std::move(twin));
 }
 
 Refusal TimeTwin::load(const Campaign& campaign) {
@@ -206,32 +205,6 @@ sim::NaturalScales TimeTwin::natural_scales() const {
   return scales;
 }
 
-void TimeTwin::find_parameters(const sim::NaturalScales& natural) {
-  const ParameterScales scales{natural, 1 / first_learned().excitation.rate_Hz(),
-                               largest_deviation()};
-  sim::PlantSpec copy = plant_;
-  const std::vector<sim::PlacedQuantity> all = sim::quantities(copy);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i].quantity->tolerance_pct == 0) continue;
-    moved_.push_back(i);
-    base_.push_back(model_parameter(plant_, all[i], scales, terms_));
-  }
-}
-
-void TimeTwin::find_candidates(const sim::NaturalScales& natural) {
-  for (std::size_t t = 0; t < terms_.types().size(); ++t) {
-    const sim::TermType& type = terms_.types()[t];
-    if (!type.card.effect) continue;
-    for (const sim::EffectSite& site : sim::sites_of(plant_, type)) {
-      TwinCandidate made = candidate_at(plant_, type, site, natural);
-      if (made.candidate.parameters.empty()) continue;
-      acts_.emplace_back(t, site);
-      chosen_.push_back(std::move(made.chosen));
-      candidates_.push_back(std::move(made.candidate));
-    }
-  }
-}
-
 double TimeTwin::largest_deviation() const {
   double largest = 0;
   for (const Eigen::VectorXd& x : first_learned().measured) {
@@ -273,27 +246,6 @@ Eigen::VectorXd TimeTwin::below_band(const Record& record, const Eigen::VectorXd
   return out;
 }
 
-sim::PlantSpec TimeTwin::plant_with(const std::vector<std::size_t>& effects,
-                                    const std::vector<double>& values) const {
-  sim::PlantSpec plant = plant_;
-  const std::vector<sim::PlacedQuantity> all = sim::quantities(plant);
-  for (std::size_t i = 0; i < moved_.size(); ++i) all[moved_[i]].quantity->value = values[i];
-  std::size_t at = moved_.size();
-  for (const std::size_t effect : effects) {
-    const auto& [t, site] = acts_[effect];
-    const sim::TermType& type = terms_.types()[t];
-    const sim::Motion motion = plant_.motion_of(site.body_a);
-    sim::Parameters parameters;
-    for (const sim::ParameterCard& card : type.parameters) {
-      const auto chosen = chosen_[effect].find(card.name);
-      const double value = chosen != chosen_[effect].end() ? chosen->second : values[at++];
-      parameters[card.name] = {value, std::string(sim::unit_of(card.unit, motion)), 0};
-    }
-    plant = sim::with_effect(plant, type.card.name, site, parameters, terms_);
-  }
-  return plant;
-}
-
 // @param show  of a record, one signal per output of the plant
 // @return what it shows of the records that are learned from, in order of the units
 std::optional<Eigen::VectorXd> TimeTwin::by_units(
@@ -326,7 +278,7 @@ std::optional<Eigen::VectorXd> TimeTwin::by_units(
 std::optional<Eigen::VectorXd> TimeTwin::residuals(const std::vector<std::size_t>& effects,
                                                    const std::vector<double>& values,
                                                    const std::vector<bool>&) const {
-  if (stop_.stop_requested()) throw Interrupted();
+  stop_if_asked();
   const sim::PlantSpec plant = plant_with(effects, values);
   return by_units([&](const Record& record) -> std::optional<std::vector<Eigen::VectorXd>> {
     const auto run = sim::simulate(plant, record.excitation, terms_);
@@ -367,11 +319,8 @@ Eigen::MatrixXd TimeTwin::states() const {
   return states;
 }
 
-double TimeTwin::Comparison::error() const { return rms(measured - simulated); }
-double TimeTwin::Comparison::relative_error() const { return error() / rms(measured); }
-
-std::vector<TimeTwin::Comparison> TimeTwin::compare(const std::vector<std::size_t>& effects,
-                                                    const std::vector<double>& values) const {
+std::vector<Twin::Comparison> TimeTwin::compare(const std::vector<std::size_t>& effects,
+                                                const std::vector<double>& values) const {
   const sim::PlantSpec plant = plant_with(effects, values);
   std::vector<Comparison> all;
   for (const auto& record : records_) {
@@ -381,8 +330,9 @@ std::vector<TimeTwin::Comparison> TimeTwin::compare(const std::vector<std::size_
     const double rate_Hz = record->excitation.rate_Hz();
     for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
       all.push_back({record->about.name, plant_.outputs[o].channel, plant_.outputs[o].unit,
-                     record->about.learned_from, rate_Hz,
+                     record->about.learned_from, "time [s]",
                      record->excitation.start_s() + static_cast<double>(record->first) / rate_Hz,
+                     1 / rate_Hz,
                      below_band(*record, record->measured[o], 1),
                      below_band(*record, shown->channels[o].samples, 1)});
     }

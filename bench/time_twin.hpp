@@ -1,20 +1,14 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <memory>
-#include <stdexcept>
-#include <stop_token>
-#include <string>
-#include <variant>
+#include <optional>
 #include <vector>
 
-#include "analysis/explain/forward_model.hpp"
-#include "bench/campaign.hpp"
+#include "bench/plant_family.hpp"
+#include "bench/twin.hpp"
 #include "hal/config_reader.hpp"
-#include "sim/effect_sites.hpp"
 #include "sim/excitation.hpp"
-#include "sim/plant_spec.hpp"
 
 namespace rvbench::bench {
 
@@ -24,45 +18,27 @@ namespace rvbench::bench {
 ///          measured: their root mean square is the relative error. Where a motion is prescribed
 ///          below a band, the difference is kept below it too, and thinned to what is left of it.
 /// Units    stretches of a record, 12 to each that is learned from, of 0.25 s at least
-/// Effects  every type of the term library at every place its gate allows
-class TimeTwin final : public analysis::ForwardModel {
+class TimeTwin final : public Twin {
  public:
-  /// @return the twin, or why plant and recordings do not fit
-  static std::variant<std::unique_ptr<TimeTwin>, Refusal> make(
-      sim::PlantSpec plant, const Campaign& campaign,
-      const sim::TermLibrary& library = sim::standard_terms());  ///< outlives the twin
+  /// @param library  outlives the twin
+  static TwinOrRefusal make(sim::PlantSpec plant, const Campaign& campaign,
+                            const sim::TermLibrary& library = sim::standard_terms());
 
   const std::vector<analysis::ObservedUnit>& units() const override { return units_; }
-  const std::vector<analysis::ModelParameter>& base() const override { return base_; }
-  const std::vector<analysis::Candidate>& library() const override { return candidates_; }
+  const std::vector<analysis::ModelParameter>& base() const override { return family_->base(); }
+  const std::vector<analysis::Candidate>& library() const override { return family_->candidates(); }
   std::optional<Eigen::VectorXd> residuals(const std::vector<std::size_t>& effects,
                                            const std::vector<double>& values,
                                            const std::vector<bool>& trained) const override;
   /// Position and speed of the body that the first output is about, as the base moves it.
   Eigen::MatrixXd states() const override;
 
-  /// From now on residuals() throws Interrupted once a stop is requested.
-  void stop_on(std::stop_token stop) { stop_ = std::move(stop); }
-  struct Interrupted : std::runtime_error {
-    Interrupted() : std::runtime_error("interrupted") {}
-  };
-
-  /// The plant with these effects and values: what an accepted explanation makes of it.
   sim::PlantSpec plant_with(const std::vector<std::size_t>& effects,
-                            const std::vector<double>& values) const;
-
-  /// What was measured and what a model makes of it, for one record and output.
-  struct Comparison {
-    std::string record, channel, unit;
-    bool learned_from = true;
-    double rate_Hz = 0, start_s = 0;
-    Eigen::VectorXd measured, simulated;  ///< in the channel's unit, below the band
-    double error() const;                 ///< RMS of the difference
-    double relative_error() const;        ///< over the RMS of what was measured
-  };
-  /// All records, also those that were only to be predicted. Empty if it cannot be simulated.
+                            const std::vector<double>& values) const override {
+    return family_->with(effects, values);
+  }
   std::vector<Comparison> compare(const std::vector<std::size_t>& effects,
-                                  const std::vector<double>& values) const;
+                                  const std::vector<double>& values) const override;
 
  private:
   struct Record;
@@ -73,8 +49,6 @@ class TimeTwin final : public analysis::ForwardModel {
   void align_repeats();
   std::vector<hal::ConfigFault> find_spreads();
   const Record& first_learned() const;
-  void find_parameters(const sim::NaturalScales& natural);
-  void find_candidates(const sim::NaturalScales& natural);
   void cut_units();
   sim::NaturalScales natural_scales() const;
   double largest_deviation() const;
@@ -85,16 +59,11 @@ class TimeTwin final : public analysis::ForwardModel {
 
   sim::PlantSpec plant_;
   const sim::TermLibrary& terms_;
-  std::stop_token stop_;
   double band_Hz_ = 0;  ///< 0: no limit
   std::vector<std::shared_ptr<Record>> records_;
-  std::vector<double> spread_;      ///< per output: of what was measured
-  std::vector<std::size_t> moved_;  ///< of quantities(plant), those in base()
-  std::vector<std::pair<std::size_t, sim::EffectSite>> acts_;  ///< per candidate: type and place
-  std::vector<std::map<std::string, double>> chosen_;  ///< per candidate: what is not fitted
+  std::vector<double> spread_;  ///< per output: of what was measured
   std::vector<analysis::ObservedUnit> units_;
-  std::vector<analysis::ModelParameter> base_;
-  std::vector<analysis::Candidate> candidates_;
+  std::optional<PlantFamily> family_;  ///< made once the recordings tell what is much
 };
 
 }  // namespace rvbench::bench

@@ -15,7 +15,7 @@
 #include "bench/run_folder.hpp"
 #include "bench/software_version.hpp"
 #include "bench/stop_on_signal.hpp"
-#include "bench/time_twin.hpp"
+#include "bench/twin.hpp"
 #include "sim/plant_files.hpp"
 #include "sim/plant_json.hpp"
 
@@ -50,13 +50,13 @@ class ExplainCommand final : public Command {
     return names_campaign() ? read_campaign(files_[0])
                             : campaign_of(files_, rate_Hz_.value_or(not_known));
   }
-  analysis::Explanation explained(Console& console, TimeTwin& twin) const;
-  int tell(Console& console, const Campaign& campaign, const TimeTwin& twin,
+  analysis::Explanation explained(Console& console, Twin& twin) const;
+  int tell(Console& console, const Campaign& campaign, const Twin& twin,
            const analysis::Explanation& explanation) const;
   void print(Console& console, const analysis::Explanation& explanation) const;
   void print_records(Console& console, const std::vector<RecordError>& records) const;
   void print_self_null(Console& console, const analysis::SelfNull& self_null) const;
-  void write_out(const TimeTwin& twin, const analysis::Explanation& explanation,
+  void write_out(const Twin& twin, const analysis::Explanation& explanation,
                  const Comparisons& comparisons, ExplainFacts& facts) const;
 
   std::string plant_;
@@ -124,7 +124,7 @@ void ExplainCommand::print_self_null(Console& console, const analysis::SelfNull&
   }
 }
 
-void ExplainCommand::write_out(const TimeTwin& twin, const analysis::Explanation& explanation,
+void ExplainCommand::write_out(const Twin& twin, const analysis::Explanation& explanation,
                                const Comparisons& comparisons, ExplainFacts& facts) const {
   const std::filesystem::path folder = out_;
   const analysis::Fit& fit = explanation.selection.fit;
@@ -136,8 +136,8 @@ void ExplainCommand::write_out(const TimeTwin& twin, const analysis::Explanation
   write_file(folder / "explain.html", make_explanation_page(explanation, facts, comparisons));
 }
 
-// @throws TimeTwin::Interrupted
-analysis::Explanation ExplainCommand::explained(Console& console, TimeTwin& twin) const {
+// @throws Twin::Interrupted
+analysis::Explanation ExplainCommand::explained(Console& console, Twin& twin) const {
   const StopOnSignal signals;
   twin.stop_on(signals.token());
   ProgressBar bar(console, progress_style(console, json_));
@@ -150,7 +150,7 @@ analysis::Explanation ExplainCommand::explained(Console& console, TimeTwin& twin
   return analysis::explain(twin, options);
 }
 
-int ExplainCommand::tell(Console& console, const Campaign& campaign, const TimeTwin& twin,
+int ExplainCommand::tell(Console& console, const Campaign& campaign, const Twin& twin,
                          const analysis::Explanation& explanation) const {
   const Comparisons comparisons = compare(twin, explanation.selection);
   ExplainFacts facts{plant_,         software_version(), "", record_errors(comparisons),
@@ -187,12 +187,12 @@ int ExplainCommand::run(Console& console) {
     return exit_codes::data_refused;
   }
   const Campaign& campaign = std::get<0>(read);
-  auto made = TimeTwin::make(std::get<0>(std::move(plant)), campaign);
+  auto made = make_twin(std::get<0>(std::move(plant)), campaign);
   if (const auto* refusal = std::get_if<Refusal>(&made)) {
     refuse_file(console, plant_, refusal->faults);
     return refusal->of_recordings ? exit_codes::data_refused : exit_codes::bad_file;
   }
-  TimeTwin& twin = *std::get<0>(made);
+  Twin& twin = *std::get<0>(made);
   std::error_code unusable;
   if (!out_.empty()) std::filesystem::create_directories(out_, unusable);
   if (!unusable && !out_.empty() && access(out_.c_str(), W_OK) != 0) {
@@ -201,7 +201,7 @@ int ExplainCommand::run(Console& console) {
   if (unusable) return refuse_usage(console, "explain: --out " + out_ + ": " + unusable.message());
   try {
     return tell(console, campaign, twin, explained(console, twin));
-  } catch (const TimeTwin::Interrupted&) {
+  } catch (const Twin::Interrupted&) {
     complain(console, "rvbench: explain: interrupted; nothing was written");
     return exit_codes::aborted;
   }

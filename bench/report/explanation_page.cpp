@@ -112,16 +112,16 @@ std::string residual_plots(const Comparisons& comparisons) {
   const auto& [before, after] = comparisons;
   std::string plots;
   for (std::size_t i = 0; i < std::min(before.size(), most_records); ++i) {
-    const TimeTwin::Comparison& b = before[i];
+    const Twin::Comparison& b = before[i];
     const Eigen::VectorXd left_before = b.measured - b.simulated;
     const Eigen::VectorXd left_after = after[i].measured - after[i].simulated;
-    const double end_s = b.start_s + static_cast<double>(b.measured.size()) / b.rate_Hz;
-    const PlotAxis time{"time [s]", b.start_s, end_s};
+    const double end = b.first + static_cast<double>(b.measured.size()) * b.step;
+    const PlotAxis over{b.over, b.first, end};
     const PlotAxis scale = axis_around(b.channel + " [" + b.unit + "]", left_before);
     const auto plot = [&](const std::string& title, const Eigen::VectorXd& y,
                           const PlotAxis& axis) {
-      SvgPlot svg(title, time, axis);
-      svg.add_trace(b.start_s, 1 / b.rate_Hz, y);
+      SvgPlot svg(title, over, axis);
+      svg.add_trace(b.first, b.step, y);
       return svg.svg();
     };
     plots +=

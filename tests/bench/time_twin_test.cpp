@@ -21,7 +21,7 @@ using analysis::Explanation;
 using Catch::Matchers::Contains;
 using test::MovedSlide;
 
-std::unique_ptr<TimeTwin> twin_of(const sim::PlantSpec& plant, const Campaign& campaign) {
+std::unique_ptr<Twin> twin_of(const sim::PlantSpec& plant, const Campaign& campaign) {
   auto made = TimeTwin::make(plant, campaign);
   if (const auto* refusal = std::get_if<1>(&made)) FAIL(refusal->faults.front().message);
   return std::get<0>(std::move(made));

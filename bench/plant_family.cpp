@@ -1,0 +1,53 @@
+#include "bench/plant_family.hpp"
+
+namespace rvbench::bench {
+
+PlantFamily::PlantFamily(sim::PlantSpec plant, const ParameterScales& scales,
+                         const sim::TermLibrary& library)
+    : plant_(std::move(plant)), terms_(library) {
+  const std::vector<sim::PlacedQuantity> all = sim::quantities(plant_);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].quantity->tolerance_pct == 0) continue;
+    moved_.push_back(i);
+    base_.push_back(model_parameter(plant_, all[i], scales, terms_));
+  }
+  for (std::size_t t = 0; t < terms_.types().size(); ++t) {
+    const sim::TermType& type = terms_.types()[t];
+    if (!type.card.effect) continue;
+    for (const sim::EffectSite& site : sim::sites_of(plant_, type)) {
+      add_candidate(t, site, scales.natural);
+    }
+  }
+}
+
+void PlantFamily::add_candidate(std::size_t type, const sim::EffectSite& site,
+                                const sim::NaturalScales& natural) {
+  TwinCandidate made = candidate_at(plant_, terms_.types()[type], site, natural);
+  if (made.candidate.parameters.empty()) return;
+  acts_.emplace_back(type, site);
+  chosen_.push_back(std::move(made.chosen));
+  candidates_.push_back(std::move(made.candidate));
+}
+
+sim::PlantSpec PlantFamily::with(const std::vector<std::size_t>& effects,
+                                 const std::vector<double>& values) const {
+  sim::PlantSpec plant = plant_;
+  const std::vector<sim::PlacedQuantity> all = sim::quantities(plant);
+  for (std::size_t i = 0; i < moved_.size(); ++i) all[moved_[i]].quantity->value = values[i];
+  std::size_t at = moved_.size();
+  for (const std::size_t effect : effects) {
+    const auto& [t, site] = acts_[effect];
+    const sim::TermType& type = terms_.types()[t];
+    const sim::Motion motion = plant_.motion_of(site.body_a);
+    sim::Parameters parameters;
+    for (const sim::ParameterCard& card : type.parameters) {
+      const auto chosen = chosen_[effect].find(card.name);
+      const double value = chosen != chosen_[effect].end() ? chosen->second : values[at++];
+      parameters[card.name] = {value, std::string(sim::unit_of(card.unit, motion)), 0};
+    }
+    plant = sim::with_effect(plant, type.card.name, site, parameters, terms_);
+  }
+  return plant;
+}
+
+}  // namespace rvbench::bench

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/explain/forward_model.hpp"
+#include "bench/twin_candidates.hpp"
+#include "sim/effect_sites.hpp"
+#include "sim/plant_spec.hpp"
+#include "sim/term_library.hpp"
+
+namespace rvbench::bench {
+
+/// A plant with what a fit may move of it and what it may lack: every type of the term library at
+/// every place its gate allows.
+class PlantFamily {
+ public:
+  /// @param library  outlives the family
+  PlantFamily(sim::PlantSpec plant, const ParameterScales& scales, const sim::TermLibrary& library);
+
+  const std::vector<analysis::ModelParameter>& base() const { return base_; }
+  const std::vector<analysis::Candidate>& candidates() const { return candidates_; }
+
+  /// @param effects  indices into candidates()
+  /// @param values   of base(), then of each effect's parameters
+  sim::PlantSpec with(const std::vector<std::size_t>& effects,
+                      const std::vector<double>& values) const;
+
+ private:
+  void add_candidate(std::size_t type, const sim::EffectSite& site,
+                     const sim::NaturalScales& natural);
+
+  sim::PlantSpec plant_;
+  const sim::TermLibrary& terms_;
+  std::vector<std::size_t> moved_;  ///< of quantities(plant), those in base()
+  std::vector<std::pair<std::size_t, sim::EffectSite>> acts_;  ///< per candidate: type and place
+  std::vector<std::map<std::string, double>> chosen_;  ///< per candidate: what is not fitted
+  std::vector<analysis::ModelParameter> base_;
+  std::vector<analysis::Candidate> candidates_;
+};
+
+}  // namespace rvbench::bench

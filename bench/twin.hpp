@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <stop_token>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "analysis/explain/forward_model.hpp"
+#include "bench/campaign.hpp"
+#include "sim/plant_spec.hpp"
+#include "sim/term_library.hpp"
+
+namespace rvbench::bench {
+
+/// A plant beside recordings of the machine it stands for.
+class Twin : public analysis::ForwardModel {
+ public:
+  /// From now on residuals() throws Interrupted once a stop is requested.
+  void stop_on(std::stop_token stop) { stop_ = std::move(stop); }
+  struct Interrupted : std::runtime_error {
+    Interrupted() : std::runtime_error("interrupted") {}
+  };
+
+  /// The plant with these effects and values: what an accepted explanation makes of it.
+  virtual sim::PlantSpec plant_with(const std::vector<std::size_t>& effects,
+                                    const std::vector<double>& values) const = 0;
+
+  /// What was measured and what a model makes of it, for one record and output.
+  struct Comparison {
+    std::string record, channel, unit;
+    bool learned_from = true;
+    std::string over;                     ///< "time [s]"
+    double first = 0, step = 1;           ///< of what it is over
+    Eigen::VectorXd measured, simulated;  ///< in `unit`
+    double error() const;                 ///< RMS of the difference
+    double relative_error() const;        ///< over the RMS of what was measured
+  };
+  /// All records, also those that were only to be predicted. Empty if it cannot be simulated.
+  virtual std::vector<Comparison> compare(const std::vector<std::size_t>& effects,
+                                          const std::vector<double>& values) const = 0;
+
+ protected:
+  /// @throws Interrupted if a stop is requested
+  void stop_if_asked() const {
+    if (stop_.stop_requested()) throw Interrupted();
+  }
+
+ private:
+  std::stop_token stop_;
+};
+
+using TwinOrRefusal = std::variant<std::unique_ptr<Twin>, Refusal>;
+
+/// The twin that compares as the plant's outputs ask for, or why plant and recordings do not fit.
+/// @param library  outlives the twin
+TwinOrRefusal make_twin(sim::PlantSpec plant, const Campaign& campaign,
+                        const sim::TermLibrary& library = sim::standard_terms());
+
+}  // namespace rvbench::bench
