@@ -52,6 +52,7 @@ BodySpec read_body(ConfigReader& at) {
   body.inertia = read_quantity(inertia);
   body.start_position = at.number(turns ? "start_angle_rad" : "start_position_m", any, 0);
   body.start_speed = at.number(turns ? "start_speed_rad_s" : "start_speed_m_s", any, 0);
+  body.about = at.text("about", "");
   return body;
 }
 
@@ -68,6 +69,7 @@ TermSpec read_term(ConfigReader& at, const PlantSpec& plant, const TermLibrary& 
   term.name = at.text("name", term.type);
   term.body_a = at.text("body_a");
   term.body_b = at.text("body_b", term.body_b);
+  term.about = at.text("about", "");
   if (auto parameters = at.optional_object("parameters")) {
     for (auto& [name, quantity] : parameters->members()) {
       term.parameters[name] = read_quantity(quantity);
