@@ -54,26 +54,30 @@ inline sim::PlantSpec rv_plant(const RvTrainSpec& spec) {
   return plant;
 }
 
-/// The train on the stepper of the simulated bench.
+/// A plant of the bench on the stepper of the simulated rig, its brake dry friction.
 class SteppedTrain {
  public:
-  explicit SteppedTrain(const RvTrainSpec& spec)
-      : spec_(spec),
-        plant_(std::get<sim::PlantModel>(sim::make_model(rv_plant(spec))), spec.step_s) {
-    plant_.set_input(0, spec.supply_Hz);
+  SteppedTrain(const sim::PlantSpec& plant, double supply_Hz, double brake_Nm,
+               double step_s = 1.0 / 19840)
+      : plant_(std::get<sim::PlantModel>(sim::make_model(plant)), step_s),
+        brake_Nm_(brake_Nm),
+        brake_(sim::index_of(plant.bodies, sim::rv_parts::brake)) {
+    plant_.set_input(0, supply_Hz);
   }
+  explicit SteppedTrain(const RvTrainSpec& spec)
+      : SteppedTrain(rv_plant(spec), spec.supply_Hz, spec.brake_coulomb_Nm, spec.step_s) {}
 
   void step() {
-    const double brake_speed_rad_s = plant_.state().v[5];
-    plant_.set_input(1, spec_.brake_coulomb_Nm * sim::creeping_sign(brake_speed_rad_s, 0.05));
+    plant_.set_input(1, brake_Nm_ * sim::creeping_sign(plant_.state().v[brake_], 0.05));
     plant_.step();
   }
   sim::Plant& plant() { return plant_; }
   const sim::Plant& plant() const { return plant_; }
 
  private:
-  RvTrainSpec spec_;
   sim::Plant plant_;
+  double brake_Nm_;
+  int brake_;
 };
 
 }  // namespace rvbench::test
