@@ -9,7 +9,7 @@
 namespace rvbench::sim {
 namespace {
 
-// Of the way towards the friction's own speed that one explicit step may go: from 1 on it swings.
+// By how much of a speed friction may brake in one step: from 1 on Adams-Bashforth is unstable.
 constexpr double resolved = 0.25;
 
 std::vector<int> all_bodies(const PlantModel& model) {
@@ -39,14 +39,15 @@ Plant::Plant(PlantModel model, double step_s)
     : model_(checked(std::move(model), step_s)),
       step_s_(step_s),
       contacts_(steep_frictions(), all_bodies(model_)),
-      state_(start_of(model_)) {
+      state_(start_of(model_)),
+      states_(2 * model_.inertia.size() + model_.memory_size),
+      rates_(model_.inertia.size() + model_.memory_size) {
   sort_terms();
   set_flow();
-  const Eigen::Index n = model_.inertia.size();
-  x_ = next_ = Eigen::VectorXd::Zero(2 * n + model_.memory_size);
-  x_.head(n) = model_.start_position;
-  x_.segment(n, n) = model_.start_speed;
-  r_ = r_before_ = foreseen_ = Eigen::VectorXd::Zero(n + model_.memory_size);
+  y_ = Eigen::VectorXd::Zero(states_ + 2 * rates_);
+  y_.head(states_) << state_.q, state_.v, state_.z;
+  next_ = Eigen::VectorXd::Zero(states_);
+  foreseen_ = Eigen::VectorXd::Zero(rates_);
 }
 
 // What is 0 at the start depends on the state: it may become anything.
@@ -84,16 +85,16 @@ void Plant::set_flow() {
   Eigen::MatrixXd damping = Eigen::MatrixXd::Zero(n, n);
   for (const auto& term : model_.terms) term->add_linear(stiffness, damping);
   const LinearBodies bodies(model_.inertia, stiffness, damping);
-  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 * n + m, 2 * n + m);
-  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(2 * n + m, n + m);
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(states_, states_);
+  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(states_, rates_);
   a.topLeftCorner(2 * n, 2 * n) = bodies.a;
   b.topLeftCorner(2 * n, n) = bodies.b;
   b.bottomRightCorner(m, m).setIdentity();
-  LinearFlow flow(a, b, step_s_);
+  const LinearFlow flow(a, b, step_s_);
   contacts_.set_step(flow.gamma0);
-  phi_ = std::move(flow.phi);
-  gamma0_ = std::move(flow.gamma0);
-  gamma1_ = std::move(flow.gamma1);
+  gamma0_ = flow.gamma0;
+  flow_.resize(states_, states_ + 2 * rates_);
+  flow_ << flow.phi, flow.gamma0 + flow.gamma1, -flow.gamma1;
 }
 
 void Plant::set_input(std::size_t i, double value) {
@@ -101,49 +102,43 @@ void Plant::set_input(std::size_t i, double value) {
   state_.u[static_cast<Eigen::Index>(i)] = tap.gain * value + tap.offset;
 }
 
-void Plant::load() {
+void Plant::load(const Eigen::VectorXd& x) {
   const Eigen::Index n = state_.q.size();
-  state_.q = x_.head(n);
-  state_.v = x_.segment(n, n);
-  state_.z = x_.tail(state_.z.size());
+  state_.q = x.head(n);
+  state_.v = x.segment(n, n);
+  state_.z = x.segment(2 * n, state_.z.size());
 }
 
 void Plant::read_remainder() {
-  const Eigen::Index n = state_.q.size();
-  r_.setZero();
-  auto forces = r_.head(n);
+  auto r = y_.segment(states_, rates_);
+  r.setZero();
   for (std::size_t i = 0; i < model_.pushed.size(); ++i) {
     const int body = model_.pushed[i];
-    if (body >= 0) forces[body] += state_.u[static_cast<Eigen::Index>(i)];
+    if (body >= 0) r[body] += state_.u[static_cast<Eigen::Index>(i)];
   }
-  for (const PhysicsTerm* term : smooth_) term->add_remainder(state_, forces);
-  for (const TermMemory* memory : memories_) {
-    memory->add_rates(state_, r_.tail(state_.z.size()));
-  }
+  for (const PhysicsTerm* term : smooth_) term->add_remainder(state_, r.head(state_.q.size()));
+  for (const TermMemory* memory : memories_) memory->add_rates(state_, r.tail(state_.z.size()));
 }
 
 void Plant::step() {
+  y_.tail(rates_) = y_.segment(states_, rates_);
   read_remainder();
   if (steps_ == 0) {
-    r_before_ = r_;
+    y_.tail(rates_) = y_.segment(states_, rates_);
     contacts_.start(state_);
   }
-  next_.noalias() = phi_ * x_;
-  next_.noalias() += gamma0_ * r_;
-  next_.noalias() += gamma1_ * (r_ - r_before_);
+  next_.noalias() = flow_ * y_;
   if (!contacts_.empty()) {
     contacts_.read_limits(state_);
     foreseen_.setZero();
     contacts_.add_foreseen(foreseen_);
     next_.noalias() += gamma0_ * foreseen_;
+    load(next_);
+    contacts_.correct(state_, next_);
   }
-  x_.swap(next_);
-  r_before_.swap(r_);
+  y_.head(states_) = next_;
+  load(next_);
   state_.t_s = static_cast<double>(++steps_) * step_s_;
-  load();
-  if (contacts_.empty()) return;
-  contacts_.correct(state_, x_);
-  load();
 }
 
 double Plant::kinetic_energy_J() const { return 0.5 * model_.inertia.dot(state_.v.cwiseAbs2()); }

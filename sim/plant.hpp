@@ -38,8 +38,8 @@ class Plant {
 
   /// Adds `turns` to the coordinates. The caller vouches that no term can tell: whole periods.
   void shift(const Eigen::VectorXd& turns_rad) {
-    x_.head(turns_rad.size()) += turns_rad;
-    load();
+    y_.head(turns_rad.size()) += turns_rad;
+    load(y_);
   }
 
  private:
@@ -47,19 +47,19 @@ class Plant {
   void sort_terms();
   void set_flow();
   void read_remainder();
-  void load();
+  void load(const Eigen::VectorXd& x);
 
   PlantModel model_;
   double step_s_;
   std::vector<const PhysicsTerm*> smooth_;  ///< with a remainder that no contact carries
   std::vector<const TermMemory*> memories_;
   DryContacts contacts_;
-  Eigen::MatrixXd phi_;     ///< exp(A·h)
-  Eigen::MatrixXd gamma0_;  ///< ∫ exp(A·s) ds · B
-  Eigen::MatrixXd gamma1_;  ///< the same, weighted with s/h: answers the slope of r
   PlantState state_;
-  Eigen::VectorXd x_, next_;  ///< [q; v; z]
-  Eigen::VectorXd r_, r_before_, foreseen_;
+  Eigen::Index states_, rates_;  ///< sizes of [q; v; z], and of r: forces, then rates of z
+  Eigen::VectorXd y_;            ///< [q; v; z], r, r of the step before
+  Eigen::MatrixXd flow_;         ///< one step on: [q; v; z] = flow·y
+  Eigen::MatrixXd gamma0_;       ///< how a constant force over a step answers
+  Eigen::VectorXd next_, foreseen_;
   long steps_ = 0;
 };
 

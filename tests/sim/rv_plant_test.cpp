@@ -5,7 +5,7 @@
 #include <cmath>
 #include <complex>
 
-#include "sim/rv_train.hpp"
+#include "sim/rv_bench.hpp"
 #include "tests/sim/plant_texts.hpp"
 #include "tests/sim/rv_train.hpp"
 
@@ -231,6 +231,27 @@ SCENARIO("a plant that the simulated bench cannot run is told what it lacks", "[
         "/terms/4: planet_mesh: sun_teeth must be a whole number >= 1\n");
   CHECK_THROWS_WITH(sim::RvTrain(plant, sim::draw_unit("healthy", 1), 1e-4),
                     Catch::Contains("cycloid_stage"));
+}
+
+TEST_CASE("the whole bench runs with three planets, from motor to accelerometers",
+          "[sim][rv_plant]") {
+  sim::RvBench bench(sim::draw_unit("planet_tooth", 3), with_three_planets(sim::rv20e_bench()));
+  CHECK(bench.train().meshes().size() == 3);
+  CHECK(bench.train().stages().size() == 3);
+  CHECK(bench.train().place_rad(2) - bench.train().place_rad(1) == Approx(two_pi / 3));
+  bench.set_supply(40, true);
+  bench.set_brake_torque(83.5);
+  Eigen::VectorXf scan(sim::RvBench::sensors);
+  float largest_m_s2 = 0;
+  for (int i = 0; i < 2 * 4960; ++i) {
+    bench.step(scan);
+    largest_m_s2 = std::max(largest_m_s2, scan.cwiseAbs().maxCoeff());
+  }
+  CHECK(bench.train().output_speed_rad_s() ==
+        Approx(bench.train().input_speed_rad_s() / 121).epsilon(0.01));
+  CHECK(scan.allFinite());
+  CHECK(largest_m_s2 > 0.1);
+  CHECK(largest_m_s2 < 100);  // a tenth of the sensors' range
 }
 
 SCENARIO("angles are wrapped by whole output turns, unless a part of the plant keeps count",
