@@ -4,6 +4,7 @@
 
 #include "sim/plant_check.hpp"
 #include "sim/plant_files.hpp"
+#include "sim/plant_model.hpp"
 #include "sim/plant_words.hpp"
 
 namespace rvbench::sim {
@@ -161,6 +162,12 @@ PlantOrFaults parse_plant(ConfigReader root, const TermLibrary& library) {
   const std::vector<hal::ConfigFault> syntax = root.faults();
   for (const hal::ConfigFault& fault : check_plant(plant, library)) {
     if (!noted_around(syntax, fault.pointer)) note_at(root, fault.pointer, fault.message);
+  }
+  if (root.faults().empty()) {
+    const auto made = make_model(plant, library);  // terms look at their values together
+    if (const auto* fault = std::get_if<hal::ConfigFault>(&made)) {
+      note_at(root, fault->pointer, fault->message);
+    }
   }
   if (!root.faults().empty()) return root.faults();
   return plant;

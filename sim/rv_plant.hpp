@@ -24,6 +24,7 @@ const PlantSpec& rv20e_bench();
 /// What keeps the simulated bench from running this plant: it needs the bodies and inputs above and
 /// no other inputs, an induction_motor, a planet_mesh and a cycloid_stage for each planet, and a
 /// term between motor and input shaft and one between carrier and brake, whose torques it measures.
+/// The plant's outputs are no part of that: the bench has sensors of its own.
 /// @return no faults if it can be run
 std::vector<hal::ConfigFault> rv_plant_faults(const PlantSpec& plant);
 

@@ -229,6 +229,12 @@ SCENARIO("a plant that the simulated bench cannot run is told what it lacks", "[
   CHECK(fault_of(plant) == "/terms: the bench needs a cycloid_stage of \"planet_2\"\n");
   CHECK(fault_of(with(sim::rv20e_bench(), "mesh_1", "sun_teeth", 9.5)) ==
         "/terms/4: planet_mesh: sun_teeth must be a whole number >= 1\n");
+  const auto file = hal::ConfigReader::from_text(
+      sim::write_plant(with(sim::rv20e_bench(), "mesh_1", "sun_teeth", 9.5)), "plant.json");
+  const auto read = sim::parse_plant(file);  // by whatever command
+  REQUIRE(read.index() == 1);
+  CHECK(std::get<1>(read).front().pointer == "/terms/4");
+  CHECK(std::get<1>(read).front().line > 1);
   CHECK_THROWS_WITH(sim::RvTrain(plant, sim::draw_unit("healthy", 1), 1e-4),
                     Catch::Contains("cycloid_stage"));
 }
