@@ -260,32 +260,6 @@ TEST_CASE("the whole bench runs with three planets, from motor to accelerometers
   CHECK(largest_m_s2 < 100);  // a tenth of the sensors' range
 }
 
-SCENARIO("angles are wrapped by whole output turns, unless a part of the plant keeps count",
-         "[sim][rv_plant]") {
-  const auto turned = [](const sim::PlantSpec& plant) {
-    sim::RvTrain train(plant, sim::draw_unit("healthy", 1), 1.0 / 19840);
-    train.set_supply(100, true);
-    double before_rad = 0, torque_Nm = 0, largest_jump_Nm = 0;
-    bool goes_on = true;
-    for (int i = 0; i < 6 * 19840; ++i) {
-      train.step();
-      torque_Nm = train.input_torque_Nm();
-      train.wrap();
-      largest_jump_Nm = std::max(largest_jump_Nm, std::abs(train.input_torque_Nm() - torque_Nm));
-      goes_on = goes_on && train.input_angle_rad() > before_rad - 1e-3;
-      before_rad = train.input_angle_rad();
-    }
-    CHECK(goes_on);
-    CHECK(before_rad > 2 * 121 * two_pi);
-    CHECK(largest_jump_Nm < 1e-8);
-    return train.shaft_angle_rad();
-  };
-  CHECK(turned(sim::rv20e_bench()) < 121 * two_pi + 1);
-  const auto counting = sim::with_effect(sim::rv20e_bench(), "cubic_stiffness", {.body_a = "brake"},
-                                         {{"stiffness", {1e-3, "N·m/rad³"}}});
-  CHECK(turned(counting) > 2 * 121 * two_pi);
-}
-
 SCENARIO("the rig's stepper runs what an explanation may add", "[sim][rv_plant]") {
   const auto mean_Nm = [](const sim::PlantSpec& plant) {
     test::SteppedTrain train(plant, 40, 83.5);

@@ -1,11 +1,11 @@
-#include "tests/sim/rv_train.hpp"
+#include "sim/rv_train.hpp"
 
 #include <boost/numeric/odeint.hpp>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
-#include "analysis/spectrum.hpp"
+#include "tests/sim/rv_train.hpp"
 
 using namespace rvbench;
 
@@ -146,4 +146,30 @@ TEST_CASE("the train moves as an independent integrator says", "[sim][plant][lit
   CHECK(of_coarse.speed_rad_s < 4 * 2e-6 / 5.3e-3 * 9 * 125 / 40);
   // By halving the step one finds the order: nearer to the two that Plant promises than to one.
   CHECK(std::log2(of_coarse.angle_rad / of_fine.angle_rad) > 1.5);
+}
+
+SCENARIO("angles are wrapped by whole output turns, unless a part of the plant keeps count",
+         "[sim][plant]") {
+  const auto turned = [](const sim::PlantSpec& plant) {
+    sim::RvTrain train(plant, sim::draw_unit("healthy", 1), 1.0 / 19840);
+    train.set_supply(100, true);
+    double before_rad = 0, torque_Nm = 0, largest_jump_Nm = 0;
+    bool goes_on = true;
+    for (int i = 0; i < 6 * 19840; ++i) {
+      train.step();
+      torque_Nm = train.input_torque_Nm();
+      train.wrap();
+      largest_jump_Nm = std::max(largest_jump_Nm, std::abs(train.input_torque_Nm() - torque_Nm));
+      goes_on = goes_on && train.input_angle_rad() > before_rad - 1e-3;
+      before_rad = train.input_angle_rad();
+    }
+    CHECK(goes_on);
+    CHECK(before_rad > 2 * 121 * two_pi);
+    CHECK(largest_jump_Nm < 1e-8);
+    return train.shaft_angle_rad();
+  };
+  CHECK(turned(sim::rv20e_bench()) < 121 * two_pi + 1);
+  const auto counting = sim::with_effect(sim::rv20e_bench(), "cubic_stiffness", {.body_a = "brake"},
+                                         {{"stiffness", {1e-3, "N·m/rad³"}}});
+  CHECK(turned(counting) > 2 * 121 * two_pi);
 }
