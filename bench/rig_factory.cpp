@@ -9,6 +9,7 @@
 #include "hal/replay_rig.hpp"
 #include "hal/simulated_rig.hpp"
 #include "sim/bench_world.hpp"
+#include "sim/plant_json.hpp"
 #include "sim/preset_files.hpp"
 
 namespace rvbench::bench {
@@ -33,10 +34,26 @@ void schedule(sim::BenchWorld& world, const ScheduledFault& fault) {
   });
 }
 
+// The plant, or its faults at the key of the rig file that names it.
+std::variant<sim::PlantSpec, std::vector<hal::ConfigFault>> plant_of(const SimRig& rig) {
+  auto read = sim::read_plant(rig.plant);
+  const auto* plant = std::get_if<sim::PlantSpec>(&read);
+  std::vector<hal::ConfigFault> faults;
+  for (const hal::ConfigFault& fault :
+       plant == nullptr ? std::get<1>(read) : sim::rv_plant_faults(*plant)) {
+    faults.push_back({0, "/plant", hal::describe(rig.plant, fault)});
+  }
+  if (!faults.empty()) return faults;
+  return *plant;
+}
+
 Made make(const SimRig& rig) {
+  const auto plant = plant_of(rig);
+  if (plant.index() == 1) return std::get<1>(plant);
   try {
     auto world = std::make_unique<sim::BenchWorld>(
-        rig.preset, rig.seed, sim::InverterParameters{.comm_loss_timeout_s = rig.watchdog_s});
+        rig.preset, rig.seed, sim::InverterParameters{.comm_loss_timeout_s = rig.watchdog_s},
+        std::get<0>(plant));
     for (const ScheduledFault& fault : rig.faults) schedule(*world, fault);
     const hal::SimulatedRigOptions options{.torque_rate_Hz = world->transducer().rate_Hz()};
     return hal::make_simulated_rig(std::move(world), options);
@@ -57,11 +74,8 @@ nlohmann::ordered_json to_json(const SimRig& rig) {
   for (const ScheduledFault& fault : rig.faults) {
     faults.push_back({{"at_s", fault.at_s}, {"device", fault.device}, {"fault", fault.fault}});
   }
-  return {{"rig", "sim"},
-          {"preset", rig.preset},
-          {"seed", rig.seed},
-          {"watchdog_s", rig.watchdog_s},
-          {"faults", faults}};
+  return {{"rig", "sim"},       {"preset", rig.preset},         {"seed", rig.seed},
+          {"plant", rig.plant}, {"watchdog_s", rig.watchdog_s}, {"faults", faults}};
 }
 
 nlohmann::ordered_json to_json(const ReplayRig& rig) {
@@ -83,9 +97,11 @@ Made make_rig(const std::string& rig, const RigOptions& options) {
 std::vector<hal::ConfigFault> check_rig(const std::string& file) {
   auto rig = read_rig(file, {});
   if (rig.index() == 1) return std::get<1>(std::move(rig));
-  const auto* replay = std::get_if<ReplayRig>(&std::get<0>(rig));
-  if (replay == nullptr) return {};
-  Made made = make(*replay);  // its recording may be missing, or none
+  if (const auto* simulated = std::get_if<SimRig>(&std::get<0>(rig))) {
+    auto plant = plant_of(*simulated);
+    return plant.index() == 1 ? std::get<1>(std::move(plant)) : std::vector<hal::ConfigFault>{};
+  }
+  Made made = make(std::get<ReplayRig>(std::get<0>(rig)));  // its recording may be missing, or none
   return made.index() == 1 ? std::get<1>(std::move(made)) : std::vector<hal::ConfigFault>{};
 }
 

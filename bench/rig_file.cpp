@@ -26,6 +26,7 @@ SimRig read_sim(hal::ConfigReader& root, const RigOptions& options) {
     if (seed != std::floor(seed)) root.fault("seed", "expected a whole number");
     sim.seed = static_cast<std::uint64_t>(seed);
   }
+  sim.plant = root.text("plant", sim.plant);
   sim.watchdog_s = root.number("watchdog_s", {0, 100}, sim.watchdog_s);
   for (hal::ConfigReader& entry : root.objects("faults", false)) {
     sim.faults.push_back(

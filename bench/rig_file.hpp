@@ -19,7 +19,8 @@ struct ScheduledFault {
 struct SimRig {
   std::string preset;
   std::uint64_t seed = 1;
-  double watchdog_s = 1;  ///< of the inverter; 0 = off
+  std::string plant = "rv20e_bench";  ///< shipped, or a plant file: what turns, as on the drawing
+  double watchdog_s = 1;              ///< of the inverter; 0 = off
   std::vector<ScheduledFault> faults;
 };
 

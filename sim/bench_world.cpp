@@ -35,8 +35,8 @@ std::vector<ChannelInfo> triaxial_channels() {
 }  // namespace
 
 BenchWorld::BenchWorld(const std::string& preset, std::uint64_t seed,
-                       const InverterParameters& inverter)
-    : plant_(draw_unit(preset, seed)),
+                       const InverterParameters& inverter, const PlantSpec& plant)
+    : plant_(draw_unit(preset, seed), plant),
       inverter_(inverter),
       server_(inverter_),
       channels_(triaxial_channels()),

@@ -20,9 +20,10 @@ namespace rvbench::sim {
 /// Threads  one caller at a time; the inverter's server has a thread of its own
 class BenchWorld final : public hal::PlantPort {
  public:
-  /// @throws std::invalid_argument if there is no such preset
-  BenchWorld(const std::string& preset, std::uint64_t seed,
-             const InverterParameters& inverter = {});
+  /// @param plant  what turns, as on the drawing; the seed draws how this unit deviates from it
+  /// @throws std::invalid_argument if there is no such preset, or the bench cannot run the plant
+  BenchWorld(const std::string& preset, std::uint64_t seed, const InverterParameters& inverter = {},
+             const PlantSpec& plant = rv20e_bench());
 
   double now_s() const override { return now_s_; }
   void advance_to(double time_s) override;

@@ -24,12 +24,9 @@ Eigen::VectorXd direction_of(Axis axis, const std::vector<int>& free) {
 
 }  // namespace
 
-DryContacts::DryContacts(const std::vector<std::unique_ptr<PhysicsTerm>>& terms,
-                         const std::vector<int>& free)
+DryContacts::DryContacts(const std::vector<const DryFriction*>& terms, const std::vector<int>& free)
     : free_bodies_(static_cast<Eigen::Index>(free.size())) {
-  for (const auto& term : terms) {
-    const auto* dry = dynamic_cast<const DryFriction*>(term.get());
-    if (dry == nullptr) continue;
+  for (const DryFriction* dry : terms) {
     const Axis axis = dry->axis();
     auto contact = std::find_if(contacts_.begin(), contacts_.end(), [axis](const Contact& c) {
       return c.axis.body_a == axis.body_a && c.axis.body_b == axis.body_b;

@@ -1,14 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <memory>
 #include <vector>
 
 #include "sim/terms/dry_friction.hpp"
 
 namespace rvbench::sim {
 
-/// The dry friction between the bodies of a plant, solved for stick and slip.
+/// Dry friction between the bodies of a plant, solved for stick and slip.
 ///
 /// All friction along one axis is one contact with one speed u. Over a step the contact's force S
 /// shifts the speeds at the step's end by −G·S; it is the solution of
@@ -20,7 +19,7 @@ class DryContacts {
  public:
   /// Terms on an axis without a free body are none of its business.
   /// @param free  bodies that move freely, in the order of the state
-  DryContacts(const std::vector<std::unique_ptr<PhysicsTerm>>& terms, const std::vector<int>& free);
+  DryContacts(const std::vector<const DryFriction*>& terms, const std::vector<int>& free);
 
   bool empty() const { return contacts_.empty(); }
   /// @param gamma  how the state [q; v; ...] answers a constant force on each free body

@@ -10,6 +10,15 @@ namespace {
 
 constexpr double out_of_bounds = 1e9;
 
+std::vector<const DryFriction*> dry_frictions(const PlantModel& model) {
+  std::vector<const DryFriction*> dry;
+  for (const auto& term : model.terms) {
+    if (const auto* friction = dynamic_cast<const DryFriction*>(term.get()))
+      dry.push_back(friction);
+  }
+  return dry;
+}
+
 std::vector<int> free_bodies(const PlantModel& model) {
   std::vector<int> free;
   for (int body = 0; body < model.inertia.size(); ++body) {
@@ -38,7 +47,7 @@ FourStage::FourStage(const PlantModel& model, double step_s)
     : model_(model),
       step_s_(step_s),
       free_(free_bodies(model)),
-      contacts_(model.terms, free_),
+      contacts_(dry_frictions(model), free_),
       accelerations_(model.prescribed.size()) {
   for (const auto& term : model.terms) {
     const bool dry = dynamic_cast<const DryFriction*>(term.get()) != nullptr;

@@ -4,6 +4,7 @@
 
 #include "sim/plant_check.hpp"
 #include "sim/plant_files.hpp"
+#include "sim/plant_model.hpp"
 #include "sim/plant_words.hpp"
 
 namespace rvbench::sim {
@@ -52,6 +53,7 @@ BodySpec read_body(ConfigReader& at) {
   body.inertia = read_quantity(inertia);
   body.start_position = at.number(turns ? "start_angle_rad" : "start_position_m", any, 0);
   body.start_speed = at.number(turns ? "start_speed_rad_s" : "start_speed_m_s", any, 0);
+  body.about = at.text("about", "");
   return body;
 }
 
@@ -68,6 +70,7 @@ TermSpec read_term(ConfigReader& at, const PlantSpec& plant, const TermLibrary& 
   term.name = at.text("name", term.type);
   term.body_a = at.text("body_a");
   term.body_b = at.text("body_b", term.body_b);
+  term.about = at.text("about", "");
   if (auto parameters = at.optional_object("parameters")) {
     for (auto& [name, quantity] : parameters->members()) {
       term.parameters[name] = read_quantity(quantity);
@@ -159,6 +162,12 @@ PlantOrFaults parse_plant(ConfigReader root, const TermLibrary& library) {
   const std::vector<hal::ConfigFault> syntax = root.faults();
   for (const hal::ConfigFault& fault : check_plant(plant, library)) {
     if (!noted_around(syntax, fault.pointer)) note_at(root, fault.pointer, fault.message);
+  }
+  if (root.faults().empty()) {
+    const auto made = make_model(plant, library);  // terms look at their values together
+    if (const auto* fault = std::get_if<hal::ConfigFault>(&made)) {
+      note_at(root, fault->pointer, fault->message);
+    }
   }
   if (!root.faults().empty()) return root.faults();
   return plant;

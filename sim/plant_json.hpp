@@ -18,7 +18,7 @@ using PlantOrFaults = std::variant<PlantSpec, std::vector<hal::ConfigFault>>;
 /// @return the plant, or every fault of the file
 PlantOrFaults parse_plant(hal::ConfigReader root, const TermLibrary& library = standard_terms());
 
-/// A shipped plant ("emps", "silverbox", "ur10e_joint"), or one from a path.
+/// A shipped plant ("emps", "rv20e_bench", "silverbox", "ur10e_joint"), or one from a path.
 PlantOrFaults read_plant(const std::string& name_or_path,
                          const TermLibrary& library = standard_terms());
 

@@ -29,6 +29,7 @@ struct BodySpec {
   Quantity inertia;           ///< kg or kg·m²
   double start_position = 0;  ///< m or rad
   double start_speed = 0;     ///< m/s or rad/s
+  std::string about = {};     ///< where its numbers come from
 };
 
 struct TermSpec {
@@ -38,6 +39,7 @@ struct TermSpec {
   std::string body_b = std::string(housing_name);
   std::string reference;  ///< the input, term or body that the type asks for; "" if none
   Parameters parameters;
+  std::string about = {};  ///< where its numbers come from
 };
 
 enum class InputKind { force, signal, position, speed, acceleration };

@@ -25,7 +25,8 @@ ordered_json json_of(const BodySpec& body) {
           {"motion", word_of(motion_words, body.motion)},
           {turns ? "inertia" : "mass", json_of(body.inertia)},
           {turns ? "start_angle_rad" : "start_position_m", body.start_position},
-          {turns ? "start_speed_rad_s" : "start_speed_m_s", body.start_speed}};
+          {turns ? "start_speed_rad_s" : "start_speed_m_s", body.start_speed},
+          {"about", body.about}};
 }
 
 ordered_json json_of(const TermSpec& term, const TermLibrary& library) {
@@ -37,6 +38,7 @@ ordered_json json_of(const TermSpec& term, const TermLibrary& library) {
   }
   json["parameters"] = ordered_json::object();
   for (const auto& [name, quantity] : term.parameters) json["parameters"][name] = json_of(quantity);
+  json["about"] = term.about;
   return json;
 }
 

@@ -10,10 +10,10 @@ constexpr double settling_s = 1;            // 18 time constants of the slowest 
 
 }  // namespace
 
-RvBench::RvBench(const RvUnit& unit)
+RvBench::RvBench(const RvUnit& unit, const PlantSpec& plant)
     : unit_(unit),
-      train_(unit, 1 / (rate_Hz * substeps)),
-      contacts_(unit, halves * rate_Hz),
+      train_(plant, unit, 1 / (rate_Hz * substeps)),
+      contacts_(unit, train_, halves * rate_Hz),
       housing_(unit.modes, halves * rate_Hz),
       decimator_(sensors),
       accelerations_(Eigen::VectorXd::Zero(halves * sensors)),

@@ -20,7 +20,8 @@ class RvBench {
   static constexpr double rate_Hz = 4960;  ///< of the article's DAQ, with four triaxial sensors
   static constexpr int sensors = 12;
 
-  explicit RvBench(const RvUnit& unit);
+  /// @throws std::invalid_argument if the bench cannot run the plant: see rv_plant_faults()
+  explicit RvBench(const RvUnit& unit, const PlantSpec& plant = rv20e_bench());
 
   void set_supply(double frequency_Hz, bool enabled) { train_.set_supply(frequency_Hz, enabled); }
   void set_brake_torque(double torque_Nm) { train_.set_brake_torque(torque_Nm); }

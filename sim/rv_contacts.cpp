@@ -5,7 +5,6 @@
 
 #include "hal/types/units.hpp"
 #include "sim/draw.hpp"
-#include "sim/rv_20e.hpp"
 
 namespace rvbench::sim {
 namespace {
@@ -36,7 +35,7 @@ constexpr double blow_N_per_N_um = 4e-4;
 constexpr int sun_roughness_harmonics = 8;  // as 1/√h: one tooth of nine, rounded by the contact
 // A bad flank is felt somewhat longer than its tooth is in mesh; a disc's load zone leans on a pin
 // over half a radian: assumed.
-constexpr double bad_flank_width_rad = 1.3 * two_pi / rv_20e::planet_teeth;
+constexpr double bad_flank_width_teeth = 1.3;
 constexpr double bad_pin_width_rad = 0.5;
 constexpr double heard_swing = 0.3;  // a mesh near the port's side over one far from it: assumed
 constexpr double pressure_angle_rad = 0.35;  // 20°
@@ -46,7 +45,7 @@ Eigen::Vector2d direction(double angle_rad) { return {std::cos(angle_rad), std::
 
 }  // namespace
 
-RvContacts::RvContacts(const RvUnit& unit, double rate_Hz)
+RvContacts::RvContacts(const RvUnit& unit, const RvTrain& train, double rate_Hz)
     : unit_(unit),
       step_s_(1 / rate_Hz),
       spall_({.slip = unit.bearing_slip,
@@ -54,7 +53,8 @@ RvContacts::RvContacts(const RvUnit& unit, double rate_Hz)
              unit.noise_seed + 1),
       forces_N_(Eigen::VectorXd::Zero(ports::count)) {
   const RvDeviations& d = unit.deviations;
-  bad_flank_.add_bump(unit.phases_rad[phase_of::planet_bad_tooth], bad_flank_width_rad,
+  bad_flank_.add_bump(unit.phases_rad[phase_of::planet_bad_tooth],
+                      bad_flank_width_teeth * two_pi / train.meshes().front()->planet_teeth(),
                       flank_roughness_per_um * d.planet_bad_tooth_um);
   bad_pin_.add_bump(unit.phases_rad[phase_of::bad_pin], bad_pin_width_rad, d.bad_pin_um);
   for (int h = 1; h <= sun_roughness_harmonics; ++h) {
@@ -66,16 +66,17 @@ RvContacts::RvContacts(const RvUnit& unit, double rate_Hz)
     return ContactNoise(gain * unit.noise_level_factor, unit.noise_colour, seeds.seed());
   };
   for (int i = 0; i < 3; ++i) bearing_noise_.push_back(noise(bearing_noise_gain));
-  for (int k = 0; k < unit.planets; ++k) mesh_noise_.push_back(noise(mesh_noise_gain));
+  const std::size_t planets = train.meshes().size();
+  for (std::size_t k = 0; k < planets; ++k) mesh_noise_.push_back(noise(mesh_noise_gain));
   for (int disc = 0; disc < 2; ++disc) pin_noise_.push_back(noise(pin_noise_gain));
-  for (int k = 0; k < unit.planets; ++k) crank_noise_.push_back(noise(crank_noise_gain));
+  for (std::size_t k = 0; k < planets; ++k) crank_noise_.push_back(noise(crank_noise_gain));
 }
 
 const Eigen::VectorXd& RvContacts::forces_N(const RvTrain& train) {
   const double speed_ratio = train.input_speed_rad_s() / reference_speed_rad_s;
   forces_N_.setZero();
   const Eigen::Vector2d sun_load_N = add_sun_meshes(train, speed_ratio);
-  add_input_bearing(train.state().q[1], speed_ratio, sun_load_N);
+  add_input_bearing(train.shaft_angle_rad(), speed_ratio, sun_load_N);
   add_pin_shell(train, speed_ratio);
   add_crank_bearings(train, speed_ratio);
   return forces_N_;
@@ -131,6 +132,7 @@ Eigen::Vector2d RvContacts::add_sun_meshes(const RvTrain& train, double speed_ra
 // time a disc's load zone passes it.
 void RvContacts::add_pin_shell(const RvTrain& train, double speed_ratio) {
   const PlantState& s = train.state();
+  const double radius_m = train.stages().front()->params().pin_circle_radius_m;
   double torque_Nm = 0;
   for (const CycloidStage* stage : train.stages()) torque_Nm += stage->torque_Nm(s);
   const double orbit_rad = train.stages()[0]->orbit_angle_rad(s);
@@ -142,7 +144,7 @@ void RvContacts::add_pin_shell(const RvTrain& train, double speed_ratio) {
         1 + wander_per_um * unit_.deviations.crank_error_um *
                 (std::cos(orbit_rad + unit_.phases_rad[phase_of::crank_error]) +
                  std::cos(crank_rad + 2 * unit_.phases_rad[phase_of::crank_error]));
-    const double load_N = share * torque_Nm / rv_20e::pin_circle_radius_m * wander;
+    const double load_N = share * torque_Nm / radius_m * wander;
     const double proud_um = bad_pin_(zone_rad);
     const double noise_N = pin_noise_[static_cast<std::size_t>(disc)].force_N(
         load_N * (1 + pin_roughness_per_um * proud_um), speed_ratio);
@@ -156,7 +158,8 @@ void RvContacts::add_crank_bearings(const RvTrain& train, double speed_ratio) {
   const PlantState& s = train.state();
   for (std::size_t k = 0; k < train.stages().size(); ++k) {
     const double place_rad = train.place_rad(k);
-    const double load_N = train.stages()[k]->torque_Nm(s) / rv_20e::pin_circle_radius_m;
+    const CycloidStage& stage = *train.stages()[k];
+    const double load_N = stage.torque_Nm(s) / stage.params().pin_circle_radius_m;
     double force_N = crank_noise_[k].force_N(load_N, speed_ratio);
     if (static_cast<int>(k) == unit_.marked_planet) {
       force_N += spall_.force_N(train.crank_angle_rad(k), load_N, step_s_);

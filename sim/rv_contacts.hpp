@@ -20,8 +20,8 @@ namespace rvbench::sim {
 /// Source: Mark, J. Acoust. Soc. Am. 63, 1409-1430 (1978), for noise that follows the force
 class RvContacts {
  public:
-  /// @param rate_Hz  at which forces_N() is called
-  RvContacts(const RvUnit& unit, double rate_Hz);
+  /// @param train  the one of forces_N()  @param rate_Hz  at which forces_N() is called
+  RvContacts(const RvUnit& unit, const RvTrain& train, double rate_Hz);
 
   /// Forces at the ports [N] (see sim::ports) while the train is in this state; one step of noise.
   const Eigen::VectorXd& forces_N(const RvTrain& train);

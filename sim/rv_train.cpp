@@ -1,194 +1,150 @@
 #include "sim/rv_train.hpp"
 
+#include <Eigen/LU>
 #include <cmath>
+#include <stdexcept>
 
 #include "hal/types/units.hpp"
-#include "sim/rv_20e.hpp"
+#include "sim/named.hpp"
 
 namespace rvbench::sim {
 namespace {
 
 using units::two_pi;
 
-// A 0.75 kW four-pole motor on a 230 V inverter, at rated 5 N·m: by Kloss's formula these give a
-// rated slip of 3.3 %, of the article's 2.3 to 3.0 % below nominal speed. Ripple: assumed.
-constexpr double pull_out_torque_Nm = 12;  // 2.4 times rated: assumed, as usual for such motors
-constexpr double pull_out_slip = 0.15;
-constexpr double torque_ripple = 0.02;
-
-// Coupling and transducer in series: assumed, of the order of a small jaw coupling.
-constexpr double coupling_stiffness_Nm_rad = 600;
-constexpr double coupling_damping_Nms_rad = 0.05;
-
-// No-load running torque at the input: assumed. Together 0.25 N·m at 1815 rpm.
-constexpr double coulomb_Nm = 0.15;
-constexpr double viscous_Nms_rad = 5e-4;
-constexpr double creep_speed_rad_s = 2;
-
-// ISO 6336-1: 14 N/(mm·µm) for steel, times a face width of 5.7 mm, which is assumed.
-constexpr double mesh_stiffness_N_m = 8e7;
-// A tenth of critical against the mesh's reduced mass of 76 g; Kasuba & Evans, J. Mech. Des. 103,
-// 398-409 (1981), have 3 to 17 % for spur gears.
-constexpr double mesh_damping_Ns_m = 1000;
-// Share by which one and two pairs in contact differ, rounded by tip relief: assumed.
-constexpr double mesh_ripple = 0.08;
-constexpr int mesh_harmonics = 4;  // falling as 1/h: assumed
-
-// All cranks together: assumed, half of critical against the carrier.
-constexpr double cycloid_damping_Nms_rad = 80;
-
-// Flange and shaft to the brake: assumed.
-constexpr double output_stiffness_Nm_rad = 6e4;
-constexpr double output_damping_Nms_rad = 20;
-
-// Bearings of the brake, and the speed at which its dry friction changes sign: assumed.
-constexpr double brake_viscous_Nms_rad = 0.5;
+// The speed at which the brake's dry friction changes sign: assumed.
 constexpr double brake_creep_speed_rad_s = 0.05;
+constexpr double rounding = 1e-6;  // far above it, and far below what a turn would do to a term
 
-// Moments of inertia [kg·m²]: the motor's as in catalogues of its frame size (IEC 80); the others
-// assumed, as steel parts of the size that the RV-20E's housing leaves them.
-constexpr double motor_inertia_kg_m2 = 2e-3;
-constexpr double input_shaft_inertia_kg_m2 = 5e-5;
-constexpr double crank_inertia_kg_m2 = 2e-5;  // with its planet
-constexpr double carrier_inertia_kg_m2 = 0.03;
-constexpr double brake_inertia_kg_m2 = 0.3;
-
-template <typename Term>
-Term* add(std::vector<std::unique_ptr<PhysicsTerm>>& terms, Term term) {
-  auto owned = std::make_unique<Term>(std::move(term));
-  Term* raw = owned.get();
-  terms.push_back(std::move(owned));
-  return raw;
-}
-
-PlanetMesh planet_mesh(const RvUnit& unit, int k) {
-  const RvDeviations& d = unit.deviations;
-  const std::vector<double>& phase = unit.phases_rad;
-  const double profile_rad = phase[phase_of::mesh_profile];
-  PlanetMesh::Params mesh{.sun = 1,
-                          .carrier = 2 + unit.planets,
-                          .planet = 2 + k,
-                          .place_rad = two_pi * k / unit.planets,
-                          .sun_base_radius_m = rv_20e::sun_base_radius_m,
-                          .planet_base_radius_m = rv_20e::planet_base_radius_m,
-                          .stiffness_N_m = mesh_stiffness_N_m,
-                          .damping_Ns_m = mesh_damping_Ns_m,
-                          .sun_error_m = {},
-                          .planet_error_m = {},
-                          .stiffness_ripple = {}};
-  for (int h = 1; h <= mesh_harmonics; ++h) {
-    const int teeth = h * rv_20e::sun_teeth;
-    mesh.sun_error_m.add_cosine(teeth, d.mesh_profile_um * um / h, h * profile_rad);
-    mesh.stiffness_ripple.add_cosine(teeth, mesh_ripple / h, h * profile_rad + 1);
-    mesh.sun_error_m.add_cosine(h, d.sun_tooth_error_um * um / h,
-                                h * h * phase[phase_of::sun_tooth_error]);
+PlantModel model_of(const PlantSpec& plant) {
+  for (const hal::ConfigFault& fault : rv_plant_faults(plant)) {
+    throw std::invalid_argument("RvTrain: " + fault.pointer + ": " + fault.message);
   }
-  mesh.planet_error_m.add_cosine(1, d.planet_eccentricity_um * um,
-                                 phase[phase_of::planet_eccentricity] + mesh.place_rad);
-  if (k == unit.marked_planet) {
-    mesh.planet_error_m.add_bump(phase[phase_of::planet_bad_tooth],
-                                 two_pi / rv_20e::planet_teeth / 3, -d.planet_bad_tooth_um * um);
-  }
-  return PlanetMesh(std::move(mesh));
+  return std::get<PlantModel>(make_model(plant));
 }
 
-CycloidStage cycloid_stage(const RvUnit& unit, int k) {
-  const RvDeviations& d = unit.deviations;
-  const std::vector<double>& phase = unit.phases_rad;
-  CycloidStage::Params stage{.crank = 2 + k,
-                             .carrier = 2 + unit.planets,
-                             .pins = rv_20e::pins,
-                             .stiffness_Nm_rad = rv_20e::torsional_stiffness_Nm_rad / unit.planets,
-                             .damping_Nms_rad = cycloid_damping_Nms_rad / unit.planets,
-                             .error_rad = {}};
-  stage.error_rad.add_cosine(1, d.crank_error_um * um / rv_20e::pin_circle_radius_m,
-                             phase[phase_of::crank_error] + two_pi * k / unit.planets);
-  stage.error_rad.add_cosine(rv_20e::pins, d.pin_spread_um * um / rv_20e::pin_circle_radius_m,
-                             phase[phase_of::pin_spread]);
-  return CycloidStage(std::move(stage));
+// The motion that strains no spring, per turn of one body; empty if there is not just one.
+Eigen::VectorXd free_motion(const Plant& plant, int body) {
+  const Eigen::Index n = plant.state().q.size();
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n), damping = stiffness;
+  for (const auto& term : plant.terms()) term->add_linear(stiffness, damping);
+  const Eigen::FullPivLU<Eigen::MatrixXd> lu(stiffness);
+  if (lu.dimensionOfKernel() != 1) return {};
+  const Eigen::VectorXd motion = lu.kernel().col(0);
+  return motion / motion[body];
 }
 
-Eigen::VectorXd inertias_kg_m2(int planets) {
-  const int carrier = 2 + planets;
-  Eigen::VectorXd inertia = Eigen::VectorXd::Constant(4 + planets, crank_inertia_kg_m2);
-  inertia[0] = motor_inertia_kg_m2;
-  inertia[1] = input_shaft_inertia_kg_m2;
-  inertia[carrier] = carrier_inertia_kg_m2;
-  inertia[carrier + 1] = brake_inertia_kg_m2;
-  return inertia;
+// Whether a term pushes otherwise once everything has turned by this.
+bool can_tell(const PhysicsTerm& term, const PlantState& here, const Eigen::VectorXd& turn_rad) {
+  PlantState there = here;
+  there.q += turn_rad;
+  Eigen::VectorXd before = Eigen::VectorXd::Zero(here.q.size()), after = before;
+  term.add_force(here, before);
+  term.add_force(there, after);
+  return (after - before).norm() > rounding * before.norm();
 }
 
 }  // namespace
 
-RvTrain::RvTrain(const RvUnit& unit, double step_s) {
-  Terms terms;
-  add_input(unit, terms);
-  add_stages(unit, terms);
-  add_output(unit, terms);
-  plant_ = std::make_unique<Plant>(inertias_kg_m2(unit.planets), std::move(terms), step_s);
+RvTrain::RvTrain(const PlantSpec& plant, const RvUnit& unit, double step_s)
+    : RvTrain(model_of(as_built(plant, unit)), plant, step_s) {}
+
+RvTrain::RvTrain(PlantModel model, const PlantSpec& plant, double step_s)
+    : plant_(std::move(model), step_s),
+      motor_(index_of(plant.bodies, rv_parts::motor)),
+      input_shaft_(index_of(plant.bodies, rv_parts::input_shaft)),
+      carrier_(index_of(plant.bodies, rv_parts::carrier)),
+      brake_(index_of(plant.bodies, rv_parts::brake)),
+      supply_input_(static_cast<std::size_t>(index_of(plant.inputs, rv_parts::supply))),
+      brake_input_(static_cast<std::size_t>(index_of(plant.inputs, rv_parts::brake_torque))) {
+  for (const auto& term : plant_.terms()) {
+    if (auto* motor = dynamic_cast<InductionMotor*>(term.get())) motors_.push_back(motor);
+    if (auto* mesh = dynamic_cast<PlanetMesh*>(term.get())) meshes_.push_back(mesh);
+  }
+  find_stages();
+  coupling_ = joint_of(motor_, input_shaft_);
+  output_ = joint_of(carrier_, brake_);
+  find_output_turn();
+  set_supply(0, false);
 }
 
-void RvTrain::add_input(const RvUnit& unit, Terms& terms) {
-  motor_ = add(terms, InductionMotor({.body = 0,
-                                      .pull_out_torque_Nm = pull_out_torque_Nm,
-                                      .pull_out_slip = pull_out_slip * unit.motor_slip_factor,
-                                      .ripple = torque_ripple}));
-  coupling_ = add(terms, ShaftTorsion({.body_a = 0,
-                                       .body_b = 1,
-                                       .stiffness_Nm_rad = coupling_stiffness_Nm_rad,
-                                       .damping_Nms_rad = coupling_damping_Nms_rad}));
-  add(terms, Friction({.body = 1,
-                       .coulomb_Nm = coulomb_Nm * unit.friction_factor,
-                       .viscous_Nms_rad = viscous_Nms_rad * unit.friction_factor,
-                       .creep_speed_rad_s = creep_speed_rad_s}));
-}
-
-void RvTrain::add_stages(const RvUnit& unit, Terms& terms) {
-  for (int k = 0; k < unit.planets; ++k) {
-    meshes_.push_back(add(terms, planet_mesh(unit, k)));
-    stages_.push_back(add(terms, cycloid_stage(unit, k)));
+void RvTrain::find_stages() {
+  for (const PlanetMesh* mesh : meshes_) {
+    for (const auto& term : plant_.terms()) {
+      const auto* stage = dynamic_cast<const CycloidStage*>(term.get());
+      if (stage != nullptr && stage->params().crank == mesh->params().planet) {
+        stages_.push_back(stage);
+        break;
+      }
+    }
   }
 }
 
-void RvTrain::add_output(const RvUnit& unit, Terms& terms) {
-  const int carrier = 2 + unit.planets;
-  output_shaft_ = add(terms, ShaftTorsion({.body_a = carrier,
-                                           .body_b = carrier + 1,
-                                           .stiffness_Nm_rad = output_stiffness_Nm_rad,
-                                           .damping_Nms_rad = output_damping_Nms_rad}));
-  brake_ = add(terms, Friction({.body = carrier + 1,
-                                .viscous_Nms_rad = brake_viscous_Nms_rad,
-                                .creep_speed_rad_s = brake_creep_speed_rad_s}));
+RvTrain::Joint RvTrain::joint_of(int body_a, int body_b) const {
+  Joint joint;
+  for (const auto& term : plant_.terms()) {
+    const auto* between = dynamic_cast<const OneAxisTerm*>(term.get());
+    if (between == nullptr) continue;
+    const Axis axis = between->axis();
+    if (axis.body_a == body_a && axis.body_b == body_b) joint.emplace_back(between, 1);
+    if (axis.body_a == body_b && axis.body_b == body_a) joint.emplace_back(between, -1);
+  }
+  return joint;
+}
+
+double RvTrain::passed_Nm(const Joint& joint) const {
+  double torque_Nm = 0;
+  for (const auto& [term, sign] : joint) torque_Nm += sign * term->effort(state());
+  return torque_Nm;
+}
+
+void RvTrain::find_output_turn() {
+  const Eigen::VectorXd turns = free_motion(plant_, carrier_);
+  if (turns.size() == 0) return;
+  const Eigen::VectorXd whole = turns.array().round();
+  if ((turns - whole).cwiseAbs().maxCoeff() > rounding) return;
+  PlantState here = state();
+  here.q = Eigen::VectorXd::LinSpaced(here.q.size(), 0.1, 0.2);
+  for (const auto& term : plant_.terms()) {
+    if (can_tell(*term, here, two_pi * whole)) return;
+  }
+  output_turn_rad_ = two_pi * whole;
+}
+
+void RvTrain::set_supply(double frequency_Hz, bool enabled) {
+  plant_.set_input(supply_input_, frequency_Hz);
+  for (InductionMotor* motor : motors_) motor->switch_on(enabled);
 }
 
 void RvTrain::step() {
-  motor_->advance(plant_->step_s());
-  plant_->step();
+  plant_.set_input(brake_input_,
+                   brake_setpoint_Nm_ * creeping_sign(state().v[brake_], brake_creep_speed_rad_s));
+  plant_.step();
 }
 
 void RvTrain::wrap() {
-  const Eigen::VectorXd& q = plant_->state().q;
-  const Eigen::Index carrier = q.size() - 2;
-  if (std::abs(q[carrier]) < two_pi) return;
-  const double turns = std::trunc(q[carrier] / two_pi);
-  Eigen::VectorXd whole = Eigen::VectorXd::Constant(q.size(), rv_20e::pins);
-  whole[0] = whole[1] = rv_20e::gear_ratio;
-  whole[carrier] = whole[carrier + 1] = 1;
-  plant_->shift(-whole * turns * two_pi);
+  if (output_turn_rad_.size() == 0 || std::abs(state().q[carrier_]) < two_pi) return;
+  const double turns = std::trunc(state().q[carrier_] / two_pi);
+  plant_.shift(-turns * output_turn_rad_);
   wrapped_turns_ += turns;
 }
 
+double RvTrain::motor_torque_Nm() const {
+  double torque_Nm = 0;
+  for (const InductionMotor* motor : motors_) torque_Nm += motor->torque_Nm(state());
+  return torque_Nm;
+}
+
 double RvTrain::input_angle_rad() const {
-  return state().q[1] + wrapped_turns_ * rv_20e::gear_ratio * two_pi;
+  const double wrapped_rad =
+      output_turn_rad_.size() == 0 ? 0 : wrapped_turns_ * output_turn_rad_[input_shaft_];
+  return shaft_angle_rad() + wrapped_rad;
 }
 
 double RvTrain::crank_angle_rad(std::size_t k) const {
-  return state().q[2 + static_cast<Eigen::Index>(k)];
+  return meshes_[k]->planet_angle_rad(state());
 }
 
-double RvTrain::place_rad(std::size_t k) const {
-  return carrier_angle_rad() +
-         two_pi * static_cast<double>(k) / static_cast<double>(meshes_.size());
-}
+double RvTrain::place_rad(std::size_t k) const { return meshes_[k]->place_in_housing_rad(state()); }
 
 }  // namespace rvbench::sim

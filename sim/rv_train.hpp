@@ -1,63 +1,69 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "sim/plant.hpp"
-#include "sim/rv_unit.hpp"
+#include "sim/rv_plant.hpp"
 #include "sim/terms/cycloid_stage.hpp"
-#include "sim/terms/friction.hpp"
 #include "sim/terms/induction_motor.hpp"
 #include "sim/terms/planet_mesh.hpp"
-#include "sim/terms/shaft_torsion.hpp"
 
 namespace rvbench::sim {
 
-/// What turns on the bench: motor, coupling with transducer, the RV-20E's two stages, brake.
+/// What turns on the bench: a plant (see rv_plant_faults()) with motor, reducer and brake, driven
+/// by inverter and brake, measured by transducer and encoder.
 ///
-/// Bodies   0 motor, 1 input shaft with sun, 2.. one crank with planet each, carrier, brake
-/// Leaves out: temperature's effect on friction, backlash
+/// The brake is dry friction of the torque it is told: below a creep speed it gives less.
 class RvTrain {
  public:
-  RvTrain(const RvUnit& unit, double step_s);
+  /// @throws std::invalid_argument if the bench cannot run the plant, naming the first reason
+  RvTrain(const PlantSpec& plant, const RvUnit& unit, double step_s);
 
-  void set_supply(double frequency_Hz, bool enabled) { motor_->set_supply(frequency_Hz, enabled); }
-  void set_brake_torque(double torque_Nm) { brake_->set_coulomb_Nm(torque_Nm); }
+  void set_supply(double frequency_Hz, bool enabled);
+  void set_brake_torque(double torque_Nm) { brake_setpoint_Nm_ = torque_Nm; }
   void step();
 
-  /// Takes whole output turns out of the angles, which no term can tell: they stay precise over a
+  /// Takes whole output turns out of the angles, where no term can tell: they stay precise over a
   /// long test.
   void wrap();
 
-  const PlantState& state() const { return plant_->state(); }
-  const std::vector<PlanetMesh*>& meshes() const { return meshes_; }    ///< of each planet
-  const std::vector<CycloidStage*>& stages() const { return stages_; }  ///< of each crank
+  const PlantState& state() const { return plant_.state(); }
+  const std::vector<const PlanetMesh*>& meshes() const { return meshes_; }    ///< of each planet
+  const std::vector<const CycloidStage*>& stages() const { return stages_; }  ///< in that order
 
-  double input_torque_Nm() const { return coupling_->torque_Nm(state()); }
-  double input_angle_rad() const;  ///< unwrapped since the start
-  double input_speed_rad_s() const { return state().v[1]; }
-  double carrier_angle_rad() const { return state().q[state().q.size() - 2]; }  ///< wrapped
+  /// What the transducer shows: passed on between motor and input shaft, by all that joins them.
+  double input_torque_Nm() const { return passed_Nm(coupling_); }
+  double input_angle_rad() const;                                     ///< unwrapped since the start
+  double shaft_angle_rad() const { return state().q[input_shaft_]; }  ///< of the input, wrapped
+  double input_speed_rad_s() const { return state().v[input_shaft_]; }
   double crank_angle_rad(std::size_t k) const;  ///< against the carrier, wrapped
   double place_rad(std::size_t k) const;        ///< of planet and crank k in the housing, wrapped
-  double motor_speed_rad_s() const { return state().v[0]; }
-  double motor_torque_Nm() const { return motor_->torque_Nm(motor_speed_rad_s()); }
-  double output_speed_rad_s() const { return state().v[state().v.size() - 1]; }
-  double brake_torque_Nm() const { return output_shaft_->torque_Nm(state()); }
+  double motor_speed_rad_s() const { return state().v[motor_]; }
+  double motor_torque_Nm() const;
+  double output_speed_rad_s() const { return state().v[brake_]; }
+  double brake_torque_Nm() const { return passed_Nm(output_); }  ///< between carrier and brake
 
  private:
-  using Terms = std::vector<std::unique_ptr<PhysicsTerm>>;
+  using Joint = std::vector<std::pair<const OneAxisTerm*, double>>;  ///< terms, +1 or −1
 
-  void add_input(const RvUnit& unit, Terms& terms);
-  void add_stages(const RvUnit& unit, Terms& terms);
-  void add_output(const RvUnit& unit, Terms& terms);
+  RvTrain(PlantModel model, const PlantSpec& plant, double step_s);
+  Joint joint_of(int body_a, int body_b) const;
+  double passed_Nm(const Joint& joint) const;
+  void find_stages();
+  void find_output_turn();
 
-  std::unique_ptr<Plant> plant_;
-  InductionMotor* motor_ = nullptr;  ///< owned by the plant, as are the terms below
-  ShaftTorsion* coupling_ = nullptr;
-  ShaftTorsion* output_shaft_ = nullptr;
-  Friction* brake_ = nullptr;
-  std::vector<PlanetMesh*> meshes_;
-  std::vector<CycloidStage*> stages_;
+  Plant plant_;
+  int motor_, input_shaft_, carrier_, brake_;  ///< bodies
+  std::size_t supply_input_, brake_input_;     ///< in PlantState::u
+  std::vector<InductionMotor*> motors_;        ///< owned by the plant, as are the terms below
+  std::vector<const PlanetMesh*> meshes_;
+  std::vector<const CycloidStage*> stages_;
+  Joint coupling_, output_;
+  double brake_setpoint_Nm_ = 0;
+  /// By how much each body turns during one turn of the carrier; empty if some term could tell.
+  Eigen::VectorXd output_turn_rad_;
   double wrapped_turns_ = 0;
 };
 

@@ -44,7 +44,6 @@ enum Index : std::size_t {
 /// One unit on one bench: what a seed draws.
 struct RvUnit {
   RvDeviations deviations;
-  int planets = 2;                 ///< and cranks
   std::vector<double> phases_rad;  ///< of the deviations, see phase_of
   int marked_planet = 0;           ///< the one with the bad tooth or the spalled bearing
   double bearing_slip = 0;         ///< of the cage, relative

@@ -9,17 +9,21 @@
 #include "sim/terms/cascade_controller.hpp"
 #include "sim/terms/coulomb_friction.hpp"
 #include "sim/terms/cubic_stiffness.hpp"
+#include "sim/terms/cycloid_stage.hpp"
 #include "sim/terms/damper.hpp"
 #include "sim/terms/external_force.hpp"
 #include "sim/terms/gravity.hpp"
+#include "sim/terms/induction_motor.hpp"
 #include "sim/terms/inverter_ripple.hpp"
 #include "sim/terms/load_friction.hpp"
 #include "sim/terms/looseness.hpp"
 #include "sim/terms/motor.hpp"
 #include "sim/terms/nonlinear_damping.hpp"
+#include "sim/terms/planet_mesh.hpp"
 #include "sim/terms/quadratic_stiffness.hpp"
 #include "sim/terms/saturation.hpp"
 #include "sim/terms/series_compliance.hpp"
+#include "sim/terms/shaft_torsion.hpp"
 #include "sim/terms/shear_thinning.hpp"
 #include "sim/terms/spring.hpp"
 #include "sim/terms/stiffness_hysteresis.hpp"
@@ -59,7 +63,11 @@ TermLibrary make_standard_terms() {
                            external_force,
                            saturation,
                            unbalance,
-                           inverter_ripple}) {
+                           inverter_ripple,
+                           shaft_torsion,
+                           induction_motor,
+                           planet_mesh,
+                           cycloid_stage}) {
     library.add(make());
   }
   return library;

@@ -27,7 +27,10 @@ enum class UnitKind {
   thermal_resistance,
   mass_offset,
   motor_constant,
-  resistance
+  resistance,
+  length,             ///< of a gear, whatever its body does
+  contact_stiffness,  ///< of teeth along their line of action
+  contact_damping
 };
 
 /// "N·m/rad", "N/m", ... ; "1" for a plain ratio.

@@ -1,11 +1,17 @@
 #include "sim/terms/cycloid_stage.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 namespace rvbench::sim {
 
 CycloidStage::CycloidStage(Params p) : p_(std::move(p)) {
-  if (p_.pins < 1) throw std::invalid_argument("cycloid_stage: pins must be >= 1");
+  if (!(p_.pins >= 1) || p_.pins != std::floor(p_.pins)) {
+    throw std::invalid_argument("cycloid_stage: pins must be a whole number >= 1");
+  }
+  if (!(p_.pin_circle_radius_m > 0)) {
+    throw std::invalid_argument("cycloid_stage: pin_circle_radius must be > 0");
+  }
   if (!(p_.stiffness_Nm_rad > 0 && p_.damping_Nms_rad >= 0)) {
     throw std::invalid_argument("cycloid_stage: stiffness must be > 0 and damping >= 0");
   }
@@ -56,6 +62,66 @@ void CycloidStage::add_linear(Eigen::MatrixXd& stiffness, Eigen::MatrixXd& dampi
   arm[p_.carrier] = -1;
   stiffness += p_.stiffness_Nm_rad * arm * arm.transpose();
   damping += p_.damping_Nms_rad * arm * arm.transpose();
+}
+
+TermType cycloid_stage() {
+  const auto deviation = [](std::string name, UnitKind unit, double min) {
+    return ParameterCard{.name = std::move(name),
+                         .unit = unit,
+                         .min = min,
+                         .max = unbounded,
+                         .start = 0,
+                         .fallback = 0};
+  };
+  return {.card = {.name = "cycloid_stage",
+                   .effect = false,
+                   .equation =
+                       "T = k·(ψ/z_p − θ_c + e(φ)/R) + c·(dψ/dt/z_p − ω_c), φ = ψ − θ_c; on the "
+                       "crank F = T/z_p, on the carrier −T",
+                   .sign = "a turning crank drives the carrier forward",
+                   .leaves_out = "clearance, load sharing among pins, hysteresis, the slope de/dφ",
+                   .source = "Blanche & Yang, J. Mech. Des. 111(3), 337-344 (1989)"},
+          .parameters = {{.name = "pins",
+                          .unit = UnitKind::ratio,
+                          .min = 1,
+                          .max = 1e4,
+                          .start = 40,
+                          .fitted = false},
+                         {.name = "pin_circle_radius",
+                          .unit = UnitKind::length,
+                          .min = smallest,
+                          .max = unbounded,
+                          .start = 0.05,
+                          .fitted = false},
+                         {.name = "stiffness",
+                          .unit = UnitKind::stiffness,
+                          .min = smallest,
+                          .max = unbounded,
+                          .start = 1},
+                         {.name = "damping",
+                          .unit = UnitKind::damping,
+                          .min = 0,
+                          .max = unbounded,
+                          .start = 0.05},
+                         deviation("crank_error", UnitKind::length, 0),
+                         deviation("crank_phase", UnitKind::angle, -unbounded),
+                         deviation("pin_error", UnitKind::length, 0),
+                         deviation("pin_phase", UnitKind::angle, -unbounded)},
+          .gate = {.translation = false, .on_one = false},
+          .make = [](const TermSite& at) {
+            CycloidStage::Params stage{.crank = at.axis.body_a,
+                                       .carrier = at.axis.body_b,
+                                       .pins = at["pins"],
+                                       .pin_circle_radius_m = at["pin_circle_radius"],
+                                       .stiffness_Nm_rad = at["stiffness"],
+                                       .damping_Nms_rad = at["damping"],
+                                       .error_rad = {}};
+            const double radius_m = stage.pin_circle_radius_m;
+            stage.error_rad.add_cosine(1, at["crank_error"] / radius_m, at["crank_phase"]);
+            stage.error_rad.add_cosine(static_cast<int>(stage.pins), at["pin_error"] / radius_m,
+                                       at["pin_phase"]);
+            return std::make_unique<CycloidStage>(std::move(stage));
+          }};
 }
 
 }  // namespace rvbench::sim

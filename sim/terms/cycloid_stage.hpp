@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/periodic_table.hpp"
-#include "sim/physics_term.hpp"
+#include "sim/term_library.hpp"
 
 namespace rvbench::sim {
 
@@ -21,16 +21,18 @@ class CycloidStage final : public PhysicsTerm {
   struct Params {
     int crank = 0;
     int carrier = 0;
-    int pins = 0;                 ///< zp > 0
-    double stiffness_Nm_rad = 0;  ///< k > 0, at the carrier
-    double damping_Nms_rad = 0;   ///< c >= 0
-    PeriodicTable error_rad;      ///< e over φ
+    double pins = 0;                 ///< zp, whole, > 0
+    double pin_circle_radius_m = 0;  ///< > 0: where a length of error becomes an angle
+    double stiffness_Nm_rad = 0;     ///< k > 0, at the carrier
+    double damping_Nms_rad = 0;      ///< c >= 0
+    PeriodicTable error_rad;         ///< e over φ
   };
 
   /// @throws std::invalid_argument naming the first parameter out of range
   explicit CycloidStage(Params p);
 
   std::string_view name() const override { return "cycloid_stage"; }
+  double effort(const PlantState& s) const override { return torque_Nm(s) / p_.pins; }
   void add_force(const PlantState& s, Eigen::Ref<Eigen::VectorXd> f) const override;
   double stored_energy_J(const PlantState& s) const override;
   double dissipated_power_W(const PlantState& s) const override;
@@ -39,6 +41,7 @@ class CycloidStage final : public PhysicsTerm {
 
   double torque_Nm(const PlantState& s) const;        ///< on the carrier
   double orbit_angle_rad(const PlantState& s) const;  ///< φ
+  const Params& params() const { return p_; }
 
  private:
   double deflection_rad(const PlantState& s) const;  ///< with e
@@ -47,5 +50,8 @@ class CycloidStage final : public PhysicsTerm {
 
   Params p_;
 };
+
+/// body_a: the crank; body_b: the carrier.
+TermType cycloid_stage();
 
 }  // namespace rvbench::sim

@@ -1,11 +1,12 @@
 #pragma once
 
-#include "sim/physics_term.hpp"
+#include "sim/term_library.hpp"
+#include "sim/term_memory.hpp"
 
 namespace rvbench::sim {
 
 /// Asynchronous motor on a V/f inverter: torque from slip, plus the inverter's sixth-harmonic
-/// ripple.
+/// ripple. The plant's input says the inverter's output frequency f.
 ///
 ///     s = (ω_sync − ω) / ω_nominal,  τ = 2·τ_k / (s/s_k + s_k/s) · (1 + ρ·cos 6φ_e)
 ///     ω_sync = 2π·f / p,  ω_nominal = 2π·f_nominal / p,  dφ_e/dt = 2π·f
@@ -13,11 +14,12 @@ namespace rvbench::sim {
 /// With V/f control the torque over slip *speed* does not depend on f, hence ω_nominal below.
 /// Leaves out: electrical transients, field weakening, heating of the rotor.
 /// Source: Kloss formula, Fitzgerald, Electric Machinery, ch. 6; ripple: 5th and 7th currents
-class InductionMotor final : public PhysicsTerm {
+class InductionMotor final : public OneAxisTerm, public TermMemory {
  public:
   struct Params {
     int body = 0;
-    int pole_pairs = 2;
+    int supply = 0;  ///< the input that says f [Hz]: its place in PlantState::u
+    double pole_pairs = 2;
     double nominal_frequency_Hz = 50;
     double pull_out_torque_Nm = 0;  ///< τ_k > 0
     double pull_out_slip = 0;       ///< s_k > 0
@@ -27,23 +29,23 @@ class InductionMotor final : public PhysicsTerm {
   /// @throws std::invalid_argument naming the first parameter out of range
   explicit InductionMotor(const Params& p);
 
-  void set_supply(double frequency_Hz, bool enabled);
-  void advance(double dt_s);  ///< turns the electrical angle on
+  void switch_on(bool on) { on_ = on; }  ///< the inverter's output; without it the motor coasts
+  double torque_Nm(const PlantState& s) const;
 
-  std::string_view name() const override { return "induction_motor"; }
-  void add_force(const PlantState& s, Eigen::Ref<Eigen::VectorXd> f) const override;
-  double stored_energy_J(const PlantState&) const override { return 0; }
-  double dissipated_power_W(const PlantState&) const override { return 0; }
-  double supplied_power_W(const PlantState& s) const override;
+  double effort(const PlantState& s) const override { return -torque_Nm(s); }
+  double supplied_power_W(const PlantState& s) const override { return torque_Nm(s) * speed(s); }
+  double fastest_rad_s(const Eigen::VectorXd& inertia) const override;
 
-  double torque_Nm(double speed_rad_s) const;
+  Eigen::Index size() const override { return 1; }
+  void place(Eigen::Index first) override { place_ = first; }
+  void add_rates(const PlantState& s, Eigen::Ref<Eigen::VectorXd> rates) const override;
 
  private:
   Params p_;
-  double frequency_Hz_ = 0;
-  bool enabled_ = false;
-  double electrical_angle_rad_ = 0;
-  double ripple_factor_ = 1;
+  bool on_ = true;
+  Eigen::Index place_ = 0;  ///< of φ_e
 };
+
+TermType induction_motor();
 
 }  // namespace rvbench::sim

@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include "bench/run_folder.hpp"
+#include "sim/plant_json.hpp"
+#include "sim/rv_plant.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace rvbench::bench {
@@ -25,6 +27,36 @@ std::vector<hal::ConfigFault> faults_of(const std::string& text) {
   auto file = read(text);
   REQUIRE(file.index() == 1);
   return std::get<1>(std::move(file));
+}
+
+// A rig of this plant, in a file of its own beside it.
+std::string rig_on(const rvbench::test::ScratchFolder& scratch, const std::string& plant) {
+  const std::string plant_file = (scratch.path() / "plant.json").string();
+  const std::string rig_file = (scratch.path() / "rig.json").string();
+  write_file(plant_file, plant);
+  write_file(rig_file, R"({"rig": "sim", "plant": ")" + plant_file + "\"}");
+  return rig_file;
+}
+
+// Mean of what a rig's transducer shows while it idles at 605 rpm.
+double idling_torque_Nm(const std::string& rig_file) {
+  auto made = make_rig(rig_file, {});
+  REQUIRE(made.index() == 0);
+  const hal::Rig& rig = std::get<0>(made);
+  REQUIRE(rig.drive->connect());
+  REQUIRE(rig.torque_sensor->connect());
+  REQUIRE(rig.drive->set_speed(605));
+  double sum_Nm = 0, samples = 0;
+  for (int i = 1; i <= 60; ++i) {
+    rig.clock->wait_until(0.1 * i);
+    REQUIRE(rig.drive->read());
+    const auto block = rig.torque_sensor->read();
+    REQUIRE(block);
+    if (i <= 40) continue;
+    for (const hal::TorqueSample& sample : block.value().samples) sum_Nm += sample.torque_Nm;
+    samples += static_cast<double>(block.value().samples.size());
+  }
+  return sum_Nm / samples;
 }
 
 }  // namespace
@@ -83,6 +115,39 @@ TEST_CASE("a fault at time zero is there before the first request", "[bench]") {
   auto made = make_rig(file, {});
   REQUIRE(made.index() == 0);
   CHECK_FALSE(std::get<0>(made).drive->connect());
+}
+
+SCENARIO("a rig file may name another plant for the simulated bench", "[bench]") {
+  const rvbench::test::ScratchFolder scratch;
+  GIVEN("the drawing's plant, with dry friction of 0.2 N·m more on the input shaft") {
+    const auto rubbing =
+        sim::with_effect(sim::rv20e_bench(), "coulomb_friction", {.body_a = "input_shaft"},
+                         {{"level", {0.2, "N·m"}}, {"creep_speed", {1, "rad/s"}}});
+    const double base_Nm = idling_torque_Nm("sim");
+    THEN("the rig's transducer shows as much more, and without it the same") {
+      CHECK(idling_torque_Nm(rig_on(scratch, sim::write_plant(rubbing))) ==
+            Approx(base_Nm + 0.2).margin(0.002));
+      CHECK(idling_torque_Nm(rig_on(scratch, sim::write_plant(sim::rv20e_bench()))) == base_Nm);
+    }
+  }
+  GIVEN("a plant file with faults") {
+    std::string text = sim::write_plant(sim::rv20e_bench());
+    text.replace(text.find("\"shaft_torsion\""), 15, "\"shaft_tension\"");
+    const std::vector<hal::ConfigFault> faults = check_rig(rig_on(scratch, text));
+    REQUIRE(faults.size() == 1);
+    CHECK(faults[0].pointer == "/plant");
+    CHECK_THAT(faults[0].message, Catch::Contains("plant.json:") &&
+                                      Catch::Contains("/terms/1/type: no type of term") &&
+                                      Catch::Contains("did you mean \"shaft_torsion\"?"));
+    CHECK(make_rig((scratch.path() / "rig.json").string(), {}).index() == 1);
+  }
+  GIVEN("a machine that is no bench of a reducer") {
+    const auto emps = std::get<sim::PlantSpec>(sim::read_plant("emps"));
+    const std::vector<hal::ConfigFault> faults = check_rig(rig_on(scratch, sim::write_plant(emps)));
+    REQUIRE(!faults.empty());
+    CHECK(faults[0].pointer == "/plant");
+    CHECK_THAT(faults[0].message, Catch::Contains("the bench needs a body called \"motor\""));
+  }
 }
 
 TEST_CASE("a replay rig names its recording", "[bench]") {

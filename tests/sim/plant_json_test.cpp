@@ -83,7 +83,7 @@ TEST_CASE("a plant file becomes a plant, with every default in place", "[sim][pl
 }
 
 TEST_CASE("what is written reads back, and is written the same again", "[sim][plant_file]") {
-  const std::string name = GENERATE("", "emps", "silverbox", "ur10e_joint");
+  const std::string name = GENERATE("", "emps", "rv20e_bench", "silverbox", "ur10e_joint");
   const auto plant =
       name.empty() ? plant_of(good) : std::get<sim::PlantSpec>(sim::read_plant(name));
   const std::string once = sim::write_plant(plant);

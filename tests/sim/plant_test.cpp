@@ -4,8 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "sim/terms/friction.hpp"
-#include "sim/terms/shaft_torsion.hpp"
+#include "sim/terms/one_axis_term.hpp"
 
 using namespace rvbench;
 
@@ -45,9 +44,11 @@ class Fan final : public sim::PhysicsTerm {
 
 template <typename... Terms>
 sim::Plant plant_of(const Eigen::VectorXd& inertia, double step_s, const Terms&... terms) {
-  std::vector<std::unique_ptr<sim::PhysicsTerm>> list;
-  (list.push_back(std::make_unique<Terms>(terms)), ...);
-  return sim::Plant(inertia, std::move(list), step_s);
+  sim::PlantModel model;
+  model.inertia = inertia;
+  model.start_position = model.start_speed = Eigen::VectorXd::Zero(inertia.size());
+  (model.terms.push_back(std::make_unique<Terms>(terms)), ...);
+  return sim::Plant(std::move(model), step_s);
 }
 
 // Two flywheels on a shaft, in closed form.
@@ -59,10 +60,7 @@ struct Flywheels {
   double decay = c / (2 * reduced);
   double omega = std::sqrt(omega0 * omega0 - decay * decay);
 
-  sim::ShaftTorsion shaft() const {
-    return sim::ShaftTorsion(
-        {.body_a = 0, .body_b = 1, .stiffness_Nm_rad = k, .damping_Nms_rad = c});
-  }
+  sim::LinearAxisTerm shaft() const { return sim::LinearAxisTerm("shaft", {0, 1}, k, c); }
   // The twist that is left of 1 rad.
   double ringing(double time_s) const {
     return std::exp(-decay * time_s) *
@@ -126,8 +124,7 @@ TEST_CASE("the plant's energy is that of its flywheels", "[sim][plant]") {
 
 TEST_CASE("a plant that nobody pushes stays where it is", "[sim][plant]") {
   auto plant = plant_of(Eigen::Vector2d(0.02, 0.03), 0.01,
-                        sim::ShaftTorsion({.stiffness_Nm_rad = 50, .damping_Nms_rad = 1}),
-                        sim::Friction({.body = 1, .coulomb_Nm = 1}));
+                        sim::LinearAxisTerm("shaft", {0, 1}, 50, 1), Fan(0.5));
   for (int i = 0; i < 100; ++i) plant.step();
   CHECK(plant.state().q.norm() == 0);
   CHECK(plant.state().v.norm() == 0);

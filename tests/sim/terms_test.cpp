@@ -4,10 +4,8 @@
 
 #include "hal/types/units.hpp"
 #include "sim/terms/cycloid_stage.hpp"
-#include "sim/terms/friction.hpp"
 #include "sim/terms/induction_motor.hpp"
 #include "sim/terms/planet_mesh.hpp"
-#include "sim/terms/shaft_torsion.hpp"
 #include "tests/sim/term_laws.hpp"
 
 using namespace rvbench;
@@ -17,14 +15,6 @@ namespace {
 
 constexpr Eigen::Index bodies = 4;
 
-sim::ShaftTorsion::Params shaft() {
-  return {.body_a = 0, .body_b = 2, .stiffness_Nm_rad = 600, .damping_Nms_rad = 0.5};
-}
-
-sim::Friction::Params friction() {
-  return {.body = 1, .coulomb_Nm = 0.15, .viscous_Nms_rad = 5e-4, .creep_speed_rad_s = 2};
-}
-
 sim::PlanetMesh::Params mesh() {
   return {.sun = 1,
           .carrier = 3,
@@ -32,6 +22,7 @@ sim::PlanetMesh::Params mesh() {
           .place_rad = 1.1,
           .sun_base_radius_m = 5.3e-3,
           .planet_base_radius_m = 15.9e-3,
+          .sun_teeth = 9,
           .stiffness_N_m = 8e7,
           .damping_Ns_m = 1000,
           .sun_error_m = {},
@@ -43,6 +34,7 @@ sim::CycloidStage::Params stage() {
   return {.crank = 2,
           .carrier = 3,
           .pins = 40,
+          .pin_circle_radius_m = 52e-3,
           .stiffness_Nm_rad = 84e3,
           .damping_Nms_rad = 40,
           .error_rad = {}};
@@ -73,53 +65,37 @@ sim::PlantState turned(Eigen::Index body, double angle_rad) {
   return s;
 }
 
+// The state under a supply of this frequency, its electrical angle at `electrical_rad`.
+sim::PlantState supplied(sim::PlantState s, double frequency_Hz, double electrical_rad = 0.3) {
+  s.u = Eigen::VectorXd::Constant(1, frequency_Hz);
+  s.z = Eigen::VectorXd::Constant(1, electrical_rad);
+  return s;
+}
+
+// The motor's torque at a speed.
+double torque_Nm(const sim::InductionMotor& term, double frequency_Hz, double speed_rad_s,
+                 double electrical_rad = 0) {
+  sim::PlantState s = supplied(turned(0, 0), frequency_Hz, electrical_rad);
+  s.v[0] = speed_rad_s;
+  return term.torque_Nm(s);
+}
+
 }  // namespace
 
 TEST_CASE("every term adds its force, and its linear part and remainder make the whole",
           "[sim][terms][law]") {
-  const auto s = test::some_state(bodies, GENERATE(1, 2, 3, 4, 5));
-  sim::InductionMotor running(motor());
-  running.set_supply(40, true);
-  running.advance(1e-3);
-  test::check_plumbing(sim::ShaftTorsion(shaft()), s);
-  test::check_plumbing(sim::Friction(friction()), s);
+  const auto s = supplied(test::some_state(bodies, GENERATE(1, 2, 3, 4, 5)), 40);
   test::check_plumbing(sim::PlanetMesh(uneven_mesh()), s);
   test::check_plumbing(sim::CycloidStage(uneven_stage()), s);
-  test::check_plumbing(running, s);
+  test::check_plumbing(sim::InductionMotor(motor()), s);
 }
 
 TEST_CASE("every term balances its energy book", "[sim][terms][law]") {
-  const auto s = test::some_state(bodies, GENERATE(11, 12, 13, 14, 15));
-  sim::InductionMotor running(motor());
-  running.set_supply(40, true);
-  running.advance(1e-3);
-  test::check_energy_book(sim::ShaftTorsion(shaft()), s);
-  test::check_energy_book(sim::Friction(friction()), s);
+  const auto s = supplied(test::some_state(bodies, GENERATE(11, 12, 13, 14, 15)), 40);
   test::check_energy_book(sim::PlanetMesh(mesh()), s);
   test::check_energy_book(sim::CycloidStage(stage()), s);
+  const sim::InductionMotor running(motor());
   CHECK(test::force_of(running, s).dot(s.v) == Approx(running.supplied_power_W(s)));
-}
-
-TEST_CASE("a shaft twists both its ends, equally and oppositely", "[sim][terms][law]") {
-  const auto f = test::force_of(sim::ShaftTorsion(shaft()), test::some_state(bodies, 3));
-  CHECK(f.sum() == Approx(0).margin(1e-9));
-  CHECK(f[1] == 0);
-  CHECK(f[3] == 0);
-  const auto twisted = test::force_of(sim::ShaftTorsion(shaft()), turned(0, 0.01));
-  CHECK(twisted[0] == Approx(-6));
-  CHECK(sim::ShaftTorsion(shaft()).torque_Nm(turned(0, 0.01)) == Approx(6));
-}
-
-TEST_CASE("friction opposes motion and saturates at Coulomb's torque", "[sim][terms][law]") {
-  const sim::Friction term(friction());
-  auto s = turned(1, 0);
-  CHECK(test::force_of(term, s).norm() == 0);
-  s.v[1] = 100;
-  CHECK(test::force_of(term, s)[1] == Approx(-(0.15 + 100 * 5e-4)));
-  s.v[1] = -100;
-  CHECK(test::force_of(term, s)[1] == Approx(0.15 + 100 * 5e-4));
-  s.v[1] = 0.01;  // it creeps: slope T_c / v_ε
-  CHECK(test::force_of(term, s)[1] == Approx(-0.01 * (0.15 / 2 + 5e-4)).epsilon(1e-4));
 }
 
 SCENARIO("a planet mesh presses along its line of action", "[sim][terms][law]") {
@@ -184,42 +160,42 @@ SCENARIO("an asynchronous motor follows Kloss", "[sim][terms][literature]") {
   p.ripple = 0;
   sim::InductionMotor term(p);
   const double nominal_rad_s = two_pi * 50 / 2;
-  CHECK(term.torque_Nm(10) == 0);  // not switched on
-  term.set_supply(50, true);
-  CHECK(term.torque_Nm(nominal_rad_s) == Approx(0).margin(1e-12));
-  CHECK(term.torque_Nm(nominal_rad_s * (1 - 0.15)) == Approx(12));   // pull-out
-  CHECK(term.torque_Nm(nominal_rad_s * (1 + 0.15)) == Approx(-12));  // generator
-  CHECK(term.torque_Nm(nominal_rad_s * (1 - 0.14)) < 12);
-  CHECK(term.torque_Nm(nominal_rad_s * (1 - 0.16)) < 12);
+  CHECK(torque_Nm(term, 50, nominal_rad_s) == Approx(0).margin(1e-12));
+  CHECK(torque_Nm(term, 50, nominal_rad_s * (1 - 0.15)) == Approx(12));   // pull-out
+  CHECK(torque_Nm(term, 50, nominal_rad_s * (1 + 0.15)) == Approx(-12));  // generator
+  CHECK(torque_Nm(term, 50, nominal_rad_s * (1 - 0.14)) < 12);
+  CHECK(torque_Nm(term, 50, nominal_rad_s * (1 - 0.16)) < 12);
   // Locked rotor, slip 1: 2·12 / (1/0.15 + 0.15)
-  CHECK(term.torque_Nm(0) == Approx(24 / (1 / 0.15 + 0.15)));
+  CHECK(torque_Nm(term, 50, 0) == Approx(24 / (1 / 0.15 + 0.15)));
   WHEN("the inverter runs at half the frequency") {
-    term.set_supply(25, true);
     THEN("the same slip speed gives the same torque") {
-      CHECK(term.torque_Nm(nominal_rad_s * (0.5 - 0.03)) ==
+      CHECK(torque_Nm(term, 25, nominal_rad_s * (0.5 - 0.03)) ==
             Approx(24 / (0.15 / 0.03 + 0.03 / 0.15)));
     }
   }
   WHEN("it is switched off") {
-    term.set_supply(50, false);
-    CHECK(term.torque_Nm(0) == 0);
+    term.switch_on(false);
+    CHECK(torque_Nm(term, 50, 0) == 0);
   }
 }
 
 TEST_CASE("the inverter's ripple beats six times per electrical turn", "[sim][terms]") {
-  sim::InductionMotor term(motor());
-  term.set_supply(40, true);
+  const sim::InductionMotor term(motor());
   constexpr int n = 960;
   double mean = 0, cosine = 0, others = 0;
-  for (int i = 1; i <= n; ++i) {  // one electrical turn
-    term.advance(1.0 / 40 / n);
-    const double torque = term.torque_Nm(100) / n;
+  for (int i = 1; i <= n; ++i) {
+    const double electrical_rad = two_pi * i / n;
+    const double torque = torque_Nm(term, 40, 100, electrical_rad) / n;
     mean += torque;
-    cosine += 2 * torque * std::cos(6 * two_pi * i / n);
-    others += 2 * torque * std::cos(5 * two_pi * i / n);
+    cosine += 2 * torque * std::cos(6 * electrical_rad);
+    others += 2 * torque * std::cos(5 * electrical_rad);
   }
   CHECK(cosine / mean == Approx(0.02));
   CHECK(others / mean == Approx(0).margin(1e-12));
+  Eigen::VectorXd rates =
+      Eigen::VectorXd::Zero(1);  // and the angle turns at the supply's frequency
+  term.add_rates(supplied(turned(0, 0), 40), rates);
+  CHECK(rates[0] == Approx(two_pi * 40));
 }
 
 TEST_CASE("a term refuses parameters that make no physical sense", "[sim][terms]") {
@@ -227,24 +203,21 @@ TEST_CASE("a term refuses parameters that make no physical sense", "[sim][terms]
     spoil(params);
     CHECK_THROWS_AS(make(params), std::invalid_argument);
   };
-  const auto a_shaft = [](const auto& p) { return sim::ShaftTorsion(p); };
-  refused(a_shaft, shaft(), [](auto& p) { p.stiffness_Nm_rad = -1; });
-  refused(a_shaft, shaft(), [](auto& p) { p.damping_Nms_rad = NAN; });
-  const auto a_friction = [](const auto& p) { return sim::Friction(p); };
-  refused(a_friction, friction(), [](auto& p) { p.coulomb_Nm = -1; });
-  refused(a_friction, friction(), [](auto& p) { p.viscous_Nms_rad = -1; });
-  refused(a_friction, friction(), [](auto& p) { p.creep_speed_rad_s = 0; });
   const auto a_mesh = [](const auto& p) { return sim::PlanetMesh(p); };
   refused(a_mesh, mesh(), [](auto& p) { p.sun_base_radius_m = 0; });
   refused(a_mesh, mesh(), [](auto& p) { p.planet_base_radius_m = -1; });
   refused(a_mesh, mesh(), [](auto& p) { p.stiffness_N_m = 0; });
   refused(a_mesh, mesh(), [](auto& p) { p.damping_Ns_m = -1; });
+  refused(a_mesh, mesh(), [](auto& p) { p.sun_teeth = 9.5; });
   const auto a_stage = [](const auto& p) { return sim::CycloidStage(p); };
   refused(a_stage, stage(), [](auto& p) { p.pins = 0; });
+  refused(a_stage, stage(), [](auto& p) { p.pins = 39.5; });
+  refused(a_stage, stage(), [](auto& p) { p.pin_circle_radius_m = 0; });
   refused(a_stage, stage(), [](auto& p) { p.stiffness_Nm_rad = 0; });
   refused(a_stage, stage(), [](auto& p) { p.damping_Nms_rad = NAN; });
   const auto a_motor = [](const auto& p) { return sim::InductionMotor(p); };
   refused(a_motor, motor(), [](auto& p) { p.pole_pairs = 0; });
+  refused(a_motor, motor(), [](auto& p) { p.pole_pairs = 1.5; });
   refused(a_motor, motor(), [](auto& p) { p.pull_out_torque_Nm = 0; });
   refused(a_motor, motor(), [](auto& p) { p.pull_out_slip = 0; });
   refused(a_motor, motor(), [](auto& p) { p.nominal_frequency_Hz = 0; });

@@ -1,0 +1,69 @@
+#include "bench/planned_inputs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hal/types/units.hpp"
+#include "sequences/plan.hpp"
+#include "sim/rv_plant.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+constexpr double lead_in_s = 2;
+constexpr double rated_rv20e_Nm = 167;
+
+const sim::TermSpec* motor_of(const sim::PlantSpec& plant) {
+  const auto motor = std::ranges::find(plant.terms, "induction_motor", &sim::TermSpec::type);
+  return motor == plant.terms.end() ? nullptr : &*motor;
+}
+
+double rated_torque_beside(const std::filesystem::path& file) {
+  const std::filesystem::path plan_file = file.parent_path() / "plan.json";
+  if (!std::filesystem::exists(plan_file)) return rated_rv20e_Nm;
+  const auto plan = sequences::read_plan(plan_file.string());
+  return plan.index() == 0 ? std::get<0>(plan).specimen.rated_output_torque_Nm : rated_rv20e_Nm;
+}
+
+}  // namespace
+
+std::optional<DrivenBy> planned_inputs(const sim::PlantSpec& plant, const Recording& point,
+                                       double rated_output_torque_Nm) {
+  const Channel* clock = point.find(channel_names::input_torque);
+  const sim::TermSpec* motor = motor_of(plant);
+  const bool planned = std::isfinite(point.planned_speed_rpm) && std::isfinite(point.load_pct);
+  if (clock == nullptr || motor == nullptr || !planned ||
+      plant.find_input(sim::rv_parts::supply) == nullptr ||
+      plant.find_input(sim::rv_parts::brake_torque) == nullptr) {
+    return std::nullopt;
+  }
+  DrivenBy driven;
+  driven.lead_in = std::lround(lead_in_s * clock->rate_Hz);
+  const auto add = [&](std::string_view name, double value) {
+    const sim::InputSpec& input = *plant.find_input(name);
+    const auto lead_in = static_cast<double>(driven.lead_in);
+    driven.channels.push_back(
+        {{input.channel, input.unit, "", not_known},
+         clock->rate_Hz,
+         clock->start_s - lead_in / clock->rate_Hz,
+         Eigen::VectorXd::Constant(clock->samples.size() + driven.lead_in, value)});
+  };
+  const double pole_pairs = motor->parameters.at("pole_pairs").value;
+  add(sim::rv_parts::supply, units::Hz_from_rpm(point.planned_speed_rpm) * pole_pairs);
+  add(sim::rv_parts::brake_torque, point.load_pct / 100 * rated_output_torque_Nm);
+  return driven;
+}
+
+DrivenBy what_drove(const sim::PlantSpec& plant, const Recording& recording,
+                    const std::filesystem::path& file) {
+  const bool recorded = std::ranges::any_of(plant.inputs, [&](const sim::InputSpec& input) {
+    return recording.find(input.channel) != nullptr;
+  });
+  if (!recorded) {
+    auto planned = planned_inputs(plant, recording, rated_torque_beside(file));
+    if (planned) return *std::move(planned);
+  }
+  return {recording.channels};
+}
+
+}  // namespace rvbench::bench

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "hal/types/recording.hpp"
+#include "sim/plant_spec.hpp"
+
+namespace rvbench::bench {
+
+/// What drives a plant along a recording.
+struct DrivenBy {
+  std::vector<Channel> channels;
+  Eigen::Index lead_in = 0;  ///< samples at their start that come before the recording's first
+};
+
+/// A point of a run holds no channel of what drove it: its plan says that. Constant inputs at the
+/// clock of input_torque, for a plant with an induction_motor: "supply" is the planned speed
+/// without slip, "brake_torque" the load. The record begins in steady motion, so they begin two
+/// seconds earlier: from rest the shipped bench comes to within 1e-6 of it in that time.
+/// @param rated_output_torque_Nm  what 100 % load means
+/// @return nothing if a plan or the torque is not known, or the plant has no such inputs
+std::optional<DrivenBy> planned_inputs(const sim::PlantSpec& plant, const Recording& point,
+                                       double rated_output_torque_Nm);
+
+/// The recording's own channels if it holds an input of the plant, else planned_inputs() with the
+/// rated torque of plan.json beside `file`, 167 N·m without one.
+DrivenBy what_drove(const sim::PlantSpec& plant, const Recording& recording,
+                    const std::filesystem::path& file);
+
+}  // namespace rvbench::bench

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "hal/types/recording.hpp"
+#include "hal/types/result.hpp"
+
+namespace rvbench::bench {
+
+/// Takes the first `samples` off, and starts as much later.
+void drop_lead_in(Channel& channel, Eigen::Index samples);
+
+/// Time and every channel in columns; channels of one rate, length and start.
+std::string csv_of(const Recording& recording);
+
+/// A recording of rvbench's own format: a point of each, with input_torque and input_angle.
+/// @return why not: one of them has no such channels, the file exists or cannot be written
+Status write_hdf5(const std::filesystem::path& file, const std::vector<Recording>& recordings);
+
+}  // namespace rvbench::bench

@@ -1,0 +1,74 @@
+#include <catch2/catch.hpp>
+
+#include "bench/run_folder.hpp"
+#include "bench/simulated_recording.hpp"
+#include "hal/formats/read_recordings.hpp"
+#include "tests/spec/program.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace rvbench {
+namespace {
+
+using Catch::Matchers::Contains;
+using test::Answer;
+using test::ScratchFolder;
+
+// Two points of a run, as short as may be: what simulate looks at is what they were planned to be.
+void write_run(const std::filesystem::path& file) {
+  std::vector<Recording> points(2);
+  for (int i = 0; i < 2; ++i) {
+    Recording& point = points[static_cast<std::size_t>(i)];
+    point.planned_speed_rpm = 1210;
+    point.load_pct = 50 + 50 * i;
+    for (const char* name : {"input_torque", "input_angle"}) {
+      point.channels.push_back({{name, "", "", not_known}, 496, 0, Eigen::VectorXd::Zero(64)});
+    }
+  }
+  REQUIRE(bench::write_hdf5(file, points));
+}
+
+}  // namespace
+
+TEST_CASE("simulate shows what the shipped bench makes of a run's points", "[spec][simulate]") {
+  const ScratchFolder scratch;
+  write_run(scratch / "recording.h5");
+  const std::vector<std::string> command{"simulate", "--plant",      "rv20e_bench",
+                                         "--like",   "recording.h5", "--out"};
+  const auto into = [&](const std::string& out) {
+    std::vector<std::string> words = command;
+    words.push_back(out);
+    return test::rvbench(scratch.path(), words);
+  };
+  const Answer answer = into("sim.h5");
+  INFO(answer.err);
+  REQUIRE(answer.code == 0);
+  CHECK_THAT(answer.out, Contains("sim.h5: 128 samples of 2 points at 496 Hz"));
+  const auto simulated = hal::read_recordings(scratch / "sim.h5");
+  REQUIRE(simulated);
+  const auto& points = simulated.value();
+  // Between 50 and 100 % of 167 N·m lie 83.5 N·m at the brake, 1/121 of it at the input.
+  CHECK(points[1].torque_Nm - points[0].torque_Nm == Approx(83.5 / 121).epsilon(0.02));
+
+  const Answer again = into("sim.h5");
+  CHECK(again.code == 2);
+  CHECK_THAT(again.err, Contains("sim.h5"));
+  const Answer csv = into("sim.csv");
+  CHECK(csv.code == 20);
+  CHECK_THAT(csv.err, Contains("holds 2 recordings"));
+}
+
+TEST_CASE("a run on a plant that is none ends with the pointer", "[spec][simulate]") {
+  const ScratchFolder scratch;
+  bench::write_file(scratch / "plant.json", R"({"plant": "stub",
+    "bodies": [{"name": "motor", "motion": "rotation", "inertia": {"value": -1, "unit": "kg·m²"}}],
+    "outputs": [{"channel": "x", "unit": "rad", "is": "position", "body": "motor"}]})");
+  bench::write_file(scratch / "rig.json", R"({"rig": "sim", "plant": "plant.json"})");
+  const Answer answer = test::rvbench(
+      scratch.path(), {"run", "quick", "--rig", "rig.json", "--serial", "A1", "--out", "runs"});
+  CHECK(answer.code == 3);
+  CHECK_THAT(answer.err,
+             Contains("/plant: plant.json:2: /bodies/0/inertia/value: -1 must be above 0"));
+  CHECK(test::rvbench(scratch.path(), {"check", "rig.json"}).code == 3);
+}
+
+}  // namespace rvbench
