@@ -21,6 +21,7 @@
 #include "sim/terms/saturation.hpp"
 #include "sim/terms/series_compliance.hpp"
 #include "sim/terms/shear_thinning.hpp"
+#include "sim/terms/slip.hpp"
 #include "sim/terms/spring.hpp"
 #include "sim/terms/stiffness_hysteresis.hpp"
 #include "sim/terms/stribeck_friction.hpp"
@@ -59,7 +60,9 @@ TermLibrary make_standard_terms() {
                            external_force,
                            saturation,
                            unbalance,
-                           inverter_ripple}) {
+                           inverter_ripple,
+                           synchronous_drive,
+                           slip}) {
     library.add(make());
   }
   return library;
