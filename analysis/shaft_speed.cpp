@@ -169,7 +169,10 @@ std::vector<ShaftSpeed> shaft_speeds(const std::vector<Channel>& channels, const
   std::vector<ShaftSpeed> speeds;
   const Eigen::Index size = channels.front().samples.size();
   for (Eigen::Index first = 0; first + block <= size; first += block / 2) {
-    speeds.push_back(Block(channels, lines, first, block).speed());
+    const bool whole = std::ranges::all_of(channels, [&](const Channel& channel) {
+      return channel.samples.segment(first, block).allFinite();
+    });
+    speeds.push_back(whole ? Block(channels, lines, first, block).speed() : ShaftSpeed());
   }
   return speeds;
 }

@@ -30,9 +30,9 @@ struct ShaftSpeed {
 /// Shape   blocks of `block` samples, each half a block after the last; empty if not one fits
 /// Units   turns per sample: no rate is needed
 /// Errors  standard_error = √(Σ s'²) / |Σ s''|, s the summands of S at f̂: each line is a witness.
-///         Not seen where not more than half of the orders stand out at f̂
-///         throws std::invalid_argument: no order, a value out of range, an order beyond half the
-///         sample rate, a block of less than 64 samples, channels of unequal length
+///         Not seen where not more than half of the orders stand out at f̂, or a sample is not
+///         finite throws std::invalid_argument: no order, a value out of range, an order beyond
+///         half the sample rate, a block of less than 64 samples, channels of unequal length
 /// Limits  a family in the same ratios at another order looks the same; a change of speed within a
 ///         block is averaged
 /// Source  Leclère, André & Antoni, Mech. Syst. Signal Process. 81, 375-386 (2016); errors: Huber,

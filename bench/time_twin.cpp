@@ -381,7 +381,7 @@ std::vector<TimeTwin::Comparison> TimeTwin::compare(const std::vector<std::size_
     const double rate_Hz = record->excitation.rate_Hz();
     for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
       all.push_back({record->about.name, plant_.outputs[o].channel, plant_.outputs[o].unit,
-                     record->about.learned_from, rate_Hz,
+                     record->about.learned_from, spread_[o], rate_Hz,
                      record->excitation.start_s() + static_cast<double>(record->first) / rate_Hz,
                      below_band(*record, record->measured[o], 1),
                      below_band(*record, shown->channels[o].samples, 1)});

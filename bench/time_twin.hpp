@@ -55,6 +55,7 @@ class TimeTwin final : public analysis::ForwardModel {
   struct Comparison {
     std::string record, channel, unit;
     bool learned_from = true;
+    double spread = 1;  ///< of the channel: what residuals are in units of
     double rate_Hz = 0, start_s = 0;
     Eigen::VectorXd measured, simulated;  ///< in the channel's unit, below the band
     double error() const;                 ///< RMS of the difference

@@ -143,6 +143,16 @@ TEST_CASE("where the lines are not there, no speed is told", "[analysis][shaft_s
   SECTION("silence") { CHECK(untold(Gearbox{.orders = {}}.channels()) == 15); }
 }
 
+TEST_CASE("a lost sample costs the blocks that it is in, and no others",
+          "[analysis][shaft_speed]") {
+  auto channels = Gearbox().channels(2);
+  channels[1].samples[3 * block] = not_known;
+  const auto speeds = shaft_speeds(channels, near_nominal(), block);
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    CHECK(std::isnan(speeds[i].turns_per_sample) == (i == 5 || i == 6));
+  }
+}
+
 TEST_CASE("too short a record has no block", "[analysis][shaft_speed]") {
   CHECK(shaft_speeds(Gearbox().channels(1, block - 1), near_nominal(), block).empty());
 }
