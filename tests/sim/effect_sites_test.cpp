@@ -4,7 +4,6 @@
 #include <catch2/catch.hpp>
 
 #include "sim/effect_edits.hpp"
-#include "sim/plant_json.hpp"
 #include "tests/sim/plant_texts.hpp"
 
 namespace rvbench::sim {
@@ -59,30 +58,6 @@ TEST_CASE("what needs a rotor, or another term, is tried where there is one", "[
   CHECK(places_of(pair, "unbalance").empty());
   const auto loaded = places_of(pair, "load_friction");
   CHECK(std::ranges::count(loaded, "a and b, by spring") == 1);
-}
-
-TEST_CASE("slip takes the place of a synchronous drive, and is tried nowhere else",
-          "[sim][explain]") {
-  CHECK(places_of(two_masses(), "slip").empty());
-  const auto read = read_plant("oedi_gearbox");
-  REQUIRE(read.index() == 0);
-  const PlantSpec& gearbox = std::get<PlantSpec>(read);
-  const auto sites = sites_of(gearbox, *standard_terms().find("slip"));
-  REQUIRE(sites.size() == 1);
-  const PlantSpec slipping = with_effect(gearbox, "slip", sites[0], {{"rated_slip", {0.04, "1"}}});
-  REQUIRE(slipping.terms.size() == 1);
-  CHECK(slipping.terms[0].type == "slip");
-  CHECK(slipping.terms[0].parameters.at("speed").value ==
-        gearbox.terms[0].parameters.at("speed").value);
-  // It runs at (1 − s_r·T/T_r) of the speed that the drive keeps at any load.
-  for (const double load_pct : {0.0, 50.0, 100.0}) {
-    const std::vector<Channel> load{
-        test::channel_of("load", "%", 10, Eigen::VectorXd::Constant(40, load_pct))};
-    CHECK(test::run_of(gearbox, load)[0].samples.tail(30).isApproxToConstant(1, 2e-6));
-    CHECK(test::run_of(slipping, load)[0].samples.tail(30).isApproxToConstant(
-        1 - 0.04 * load_pct / 100, 1e-9));
-  }
-  CHECK(sites_of(slipping, *standard_terms().find("slip")).empty());
 }
 
 TEST_CASE("probes show a body's motion in place of the plant's own sensors", "[sim][explain]") {

@@ -241,22 +241,6 @@ TEST_CASE("the laws of sources", "[sim][library][literature]") {
   CHECK(effort_of("cascade_controller", loop, 1.5, 1, 0, 0.25, 2) == Approx(-3 * (4 + 0.5)));
 }
 
-TEST_CASE("a motor slips along the foot of Kloss' curve", "[sim][library][literature]") {
-  // Pull-out at 2.5 times the rated torque of 10 N·m and 15 % of slip, 50 Hz, two pole pairs.
-  const double field_rad_s = 50 * pi, pull_out_Nm = 25, pull_out_slip = 0.15;
-  const double rated_slip = pull_out_slip * 10 / (2 * pull_out_Nm);  // by the slope at its foot
-  for (const double slip : {-0.004, 0.0, 0.004}) {
-    const double kloss_Nm =
-        slip == 0 ? 0 : 2 * pull_out_Nm / (slip / pull_out_slip + pull_out_slip / slip);
-    CHECK(effort_of("slip",
-                    {{"rated_slip", rated_slip}, {"rated_torque", 10}, {"speed", field_rad_s}}, 0,
-                    (1 - slip) * field_rad_s) == Approx(-kloss_Nm).epsilon(1e-3));
-  }
-  const std::map<std::string, double> drive{{"rated_torque", 10}, {"speed", field_rad_s}};
-  CHECK(effort_of("synchronous_drive", drive, 1, field_rad_s) == 0);
-  CHECK(effort_of("synchronous_drive", drive, 1, (1 - 1e-6) * field_rad_s) == Approx(-10));
-}
-
 SCENARIO("every card says what explain needs", "[sim][library]") {
   const std::set<std::string> words{"coulomb_friction",
                                     "viscous_friction",
