@@ -38,6 +38,17 @@ double t_p_value(double t, double freedom) {
   return Eigen::numext::betainc(freedom / 2, 0.5, freedom / (freedom + t * t));
 }
 
+double t_of_p_value(double p, double freedom) {
+  if (!(p > 0 && p < 1) || !(freedom >= 1)) throw std::invalid_argument("t_of_p_value: p, freedom");
+  double low = 0, high = 1;
+  while (t_p_value(high, freedom) > p) high *= 2;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (t_p_value(middle, freedom) > p ? low : high) = middle;
+  }
+  return high;
+}
+
 double combined_p_value(const std::vector<double>& p_values) {
   if (p_values.empty()) return 1;
   double sum = 0;

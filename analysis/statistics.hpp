@@ -27,6 +27,12 @@ double line_p_value(double statistic, double lines, double floor_lines);
 /// @param freedom  degrees of freedom, > 0
 double t_p_value(double t, double freedom);
 
+/// The t that |t| exceeds by chance with this probability, in Student's distribution: 1.645 for 0.1
+/// and many degrees of freedom.
+/// @param p        in (0, 1)  @param freedom  >= 1
+/// @throws std::invalid_argument if one is out of range
+double t_of_p_value(double p, double freedom);
+
 /// Fisher's combination of independent p-values. Empty: 1.
 double combined_p_value(const std::vector<double>& p_values);
 

@@ -6,10 +6,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "bench/campaign_source.hpp"
 #include "bench/sha256.hpp"
-#include "bench/uniform_time.hpp"
-#include "hal/did_you_mean.hpp"
-#include "hal/formats/read_recordings.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -18,68 +16,12 @@ constexpr int parts_of_one_file = 4;
 constexpr double lead_in_s = 1;
 
 struct Stretch : RecordLabels {
-  double from_s = 0, to_s = 0;
+  double from_s = 0, to_s = 0;  // NaN: to the end
 };
 
-struct CampaignFile {
-  std::string path;
-  double rate_Hz = not_known;
-  std::string time_column;
-  std::vector<std::string> columns;
-  std::vector<Stretch> stretches;
+struct CampaignFile : CampaignSource {
+  std::vector<Stretch> stretches = {};
 };
-
-// Names the columns; a fault if their number is another.
-std::string name_columns(Recording& recording, const std::vector<std::string>& columns) {
-  if (columns.empty()) return {};
-  if (columns.size() != recording.channels.size()) {
-    return fmt::format("{} columns are named, the file has {}", columns.size(),
-                       recording.channels.size());
-  }
-  for (std::size_t i = 0; i < columns.size(); ++i) recording.channels[i].info.name = columns[i];
-  return {};
-}
-
-// Takes the time column out and puts the others on uniform times.
-std::string use_time_column(Recording& recording, const CampaignFile& file,
-                            std::vector<std::string>& notes) {
-  if (file.time_column.empty()) return {};
-  const Channel* stamps = recording.find(file.time_column);
-  if (stamps == nullptr) return "there is no column " + hal::in_quotes(file.time_column);
-  const Eigen::VectorXd time_s = stamps->samples;
-  const auto made = uniform_time(time_s, file.rate_Hz);
-  if (const auto* fault = std::get_if<std::string>(&made)) return *fault;
-  const UniformTime& time = std::get<UniformTime>(made);
-  std::erase_if(recording.channels, [&](const Channel& channel) {
-    return channel.info.name == file.time_column || channel.samples.size() != time_s.size();
-  });
-  for (Channel& channel : recording.channels) {
-    channel.rate_Hz = time.rate_Hz;
-    channel.start_s = 0;
-    if (time.resampled) channel.samples = resampled(time_s, channel.samples, time);
-  }
-  if (time.resampled) {
-    notes.push_back(
-        fmt::format("{}: time stamps are not uniform (up to {:.3g} s apart): resampled "
-                    "at {:.6g} Hz on straight lines",
-                    file.path, time.worst_gap_s, time.rate_Hz));
-  }
-  return {};
-}
-
-// Without channels of another length or rate than the longest: scalars among the variables.
-std::string keep_longest(Recording& recording) {
-  Eigen::Index longest = 0;
-  for (const Channel& channel : recording.channels) {
-    longest = std::max(longest, channel.samples.size());
-  }
-  std::erase_if(recording.channels,
-                [&](const Channel& channel) { return channel.samples.size() != longest; });
-  if (longest < 2) return "has no channel of at least 2 samples";
-  const double rate_Hz = recording.channels.front().rate_Hz;
-  if (!(rate_Hz > 0)) return "states no sample rate: give rate_Hz, or --rate HZ";
-  return {};
-}
 
 CampaignRecord cut(const Recording& whole, const Stretch& stretch) {
   CampaignRecord record{stretch, 0, {}};
@@ -155,20 +97,18 @@ std::string add_file(Campaign& campaign, const CampaignFile& file, int parts) {
     if (hash == known) return file.path + ": the same recording as " + other;
   }
   if (hash) campaign.hashes.emplace_back(file.path, *hash);
-  const hal::RecordingHints hints{file.time_column.empty() ? file.rate_Hz : not_known, not_known};
-  auto read = hal::read_recordings(file.path, hints);
-  if (!read) return read.error().where;
-  for (Recording& recording : std::move(read).value()) {
-    std::string fault = name_columns(recording, file.columns);
-    if (fault.empty()) fault = use_time_column(recording, file, campaign.notes);
-    if (fault.empty()) fault = keep_longest(recording);
-    if (!fault.empty()) return file.path + ": " + fault;
+  auto read = read_source(file, campaign.notes);
+  if (const auto* fault = std::get_if<std::string>(&read)) return *fault;
+  for (const Recording& recording : std::get<0>(read)) {
     const double whole_s = length_s(recording);
     const std::string name =
         free_name(campaign, std::filesystem::path(recording.source).filename().string());
-    const std::vector<Stretch> stretches =
+    std::vector<Stretch> stretches =
         file.stretches.empty() ? equal_parts(name, whole_s, parts) : file.stretches;
-    fault = overlap_fault(stretches);
+    for (Stretch& stretch : stretches) {
+      if (std::isnan(stretch.to_s)) stretch.to_s = whole_s;
+    }
+    std::string fault = overlap_fault(stretches);
     if (!fault.empty()) return file.path + ": " + fault;
     for (const Stretch& stretch : stretches) {
       fault = stretch_fault(stretch, whole_s);
@@ -184,9 +124,11 @@ std::string add_file(Campaign& campaign, const CampaignFile& file, int parts) {
 Stretch parse_stretch(hal::ConfigReader& json, const std::string& file) {
   Stretch stretch;
   stretch.from_s = json.number("from_s", {0, 1e7}, 0);
-  stretch.to_s = json.number("to_s", {0, 1e7});
-  stretch.condition =
-      json.text("condition", fmt::format("{}, {:g} to {:g} s", file, stretch.from_s, stretch.to_s));
+  stretch.to_s = json.number("to_s", {0, 1e7}, not_known);
+  stretch.condition = json.text(
+      "condition", std::isnan(stretch.to_s)
+                       ? file
+                       : fmt::format("{}, {:g} to {:g} s", file, stretch.from_s, stretch.to_s));
   stretch.name = json.text("name", stretch.condition);
   stretch.speed = json.text("speed", "");
   stretch.load = json.text("load", "");
@@ -196,12 +138,8 @@ Stretch parse_stretch(hal::ConfigReader& json, const std::string& file) {
 }
 
 CampaignFile parse_file(hal::ConfigReader& json, const std::filesystem::path& folder) {
-  CampaignFile file;
-  const std::string name = json.text("file");
-  file.path = (folder / name).string();
-  if (json.has("rate_Hz")) file.rate_Hz = json.number("rate_Hz", {1e-3, 1e8});
-  file.time_column = json.text("time_column", "");
-  if (json.has("columns")) file.columns = json.texts("columns");
+  CampaignFile file{parse_source(json, folder)};
+  const std::string name = json.text("file", "");
   for (hal::ConfigReader& record : json.objects("records", false)) {
     file.stretches.push_back(parse_stretch(record, name));
   }
@@ -242,7 +180,7 @@ CampaignOrRefusal campaign_of(const std::vector<std::string>& files, double rate
     campaign.name +=
         (campaign.name.empty() ? "" : ", ") + std::filesystem::path(file).filename().string();
     const std::string fault =
-        add_file(campaign, {file, rate_Hz, "", {}, {}}, files.size() == 1 ? parts_of_one_file : 1);
+        add_file(campaign, {{file, rate_Hz}}, files.size() == 1 ? parts_of_one_file : 1);
     if (!fault.empty()) faults.push_back({0, "", fault});
   }
   return whole(std::move(campaign), std::move(faults));

@@ -1,7 +1,10 @@
 #include "bench/explanation_json.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "analysis/explain/predictive_error.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -41,6 +44,16 @@ ordered_json self_null(const analysis::SelfNull& found) {
           {"found", estimates(found.found)}};
 }
 
+// Null of a record that was learned from.
+ordered_json mean_json(const std::optional<PredictedMean>& mean) {
+  if (!mean) return nullptr;
+  return {
+      {"measured", number(mean->measured)},
+      {"predicted", number(mean->predicted)},
+      {"ci90",
+       {number(mean->predicted - mean->half_width), number(mean->predicted + mean->half_width)}}};
+}
+
 ordered_json record_errors_json(const std::vector<RecordError>& records) {
   ordered_json json = ordered_json::array();
   for (const RecordError& record : records) {
@@ -51,7 +64,8 @@ ordered_json record_errors_json(const std::vector<RecordError>& records) {
                     {"rms_before", number(record.before)},
                     {"rms_after", number(record.after)},
                     {"relative_before", number(record.relative_before)},
-                    {"relative_after", number(record.relative_after)}});
+                    {"relative_after", number(record.relative_after)},
+                    {"mean", mean_json(record.mean)}});
   }
   return json;
 }
@@ -73,6 +87,27 @@ ordered_json effect_json(const analysis::ExplainedEffect& effect, const ordered_
           {"next_experiment", effect.next_experiment}};
 }
 
+// d mean / d value of each comparison, over its channel's spread; one column for each value.
+Eigen::MatrixXd slopes_of_means(const Twin& twin, const analysis::Fit& fit,
+                                const std::vector<Twin::Comparison>& here) {
+  constexpr double step_of_scale = 1e-3;
+  const auto parameters = analysis::parameters_of(twin, fit.effects);
+  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(Eigen::Index(here.size()),
+                                                 static_cast<Eigen::Index>(parameters.size()));
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    std::vector<double> moved = fit.values;
+    double step = step_of_scale * parameters[p].scale;
+    if (moved[p] + step > parameters[p].high) step = -step;
+    moved[p] += step;
+    const auto there = twin.compare(fit.effects, moved);
+    for (std::size_t i = 0; i < there.size(); ++i) {
+      slopes(Eigen::Index(i), static_cast<Eigen::Index>(p)) =
+          (there[i].simulated.mean() - here[i].simulated.mean()) / step / here[i].spread;
+    }
+  }
+  return slopes;
+}
+
 }  // namespace
 
 Comparisons compare(const Twin& twin, const analysis::Selection& found) {
@@ -83,13 +118,23 @@ Comparisons compare(const Twin& twin, const analysis::Selection& found) {
   return both;
 }
 
-std::vector<RecordError> record_errors(const Comparisons& comparisons) {
+std::vector<RecordError> record_errors(const Twin& twin, const analysis::Selection& found,
+                                       const Comparisons& comparisons) {
   const auto& [before, after] = comparisons;
   std::vector<RecordError> errors;
   for (std::size_t i = 0; i < before.size(); ++i) {
     const Twin::Comparison& b = before[i];
     errors.push_back({b.record, b.channel, b.unit, b.learned_from, b.error(), after[i].error(),
                       b.relative_error(), after[i].relative_error()});
+  }
+  if (std::ranges::all_of(errors, &RecordError::learned_from)) return errors;
+  const analysis::PredictiveError error(twin, found.fit);
+  const Eigen::MatrixXd slopes = slopes_of_means(twin, found.fit, after);
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    if (errors[i].learned_from) continue;
+    const Twin::Comparison& a = after[i];
+    errors[i].mean = {a.measured.mean(), a.simulated.mean(),
+                      a.spread * error.half_width_90(slopes.row(Eigen::Index(i)))};
   }
   return errors;
 }

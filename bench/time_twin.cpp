@@ -330,7 +330,7 @@ std::vector<Twin::Comparison> TimeTwin::compare(const std::vector<std::size_t>& 
     const double rate_Hz = record->excitation.rate_Hz();
     for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
       all.push_back({record->about.name, plant_.outputs[o].channel, plant_.outputs[o].unit,
-                     record->about.learned_from, "time [s]",
+                     record->about.learned_from, spread_[o], "time [s]",
                      record->excitation.start_s() + static_cast<double>(record->first) / rate_Hz,
                      1 / rate_Hz,
                      below_band(*record, record->measured[o], 1),

@@ -32,6 +32,7 @@ class Twin : public analysis::ForwardModel {
   struct Comparison {
     std::string record, channel, unit;
     bool learned_from = true;
+    double spread = 1;                    ///< of the channel: what residuals are in units of
     std::string over;                     ///< "time [s]"
     double first = 0, step = 1;           ///< of what it is over
     Eigen::VectorXd measured, simulated;  ///< in `unit`

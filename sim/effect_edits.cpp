@@ -46,10 +46,8 @@ PlantSpec replace_or_append(PlantSpec plant, const std::string& type, const Effe
     return plant;
   }
   TermSpec& term = term_of(plant, type, site.reference);
-  Parameters merged = parameters;
-  for (auto& [name, quantity] : term.parameters) merged.try_emplace(name, quantity);
   term.type = type;
-  term.parameters = std::move(merged);
+  term.parameters.insert(parameters.begin(), parameters.end());
   return plant;
 }
 

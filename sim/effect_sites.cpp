@@ -52,6 +52,15 @@ std::vector<std::string> references_of(const PlantSpec& plant, ReferenceKind kin
   return names;
 }
 
+// Where terms of one type are, for an effect that takes their place.
+std::vector<EffectSite> places_of(const PlantSpec& plant, const std::string& type) {
+  std::vector<EffectSite> places;
+  for (const TermSpec& term : plant.terms) {
+    if (term.type == type) places.push_back({term.body_a, term.body_b, term.name});
+  }
+  return places;
+}
+
 bool acts_already(const PlantSpec& plant, const TermType& type, const EffectSite& site) {
   return std::ranges::any_of(plant.terms, [&](const TermSpec& term) {
     return term.type == type.card.name && is_between(site.body_a, site.body_b, term) &&
@@ -62,6 +71,7 @@ bool acts_already(const PlantSpec& plant, const TermType& type, const EffectSite
 }  // namespace
 
 std::vector<EffectSite> sites_of(const PlantSpec& plant, const TermType& type) {
+  if (!type.gate.in_place_of.empty()) return places_of(plant, type.gate.in_place_of);
   std::vector<EffectSite> sites;
   for (const EffectSite& axis : axes_of(plant, type.gate)) {
     for (const std::string& reference : references_of(plant, type.gate.reference)) {

@@ -48,6 +48,9 @@ class PhysicsTerm {
 
   virtual bool is_linear() const { return false; }  ///< add_remainder() has nothing to add
 
+  /// Whether add_remainder() depends on time and inputs alone: no step has to resolve it.
+  virtual bool is_affine() const { return is_linear(); }
+
   /// Adds the linear, constant part of the force, f = −K·q − C·v: the plant integrates it exactly.
   virtual void add_linear(Eigen::MatrixXd& stiffness, Eigen::MatrixXd& damping) const {
     (void)stiffness;

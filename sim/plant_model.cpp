@@ -166,7 +166,7 @@ double substeps_wanted(const PlantModel& model, double rate_Hz) {
   double fastest_rad_s = 0;
   bool dry = false, linear = true;
   for (const auto& term : model.terms) {
-    if (term->is_linear()) continue;
+    if (term->is_affine()) continue;
     if (dynamic_cast<const DryFriction*>(term.get()) != nullptr) {
       dry = true;
       continue;

@@ -25,6 +25,7 @@
 #include "sim/terms/series_compliance.hpp"
 #include "sim/terms/shaft_torsion.hpp"
 #include "sim/terms/shear_thinning.hpp"
+#include "sim/terms/slip.hpp"
 #include "sim/terms/spring.hpp"
 #include "sim/terms/stiffness_hysteresis.hpp"
 #include "sim/terms/stribeck_friction.hpp"
@@ -67,7 +68,9 @@ TermLibrary make_standard_terms() {
                            shaft_torsion,
                            induction_motor,
                            planet_mesh,
-                           cycloid_stage}) {
+                           cycloid_stage,
+                           synchronous_drive,
+                           slip}) {
     library.add(make());
   }
   return library;

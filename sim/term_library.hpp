@@ -57,6 +57,7 @@ struct TermGate {
   bool on_one = true, between_two = true;
   ReferenceKind reference = ReferenceKind::none;
   std::string reference_key = {};  ///< in the plant file: "load", "set_point"
+  std::string in_place_of = {};    ///< as an effect it only ever replaces a term of this type
 };
 
 /// What a type gets to make a term from: names resolved, values checked against the card.

@@ -66,9 +66,22 @@ class ExplainCommand final : public Command {
   bool json_ = false;
 };
 
+void tell_notes(Console& console, const Campaign& campaign) {
+  for (const std::string& note : campaign.notes) console.err << "note: " << note << '\n';
+}
+
 std::string estimate_text(const analysis::Estimate& e) {
   return fmt::format("{} {:.4g} {} (90 %: {:.4g} to {:.4g})", e.name, e.value, e.unit, e.low,
                      e.high);
+}
+
+std::string predicted_text(const PredictedMean& mean, const std::string& unit) {
+  return fmt::format("      mean {:.6g}, predicted {:.6g} ± {:.2g} {} (90 %){}\n", mean.measured,
+                     mean.predicted, mean.half_width, unit,
+                     mean.is_inside()
+                         ? ""
+                         : ": outside, so the law ends before, or an input is not what it is said "
+                           "to be (see the notes)");
 }
 
 void ExplainCommand::print(Console& console, const analysis::Explanation& e) const {
@@ -111,6 +124,7 @@ void ExplainCommand::print_records(Console& console,
                                r.record, r.channel, r.before, r.after, r.unit,
                                100 * r.relative_before, 100 * r.relative_after,
                                r.learned_from ? "" : ", only predicted");
+    if (r.mean) console.out << predicted_text(*r.mean, r.unit);
   }
 }
 
@@ -153,8 +167,12 @@ analysis::Explanation ExplainCommand::explained(Console& console, Twin& twin) co
 int ExplainCommand::tell(Console& console, const Campaign& campaign, const Twin& twin,
                          const analysis::Explanation& explanation) const {
   const Comparisons comparisons = compare(twin, explanation.selection);
-  ExplainFacts facts{plant_,         software_version(), "", record_errors(comparisons),
-                     campaign.notes, campaign.hashes};
+  ExplainFacts facts{plant_,
+                     software_version(),
+                     "",
+                     record_errors(twin, explanation.selection, comparisons),
+                     campaign.notes,
+                     campaign.hashes};
   try {
     if (!out_.empty()) write_out(twin, explanation, comparisons, facts);
   } catch (const std::system_error& error) {
@@ -163,7 +181,7 @@ int ExplainCommand::tell(Console& console, const Campaign& campaign, const Twin&
   if (json_) {
     console.out << explanation_to_json(explanation, facts);
   } else {
-    for (const std::string& note : campaign.notes) console.err << "note: " << note << '\n';
+    tell_notes(console, campaign);
     print(console, explanation);
     print_records(console, facts.records);
     print_self_null(console, explanation.self_null);
@@ -190,6 +208,7 @@ int ExplainCommand::run(Console& console) {
   auto made = make_twin(std::get<0>(std::move(plant)), campaign);
   if (const auto* refusal = std::get_if<Refusal>(&made)) {
     refuse_file(console, plant_, refusal->faults);
+    tell_notes(console, campaign);
     return refusal->of_recordings ? exit_codes::data_refused : exit_codes::bad_file;
   }
   Twin& twin = *std::get<0>(made);

@@ -79,17 +79,24 @@ std::string errors_section(const Explanation& e) {
                             "."));
 }
 
+std::string mean_text(const std::optional<PredictedMean>& mean) {
+  if (!mean) return {};
+  return fmt::format("{:.6g}, {:.6g} ± {:.2g}{}", mean->measured, mean->predicted, mean->half_width,
+                     mean->is_inside() ? "" : ": outside");
+}
+
 std::string records_section(const std::vector<RecordError>& records) {
   std::vector<std::vector<std::string>> rows;
   for (const RecordError& r : records) {
     rows.push_back({xml_escaped(r.record), r.learned_from ? "learned from" : "only predicted",
                     xml_escaped(r.channel), number(r.before), number(r.after), xml_escaped(r.unit),
-                    percent(r.relative_before), percent(r.relative_after)});
+                    percent(r.relative_before), percent(r.relative_after), mean_text(r.mean)});
   }
   if (rows.empty()) return {};
-  return section("Errors by record", table({"record", "use", "channel", "RMS error before", "after",
-                                            "unit", "relative before", "after"},
-                                           rows));
+  return section("Errors by record",
+                 table({"record", "use", "channel", "RMS error before", "after", "unit",
+                        "relative before", "after", "mean, predicted ± 90 %"},
+                       rows));
 }
 
 std::string self_null_section(const analysis::SelfNull& self_null) {

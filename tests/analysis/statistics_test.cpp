@@ -116,6 +116,17 @@ TEST_CASE("two p-values combine as Fisher has it", "[analysis][statistics]") {
   CHECK(combined_p_value({0, 0.5}) < 1e-290);
 }
 
+TEST_CASE("Student's t for a probability is that of the tables",
+          "[analysis][statistics][literature]") {
+  // Fisher & Yates, table III, at 10 %.
+  CHECK(analysis::t_of_p_value(0.1, 1) == Approx(6.314).epsilon(1e-4));
+  CHECK(analysis::t_of_p_value(0.1, 3) == Approx(2.353).epsilon(2e-4));
+  CHECK(analysis::t_of_p_value(0.1, 1e6) == Approx(1.645).epsilon(1e-4));
+  CHECK(analysis::t_p_value(analysis::t_of_p_value(0.37, 7), 7) == Approx(0.37));
+  CHECK_THROWS_AS(analysis::t_of_p_value(0, 7), std::invalid_argument);
+  CHECK_THROWS_AS(analysis::t_of_p_value(0.1, 0.5), std::invalid_argument);
+}
+
 TEST_CASE("combined p-values of nothing are uniform", "[analysis][statistics][null]") {
   std::mt19937 generator(4);
   std::uniform_real_distribution<double> uniform;

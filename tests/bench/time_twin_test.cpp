@@ -167,7 +167,7 @@ TEST_CASE("of one condition nothing can be left out, and nothing is named", "[be
   const Explanation found = analysis::explain(*twin);
   CHECK(found.verdict == ExplainVerdict::not_resolvable);
   CHECK(found.effects.empty());
-  CHECK(record_errors(compare(*twin, found.selection)).empty());
+  CHECK(record_errors(*twin, found.selection, compare(*twin, found.selection)).empty());
 }
 
 TEST_CASE("recordings that do not fit the plant are refused, with the place", "[bench][explain]") {
