@@ -54,8 +54,7 @@ Ceiling flexible_ceiling(const Tryout& on, const Standing& standing) {
   Eigen::Index at = 0;
   double sum = 0, values = 0;
   for (const Fold& fold : on.conditions) {
-    const Eigen::VectorXd residuals =
-        refit_from(on.model, standing.fit.effects, standing.fit.values, fold.trained()).residuals;
+    const Eigen::VectorXd residuals = refit(on.model, standing.fit, fold.trained()).residuals;
     if (residuals.size() == 0) return ceiling;
     Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(features.cols(), features.cols());
     Eigen::VectorXd products = Eigen::VectorXd::Zero(features.cols());

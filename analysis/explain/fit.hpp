@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/explain/descent.hpp"
 #include "analysis/explain/forward_model.hpp"
 
 namespace rvbench::analysis {
@@ -14,6 +15,7 @@ struct Fit {
   std::vector<std::size_t> effects;  ///< indices into the model's library
   std::vector<double> values;        ///< of the base, then of each effect
   Eigen::VectorXd residuals;         ///< of all units, learned from or not
+  Eigen::MatrixXd slopes;            ///< d residuals / d values
   Eigen::MatrixXd covariance;        ///< of values, clustered by unit
   double cost = 0;                   ///< sum of squares over the units learned from
   std::string not_certified;         ///< why it must not be ranked; empty if several starts agree
@@ -29,46 +31,31 @@ struct MustBeat {
 /// Least squares by simulation, from several starts.
 ///
 /// The fit moves the base and every effect together. It is certified if at least two starts end
-/// within 1e-4 in cost and, of each parameter, within 5 % or a tenth of its standard error.
+/// within 1e-4 in cost and, of each parameter, within 5 % or a tenth of its standard error. All
+/// starts make their first moves; the best three go on until two come to rest in one place.
 ///
 /// Covariance  (JᵀJ)⁻¹ (Σ_u g_u g_uᵀ) (JᵀJ)⁻¹ with g_u = J_uᵀ r_u: dependence within a unit does
 ///             not count as knowledge
 /// Source      Liang & Zeger, Biometrika 73(1), 13-22 (1986)
-/// All starts make their first moves; the three best go on until two come to rest in one place.
 ///
 /// @param starts     each of the size of all values; the best end wins
 /// @param trained    per unit: whether it is learned from
+/// @param held       slopes of the first parameters, good enough for first moves; may be empty
 /// @param must_beat  where no start comes below it the fit ends there, without residuals
 Fit fit_from(const ForwardModel& model, const std::vector<std::size_t>& effects,
              const std::vector<std::vector<double>>& starts, const std::vector<bool>& trained,
-             const MustBeat& must_beat = {});
+             const Eigen::MatrixXd& held = {}, const MustBeat& must_beat = {});
 
 /// The fit of `before` with `added` as one more effect, from that effect's own starts.
 Fit fit_with(const ForwardModel& model, const Fit& before, std::size_t added,
              const std::vector<bool>& trained, const MustBeat& must_beat = {});
 
 /// Where a fit comes to rest on other units, without a certificate.
-struct Refit {
-  std::vector<double> values;
-  Eigen::VectorXd residuals;  ///< of all units; empty if the model cannot be evaluated there
-};
-Refit refit_from(const ForwardModel& model, const std::vector<std::size_t>& effects,
-                 const std::vector<double>& start, const std::vector<bool>& trained);
-
-/// Parameters of a fit in the order of its values.
-std::vector<ModelParameter> parameters_of(const ForwardModel& model,
-                                          const std::vector<std::size_t>& effects);
+Evaluated refit(const ForwardModel& model, const Fit& fit, const std::vector<bool>& trained);
 
 /// Where the values of one of the effects begin, after those of the base and of the effects before.
 /// @param place  of the effect in `effects`
 std::size_t first_value_of(const ForwardModel& model, const std::vector<std::size_t>& effects,
                            std::size_t place);
-
-/// d residuals / d parameter, one column for each value. @return nothing where it cannot be had
-std::optional<Eigen::MatrixXd> jacobian(const ForwardModel& model,
-                                        const std::vector<std::size_t>& effects,
-                                        const std::vector<double>& values,
-                                        const Eigen::VectorXd& residuals,
-                                        const std::vector<bool>& trained);
 
 }  // namespace rvbench::analysis

@@ -83,14 +83,14 @@ std::optional<HeldOut> predict_held_out(const ForwardModel& model, const Fit& fi
   double sum = 0, values = 0;
   for (const Fold& fold : folds) {
     const std::vector<bool> trained = fold.trained();
-    const Refit refit = refit_from(model, fit.effects, fit.values, trained);
-    if (refit.residuals.size() == 0) return std::nullopt;
-    const double scatter = trained_mean_square(model, refit.residuals, trained);
+    const Evaluated there = refit(model, fit, trained);
+    if (there.residuals.size() == 0) return std::nullopt;
+    const double scatter = trained_mean_square(model, there.residuals, trained);
     for (std::size_t u = 0; u < trained.size(); ++u) {
       if (trained[u]) continue;
       const ObservedUnit& unit = model.units()[u];
       const auto size = static_cast<double>(unit.size);
-      const auto residuals = refit.residuals.segment(unit.first, unit.size);
+      const auto residuals = there.residuals.segment(unit.first, unit.size);
       const double square = residuals.squaredNorm();
       densities.push_back(log_density_of(residuals, scatter, counts_as));
       sum += square;

@@ -106,9 +106,7 @@ Screened screened(const ForwardModel& model, const Fit& fit, std::size_t effect,
 
 std::vector<Screened> screen(const ForwardModel& model, const Fit& fit,
                              const std::vector<bool>& trained) {
-  const auto slopes = jacobian(model, fit.effects, fit.values, fit.residuals, trained);
-  if (!slopes) return {};
-  Eigen::MatrixXd known_slopes = *slopes;
+  Eigen::MatrixXd known_slopes = fit.slopes;
   for (Eigen::Index i = 0; i < known_slopes.cols(); ++i) {
     known_slopes.col(i) = only_trained(model, known_slopes.col(i), trained);
   }
