@@ -55,9 +55,8 @@ Eigen::MatrixXd inverse(const Eigen::MatrixXd& m) {
 PredictiveError::PredictiveError(const ForwardModel& model, const Fit& fit) {
   if (fit.residuals.size() == 0) throw std::invalid_argument("PredictiveError: no residuals");
   const auto n = static_cast<Eigen::Index>(fit.values.size());
-  const std::vector<bool> all(model.units().size(), true);
-  const Eigen::MatrixXd slopes = jacobian(model, fit.effects, fit.values, fit.residuals, all)
-                                     .value_or(Eigen::MatrixXd::Zero(fit.residuals.size(), n));
+  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(fit.residuals.size(), n);
+  if (fit.slopes.cols() == n) slopes = fit.slopes;
   const auto conditions = conditions_of(model, slopes, fit.residuals);
   const auto count = static_cast<double>(conditions.size());
   freedom_ = std::max(count - static_cast<double>(n), 1.0);
