@@ -149,7 +149,7 @@ class Selector {
       ranked.push_back(trial.held_out);
       const bool itself = trial.effect() == step.effect;
       const Margin apart = margin(best.held_out, trial.held_out);
-      if (!itself && trial.refused.empty() && std::abs(apart.delta) <= 2 * apart.se) {
+      if (!itself && trial.may_be && std::abs(apart.delta) <= 2 * apart.se) {
         step.equals.push_back(trial.effect());
       }
     }

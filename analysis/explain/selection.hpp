@@ -19,6 +19,7 @@ struct Trial {
   Margin over_before;   ///< over the model without it
   double p_value = 1;   ///< of its size, clustered by unit, times the number of candidates
   std::string refused;  ///< why it cannot be accepted; empty if it can
+  bool may_be = false;  ///< it is accepted, or would be but for how its gain varies between units
   std::size_t effect() const { return fit.effects.back(); }
 };
 
@@ -28,7 +29,8 @@ struct Step {
   Margin over_before;
   double p_value = 1;
   double share_won = 0;             ///< of bootstraps, against all others tried
-  std::vector<std::size_t> equals;  ///< those that predict as well within 2 SE; not itself
+  /// Those that may be it, and predict as well within 2 SE; not itself.
+  std::vector<std::size_t> equals;
   std::vector<Trial> tried;         ///< all of them, best first
 };
 

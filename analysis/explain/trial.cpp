@@ -53,14 +53,17 @@ double independent_values(const Tryout& on) {
   return sum;
 }
 
-std::string unconvincing(const Tryout& on, const Trial& trial, const Standing& now,
-                         const Standing& before) {
-  if (!trial.over_before.is_clear() || trial.over_before.delta < on.least_gain())
-    return "does not predict left-out conditions clearly better";
+// Of what is fitted: whether its predictions speak for it.
+void judge_predictions(const Tryout& on, Trial& trial, const Standing& now,
+                       const Standing& before) {
   if (now.extrapolated.log_density.sum() < before.extrapolated.log_density.sum()) {
-    return "predicts left-out speeds or loads worse";
+    trial.refused = "predicts left-out speeds or loads worse";
+    return;
   }
-  return {};
+  trial.may_be = trial.over_before.delta >= on.least_gain();
+  if (!trial.may_be || !trial.over_before.is_clear()) {
+    trial.refused = "does not predict left-out conditions clearly better";
+  }
 }
 
 }  // namespace
@@ -132,7 +135,7 @@ Trial try_effect(const Tryout& on, const Standing& before, std::size_t effect) {
   trial.held_out = now->held_out;
   trial.extrapolated = now->extrapolated;
   trial.over_before = margin(now->held_out, before.held_out);
-  trial.refused = unconvincing(on, trial, *now, before);
+  judge_predictions(on, trial, *now, before);
   return trial;
 }
 

@@ -120,7 +120,7 @@ void ExplainCommand::print_records(Console& console,
                                    const std::vector<RecordError>& records) const {
   console.out << "\n  error by record, as the plant was -> with what was left out\n";
   for (const RecordError& r : records) {
-    console.out << fmt::format("    {:32}{:10} {:.4g} -> {:.4g} {} ({:.3g} -> {:.3g} %){}\n",
+    console.out << fmt::format("    {:31} {:9} {:.4g} -> {:.4g} {} ({:.3g} -> {:.3g} %){}\n",
                                r.record, r.channel, r.before, r.after, r.unit,
                                100 * r.relative_before, 100 * r.relative_after,
                                r.learned_from ? "" : ", only predicted");

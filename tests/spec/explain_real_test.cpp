@@ -4,6 +4,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -98,6 +99,18 @@ TEST_CASE("a robot's joint leaves out dry friction", "[spec][data][explain]") {
   CHECK(names(said)[0] == "coulomb_friction");
   const json& held_out = said.at("fit").at("held_out");
   CHECK(held_out.at("before").get<double>() >= 2.5 * held_out.at("after").get<double>());
+}
+
+// The joint lifts the arm: its friction may grow with the weight that it carries, or not.
+TEST_CASE("the second joint's friction is a class of two", "[spec][data][explain]") {
+  const json said = explained("ur10e_joint", "ur10e_joint_2");
+  if (said.is_null()) return;
+  INFO(said.dump(1));
+  REQUIRE_FALSE(said.at("effects").empty());
+  const json& effect = said.at("effects")[0];
+  CHECK(effect.at("verdict") == "CLASS");
+  const std::set<std::string> names_of_it = effect.at("class");
+  CHECK(names_of_it == std::set<std::string>{"coulomb_friction", "load_friction"});
 }
 
 // Speed without load, by counting turns of the first mesh line with numpy (phase of the demodulated
