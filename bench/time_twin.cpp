@@ -332,8 +332,7 @@ std::vector<Twin::Comparison> TimeTwin::compare(const std::vector<std::size_t>& 
       all.push_back({record->about.name, plant_.outputs[o].channel, plant_.outputs[o].unit,
                      record->about.learned_from, spread_[o], "time [s]",
                      record->excitation.start_s() + static_cast<double>(record->first) / rate_Hz,
-                     1 / rate_Hz,
-                     below_band(*record, record->measured[o], 1),
+                     1 / rate_Hz, below_band(*record, record->measured[o], 1),
                      below_band(*record, shown->channels[o].samples, 1)});
     }
   }

@@ -28,10 +28,10 @@ struct Step {
   std::size_t effect = 0;
   Margin over_before;
   double p_value = 1;
-  double share_won = 0;             ///< of bootstraps, against all others tried
+  double share_won = 0;  ///< of bootstraps, against all others tried
   /// Those that may be it, and predict as well within 2 SE; not itself.
   std::vector<std::size_t> equals;
-  std::vector<Trial> tried;         ///< all of them, best first
+  std::vector<Trial> tried;  ///< all of them, best first
 };
 
 /// What was found to be left out.
