@@ -9,11 +9,6 @@ bool may_move(const TermGate& gate, Motion motion) {
   return motion == Motion::rotation ? gate.rotation : gate.translation;
 }
 
-// Whichever of the two the term calls its first.
-bool is_between(const std::string& a, const std::string& b, const TermSpec& term) {
-  return (term.body_a == a && term.body_b == b) || (term.body_a == b && term.body_b == a);
-}
-
 // Each body against the housing, each pair that a term joins.
 std::vector<EffectSite> axes_of(const PlantSpec& plant, const TermGate& gate) {
   std::vector<EffectSite> axes;
@@ -23,7 +18,7 @@ std::vector<EffectSite> axes_of(const PlantSpec& plant, const TermGate& gate) {
   for (const TermSpec& term : plant.terms) {
     if (!gate.between_two || term.body_b == housing_name) continue;
     const bool known = std::ranges::any_of(
-        axes, [&](const EffectSite& axis) { return is_between(axis.body_a, axis.body_b, term); });
+        axes, [&](const EffectSite& axis) { return term.is_between(axis.body_a, axis.body_b); });
     if (!known && may_move(gate, plant.motion_of(term.body_a))) {
       axes.push_back({term.body_a, term.body_b});
     }
@@ -63,7 +58,7 @@ std::vector<EffectSite> places_of(const PlantSpec& plant, const std::string& typ
 
 bool acts_already(const PlantSpec& plant, const TermType& type, const EffectSite& site) {
   return std::ranges::any_of(plant.terms, [&](const TermSpec& term) {
-    return term.type == type.card.name && is_between(site.body_a, site.body_b, term) &&
+    return term.type == type.card.name && term.is_between(site.body_a, site.body_b) &&
            term.reference == site.reference;
   });
 }

@@ -57,12 +57,9 @@ std::vector<const DryFriction*> Plant::steep_frictions() const {
   for (const auto& term : model_.terms) {
     const auto* dry = dynamic_cast<const DryFriction*>(term.get());
     if (dry == nullptr) continue;
-    const Axis axis = dry->axis();
-    const double mobility = 1 / model_.inertia[axis.body_a] +
-                            (axis.body_b == housing ? 0 : 1 / model_.inertia[axis.body_b]);
     const auto [forward, backward] = dry->limits(start);
     const double level = std::max(forward, backward);
-    const double way = level * mobility * step_s_ / dry->creep_speed();
+    const double way = level * dry->mobility(model_.inertia) * step_s_ / dry->creep_speed();
     if (level == 0 || way > resolved) steep.push_back(dry);
   }
   return steep;

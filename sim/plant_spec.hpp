@@ -3,6 +3,7 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/unit_kind.hpp"
@@ -40,6 +41,11 @@ struct TermSpec {
   std::string reference;  ///< the input, term or body that the type asks for; "" if none
   Parameters parameters;
   std::string about = {};  ///< where its numbers come from
+
+  /// Whichever of the two the term calls its first.
+  bool is_between(std::string_view a, std::string_view b) const {
+    return (body_a == a && body_b == b) || (body_a == b && body_b == a);
+  }
 };
 
 enum class InputKind { force, signal, position, speed, acceleration };

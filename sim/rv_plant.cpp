@@ -41,10 +41,6 @@ void check_inputs(const PlantSpec& plant, Faults& faults) {
   }
 }
 
-bool joins(const TermSpec& term, std::string_view a, std::string_view b) {
-  return (term.body_a == a && term.body_b == b) || (term.body_a == b && term.body_b == a);
-}
-
 void check_terms(const PlantSpec& plant, Faults& faults) {
   const auto need = [&](const std::string& what, const auto& is_it) {
     if (std::ranges::none_of(plant.terms, is_it)) {
@@ -55,9 +51,9 @@ void check_terms(const PlantSpec& plant, Faults& faults) {
     return t.type == "induction_motor" && t.body_a == rv_parts::motor;
   });
   need("a term between \"motor\" and \"input_shaft\"",
-       [](const TermSpec& t) { return joins(t, rv_parts::motor, rv_parts::input_shaft); });
+       [](const TermSpec& t) { return t.is_between(rv_parts::motor, rv_parts::input_shaft); });
   need("a term between \"carrier\" and \"brake\"",
-       [](const TermSpec& t) { return joins(t, rv_parts::carrier, rv_parts::brake); });
+       [](const TermSpec& t) { return t.is_between(rv_parts::carrier, rv_parts::brake); });
   need("a planet_mesh", [](const TermSpec& t) { return t.type == "planet_mesh"; });
   for (const TermSpec& mesh : plant.terms) {
     if (mesh.type != "planet_mesh") continue;

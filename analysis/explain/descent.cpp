@@ -150,22 +150,6 @@ Eigen::VectorXd gradient_at(const FitProblem& on, const Prior& prior, const Eval
   return gradient;
 }
 
-// Half the curvature of the cost, as linear residuals would have it.
-Eigen::MatrixXd information_of(const FitProblem& on, const Prior& prior,
-                               const Eigen::MatrixXd& slopes) {
-  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(slopes.cols(), slopes.cols());
-  for (std::size_t u = 0; u < on.trained.size(); ++u) {
-    if (!on.trained[u]) continue;
-    const auto j = slopes.middleRows(on.model.units()[u].first, on.model.units()[u].size);
-    information.noalias() += j.transpose() * j;
-  }
-  for (std::size_t p = 0; p < prior.of.size(); ++p) {
-    const auto i = static_cast<Eigen::Index>(prior.of[p]);
-    information(i, i) += 1 / (prior.spread[p] * prior.spread[p]);
-  }
-  return information;
-}
-
 // The lowest point of the quadratic within bounds: what would leave them ends there.
 Eigen::VectorXd step_within_bounds(const FitProblem& on, const std::vector<double>& values,
                                    const Eigen::MatrixXd& information,
@@ -219,6 +203,21 @@ std::vector<ModelParameter> parameters_of(const ForwardModel& model,
     all.insert(all.end(), more.begin(), more.end());
   }
   return all;
+}
+
+Eigen::MatrixXd information_of(const FitProblem& on, const Eigen::MatrixXd& slopes) {
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(slopes.cols(), slopes.cols());
+  for (std::size_t u = 0; u < on.trained.size(); ++u) {
+    if (!on.trained[u]) continue;
+    const auto j = slopes.middleRows(on.model.units()[u].first, on.model.units()[u].size);
+    information.noalias() += j.transpose() * j;
+  }
+  const Prior prior(on.parameters);
+  for (std::size_t p = 0; p < prior.of.size(); ++p) {
+    const auto i = static_cast<Eigen::Index>(prior.of[p]);
+    information(i, i) += 1 / (prior.spread[p] * prior.spread[p]);
+  }
+  return information;
 }
 
 std::optional<Eigen::MatrixXd> jacobian(const FitProblem& on, const std::vector<double>& values,
@@ -281,7 +280,7 @@ Descent descend(const FitProblem& on, std::vector<double> values, int iterations
 std::optional<Evaluated> settle(const FitProblem& on, const Evaluated& from,
                                 const Eigen::MatrixXd& slopes) {
   const Prior prior(on.parameters);
-  const Eigen::MatrixXd information = information_of(on, prior, slopes);
+  const Eigen::MatrixXd information = information_of(on, slopes);
   Evaluated at = from;
   double cost = trained_cost(on, at.residuals) + prior.cost(at.values);
   for (int steps = 0; steps <= most_steps; ++steps) {

@@ -31,6 +31,10 @@ std::optional<Eigen::MatrixXd> jacobian(const FitProblem& on, const std::vector<
                                         const Eigen::VectorXd& residuals,
                                         const Eigen::MatrixXd& held = {});
 
+/// Half the curvature of the cost at these slopes, as linear residuals would have it; with what is
+/// known of the parameters beforehand.
+Eigen::MatrixXd information_of(const FitProblem& on, const Eigen::MatrixXd& slopes);
+
 /// Where a descent ended.
 struct Descent {
   std::vector<double> values;

@@ -23,7 +23,6 @@ Eigen::MatrixXd clustered_covariance(const FitProblem& on, const Eigen::MatrixXd
                                      const Eigen::VectorXd& residuals) {
   const Eigen::Index n = slopes.cols();
   if (n == 0) return {};
-  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(n, n);
   Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(n, n);
   double units = 0;
   for (std::size_t u = 0; u < on.trained.size(); ++u) {
@@ -31,17 +30,15 @@ Eigen::MatrixXd clustered_covariance(const FitProblem& on, const Eigen::MatrixXd
     const ObservedUnit& unit = on.model.units()[u];
     const auto j = slopes.middleRows(unit.first, unit.size);
     const Eigen::VectorXd gradient = j.transpose() * residuals.segment(unit.first, unit.size);
-    information += j.transpose() * j;
     scatter += gradient * gradient.transpose();
     ++units;
   }
   for (Eigen::Index i = 0; i < n; ++i) {
     const double spread = on.parameters[static_cast<std::size_t>(i)].spread;
-    if (!std::isfinite(spread)) continue;
-    information(i, i) += 1 / (spread * spread);
-    scatter(i, i) += 1 / (spread * spread);
+    if (std::isfinite(spread)) scatter(i, i) += 1 / (spread * spread);
   }
-  const Eigen::MatrixXd inverse = information.completeOrthogonalDecomposition().pseudoInverse();
+  const Eigen::MatrixXd inverse =
+      information_of(on, slopes).completeOrthogonalDecomposition().pseudoInverse();
   return units / std::max(units - static_cast<double>(n), 1.0) * inverse * scatter * inverse;
 }
 

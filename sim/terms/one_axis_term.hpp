@@ -39,6 +39,8 @@ class OneAxisTerm : public PhysicsTerm {
   double speed(const PlantState& s) const {  ///< dx/dt
     return axis_.body_b == housing ? s.v[axis_.body_a] : s.v[axis_.body_a] - s.v[axis_.body_b];
   }
+  /// 1/kg or 1/(kg·m²): how easily the two ends part.
+  double mobility(const Eigen::VectorXd& inertia) const;
 
  protected:
   void give(double effort, Eigen::Ref<Eigen::VectorXd> f) const {
@@ -46,8 +48,6 @@ class OneAxisTerm : public PhysicsTerm {
     if (axis_.body_b != housing) f[axis_.body_b] += effort;
   }
   void add_between(Eigen::MatrixXd& m, double value) const;
-  /// 1/kg or 1/(kg·m²): how easily the two ends part.
-  double mobility(const Eigen::VectorXd& inertia) const;
 
  private:
   std::string_view name_;
