@@ -46,6 +46,9 @@ class PhysicsTerm {
     return 0;
   }
 
+  /// The one frequency of what follows time in the push, and not motion; 0 if nothing does.
+  virtual double rhythm_Hz(const PlantState&) const { return 0; }
+
   virtual bool is_linear() const { return false; }  ///< add_remainder() has nothing to add
 
   /// Whether add_remainder() depends on time and inputs alone: no step has to resolve it.

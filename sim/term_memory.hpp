@@ -14,6 +14,9 @@ class TermMemory {
   virtual Eigen::Index size() const = 0;
   virtual void place(Eigen::Index first) = 0;  ///< its part is z[first .. first + size())
 
+  /// Whether its part grows at rates that only the inputs decide: a phase, no past.
+  virtual bool is_clock() const { return false; }
+
   /// Adds dz/dt of its part.
   /// @param rates  size of the whole z, in/out
   virtual void add_rates(const PlantState& s, Eigen::Ref<Eigen::VectorXd> rates) const = 0;

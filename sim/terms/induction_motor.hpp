@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "sim/term_library.hpp"
 #include "sim/term_memory.hpp"
 
@@ -35,9 +37,13 @@ class InductionMotor final : public OneAxisTerm, public TermMemory {
   double effort(const PlantState& s) const override { return -torque_Nm(s); }
   double supplied_power_W(const PlantState& s) const override { return torque_Nm(s) * speed(s); }
   double fastest_rad_s(const Eigen::VectorXd& inertia) const override;
+  double rhythm_Hz(const PlantState& s) const override {
+    return p_.ripple == 0 ? 0 : 6 * std::abs(s.u[p_.supply]);
+  }
 
   Eigen::Index size() const override { return 1; }
   void place(Eigen::Index first) override { place_ = first; }
+  bool is_clock() const override { return true; }
   void add_rates(const PlantState& s, Eigen::Ref<Eigen::VectorXd> rates) const override;
 
  private:

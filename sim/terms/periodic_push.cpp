@@ -3,8 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "hal/types/units.hpp"
-
 namespace rvbench::sim {
 
 PeriodicPush::PeriodicPush(std::string_view name, Axis axis, double cosine, double sine,

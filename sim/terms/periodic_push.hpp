@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "hal/types/units.hpp"
 #include "sim/term_library.hpp"
 #include "sim/terms/one_axis_term.hpp"
 
@@ -15,6 +16,7 @@ class PeriodicPush final : public OneAxisTerm {
   double effort(const PlantState& s) const override;
   double supplied_power_W(const PlantState& s) const override { return -effort(s) * speed(s); }
   double fastest_rad_s(const Eigen::VectorXd&) const override { return frequency_rad_s_; }
+  double rhythm_Hz(const PlantState&) const override { return frequency_rad_s_ / units::two_pi; }
 
  private:
   double cosine_, sine_, frequency_rad_s_;

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "hal/config_reader.hpp"
+#include "sim/plant_model.hpp"
+
+namespace rvbench::sim {
+
+/// Turns of each body while the slowest makes one: the one motion that the linear springs let pass.
+/// 0 of a body that is held.
+std::variant<Eigen::VectorXd, hal::ConfigFault> common_motion(const PlantModel& model);
+
+/// How the bodies of a plant move when they turn steadily: see steady_state().
+class SteadyMotion {
+ public:
+  /// When the bodies' oscillation counts as found.
+  struct Rest {
+    int rounds = 1;      ///< at least
+    double lines = 0;    ///< of the largest force line: what may be open before the last round,
+    double balance = 0;  ///< of the largest force: in the mean; a tenth of it is after that round
+  };
+
+  /// @param model   outlives the motion
+  /// @param common  see common_motion()
+  SteadyMotion(const PlantModel& model, Eigen::VectorXd common, const Eigen::VectorXd& inputs,
+               int orders);
+
+  /// Starts from rest lines and the fastest speed that holds itself.
+  std::optional<hal::ConfigFault> solve();
+  /// Starts from a motion that is near; @return whether it led there
+  bool solve_near(double speed_rad_s, const Eigen::MatrixXcd& lines);
+
+  double speed_rad_s() const { return speed_rad_s_; }  ///< of the slowest body
+  const Eigen::VectorXd& common() const { return common_; }
+  const Eigen::MatrixXcd& lines() const { return lines_; }  ///< bodies x orders; column 0: the mean
+  double omega_rad_s(Eigen::Index order) const;
+  Eigen::MatrixXcd differentiated(const Eigen::MatrixXcd& lines) const;
+  Eigen::MatrixXcd impedance(double omega_rad_s) const;  ///< about the mean motion
+
+  /// Angles at zero, mean deflections, mean speeds, at this time.
+  PlantState mean_state(double t_s) const;
+  Eigen::Index samples() const { return samples_; }
+  /// Calls see(sample, state) around one period.
+  void go_round(const std::function<void(Eigen::Index, PlantState&)>& see) const;
+
+ private:
+  void set_clocks(PlantState& s, double t_s) const;
+  void add_forces(PlantState& s, bool remainder_only, Eigen::VectorXd& f) const;
+  const PhysicsTerm* find_holder() const;
+  double drive_at(double speed_rad_s) const;
+  bool find_speed();
+  void find_slopes();
+  bool come_to_rest(const Rest& rest);
+
+  const PlantModel& model_;
+  std::vector<std::pair<const PhysicsTerm*, double>> rhythmic_;  // with its rhythm, Hz
+  std::vector<const PhysicsTerm*> steady_, curved_;  // the others, and those with a remainder
+  Eigen::VectorXd common_;
+  Eigen::Index n_;
+  int orders_;
+  Eigen::Index samples_;
+  Eigen::VectorXd u_, clock_rates_;
+  Eigen::MatrixXd linear_stiffness_, linear_damping_;  // of the terms' linear parts
+  Eigen::MatrixXd stiffness_, damping_;                // mean slopes of all forces
+  double speed_rad_s_ = 0;
+  Eigen::MatrixXcd lines_;
+};
+
+}  // namespace rvbench::sim

@@ -1,0 +1,192 @@
+#include "sim/steady_state.hpp"
+
+#include <Eigen/LU>
+#include <complex>
+
+#include "hal/types/recording.hpp"
+#include "hal/types/units.hpp"
+#include "sim/named.hpp"
+#include "sim/order_lines.hpp"
+#include "sim/steady_motion.hpp"
+
+namespace rvbench::sim {
+namespace {
+
+using Complex = std::complex<double>;
+using hal::ConfigFault;
+
+// What the plant's sensors make of a motion.
+class SteadySensors {
+ public:
+  SteadySensors(const PlantSpec& plant, const PlantModel& model) : plant_(plant), model_(model) {
+    for (const OutputSpec& output : plant.outputs) {
+      places_.push_back(output.kind == OutputKind::effort ? index_of(plant.terms, output.of)
+                                                          : index_of(plant.bodies, output.of));
+    }
+  }
+
+  /// Efforts of curved terms alone are not.
+  bool is_linear(Eigen::Index output) const {
+    const auto o = static_cast<std::size_t>(output);
+    return plant_.outputs[o].kind != OutputKind::effort ||
+           model_.terms[static_cast<std::size_t>(places_[o])]->is_linear();
+  }
+
+  double value(Eigen::Index output, const PlantState& s,
+               const Eigen::VectorXd& acceleration) const {
+    const auto o = static_cast<std::size_t>(output);
+    return plant_.outputs[o].gain.value *
+           value(plant_.outputs[o].kind, places_[o], s, acceleration);
+  }
+
+  Eigen::VectorXd values(const PlantState& s, const Eigen::VectorXd& acceleration) const {
+    Eigen::VectorXd values(static_cast<Eigen::Index>(places_.size()));
+    for (Eigen::Index o = 0; o < values.size(); ++o) values[o] = value(o, s, acceleration);
+    return values;
+  }
+
+ private:
+  double value(OutputKind kind, int place, const PlantState& s,
+               const Eigen::VectorXd& acceleration) const {
+    switch (kind) {
+      case OutputKind::position: return s.q[place];
+      case OutputKind::speed: return s.v[place];
+      case OutputKind::acceleration: return acceleration[place];
+      case OutputKind::effort: return model_.terms[static_cast<std::size_t>(place)]->effort(s);
+      case OutputKind::drive: break;
+    }
+    return not_known;
+  }
+
+  const PlantSpec& plant_;
+  const PlantModel& model_;
+  std::vector<int> places_;
+};
+
+// Of a sensor that is linear about the mean motion: what it makes of each line by itself.
+Eigen::RowVectorXcd lines_of_linear(const SteadySensors& sensors, const SteadyMotion& motion,
+                                    Eigen::Index output) {
+  const Eigen::MatrixXcd speeds = motion.differentiated(motion.lines());
+  PlantState s = motion.mean_state(0);
+  const PlantState mean = s;
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(s.q.size());
+  Eigen::RowVectorXcd lines(motion.lines().cols());
+  const double still = sensors.value(output, mean, none);
+  for (Eigen::Index k = 1; k < lines.size(); ++k) {
+    const Complex rate(0, motion.omega_rad_s(k));
+    const auto part = [&](auto taken) {
+      s.q = mean.q + taken(motion.lines().col(k));
+      s.v = mean.v + taken(speeds.col(k));
+      return sensors.value(output, s, taken(rate * speeds.col(k))) - still;
+    };
+    lines[k] = {part([](const auto& x) { return x.real().eval(); }),
+                part([](const auto& x) { return x.imag().eval(); })};
+  }
+  lines[0] = still;
+  return lines;
+}
+
+Eigen::MatrixXcd shaft_lines(const SteadySensors& sensors, const SteadyMotion& motion,
+                             Eigen::Index outputs) {
+  Eigen::MatrixXcd lines(outputs, motion.lines().cols());
+  std::vector<Eigen::Index> curved;
+  for (Eigen::Index o = 0; o < outputs; ++o) {
+    if (sensors.is_linear(o)) {
+      lines.row(o) = lines_of_linear(sensors, motion, o);
+    } else {
+      curved.push_back(o);
+    }
+  }
+  if (curved.empty()) return lines;
+  Signals signals(static_cast<Eigen::Index>(curved.size()), motion.samples());
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(motion.common().size());
+  motion.go_round([&](Eigen::Index i, PlantState& s) {
+    for (std::size_t o = 0; o < curved.size(); ++o) {
+      signals(static_cast<Eigen::Index>(o), i) = sensors.value(curved[o], s, none);
+    }
+  });
+  lines(curved, Eigen::all) = lines_of(signals, lines.cols() - 1);
+  return lines;
+}
+
+// What a term's own rhythm does to the outputs: forces at quarter periods give its line, the
+// bodies answer it about their mean motion, and the sensors are taken as linear there.
+Eigen::VectorXcd timed_line(const SteadySensors& sensors, const SteadyMotion& motion,
+                            const PhysicsTerm& term, double rhythm_Hz) {
+  const Eigen::Index n = motion.common().size();
+  const auto push_at = [&](double part) {
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(n);
+    term.add_force(motion.mean_state(part / rhythm_Hz), f);
+    return f;
+  };
+  const Complex j(0, 1);
+  const Eigen::VectorXcd push = 0.5 * ((push_at(0) - push_at(0.5)).cast<Complex>() -
+                                       j * (push_at(0.25) - push_at(0.75)).cast<Complex>());
+  const double omega_rad_s = units::two_pi * rhythm_Hz;
+  const Eigen::VectorXcd way = motion.impedance(omega_rad_s).partialPivLu().solve(push);
+  const auto shown_at = [&](double part) {
+    const Complex turn = std::polar(1.0, units::two_pi * part);
+    PlantState s = motion.mean_state(part / rhythm_Hz);
+    s.q += (turn * way).real();
+    s.v += (j * omega_rad_s * turn * way).real();
+    return sensors.values(s, (-omega_rad_s * omega_rad_s * turn * way).real());
+  };
+  return 0.5 * ((shown_at(0) - shown_at(0.5)).cast<Complex>() -
+                j * (shown_at(0.25) - shown_at(0.75)).cast<Complex>());
+}
+
+SteadyState shown(const PlantSpec& plant, const PlantModel& model, const SteadyMotion& motion) {
+  const SteadySensors sensors(plant, model);
+  SteadyState result{std::abs(motion.speed_rad_s()) / units::two_pi,
+                     motion.common() * motion.speed_rad_s(),
+                     motion.lines(),
+                     motion.speed_rad_s(),
+                     {},
+                     {}};
+  const auto outputs = static_cast<Eigen::Index>(plant.outputs.size());
+  const Eigen::MatrixXcd lines = shaft_lines(sensors, motion, outputs);
+  std::vector<Eigen::VectorXcd> timed;
+  for (const auto& term : model.terms) {
+    const double rhythm_Hz = term->rhythm_Hz(motion.mean_state(0));
+    if (rhythm_Hz == 0) continue;
+    result.rhythms_Hz.push_back(rhythm_Hz);
+    timed.push_back(timed_line(sensors, motion, *term, rhythm_Hz));
+  }
+  for (Eigen::Index o = 0; o < outputs; ++o) {
+    SteadyOutput output;
+    output.mean = lines(o, 0).real() + plant.outputs[static_cast<std::size_t>(o)].offset.value;
+    output.shaft_lines = lines.row(o).transpose();
+    output.timed_lines.resize(static_cast<Eigen::Index>(timed.size()));
+    for (std::size_t i = 0; i < timed.size(); ++i) {
+      output.timed_lines[static_cast<Eigen::Index>(i)] = timed[i][o];
+    }
+    result.outputs.push_back(std::move(output));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::variant<SteadyPlant, ConfigFault> SteadyPlant::make(const PlantSpec& plant,
+                                                         const TermLibrary& library) {
+  auto made = make_model(plant, library);
+  if (const auto* fault = std::get_if<ConfigFault>(&made)) return *fault;
+  auto& model = std::get<PlantModel>(made);
+  if (!model.prescribed.empty()) {
+    return ConfigFault{0, "/inputs", "a prescribed motion leaves nothing to solve for"};
+  }
+  auto common = common_motion(model);
+  if (const auto* fault = std::get_if<ConfigFault>(&common)) return *fault;
+  return SteadyPlant(plant, std::move(model), std::get<Eigen::VectorXd>(std::move(common)));
+}
+
+std::variant<SteadyState, ConfigFault> SteadyPlant::under(const Eigen::VectorXd& inputs, int orders,
+                                                          const SteadyState* near) const {
+  SteadyMotion motion(model_, common_, inputs, orders);
+  if (near == nullptr || !motion.solve_near(near->slowest_rad_s, near->motion)) {
+    if (const auto fault = motion.solve()) return *fault;
+  }
+  return shown(*plant_, model_, motion);
+}
+
+}  // namespace rvbench::sim

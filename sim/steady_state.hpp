@@ -1,0 +1,72 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "hal/config_reader.hpp"
+#include "sim/plant_model.hpp"
+#include "sim/term_library.hpp"
+
+namespace rvbench::sim {
+
+/// One output of a plant that turns steadily: mean + Re Σ lines·e^(jωt).
+struct SteadyOutput {
+  double mean = 0;               ///< in the output's unit
+  Eigen::VectorXcd shaft_lines;  ///< element k: of order k of the period; element 0 is unused
+  Eigen::VectorXcd timed_lines;  ///< one for each of SteadyState::rhythms_Hz
+};
+
+/// A plant whose bodies turn together, each at its own constant speed but for small oscillations.
+struct SteadyState {
+  double period_Hz = 0;               ///< turns per second of the slowest body: everything repeats
+  Eigen::VectorXd speed_rad_s;        ///< mean, of each body
+  Eigen::MatrixXcd motion;            ///< bodies x orders: oscillation; column 0 is the mean
+  double slowest_rad_s = 0;           ///< speed of the slowest body, with its sign
+  std::vector<double> rhythms_Hz;     ///< of terms that follow time, not motion
+  std::vector<SteadyOutput> outputs;  ///< in order of the plant's
+};
+
+/// Solves a plant's steady rotation under constant inputs, in the order domain.
+///
+/// The bodies' common motion is the one that the linear springs let pass; its speed is where the
+/// power balances. Around it, the motion x answers the terms' forces over one period of the slowest
+/// body: (K + jωC − ω²M)·x = f, with f taken from the terms themselves at the motion found so far,
+/// until no force line is open by more than 1e-6 of the largest; from a state that is near, three
+/// times at least, each of which leaves about a tenth open of what the one before did. What follows
+/// time is taken as small beside the rest, one line for each such term.
+///
+/// Leaves out: what outlasts a period (memories of terms, chaos), lines between the orders,
+/// modulation of the timed lines by the shaft
+/// Source: Cameron & Griffin, J. Appl. Mech. 56(1), 149-154 (1989): alternating frequency and time
+class SteadyPlant {
+ public:
+  /// @param plant  outlives the result
+  /// @return a fault if bodies can turn by themselves or have no common period, or if a motion is
+  ///         prescribed
+  static std::variant<SteadyPlant, hal::ConfigFault> make(
+      const PlantSpec& plant, const TermLibrary& library = standard_terms());
+
+  /// Turns that each body makes, with its sign, while the slowest makes one: the motion that the
+  /// plant's linear springs let pass. 0 of a body that is held.
+  const Eigen::VectorXd& turns_per_period() const { return common_; }
+
+  /// @param inputs  of the channels of plant.inputs, in their order; all of them force or signal
+  /// @param orders  lines 1 .. orders are solved
+  /// @param near    a state of a plant much like this one: where to begin; nullptr: nowhere
+  /// @return the steady state; a fault if there is none: nothing drives the bodies, a term has a
+  ///         past, or the lines do not come to rest
+  std::variant<SteadyState, hal::ConfigFault> under(const Eigen::VectorXd& inputs, int orders,
+                                                    const SteadyState* near = nullptr) const;
+
+ private:
+  SteadyPlant(const PlantSpec& plant, PlantModel model, Eigen::VectorXd common)
+      : plant_(&plant), model_(std::move(model)), common_(std::move(common)) {}
+
+  const PlantSpec* plant_;
+  PlantModel model_;
+  Eigen::VectorXd common_;
+};
+
+}  // namespace rvbench::sim

@@ -1,0 +1,138 @@
+#include "sim/steady_state.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "sim/terms/one_axis_term.hpp"
+#include "tests/sim/plant_texts.hpp"
+
+using namespace rvbench;
+using test::plant_of;
+using Complex = std::complex<double>;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// A torque that goes round with its body: A·cos 3θ, or a stiffness that does.
+class Lobes final : public sim::OneAxisTerm {
+ public:
+  explicit Lobes(const sim::TermSite& at)
+      : OneAxisTerm("lobes", at.axis), push_Nm_(at["push"]), stiffness_(at["stiffness"]) {}
+  double effort(const sim::PlantState& s) const override {
+    const double wave = std::cos(3 * s.q[axis().body_a]);
+    return (stiffness_ * way(s) - push_Nm_) * wave;
+  }
+
+ private:
+  double push_Nm_, stiffness_;
+};
+
+sim::TermLibrary with_lobes() {
+  sim::TermLibrary library = sim::standard_terms();
+  library.add(
+      {.card = {.name = "lobes"},
+       .parameters =
+           {{.name = "push", .unit = sim::UnitKind::force, .max = 1e9, .fallback = 0},
+            {.name = "stiffness", .unit = sim::UnitKind::stiffness, .max = 1e9, .fallback = 0}},
+       .make = [](const sim::TermSite& at) { return std::make_unique<Lobes>(at); }});
+  return library;
+}
+
+// Two wheels of 0.002 and 0.05 kg·m² on a shaft of 30 N·m/rad and 0.01 N·m·s/rad; the second one
+// runs in 0.02 N·m·s/rad, the first is pushed.
+std::string two_wheels(const std::string& more = "") {
+  return R"({"plant": "wheels", "bodies": [
+    {"name": "rotor", "motion": "rotation", "inertia": {"value": 0.002, "unit": "kg·m²"}},
+    {"name": "wheel", "motion": "rotation", "inertia": {"value": 0.05, "unit": "kg·m²"}}],
+    "terms": [
+    {"type": "spring", "body_a": "rotor", "body_b": "wheel", "name": "shaft",
+     "parameters": {"stiffness": {"value": 30, "unit": "N·m/rad"}}},
+    {"type": "damper", "body_a": "rotor", "body_b": "wheel",
+     "parameters": {"damping": {"value": 0.01, "unit": "N·m·s/rad"}}},
+    {"type": "viscous_friction", "body_a": "wheel",
+     "parameters": {"damping": {"value": 0.02, "unit": "N·m·s/rad"}}})" +
+         more + R"(],
+    "inputs": [{"channel": "torque", "unit": "N·m", "is": "force", "body": "rotor"}],
+    "outputs": [{"channel": "speed", "unit": "rad/s", "is": "speed", "body": "rotor"},
+                {"channel": "twist", "unit": "N·m", "is": "effort", "term": "shaft"}]})";
+}
+
+std::variant<sim::SteadyState, hal::ConfigFault> solve(const std::string& text, double torque_Nm,
+                                                       int orders = 8) {
+  const sim::TermLibrary library = with_lobes();
+  const sim::PlantSpec plant = plant_of(text, library);
+  const auto made = sim::SteadyPlant::make(plant, library);
+  if (const auto* fault = std::get_if<hal::ConfigFault>(&made)) return *fault;
+  return std::get<sim::SteadyPlant>(made).under(Eigen::VectorXd::Constant(1, torque_Nm), orders);
+}
+
+sim::SteadyState steady(const std::string& plant, double torque_Nm) {
+  auto result = solve(plant, torque_Nm);
+  if (auto* fault = std::get_if<hal::ConfigFault>(&result)) {
+    FAIL(fault->pointer << ": " << fault->message);
+  }
+  return std::get<sim::SteadyState>(std::move(result));
+}
+
+// Twist of the shaft for a torque of 1 N·m on the rotor: two equations, solved by hand.
+Complex twist_per_Nm(double omega) {
+  const Complex j(0, 1);
+  const Complex shaft = 30.0 + j * omega * 0.01;
+  const Complex rotor = -omega * omega * 0.002 + shaft;
+  const Complex wheel = -omega * omega * 0.05 + j * omega * 0.02 + shaft;
+  const Complex det = rotor * wheel - shaft * shaft;
+  return 30.0 * (wheel - shaft) / det;
+}
+
+std::string lobes(const std::string& what, double value, const std::string& unit) {
+  return R"(, {"type": "lobes", "body_a": "rotor", "body_b": "housing", "parameters": {")" + what +
+         R"(": {"value": )" + std::to_string(value) + R"(, "unit": ")" + unit + R"("}}})";
+}
+
+}  // namespace
+
+SCENARIO("bodies on a shaft turn where drive and friction balance", "[sim][steady]") {
+  const double torque_Nm = GENERATE(0.5, 2.0, -1.0);
+  const auto state = steady(two_wheels(), torque_Nm);
+  CHECK(state.speed_rad_s[0] == Approx(torque_Nm / 0.02));
+  CHECK(state.speed_rad_s[1] == Approx(torque_Nm / 0.02));
+  CHECK(state.period_Hz == Approx(std::abs(torque_Nm) / 0.02 / (2 * pi)));
+  CHECK(state.outputs[1].mean == Approx(torque_Nm));
+  AND_THEN("nothing oscillates") {
+    CHECK(state.outputs[1].shaft_lines.tail(8).cwiseAbs().maxCoeff() < 1e-9);
+  }
+}
+
+SCENARIO("a torque that goes round answers as two inertias on a spring do", "[sim][steady]") {
+  const double torque_Nm = GENERATE(0.3, 0.75, 3.0);  // below, near and above the shaft's resonance
+  const auto state = steady(two_wheels(lobes("push", 0.01, "N·m")), torque_Nm);
+  const double omega = 3 * state.speed_rad_s[0];
+  const double expected = 0.01 * std::abs(twist_per_Nm(omega));
+  CHECK(std::abs(state.outputs[1].shaft_lines[3]) == Approx(expected).epsilon(2e-2));
+}
+
+SCENARIO("what follows time keeps its frequency at every speed", "[sim][steady]") {
+  const auto state = steady(two_wheels(R"(, {"type": "external_force", "body_a": "rotor",
+    "parameters": {"cosine": {"value": 0.03, "unit": "N·m"}, "sine": {"value": -0.04, "unit": "N·m"},
+                   "frequency": {"value": 50, "unit": "Hz"}}})"),
+                            GENERATE(0.5, 2.0));
+  REQUIRE(state.rhythms_Hz == std::vector<double>{50});
+  const Complex expected = Complex(0.03, 0.04) * twist_per_Nm(2 * pi * 50);
+  CHECK(std::abs(state.outputs[1].timed_lines[0] - expected) < 1e-6 * std::abs(expected));
+  CHECK(state.outputs[1].shaft_lines.tail(8).cwiseAbs().maxCoeff() < 1e-9);
+}
+
+SCENARIO("what cannot turn steadily is refused with its reason", "[sim][steady]") {
+  const auto refused = [](const std::string& text, double torque_Nm) {
+    auto result = solve(text, torque_Nm);
+    REQUIRE(std::holds_alternative<hal::ConfigFault>(result));
+    return std::get<hal::ConfigFault>(result).message;
+  };
+  CHECK(refused(two_wheels(), 0) == "nothing keeps the bodies turning");
+  CHECK(refused(two_wheels(R"(, {"type": "spring", "body_a": "wheel",
+    "parameters": {"stiffness": {"value": 1, "unit": "N·m/rad"}}})"),
+                1) == "0 bodies that can turn by themselves, not 1");
+}
