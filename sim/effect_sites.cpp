@@ -47,6 +47,16 @@ std::vector<std::string> references_of(const PlantSpec& plant, ReferenceKind kin
   return names;
 }
 
+// What a term carries is known to the bodies that it joins only.
+bool joins(const PlantSpec& plant, const TermType& type, const EffectSite& site) {
+  if (type.gate.reference != ReferenceKind::term) return true;
+  const TermSpec* term = plant.find_term(site.reference);
+  const auto is_end = [&](const std::string& body) {
+    return body != housing_name && (body == term->body_a || body == term->body_b);
+  };
+  return is_end(site.body_a) || is_end(site.body_b);
+}
+
 // Where terms of one type are, for an effect that takes their place.
 std::vector<EffectSite> places_of(const PlantSpec& plant, const std::string& type) {
   std::vector<EffectSite> places;
@@ -63,16 +73,41 @@ bool acts_already(const PlantSpec& plant, const TermType& type, const EffectSite
   });
 }
 
+bool deviates(const TermSpec& term, const TermType& type) {
+  const auto size = term.parameters.find(type.parameters.front().name);
+  return size != term.parameters.end() && size->second.value != 0;
+}
+
+// Terms that the effect would deviate: each by itself, or the first for all.
+std::vector<EffectSite> retuned_sites(const PlantSpec& plant, const TermType& type) {
+  std::vector<EffectSite> sites;
+  for (const TermSpec& term : plant.terms) {
+    if (term.type != type.gate.retunes) continue;
+    if (type.gate.each && !deviates(term, type)) {
+      sites.push_back({term.body_a, term.body_b, term.name});
+    }
+    if (!type.gate.each && deviates(term, type)) return {};
+    if (!type.gate.each && sites.empty()) sites.push_back({term.body_a, term.body_b});
+  }
+  return sites;
+}
+
 }  // namespace
 
 std::vector<EffectSite> sites_of(const PlantSpec& plant, const TermType& type) {
+  const ComparedBy compared =
+      plant.outputs.empty() ? ComparedBy::samples : plant.outputs.front().compared_by;
+  if (std::ranges::find(type.shows_in, compared) == type.shows_in.end()) return {};
+  if (!type.gate.retunes.empty()) return retuned_sites(plant, type);
   if (!type.gate.in_place_of.empty()) return places_of(plant, type.gate.in_place_of);
   std::vector<EffectSite> sites;
   for (const EffectSite& axis : axes_of(plant, type.gate)) {
     for (const std::string& reference : references_of(plant, type.gate.reference)) {
       EffectSite site = axis;
       site.reference = reference;
-      if (!acts_already(plant, type, site)) sites.push_back(std::move(site));
+      if (joins(plant, type, site) && !acts_already(plant, type, site)) {
+        sites.push_back(std::move(site));
+      }
     }
   }
   return sites;

@@ -8,17 +8,22 @@
 #include "sim/terms/backlash.hpp"
 #include "sim/terms/cascade_controller.hpp"
 #include "sim/terms/coulomb_friction.hpp"
+#include "sim/terms/crank_eccentricity.hpp"
 #include "sim/terms/cubic_stiffness.hpp"
 #include "sim/terms/cycloid_stage.hpp"
 #include "sim/terms/damper.hpp"
 #include "sim/terms/external_force.hpp"
+#include "sim/terms/gear_eccentricity.hpp"
 #include "sim/terms/gravity.hpp"
 #include "sim/terms/induction_motor.hpp"
 #include "sim/terms/inverter_ripple.hpp"
 #include "sim/terms/load_friction.hpp"
 #include "sim/terms/looseness.hpp"
+#include "sim/terms/mesh_stiffness_variation.hpp"
+#include "sim/terms/misalignment.hpp"
 #include "sim/terms/motor.hpp"
 #include "sim/terms/nonlinear_damping.hpp"
+#include "sim/terms/pin_ripple.hpp"
 #include "sim/terms/planet_mesh.hpp"
 #include "sim/terms/quadratic_stiffness.hpp"
 #include "sim/terms/saturation.hpp"
@@ -30,8 +35,10 @@
 #include "sim/terms/stiffness_hysteresis.hpp"
 #include "sim/terms/stribeck_friction.hpp"
 #include "sim/terms/thermal_viscosity.hpp"
+#include "sim/terms/tooth_damage.hpp"
 #include "sim/terms/torque_offset.hpp"
 #include "sim/terms/torsional_mode.hpp"
+#include "sim/terms/transmission_error.hpp"
 #include "sim/terms/unbalance.hpp"
 #include "sim/terms/viscous_friction.hpp"
 
@@ -65,6 +72,13 @@ TermLibrary make_standard_terms() {
                            saturation,
                            unbalance,
                            inverter_ripple,
+                           misalignment,
+                           transmission_error,
+                           mesh_stiffness_variation,
+                           gear_eccentricity,
+                           tooth_damage,
+                           pin_ripple,
+                           crank_eccentricity,
                            shaft_torsion,
                            induction_motor,
                            planet_mesh,

@@ -57,6 +57,8 @@ struct TermGate {
   bool on_one = true, between_two = true;
   ReferenceKind reference = ReferenceKind::none;
   std::string reference_key = {};  ///< in the plant file: "load", "set_point"
+  std::string retunes = {};        ///< the type of terms that it deviates, instead of adding one
+  bool each = false;               ///< one of them at a time
   std::string in_place_of = {};    ///< as an effect it only ever replaces a term of this type
 };
 
@@ -88,6 +90,8 @@ struct TermType {
   std::function<std::unique_ptr<PhysicsTerm>(const TermSite&)> make = {};
   /// Empty: the effect is one more term.
   std::function<PlantSpec(PlantSpec, const EffectSite&, const Parameters&)> edit = {};
+  /// How recordings must be compared to show it.
+  std::vector<ComparedBy> shows_in = {ComparedBy::samples, ComparedBy::orders};
 };
 
 /// The types of terms that plant files may name. A program adds its own to a copy of the standard

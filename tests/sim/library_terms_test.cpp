@@ -224,9 +224,6 @@ TEST_CASE("the laws of sources", "[sim][library][literature]") {
   const std::map<std::string, double> push{{"cosine", 3}, {"sine", 4}, {"frequency", 50}};
   CHECK(effort_of("external_force", push, 0, 0, 0) == Approx(-3));
   CHECK(effort_of("external_force", push, 0, 0, 0.005) == Approx(-4));
-  const std::map<std::string, double> ripple{
-      {"cosine", 3}, {"sine", 4}, {"electrical_frequency", 50}, {"harmonic", 6}};
-  CHECK(effort_of("inverter_ripple", ripple, 0, 0, 0.005 / 6) == Approx(-4));
   CHECK(effort_of("saturation", {{"limit", 8}}, 0, 0, 0, 0, 11) == Approx(3));
   CHECK(effort_of("saturation", {{"limit", 8}}, 0, 0, 0, 0, -11) == Approx(-3));
   CHECK(effort_of("saturation", {{"limit", 8}}, 0, 0, 0, 0, 7) == 0);

@@ -1,0 +1,56 @@
+#include "sim/terms/misalignment.hpp"
+
+#include <cmath>
+
+namespace rvbench::sim {
+namespace {
+
+class Misalignment final : public OneAxisTerm {
+ public:
+  explicit Misalignment(const TermSite& at)
+      : OneAxisTerm("misalignment", at.axis),
+        stiffness_(at["stiffness"]),
+        phase_rad_(at["phase"]) {}
+
+  double effort(const PlantState& s) const override {
+    return stiffness_ * way(s) * std::cos(2 * s.q[axis().body_a] + phase_rad_);
+  }
+  // The stiffness changes as the shaft turns: what it gives back is not what it took.
+  double supplied_power_W(const PlantState& s) const override { return -effort(s) * speed(s); }
+  double fastest_rad_s(const Eigen::VectorXd& inertia) const override {
+    return std::sqrt(std::abs(stiffness_) * mobility(inertia));
+  }
+
+ private:
+  double stiffness_, phase_rad_;
+};
+
+}  // namespace
+
+TermType misalignment() {
+  return {
+      .card = {.name = "misalignment",
+               .equation = "F = κ·x·cos(2θ_a + φ), x = q_a − q_b",
+               .sign = "κ >= 0 stiffens at the angle −φ/2",
+               .leaves_out = "radial and axial forces, the line at order 1, wear of the coupling",
+               .source = "Xu & Marangoni, J. Sound Vib. 176(5), 663-679 (1994)",
+               .touches = {{Ledger::shaft, "order 2, growing with the torque"}},
+               .must_not_touch = {{Ledger::shaft, "order 2 without torque"},
+                                  {Ledger::quasi_static, "means"}},
+               .mimics = {"unbalance", "inverter_ripple"},
+               .experiment = "shim the coupling; slip parts 2·f_e/p from order 2"},
+      .parameters = {{.name = "stiffness",
+                      .unit = UnitKind::stiffness,
+                      .min = 0,
+                      .max = unbounded,
+                      .start = 0.05},
+                     {.name = "phase",
+                      .unit = UnitKind::angle,
+                      .min = -unbounded,
+                      .max = unbounded,
+                      .start = 2}},
+      .gate = {.translation = false, .on_one = false},
+      .make = [](const TermSite& at) { return std::make_unique<Misalignment>(at); }};
+}
+
+}  // namespace rvbench::sim
