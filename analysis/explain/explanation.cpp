@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t most_rivals = 3;
 constexpr double ninety_pct = 1.645;   // standard errors to each side
+constexpr double beyond_errors = 1.2;  // of the measurement: what no noise leaves over
 constexpr double worth_telling = 0.5;  // of what any law could explain: less is not the answer
 
 std::vector<Estimate> estimates(const ForwardModel& model, const Fit& fit) {
@@ -41,30 +42,43 @@ std::vector<RivalEffect> rivals_of(const ForwardModel& model, const Step& step) 
   return rivals;
 }
 
+void add_once(std::vector<std::string>& all, const std::string& one) {
+  if (std::ranges::find(all, one) == all.end()) all.push_back(one);
+}
+
+// One name at several places is a name; several names are a class.
+void name_and_place(const ForwardModel& model, const Step& step, ExplainedEffect& effect) {
+  std::vector<std::string> names, places;
+  const auto add = [&](const Candidate& candidate) {
+    add_once(names, candidate.name);
+    if (candidate.name == effect.name) add_once(places, candidate.where);
+    for (const Candidate::Alike& alike : candidate.alike) {
+      add_once(names, alike.name);
+      if (alike.name == effect.name) add_once(places, alike.where);
+    }
+  };
+  add(model.library()[step.effect]);
+  for (const std::size_t other : step.equals) add(model.library()[other]);
+  effect.where = fmt::format("{}", fmt::join(places, " or "));
+  if (names.size() < 2) return;
+  effect.verdict = ExplainVerdict::one_of_class;
+  effect.one_of = names;
+}
+
 ExplainedEffect explained(const ForwardModel& model, const Selection& found, const Step& step,
                           const std::vector<Estimate>& values, double error_before) {
   const Candidate& candidate = model.library()[step.effect];
   ExplainedEffect effect;
   effect.name = candidate.name;
-  effect.where = candidate.where;
   effect.next_experiment = candidate.experiment;
-  if (!step.equals.empty()) {
-    effect.verdict = ExplainVerdict::one_of_class;
-    effect.one_of.push_back(candidate.name);
-    for (const std::size_t other : step.equals)
-      effect.one_of.push_back(model.library()[other].name);
-  }
+  name_and_place(model, step, effect);
   const auto& held = found.fit.effects;
   const auto place = std::ranges::find(held, step.effect) - held.begin();
   const std::size_t at = first_value_of(model, held, static_cast<std::size_t>(place));
   effect.parameters.assign(values.begin() + std::ptrdiff_t(at),
                            values.begin() + std::ptrdiff_t(at + candidate.parameters.size()));
   effect.error_before = error_before;
-  effect.error_after = found.held_out.rms;
-  for (const Trial& trial : step.tried) {
-    if (trial.effect() == step.effect && trial.held_out.rms > 0)
-      effect.error_after = trial.held_out.rms;
-  }
+  effect.error_after = step.error_after;
   effect.over_before = step.over_before;
   effect.p_value = step.p_value;
   effect.share_won = step.share_won;
@@ -128,6 +142,8 @@ void conclude(const ForwardModel& model, Explanation& e) {
   if (!e.selection.miscalibrated.empty()) {
     e.verdict = ExplainVerdict::miscalibrated;
   } else if (misses_much(e)) {
+    e.verdict = ExplainVerdict::none_of_the_above;
+  } else if (e.effects.empty() && e.trained_after > beyond_errors) {
     e.verdict = ExplainVerdict::none_of_the_above;
   } else if (e.effects.empty()) {
     e.verdict = ExplainVerdict::null;

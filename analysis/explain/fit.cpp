@@ -11,12 +11,25 @@ namespace {
 
 constexpr int most_iterations = 30;       // of a fit, after the first moves
 constexpr int most_refit_iterations = 8;  // from where a fit on nearly the same data ended
-constexpr double same_cost = 1e-4;
+constexpr double least_same_cost = 1e-4;
 constexpr double same_value = 0.05;
-constexpr double same_in_errors = 0.1;     // of a standard error
+constexpr double same_in_errors = 0.1;  // of a standard error
+constexpr double part_way_back = 0.25;
+constexpr int most_ways_back = 4;
+constexpr int most_scatters = 4;           // tried in turn, each what the last fit left
+constexpr double same_scatter = 0.9;       // of the one before
 constexpr int opening_iterations = 2;      // of each start
 constexpr int middle_iterations = 4;       // of those that go on after that
 constexpr std::size_t most_finalists = 3;  // starts that go on after that
+
+// Of a symmetric matrix whose rows are in different units; pseudo where it has none.
+Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& information) {
+  Eigen::VectorXd scale = information.diagonal().cwiseSqrt();
+  scale = (scale.array() > 0).select(scale.cwiseInverse(), 1.0);
+  const Eigen::MatrixXd even = scale.asDiagonal() * information * scale.asDiagonal();
+  return scale.asDiagonal() * even.completeOrthogonalDecomposition().pseudoInverse() *
+         scale.asDiagonal();
+}
 
 // (JᵀJ)⁻¹ (Σ_u g_u g_uᵀ) (JᵀJ)⁻¹ over the units learned from.
 Eigen::MatrixXd clustered_covariance(const FitProblem& on, const Eigen::MatrixXd& slopes,
@@ -35,17 +48,21 @@ Eigen::MatrixXd clustered_covariance(const FitProblem& on, const Eigen::MatrixXd
   }
   for (Eigen::Index i = 0; i < n; ++i) {
     const double spread = on.parameters[static_cast<std::size_t>(i)].spread;
-    if (std::isfinite(spread)) scatter(i, i) += 1 / (spread * spread);
+    if (std::isfinite(spread)) scatter(i, i) += std::pow(on.scatter, 4) / (spread * spread);
   }
-  const Eigen::MatrixXd inverse =
-      information_of(on, slopes).completeOrthogonalDecomposition().pseudoInverse();
+  const Eigen::MatrixXd inverse = inverse_of(information_of(on, slopes));
   return units / std::max(units - static_cast<double>(n), 1.0) * inverse * scatter * inverse;
+}
+
+// Costs that differ by less than one value's share in them are the same.
+double same_cost(const Descent& end) {
+  return std::max(least_same_cost, 1 / std::max(1.0, static_cast<double>(end.residuals.size())));
 }
 
 std::string disagreement(const Descent& best, const Descent& other,
                          const std::vector<ModelParameter>& parameters,
                          const Eigen::MatrixXd& covariance) {
-  if (other.cost > best.cost * (1 + same_cost)) {
+  if (other.cost > best.cost * (1 + same_cost(best))) {
     return fmt::format("starts end at costs of {:.6g} and {:.6g}", best.cost, other.cost);
   }
   for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -62,7 +79,9 @@ std::string disagreement(const Descent& best, const Descent& other,
 
 // Whether two came to rest in the same place.
 bool same_place(const Descent& a, const Descent& b) {
-  if (!a.converged || !b.converged || std::abs(a.cost - b.cost) > a.cost * same_cost) return false;
+  if (!a.converged || !b.converged || std::abs(a.cost - b.cost) > a.cost * same_cost(a)) {
+    return false;
+  }
   for (std::size_t i = 0; i < a.values.size(); ++i) {
     if (std::abs(a.values[i] - b.values[i]) > same_value * std::abs(a.values[i])) return false;
   }
@@ -73,10 +92,12 @@ std::string certificate(const std::vector<Descent>& ends,
                         const std::vector<ModelParameter>& parameters,
                         const Eigen::MatrixXd& covariance) {
   if (!ends.front().converged) return "the fit did not converge";
-  std::string why = "there is only one start";
+  if (ends.size() < 2) return "there is only one start";
+  std::string why;
   for (std::size_t i = 1; i < ends.size(); ++i) {
-    why = disagreement(ends.front(), ends[i], parameters, covariance);
-    if (why.empty()) break;
+    std::string apart = disagreement(ends.front(), ends[i], parameters, covariance);
+    if (apart.empty()) return {};
+    if (why.empty()) why = std::move(apart);
   }
   return why;
 }
@@ -84,29 +105,60 @@ std::string certificate(const std::vector<Descent>& ends,
 // The best after all starts have made a few moves, in order of their costs.
 std::vector<Descent> first_moves(const FitProblem& on,
                                  const std::vector<std::vector<double>>& starts,
-                                 const Eigen::MatrixXd& held) {
+                                 const KnownSlopes& known) {
   std::vector<Descent> ends;
   for (const std::vector<double>& start : starts) {
-    ends.push_back(descend(on, start, opening_iterations, held));
+    ends.push_back(descend(on, start, opening_iterations, known));
   }
   std::ranges::stable_sort(ends, {}, &Descent::cost);
   if (ends.size() > most_finalists) ends.resize(most_finalists);
   for (Descent& end : ends) {
-    if (!end.converged) end = descend(on, end.values, middle_iterations, held);
+    if (!end.converged) end = descend(on, end.values, middle_iterations, known);
   }
   std::ranges::stable_sort(ends, {}, &Descent::cost);
   return ends;
 }
 
 // The others go where the first one did, in its own steps, unless they come to rest elsewhere.
-void certify(const FitProblem& on, std::vector<Descent>& ends) {
+// Where all of them do, as happens round a circle of phases, one that goes part of the way back
+// toward the first start has to return.
+void certify(const FitProblem& on, std::vector<Descent>& ends, const std::vector<double>& start) {
+  const auto known_at = [](const Descent& end) { return KnownSlopes{end.slopes, end.stand_in}; };
   for (std::size_t i = 1; i < ends.size(); ++i) {
     Descent& end = ends[i];
-    end = descend(on, end.values, most_refit_iterations, ends.front().slopes);
-    if (!same_place(ends.front(), end)) end = descend(on, end.values, most_iterations);
+    end = descend(on, end.values, most_refit_iterations, known_at(ends.front()));
+    if (!same_place(ends.front(), end) && !end.stand_in) {
+      end = descend(on, end.values, most_iterations);
+    }
     if (!end.converged || same_place(ends.front(), end)) break;
   }
   std::ranges::stable_sort(ends, {}, &Descent::cost);
+  for (int tried = 0; tried < most_ways_back; ++tried) {
+    if (ends.size() < 2 || same_place(ends[0], ends[1])) return;
+    std::vector<double> back = ends.front().values;
+    for (std::size_t i = 0; i < back.size(); ++i) back[i] += part_way_back * (start[i] - back[i]);
+    Descent end = descend(on, std::move(back), most_iterations, known_at(ends.front()));
+    if (!end.converged) return;
+    ends.push_back(std::move(end));
+    std::ranges::stable_sort(ends, {}, &Descent::cost);
+  }
+}
+
+Fit fit_at(const FitProblem& on, const Descent& end, const Eigen::MatrixXd& held = {}) {
+  Fit fit{on.effects, end.values, end.residuals, end.slopes, {}, end.cost,
+          on.scatter, {},         end.stand_in};
+  if (fit.slopes.size() == 0) {
+    const auto residuals = on.model.residuals(on.effects, fit.values, on.trained);
+    const auto slopes = residuals ? jacobian(on, fit.values, *residuals, held) : std::nullopt;
+    if (!slopes) {
+      fit.not_certified = "the model cannot be evaluated where the fit ended";
+      return fit;
+    }
+    fit.residuals = *residuals;
+    fit.slopes = *slopes;
+  }
+  fit.covariance = clustered_covariance(on, fit.slopes, fit.residuals);
+  return fit;
 }
 
 }  // namespace
@@ -120,31 +172,22 @@ std::size_t first_value_of(const ForwardModel& model, const std::vector<std::siz
 
 Fit fit_from(const ForwardModel& model, const std::vector<std::size_t>& effects,
              const std::vector<std::vector<double>>& starts, const std::vector<bool>& trained,
-             const Eigen::MatrixXd& held, const MustBeat& must_beat) {
-  const FitProblem on(model, effects, trained);
-  std::vector<Descent> ends = first_moves(on, starts, held);
-  Descent& best = ends.front();
+             double scatter, const KnownSlopes& known, const MustBeat& must_beat) {
+  const FitProblem on(model, effects, trained, scatter);
+  std::vector<Descent> ends = first_moves(on, starts, known);
   const auto given_up = [&] {
-    return Fit{effects, best.values, {}, {}, {}, best.cost, "explains too little"};
+    const Descent& best = ends.front();
+    return Fit{effects, best.values, {}, {}, {}, best.cost, scatter, "explains too little", {}};
   };
-  if (best.cost > must_beat.after_first_moves) return given_up();
-  best = descend(on, best.values, most_iterations);
-  if (best.cost > must_beat.at_rest) return given_up();
-  if (best.converged) certify(on, ends);
-
-  Fit fit{effects, best.values, best.residuals, best.slopes, {}, best.cost, {}};
-  if (fit.slopes.size() == 0) {
-    const auto residuals = model.residuals(effects, fit.values, trained);
-    const auto slopes = residuals ? jacobian(on, fit.values, *residuals) : std::nullopt;
-    if (!slopes) {
-      fit.not_certified = "the model cannot be evaluated where the fit ended";
-      return fit;
-    }
-    fit.residuals = *residuals;
-    fit.slopes = *slopes;
-  }
-  fit.covariance = clustered_covariance(on, fit.slopes, fit.residuals);
-  fit.not_certified = certificate(ends, on.parameters, fit.covariance);
+  if (ends.front().cost > must_beat.after_first_moves) return given_up();
+  // A stand-in knows all slopes for little more than it knows some.
+  const KnownSlopes to_rest = known.stand_in ? KnownSlopes{} : known;
+  ends.front() = descend(on, ends.front().values, most_iterations, to_rest);
+  if (ends.front().cost > must_beat.at_rest) return given_up();
+  if (ends.front().converged) certify(on, ends, starts.front());
+  Fit fit = fit_at(on, ends.front(), to_rest.held);
+  if (fit.not_certified.empty())
+    fit.not_certified = certificate(ends, on.parameters, fit.covariance);
   return fit;
 }
 
@@ -157,14 +200,48 @@ Fit fit_with(const ForwardModel& model, const Fit& before, std::size_t added,
     starts.push_back(before.values);
     starts.back().insert(starts.back().end(), own.begin(), own.end());
   }
-  return fit_from(model, effects, starts, trained, before.slopes, must_beat);
+  return fit_from(model, effects, starts, trained, before.scatter, {before.slopes, before.stand_in},
+                  must_beat);
+}
+
+Fit polish(const ForwardModel& model, const Fit& fit, const std::vector<bool>& trained) {
+  Fit polished = fit;
+  double scatter = scatter_of(model, fit.residuals, trained);
+  for (int round = 0; round < most_scatters; ++round) {
+    const FitProblem on(model, fit.effects, trained, scatter);
+    const Descent end = descend(on, polished.values, most_iterations);
+    polished = fit_at(on, end);
+    if (!end.converged) polished.not_certified = "the fit did not converge";
+    if (!polished.not_certified.empty()) return polished;
+    scatter = scatter_of(model, polished.residuals, trained);
+    if (scatter > same_scatter * polished.scatter) break;
+  }
+  polished.not_certified = fit.not_certified;
+  return polished;
+}
+
+Evaluated foresee(const ForwardModel& model, const Fit& fit, const std::vector<bool>& trained) {
+  if (!fit.stand_in) {
+    return forecast(FitProblem(model, fit.effects, trained, fit.scatter),
+                    {fit.values, fit.residuals}, fit.slopes);
+  }
+  const FitProblem near(*fit.stand_in, fit.effects, trained, fit.scatter);
+  Descent end = descend(near, fit.values, most_refit_iterations);
+  auto residuals = fit.stand_in->residuals(fit.effects, end.values, trained);
+  return {std::move(end.values), residuals ? std::move(*residuals) : Eigen::VectorXd()};
 }
 
 Evaluated refit(const ForwardModel& model, const Fit& fit, const std::vector<bool>& trained) {
-  const FitProblem on(model, fit.effects, trained);
+  if (fit.stand_in) {
+    Evaluated there = foresee(model, fit, trained);
+    auto residuals = model.residuals(fit.effects, there.values, trained);
+    return {std::move(there.values), residuals ? std::move(*residuals) : Eigen::VectorXd()};
+  }
+  const FitProblem on(model, fit.effects, trained, fit.scatter);
   auto settled = settle(on, {fit.values, fit.residuals}, fit.slopes);
   if (settled) return std::move(*settled);
-  const Descent end = descend(on, fit.values, most_refit_iterations);
+  const Descent end = descend(on, fit.values, most_refit_iterations, {fit.slopes, {}});
+  if (end.residuals.size() > 0) return {end.values, end.residuals};
   auto residuals = model.residuals(fit.effects, end.values, trained);
   return {end.values, residuals ? std::move(*residuals) : Eigen::VectorXd()};
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,9 @@ struct Fit {
   Eigen::MatrixXd slopes;            ///< d residuals / d values
   Eigen::MatrixXd covariance;        ///< of values, clustered by unit
   double cost = 0;                   ///< sum of squares over the units learned from
+  double scatter = 1;                ///< see FitProblem: what it was fitted with
   std::string not_certified;         ///< why it must not be ranked; empty if several starts agree
+  std::shared_ptr<const ForwardModel> stand_in = {};  ///< of the model, there; nullptr if none
 };
 
 /// Costs above which a fit is not worth going on with: of the best start after the first moves, and
@@ -31,8 +34,9 @@ struct MustBeat {
 /// Least squares by simulation, from several starts.
 ///
 /// The fit moves the base and every effect together. It is certified if at least two starts end
-/// within 1e-4 in cost and, of each parameter, within 5 % or a tenth of its standard error. All
-/// starts make their first moves; the best three go on until two come to rest in one place.
+/// within 1e-4 in cost, or one value's share of it, and, of each parameter, within 5 % or a tenth
+/// of its standard error. All starts make their first moves; the best three go on until two come to
+/// rest in one place.
 ///
 /// Covariance  (JᵀJ)⁻¹ (Σ_u g_u g_uᵀ) (JᵀJ)⁻¹ with g_u = J_uᵀ r_u: dependence within a unit does
 ///             not count as knowledge
@@ -40,15 +44,24 @@ struct MustBeat {
 ///
 /// @param starts     each of the size of all values; the best end wins
 /// @param trained    per unit: whether it is learned from
-/// @param held       slopes of the first parameters, good enough for first moves; may be empty
+/// @param known      slopes of the first parameters, good enough to be ranked by: see polish()
 /// @param must_beat  where no start comes below it the fit ends there, without residuals
+/// @param scatter    of residuals: see FitProblem
 Fit fit_from(const ForwardModel& model, const std::vector<std::size_t>& effects,
              const std::vector<std::vector<double>>& starts, const std::vector<bool>& trained,
-             const Eigen::MatrixXd& held = {}, const MustBeat& must_beat = {});
+             double scatter = 1, const KnownSlopes& known = {}, const MustBeat& must_beat = {});
 
 /// The fit of `before` with `added` as one more effect, from that effect's own starts.
 Fit fit_with(const ForwardModel& model, const Fit& before, std::size_t added,
              const std::vector<bool>& trained, const MustBeat& must_beat = {});
+
+/// Goes to rest with all slopes looked for anew, and with the scatter that the residuals have
+/// there: a fit that was ranked with slopes held, and with the scatter of a poorer model.
+/// @return with the certificate that it had, or the reason why it has lost it
+Fit polish(const ForwardModel& model, const Fit& fit, const std::vector<bool>& trained);
+
+/// Where its slopes, or its stand-in, say that a fit would come to rest on other units.
+Evaluated foresee(const ForwardModel& model, const Fit& fit, const std::vector<bool>& trained);
 
 /// Where a fit comes to rest on other units, without a certificate.
 Evaluated refit(const ForwardModel& model, const Fit& fit, const std::vector<bool>& trained);

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,11 @@ struct Candidate {
   std::vector<std::string> mimics;          ///< names that can look alike
   std::string experiment;                   ///< what would tell it from them
   std::string not_exercised;                ///< why these data cannot show it; empty if they can
+  /// Effects that these data cannot part from it: they are not tried by themselves.
+  struct Alike {
+    std::string name, where;
+  };
+  std::vector<Alike> alike = {};
 };
 
 /// A stretch of values that is one observation: values within may depend on each other, units do
@@ -70,6 +76,18 @@ class ForwardModel {
   virtual std::optional<Eigen::VectorXd> residuals(const std::vector<std::size_t>& effects,
                                                    const std::vector<double>& values,
                                                    const std::vector<bool>& trained) const = 0;
+
+  /// A stand-in that is quick to evaluate near these values: the same units, parameters and
+  /// candidates; exact at the values, and straight in what the plant does there.
+  /// @param like  one of a model with some of these effects, whose slopes it may take over; may be
+  ///              nullptr
+  /// @return nullptr if this model is quick itself, or cannot be evaluated there
+  virtual std::unique_ptr<ForwardModel> straightened(const std::vector<std::size_t>& effects,
+                                                     const std::vector<double>& values,
+                                                     const ForwardModel* like) const {
+    (void)effects, (void)values, (void)like;
+    return nullptr;
+  }
 
   /// What a law of unknown shape might depend on (ways, speeds, forces, load), one row for each
   /// value of the residuals. Empty if that is not known.

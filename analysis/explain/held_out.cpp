@@ -8,6 +8,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "hal/types/parallel_for.hpp"
+
 namespace rvbench::analysis {
 namespace {
 
@@ -77,24 +79,28 @@ double independent_share(const ForwardModel& model, const Eigen::VectorXd& resid
 }
 
 std::optional<HeldOut> predict_held_out(const ForwardModel& model, const Fit& fit,
-                                        const std::vector<Fold>& folds, double counts_as) {
+                                        const std::vector<Fold>& folds, double counts_as,
+                                        LeftOut left_out) {
+  std::vector<Evaluated> without(folds.size());
+  parallel_for(folds.size(), [&](std::size_t i) {
+    const std::vector<bool> trained = folds[i].trained();
+    without[i] =
+        left_out == LeftOut::refitted ? refit(model, fit, trained) : foresee(model, fit, trained);
+  });
   HeldOut result{fit.effects, {}, 0};
   std::vector<double> densities;
   double sum = 0, values = 0;
-  for (const Fold& fold : folds) {
-    const std::vector<bool> trained = fold.trained();
-    const Evaluated there = refit(model, fit, trained);
-    if (there.residuals.size() == 0) return std::nullopt;
-    const double scatter = trained_mean_square(model, there.residuals, trained);
-    for (std::size_t u = 0; u < trained.size(); ++u) {
-      if (trained[u]) continue;
+  for (std::size_t i = 0; i < folds.size(); ++i) {
+    const Eigen::VectorXd& all = without[i].residuals;
+    if (all.size() == 0) return std::nullopt;
+    const double scatter = trained_mean_square(model, all, folds[i].trained());
+    for (std::size_t u = 0; u < folds[i].held_out.size(); ++u) {
+      if (!folds[i].held_out[u]) continue;
       const ObservedUnit& unit = model.units()[u];
-      const auto size = static_cast<double>(unit.size);
-      const auto residuals = there.residuals.segment(unit.first, unit.size);
-      const double square = residuals.squaredNorm();
+      const auto residuals = all.segment(unit.first, unit.size);
       densities.push_back(log_density_of(residuals, scatter, counts_as));
-      sum += square;
-      values += size;
+      sum += residuals.squaredNorm();
+      values += static_cast<double>(unit.size);
     }
   }
   result.log_density =

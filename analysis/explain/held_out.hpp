@@ -35,6 +35,12 @@ struct HeldOut {
   double rms = 0;  ///< of all their residuals
 };
 
+/// How a fit without a fold is come by.
+enum class LeftOut {
+  forecast,  ///< from the slopes of the whole fit: nothing is evaluated
+  refitted
+};
+
 /// Fits anew without each fold, starting where `fit` ended, and predicts the fold.
 ///
 /// The density is normal with the scatter of the units learned from.
@@ -42,7 +48,8 @@ struct HeldOut {
 ///                   for all models that are compared
 /// @return nothing if the model cannot be evaluated in a fold
 std::optional<HeldOut> predict_held_out(const ForwardModel& model, const Fit& fit,
-                                        const std::vector<Fold>& folds, double counts_as);
+                                        const std::vector<Fold>& folds, double counts_as,
+                                        LeftOut left_out);
 
 /// Log density of a unit's residuals, normal with this mean square.
 double log_density_of(const Eigen::Ref<const Eigen::VectorXd>& residuals, double mean_square,

@@ -60,13 +60,13 @@ class Selector {
       return result;
     }
     on_.counts_as = independent_share(on_.model, result.base.residuals);
-    auto base = stand(on_, result.base);
+    auto base = stand(on_, result.base, LeftOut::refitted);
     if (!base) {
       result.miscalibrated = "the base cannot be evaluated without one of the conditions";
       return result;
     }
     result.base_held_out = base->held_out;
-    now_ = std::move(*base);
+    go_on_from(std::move(*base));
     while (steps_.size() < options_.most_effects && advance()) exchange();
     drop_needless();
     result.steps = steps_;
@@ -79,17 +79,24 @@ class Selector {
   }
 
  private:
+  void go_on_from(Standing standing) {
+    now_ = std::move(standing);
+    foreseen_ = *stand(on_, now_.fit, LeftOut::forecast);
+  }
+
   void tell(const std::string& stage, double share, const std::string& doing) const {
     if (options_.progress) options_.progress(stage, share, doing);
   }
 
   Fit fit_base() const {
-    std::vector<double> nominal, moved;
-    for (const ModelParameter& p : on_.model.base()) {
-      nominal.push_back(p.nominal);
-      moved.push_back(std::clamp(p.nominal + p.scale, p.low, p.high));
-    }
-    return fit_from(on_.model, {}, {nominal, moved}, on_.everything);
+    std::vector<double> nominal;
+    for (const ModelParameter& p : on_.model.base()) nominal.push_back(p.nominal);
+    auto residuals = on_.model.residuals({}, nominal, on_.everything);
+    if (!residuals) return {{}, nominal, {}, {}, {}, 0, 1, "not at its nominal values", {}};
+    Fit fit;
+    fit.values = std::move(nominal);
+    fit.residuals = *std::move(residuals);
+    return polish(on_.model, fit, on_.everything);
   }
 
   // Accepts one more effect. @return false if there is none
@@ -98,17 +105,22 @@ class Selector {
     if (screened_.size() > options_.tries) screened_.resize(options_.tries);
     std::vector<Trial> trials = try_all();
     std::ranges::sort(trials, predicts_better);
-    const auto best = simplest_of_the_best(trials);
-    if (best == trials.end()) {
-      last_tried_ = std::move(trials);
-      return accept_pair();
+    for (auto best = simplest_of_the_best(trials); best != trials.end();
+         best = simplest_of_the_best(trials)) {
+      Trial confirmed = *best;
+      if (auto standing = confirm(on_, now_, confirmed); confirmed.refused.empty()) {
+        accept(confirmed, *best, trials);
+        go_on_from(std::move(*standing));
+        return true;
+      }
+      best->refused = confirmed.refused;
     }
-    accept(*best, trials);
-    return true;
+    last_tried_ = std::move(trials);
+    return accept_pair();
   }
 
   // Of those that none beats clearly, the one with the fewest parameters.
-  std::vector<Trial>::const_iterator simplest_of_the_best(const std::vector<Trial>& trials) const {
+  std::vector<Trial>::iterator simplest_of_the_best(std::vector<Trial>& trials) const {
     const auto accepted = [](const Trial& t) { return t.refused.empty(); };
     const auto best = std::ranges::find_if(trials, accepted);
     auto simplest = best;
@@ -130,18 +142,20 @@ class Selector {
     const std::string stage = fmt::format("effect {}", steps_.size() + 1);
     tell(stage, 0, "fitting candidates");
     parallel_for(effects.size(), [&](std::size_t i) {
-      trials[i] = try_effect(on_, now_, effects[i]);
+      trials[i] = try_effect(on_, foreseen_, effects[i]);
       tell(stage, double(++done) / double(effects.size()),
            on_.model.library()[effects[i]].name + " fitted");
     });
     return trials;
   }
 
-  void accept(const Trial& best, const std::vector<Trial>& trials) {
+  // @param best  as it was tried, among the others
+  void accept(const Trial& confirmed, const Trial& best, const std::vector<Trial>& trials) {
     Step step;
-    step.effect = best.effect();
-    step.over_before = best.over_before;
-    step.p_value = best.p_value;
+    step.effect = confirmed.effect();
+    step.over_before = confirmed.over_before;
+    step.error_after = confirmed.held_out.rms;
+    step.p_value = confirmed.p_value;
     step.tried = trials;
     std::vector<HeldOut> ranked;
     for (const Trial& trial : trials) {
@@ -157,9 +171,12 @@ class Selector {
     for (std::size_t i = 0; i < ranked.size(); ++i) {
       if (ranked[i].effects.back() == step.effect) step.share_won = shares[i];
     }
-    now_ = {best.fit, best.held_out, best.extrapolated};
     steps_.push_back(std::move(step));
   }
+
+  struct PairTrial {
+    Trial first, second;
+  };
 
   // Two effects together that neither shows alone.
   bool accept_pair() {
@@ -173,14 +190,31 @@ class Selector {
            double(++done) / double(pairs.size()), "fitting");
     });
     std::erase_if(trials, [](const PairTrial& t) { return !t.second.refused.empty(); });
-    const auto best = std::ranges::min_element(trials, [](const PairTrial& a, const PairTrial& b) {
+    std::ranges::sort(trials, [](const PairTrial& a, const PairTrial& b) {
       return predicts_better(a.second, b.second);
     });
-    if (best == trials.end()) return false;
-    std::erase_if(last_tried_, [&](const Trial& t) { return t.effect() == best->first.effect(); });
-    last_tried_.insert(last_tried_.begin(), best->first);
-    accept(best->first, std::exchange(last_tried_, {}));
-    accept(best->second, {best->second});
+    for (const PairTrial& pair : trials) {
+      if (confirm_pair(pair)) return true;
+    }
+    return false;
+  }
+
+  bool confirm_pair(PairTrial pair) {
+    const Trial first_tried = pair.first, second_tried = pair.second;
+    auto standing = confirm(on_, now_, pair.second);
+    if (!pair.second.refused.empty()) return false;
+    if (!stands_alone(on_, pair.second.fit, now_.fit.effects.size()).refused.empty()) return false;
+    const auto first =
+        stand(on_, polish(on_.model, pair.first.fit, on_.everything), LeftOut::refitted);
+    if (!first) return false;
+    pair.first.held_out = first->held_out;
+    pair.first.over_before = margin(first->held_out, now_.held_out);
+    pair.second.over_before = margin(pair.second.held_out, first->held_out);
+    std::erase_if(last_tried_, [&](const Trial& t) { return t.effect() == pair.first.effect(); });
+    last_tried_.insert(last_tried_.begin(), first_tried);
+    accept(pair.first, first_tried, std::exchange(last_tried_, {}));
+    accept(pair.second, second_tried, {second_tried});
+    go_on_from(std::move(*standing));
     return true;
   }
 
@@ -207,27 +241,23 @@ class Selector {
     return pairs;
   }
 
-  struct PairTrial {
-    Trial first, second;
-  };
-
   // The second is refused where the two are not clearly better than neither.
   PairTrial try_pair(std::size_t a, std::size_t b) const {
     PairTrial pair;
     pair.second.refused = "its partner cannot be fitted";
-    pair.first.fit = fit_with(on_.model, now_.fit, a, on_.everything);
+    pair.first.fit = fit_with(on_.model, foreseen_.fit, a, on_.everything);
     if (!pair.first.fit.not_certified.empty()) return pair;
-    const auto first = stand(on_, pair.first.fit);
+    const auto first = stand(on_, pair.first.fit, LeftOut::forecast);
     if (!first) return pair;
     pair.first.held_out = first->held_out;
     pair.first.extrapolated = first->extrapolated;
-    pair.first.over_before = margin(first->held_out, now_.held_out);
+    pair.first.over_before = margin(first->held_out, foreseen_.held_out);
     pair.second = try_effect(on_, *first, b);
     if (!pair.second.refused.empty()) return pair;
     const Standalone partner = stands_alone(on_, pair.second.fit, now_.fit.effects.size());
     pair.first.p_value = partner.p_value;
     pair.second.refused = partner.refused;
-    if (!margin(pair.second.held_out, now_.held_out).is_clear()) {
+    if (!margin(pair.second.held_out, foreseen_.held_out).is_clear()) {
       pair.second.refused = "the pair does not predict left-out conditions clearly better";
     }
     return pair;
@@ -251,15 +281,13 @@ class Selector {
 
   // @param rest  the present model without the effect of step s
   void try_exchange(std::size_t s, const Standing& rest, std::size_t effect) {
-    const Trial trial = try_effect(on_, rest, effect);
+    Trial trial = try_effect(on_, *stand(on_, rest.fit, LeftOut::forecast), effect);
+    if (!trial.refused.empty() || !margin(trial.held_out, foreseen_.held_out).is_clear()) return;
+    const Trial tried = trial;
+    auto standing = confirm(on_, rest, trial);
     if (!trial.refused.empty() || !margin(trial.held_out, now_.held_out).is_clear()) return;
-    now_ = {trial.fit, trial.held_out, trial.extrapolated};
-    steps_[s].effect = effect;
-    steps_[s].over_before = trial.over_before;
-    steps_[s].p_value = trial.p_value;
-    steps_[s].share_won = 0;
-    steps_[s].equals.clear();
-    steps_[s].tried = {trial};
+    steps_[s] = {effect, trial.over_before, trial.held_out.rms, trial.p_value, 0, {}, {tried}};
+    go_on_from(std::move(*standing));
   }
 
   // The present model without one of its effects, fitted anew.
@@ -277,9 +305,9 @@ class Selector {
       }
       at += count;
     }
-    Fit fit = fit_from(on_.model, effects, {start}, on_.everything);
+    const Fit fit = fit_from(on_.model, effects, {start}, on_.everything, now_.fit.scatter);
     if (fit.residuals.size() == 0) return std::nullopt;
-    return stand(on_, std::move(fit));
+    return stand(on_, polish(on_.model, fit, on_.everything), LeftOut::refitted);
   }
 
   void drop_needless() {
@@ -287,7 +315,7 @@ class Selector {
     for (std::size_t s = 0; s < steps_.size();) {
       const auto without = refit_without(steps_[s].effect);
       if (without && !margin(now_.held_out, without->held_out).is_clear()) {
-        now_ = *without;
+        go_on_from(*without);
         steps_.erase(steps_.begin() + std::ptrdiff_t(s));
       } else {
         ++s;
@@ -297,7 +325,8 @@ class Selector {
 
   Tryout on_;
   const SelectionOptions& options_;
-  Standing now_;
+  Standing now_;       // left-out conditions by refits
+  Standing foreseen_;  // the same, forecast
   std::vector<Step> steps_;
   std::vector<Screened> screened_;  // at the present step
   std::vector<Trial> last_tried_;

@@ -14,7 +14,7 @@ namespace rvbench::analysis {
 /// A candidate tried beside others, and how it did.
 struct Trial {
   Fit fit;
-  HeldOut held_out;
+  HeldOut held_out;  ///< forecast; of what was accepted, by refits
   HeldOut extrapolated;
   Margin over_before;   ///< over the model without it
   double p_value = 1;   ///< of its size, clustered by unit, times the number of candidates
@@ -27,6 +27,7 @@ struct Trial {
 struct Step {
   std::size_t effect = 0;
   Margin over_before;
+  double error_after = 0;  ///< root mean square of what was left out and predicted
   double p_value = 1;
   double share_won = 0;  ///< of bootstraps, against all others tried
   /// Those that may be it, and predict as well within 2 SE; not itself.
@@ -62,9 +63,11 @@ struct SelectionOptions {
 /// it does not predict left-out speeds and loads worse, its size is significant (p times the number
 /// of candidates below 0.01) and inside its bounds. Of those that are accepted and that none
 /// predicts clearly better, the one with the fewest parameters is taken; those within two standard
-/// errors of it are its equals. After each step earlier ones are exchanged for their rivals where
-/// that predicts clearly better; where no single candidate passes, the four most promising pairs
-/// are tried; in the end each effect that the others made needless is dropped.
+/// errors of it are its equals. Candidates are ranked by what the slopes of their fits forecast for
+/// left-out conditions; what is accepted is fitted anew without each of them. After each step
+/// earlier ones are exchanged for their rivals where that predicts clearly better; where no single
+/// candidate passes, the four most promising pairs are tried; in the end each effect that the
+/// others made needless is dropped.
 Selection select_effects(const ForwardModel& model, const SelectionOptions& options = {});
 
 }  // namespace rvbench::analysis

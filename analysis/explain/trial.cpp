@@ -56,6 +56,9 @@ double independent_values(const Tryout& on) {
 // Of what is fitted: whether its predictions speak for it.
 void judge_predictions(const Tryout& on, Trial& trial, const Standing& now,
                        const Standing& before) {
+  trial.held_out = now.held_out;
+  trial.extrapolated = now.extrapolated;
+  trial.over_before = margin(now.held_out, before.held_out);
   if (now.extrapolated.log_density.sum() < before.extrapolated.log_density.sum()) {
     trial.refused = "predicts left-out speeds or loads worse";
     return;
@@ -64,6 +67,22 @@ void judge_predictions(const Tryout& on, Trial& trial, const Standing& now,
   if (!trial.may_be || !trial.over_before.is_clear()) {
     trial.refused = "does not predict left-out conditions clearly better";
   }
+}
+
+// @return what would stand with it; nothing if that cannot be said
+std::optional<Standing> judge(const Tryout& on, Trial& trial, const Standing& before,
+                              LeftOut left_out) {
+  const Standalone alone = stands_alone(on, trial.fit, trial.fit.effects.size() - 1);
+  trial.p_value = alone.p_value;
+  trial.refused = alone.refused;
+  if (!trial.refused.empty()) return std::nullopt;
+  auto now = stand(on, trial.fit, left_out);
+  if (now) {
+    judge_predictions(on, trial, *now, before);
+  } else {
+    trial.refused = "the model cannot be evaluated without one of the conditions";
+  }
+  return now;
 }
 
 }  // namespace
@@ -102,9 +121,9 @@ double Tryout::cost_worth(double gain, double cost_before) const {
   return cost_before * std::exp(-2 * gain / independent_values(*this));
 }
 
-std::optional<Standing> stand(const Tryout& on, Fit fit) {
-  auto held_out = predict_held_out(on.model, fit, on.conditions, on.counts_as);
-  auto extrapolated = predict_held_out(on.model, fit, on.extrapolations, on.counts_as);
+std::optional<Standing> stand(const Tryout& on, Fit fit, LeftOut left_out) {
+  auto held_out = predict_held_out(on.model, fit, on.conditions, on.counts_as, left_out);
+  auto extrapolated = predict_held_out(on.model, fit, on.extrapolations, on.counts_as, left_out);
   if (!held_out || !extrapolated) return std::nullopt;
   return Standing{std::move(fit), std::move(*held_out), std::move(*extrapolated)};
 }
@@ -123,20 +142,13 @@ Trial try_effect(const Tryout& on, const Standing& before, std::size_t effect) {
     trial.refused = trial.fit.not_certified = "explains too little";
     return trial;
   }
-  const Standalone alone = stands_alone(on, trial.fit, before.fit.effects.size());
-  trial.p_value = alone.p_value;
-  trial.refused = alone.refused;
-  if (!trial.refused.empty()) return trial;
-  const auto now = stand(on, trial.fit);
-  if (!now) {
-    trial.refused = "the model cannot be evaluated without one of the conditions";
-    return trial;
-  }
-  trial.held_out = now->held_out;
-  trial.extrapolated = now->extrapolated;
-  trial.over_before = margin(now->held_out, before.held_out);
-  judge_predictions(on, trial, *now, before);
+  judge(on, trial, before, LeftOut::forecast);
   return trial;
+}
+
+std::optional<Standing> confirm(const Tryout& on, const Standing& before, Trial& trial) {
+  trial.fit = polish(on.model, trial.fit, on.everything);
+  return judge(on, trial, before, LeftOut::refitted);
 }
 
 }  // namespace rvbench::analysis

@@ -34,7 +34,7 @@ struct Standing {
 };
 
 /// @return nothing if the model cannot be evaluated in a fold
-std::optional<Standing> stand(const Tryout& on, Fit fit);
+std::optional<Standing> stand(const Tryout& on, Fit fit, LeftOut left_out);
 
 /// Whether a fit may be ranked, for one of its effects.
 struct Standalone {
@@ -45,7 +45,14 @@ struct Standalone {
 /// @param place  of the effect in fit.effects
 Standalone stands_alone(const Tryout& on, const Fit& fit, std::size_t place);
 
-/// Tries `effect` on top of what stands.
+/// Tries `effect` on top of what stands. Left-out conditions are forecast.
+/// @param before  with forecasts, likewise
 Trial try_effect(const Tryout& on, const Standing& before, std::size_t effect);
+
+/// Fits what was tried with all of its slopes, predicts left-out conditions by refits, and judges
+/// it by them: trial.refused says why it cannot be accepted after all.
+/// @param before  by refits, likewise
+/// @return what would stand then
+std::optional<Standing> confirm(const Tryout& on, const Standing& before, Trial& trial);
 
 }  // namespace rvbench::analysis

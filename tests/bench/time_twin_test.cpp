@@ -150,7 +150,8 @@ TEST_CASE("repeats cut from one recording are compared at the same time of their
   cut.records[1].lead_in = 500;
   const auto twin = twin_of(MovedSlide::plant(), cut);
   const std::vector<bool> everything(twin->units().size(), true);
-  analysis::Fit base{{}, {3, 8, 0}, {}, {}, {}, 0, {}};
+  analysis::Fit base;
+  base.values = {3, 8, 0};
   base.residuals = *twin->residuals({}, base.values, everything);
   const auto repeats = analysis::RepeatAgainstRepeat::make(*twin, base);
   REQUIRE(repeats);

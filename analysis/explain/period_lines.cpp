@@ -1,0 +1,64 @@
+#include "analysis/explain/period_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "analysis/line_floor.hpp"
+#include "analysis/spectrum.hpp"
+#include "hal/types/units.hpp"
+
+namespace rvbench::analysis {
+namespace {
+
+constexpr double fewest_periods = 4;
+constexpr double usable_share = 0.4;  // of the sample rate: what resampling leaves alone
+
+}  // namespace
+
+std::optional<PeriodLines> period_lines(const Channel& signal, const ShaftAngle& angle,
+                                        double period_turns) {
+  const double periods =
+      angle.whole_periods(signal.samples.size(), signal.rate_Hz, signal.start_s, period_turns);
+  if (periods < fewest_periods) return std::nullopt;
+  const double speed_Hz = angle.mean_speed_Hz();
+  const int per_turn = static_cast<int>(std::ceil(signal.rate_Hz / speed_Hz));
+  const Eigen::VectorXd x =
+      angle.resample(signal.samples, signal.rate_Hz, signal.start_s, period_turns, per_turn);
+  const auto apart = static_cast<Eigen::Index>(
+      std::llround(static_cast<double>(x.size()) / (per_turn * period_turns)));
+  const LineFloor lines = line_floor(amplitude_spectrum(x, per_turn, Window::hann), apart);
+  const auto orders =
+      static_cast<Eigen::Index>(usable_share * signal.rate_Hz / speed_Hz * period_turns);
+  PeriodLines result;
+  result.mean = x.mean();
+  result.periods = static_cast<double>(apart);
+  result.amplitude = result.noise = Eigen::VectorXd::Zero(orders + 1);
+  for (Eigen::Index k = 1; k <= orders; ++k) {
+    result.amplitude[k] = std::sqrt(lines.power[k * apart]);
+    result.noise[k] = std::sqrt(lines.floor[k * apart]);
+  }
+  return result;
+}
+
+TimedLine line_at(const Channel& signal, double frequency_Hz) {
+  const auto n = signal.samples.size();
+  const double mean = signal.samples.mean();
+  std::complex<double> sum = 0;
+  double weights = 0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double place = (static_cast<double>(i) + 0.5) / static_cast<double>(n);
+    const double weight = 1 - std::cos(units::two_pi * place);
+    const double turns = frequency_Hz * static_cast<double>(i) / signal.rate_Hz;
+    sum += weight * (signal.samples[i] - mean) * std::polar(1.0, -units::two_pi * turns);
+    weights += weight;
+  }
+  const LineFloor lines =
+      line_floor(amplitude_spectrum(signal.samples, signal.rate_Hz, Window::hann), 0);
+  const auto nearest =
+      std::clamp<Eigen::Index>(std::llround(frequency_Hz / signal.rate_Hz * static_cast<double>(n)),
+                               1, lines.floor.size() - 1);
+  return {2 * std::abs(sum) / weights, std::sqrt(lines.floor[nearest])};
+}
+
+}  // namespace rvbench::analysis

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "analysis/shaft_angle.hpp"
+#include "hal/types/recording.hpp"
+
+namespace rvbench::analysis {
+
+/// What a signal of a steadily turning machine shows: its mean, and the lines that repeat with the
+/// machine's period.
+struct PeriodLines {
+  double mean = 0;            ///< in the signal's unit
+  double periods = 0;         ///< whole ones that it was taken over
+  Eigen::VectorXd amplitude;  ///< 0-to-peak; element k: k times per period; element 0 is unused
+  Eigen::VectorXd noise;      ///< rms amplitude that noise alone shows there
+};
+
+/// Amplitudes at every whole order of the period, by averaging over whole periods of the shaft
+/// angle; the noise beside each comes from the lines between the orders, which nothing that repeats
+/// can fill. Orders above 0.4 of the sample rate are left out.
+///
+/// @param period_turns  input turns per period
+/// @return empty if the signal is shorter than four periods: then a line cannot be told from its
+///         neighbour
+std::optional<PeriodLines> period_lines(const Channel& signal, const ShaftAngle& angle,
+                                        double period_turns);
+
+/// One line that follows time.
+struct TimedLine {
+  double amplitude = 0;  ///< 0-to-peak
+  double noise = 0;      ///< rms amplitude that noise alone shows there
+};
+
+/// @param frequency_Hz  in (0, half the sample rate)
+TimedLine line_at(const Channel& signal, double frequency_Hz);
+
+}  // namespace rvbench::analysis
