@@ -29,6 +29,12 @@ void PlantFamily::add_candidate(std::size_t type, const sim::EffectSite& site,
   candidates_.push_back(std::move(made.candidate));
 }
 
+void PlantFamily::stands_for(std::size_t candidate, std::size_t other) {
+  analysis::Candidate& tried = candidates_.at(candidate);
+  tried.alike.push_back({candidates_.at(other).name, candidates_.at(other).where});
+  cannot_show(other, "looks like " + tried.name + " (" + tried.where + ")");
+}
+
 sim::PlantSpec PlantFamily::with(const std::vector<std::size_t>& effects,
                                  const std::vector<double>& values) const {
   sim::PlantSpec plant = plant_;

@@ -23,6 +23,14 @@ class PlantFamily {
   const std::vector<analysis::ModelParameter>& base() const { return base_; }
   const std::vector<analysis::Candidate>& candidates() const { return candidates_; }
 
+  /// Data or comparison cannot show this candidate.
+  void cannot_show(std::size_t candidate, std::string why) {
+    candidates_.at(candidate).not_exercised = std::move(why);
+  }
+
+  /// In all that is compared, the one looks like the other: only the first is tried.
+  void stands_for(std::size_t candidate, std::size_t other);
+
   /// @param effects  indices into candidates()
   /// @param values   of base(), then of each effect's parameters
   sim::PlantSpec with(const std::vector<std::size_t>& effects,

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "bench/order_twin.hpp"
 #include "bench/time_twin.hpp"
 
 namespace rvbench::bench {
@@ -16,7 +17,10 @@ double Twin::Comparison::relative_error() const {
 
 TwinOrRefusal make_twin(sim::PlantSpec plant, const Campaign& campaign,
                         const sim::TermLibrary& library) {
-  return TimeTwin::make(std::move(plant), campaign, library);
+  const bool by_orders =
+      !plant.outputs.empty() && plant.outputs.front().compared_by == sim::ComparedBy::orders;
+  return by_orders ? OrderTwin::make(std::move(plant), campaign, library)
+                   : TimeTwin::make(std::move(plant), campaign, library);
 }
 
 }  // namespace rvbench::bench

@@ -190,6 +190,9 @@ class Check {
     check_quantity(place + "/gain", output.gain, gain_unit(output.unit, si));
     check_quantity(place + "/offset", output.offset, output.unit);
     check_quantity(place + "/delay", output.delay, "s", -1, 1);
+    if (output.compared_by != plant_.outputs.front().compared_by) {
+      note(place + "/compared_by", "all outputs of a plant are compared alike");
+    }
     if (output.kind == OutputKind::drive && !prescribed(output.of)) {
       note(place + "/body", "no input prescribes its motion: what drives it is known");
     }

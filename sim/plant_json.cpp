@@ -117,6 +117,7 @@ OutputSpec read_output(ConfigReader& at) {
   output.gain = quantity_at(at, "gain", {1, "1", 0});
   output.offset = quantity_at(at, "offset", {0, output.unit, 0});
   output.delay = quantity_at(at, "delay", {0, "s", 0});
+  output.compared_by = choose(at, "compared_by", compared_by_words, "samples");
   return output;
 }
 

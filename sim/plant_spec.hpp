@@ -69,6 +69,10 @@ struct InputSpec {
   double band_Hz = 0;  ///< of a prescribed motion; 0 otherwise
 };
 
+/// Whether a recording of it is compared sample by sample, or by the means and lines of a steady
+/// rotation.
+enum class ComparedBy { samples, orders };
+
 enum class OutputKind { position, speed, acceleration, effort, drive };
 
 /// What a sensor would show: channel(t) = gain·SI value(t − delay) + offset.
@@ -82,7 +86,8 @@ struct OutputSpec {
   std::string of;  ///< a body, or for `effort` a term
   Quantity gain;
   Quantity offset;
-  Quantity delay;  ///< s
+  Quantity delay;                                ///< s
+  ComparedBy compared_by = ComparedBy::samples;  ///< the same for all outputs of a plant
 };
 
 /// A lumped-parameter machine as data: bodies, terms that add, what drives it and what is seen.

@@ -33,6 +33,9 @@ inline constexpr std::array<Word<OutputKind>, 5> output_words{
      {"effort", OutputKind::effort},
      {"drive", OutputKind::drive}}};
 
+inline constexpr std::array<Word<ComparedBy>, 2> compared_by_words{
+    {{"samples", ComparedBy::samples}, {"orders", ComparedBy::orders}}};
+
 template <typename T, std::size_t n>
 std::string_view word_of(const std::array<Word<T>, n>& words, T value) {
   for (const auto& entry : words) {

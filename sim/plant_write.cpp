@@ -65,7 +65,8 @@ ordered_json json_of(const OutputSpec& output) {
           {output.kind == OutputKind::effort ? "term" : "body", output.of},
           {"gain", json_of(output.gain)},
           {"offset", json_of(output.offset)},
-          {"delay", json_of(output.delay)}};
+          {"delay", json_of(output.delay)},
+          {"compared_by", word_of(compared_by_words, output.compared_by)}};
 }
 
 }  // namespace

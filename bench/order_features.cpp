@@ -1,0 +1,107 @@
+#include "bench/order_features.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "analysis/quality.hpp"
+#include "analysis/shaft_angle.hpp"
+#include "bench/planned_inputs.hpp"
+#include "hal/did_you_mean.hpp"
+#include "hal/types/units.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+constexpr double rated_output_torque_Nm = 167;  // of the RV-20E: 100 % of a plan's load
+
+std::string channel_fault(const Recording& recording, const sim::OutputSpec& output) {
+  const std::string name = hal::in_quotes(output.channel);
+  const Channel* channel = recording.find(output.channel);
+  if (channel == nullptr) return name + " is no channel of the recording";
+  if (!channel->info.unit.empty() && channel->info.unit != output.unit) {
+    return fmt::format("{} is in {}, the plant shows {}", name, channel->info.unit, output.unit);
+  }
+  if (!channel->samples.allFinite()) return name + " has samples that are not finite";
+  for (const analysis::QualityNote& note : analysis::channel_quality(*channel, not_known)) {
+    if (note.invalidates) return name + " is " + note.what;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::variant<Eigen::VectorXd, hal::ConfigFault> steady_inputs(const sim::PlantSpec& plant,
+                                                              const Recording& recording) {
+  const auto planned = planned_inputs(plant, recording, rated_output_torque_Nm);
+  Eigen::VectorXd values(static_cast<Eigen::Index>(plant.inputs.size()));
+  for (std::size_t i = 0; i < plant.inputs.size(); ++i) {
+    const Channel* channel = recording.find(plant.inputs[i].channel);
+    if (channel == nullptr && planned) {
+      channel = find_channel(planned->channels, plant.inputs[i].channel);
+    }
+    const double value = channel == nullptr ? not_known : channel->samples.mean();
+    if (!std::isfinite(value)) {
+      return hal::ConfigFault{0, fmt::format("/inputs/{}/channel", i),
+                              hal::in_quotes(plant.inputs[i].channel) + " [" +
+                                  plant.inputs[i].unit + "] is not told by the recording"};
+    }
+    values[static_cast<Eigen::Index>(i)] = value;
+  }
+  return values;
+}
+
+std::variant<OrderMeasurement, std::string> measure_orders(const sim::PlantSpec& plant,
+                                                           const Recording& recording,
+                                                           std::size_t angle, double period_turns) {
+  for (const sim::OutputSpec& output : plant.outputs) {
+    const bool is_angle = &output == &plant.outputs[angle];
+    const std::string fault = channel_fault(recording, output);
+    if (!fault.empty() && !(is_angle && recording.find(output.channel) != nullptr)) return fault;
+  }
+  const auto shaft = analysis::ShaftAngle::of(recording);
+  if (!shaft || !shaft->is_measured()) return std::string("the shaft does not turn");
+  OrderMeasurement measured;
+  measured.speed_Hz = shaft->mean_speed_Hz();
+  for (std::size_t o = 0; o < plant.outputs.size(); ++o) {
+    if (o == angle) {
+      analysis::PeriodLines speed;
+      speed.mean = units::two_pi * measured.speed_Hz;
+      measured.outputs.push_back(std::move(speed));
+      continue;
+    }
+    const Channel& channel = *recording.find(plant.outputs[o].channel);
+    auto lines = analysis::period_lines(channel, *shaft, period_turns);
+    if (!lines) {
+      return fmt::format("shorter than four periods of {:g} turns: lines cannot be parted",
+                         period_turns);
+    }
+    measured.length_s = static_cast<double>(channel.samples.size()) / channel.rate_Hz;
+    measured.outputs.push_back(*std::move(lines));
+  }
+  return measured;
+}
+
+std::complex<double> predicted(const sim::SteadyState& state, const OrderFeature& feature,
+                               double resolution_Hz) {
+  const sim::SteadyOutput& output = state.outputs[feature.output];
+  switch (feature.kind) {
+    case OrderFeature::Kind::mean: return output.mean;
+    case OrderFeature::Kind::shaft_line: return output.shaft_lines[feature.order];
+    case OrderFeature::Kind::timed_line: break;
+  }
+  std::complex<double> line = 0;
+  for (std::size_t i = 0; i < state.rhythms_Hz.size(); ++i) {
+    if (std::abs(state.rhythms_Hz[i] - feature.frequency_Hz) < resolution_Hz) {
+      line += output.timed_lines[static_cast<Eigen::Index>(i)];
+    }
+  }
+  return line;
+}
+
+double with_noise(double amplitude, double noise) {
+  return std::hypot(amplitude, std::sqrt(std::numbers::pi) / 2 * noise);
+}
+
+}  // namespace rvbench::bench

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "analysis/explain/period_lines.hpp"
+#include "hal/config_reader.hpp"
+#include "hal/types/recording.hpp"
+#include "sim/plant_spec.hpp"
+#include "sim/steady_state.hpp"
+
+namespace rvbench::bench {
+
+/// One number that a record of a steadily turning plant is compared by.
+struct OrderFeature {
+  enum class Kind {
+    mean,        ///< of the output; of the shaft's angle: its speed
+    shaft_line,  ///< amplitude of the line of this order of the period
+    timed_line   ///< amplitude of the line at this frequency
+  };
+  Kind kind = Kind::mean;
+  std::size_t output = 0;
+  int order = 0;
+  double frequency_Hz = 0;
+};
+
+/// Values of a plant's inputs during a steady record, in order of its inputs: the mean of the
+/// channel, or what was planned (see planned_inputs()).
+/// @return a fault at the input that the record does not tell
+std::variant<Eigen::VectorXd, hal::ConfigFault> steady_inputs(const sim::PlantSpec& plant,
+                                                              const Recording& recording);
+
+/// What a record shows, output by output.
+struct OrderMeasurement {
+  std::vector<analysis::PeriodLines> outputs;  ///< in order of the plant's; that of the angle has
+                                               ///< its speed [rad/s] for a mean, and no lines
+  double length_s = 0;
+  double speed_Hz = 0;  ///< of the shaft that the angle is of
+};
+
+/// @param angle         output that is the shaft's angle
+/// @param period_turns  turns of that shaft per period
+/// @return why it cannot be compared: channels missing, too short, not turning
+std::variant<OrderMeasurement, std::string> measure_orders(const sim::PlantSpec& plant,
+                                                           const Recording& recording,
+                                                           std::size_t angle, double period_turns);
+
+/// What the plant shows of a feature: the mean, or the complex line.
+/// @param resolution_Hz  within which lines that follow time are one
+std::complex<double> predicted(const sim::SteadyState& state, const OrderFeature& feature,
+                               double resolution_Hz);
+
+/// What a measurement shows on average of this amplitude among noise of this rms amplitude.
+/// Source  Rice, Bell Syst. Tech. J. 24, 46-156 (1945): its ends are exact, 2 % off between
+double with_noise(double amplitude, double noise);
+
+}  // namespace rvbench::bench

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "bench/candidate_probes.hpp"
+#include "bench/order_features.hpp"
+#include "bench/plant_family.hpp"
+#include "bench/twin.hpp"
+#include "sim/steady_state.hpp"
+
+namespace rvbench::bench {
+
+/// A plant that turns steadily beside recordings of it: means, and the lines that repeat with the
+/// machine or follow supply and mains.
+///
+/// Values  (measured − predicted) of each mean, and of each line's amplitude, over the standard
+///         error of the measurement: the noise beside the line and what repeats differ by
+/// Lines   orders of the slowest body's turn that a recording shows or some effect would bring;
+///         multiples of the supply's frequency and of the mains'
+/// Units   a record each: whatever differs from one to the next is no knowledge
+/// Leaves out: phases; angle zero is where a record happens to begin
+class OrderTwin final : public Twin {
+ public:
+  /// @param library  outlives the twin
+  static TwinOrRefusal make(sim::PlantSpec plant, const Campaign& campaign,
+                            const sim::TermLibrary& library = sim::standard_terms());
+
+  const std::vector<analysis::ObservedUnit>& units() const override { return units_; }
+  const std::vector<analysis::ModelParameter>& base() const override { return base_; }
+  const std::vector<analysis::Candidate>& library() const override { return family_->candidates(); }
+  std::optional<Eigen::VectorXd> residuals(const std::vector<std::size_t>& effects,
+                                           const std::vector<double>& values,
+                                           const std::vector<bool>& trained) const override;
+  std::unique_ptr<analysis::ForwardModel> straightened(const std::vector<std::size_t>& effects,
+                                                       const std::vector<double>& values,
+                                                       const ForwardModel* like) const override;
+
+  /// Means and complex lines of every condition, one condition after the other.
+  /// @return nothing if the plant does not turn steadily
+  std::optional<Eigen::VectorXcd> features(const std::vector<std::size_t>& effects,
+                                           const std::vector<double>& values) const;
+  /// @param features  see features()
+  Eigen::VectorXd residuals_of(const Eigen::VectorXcd& features) const;
+
+  sim::PlantSpec plant_with(const std::vector<std::size_t>& effects,
+                            const std::vector<double>& values) const override {
+    return family_->with(effects, values);
+  }
+  std::vector<Comparison> compare(const std::vector<std::size_t>& effects,
+                                  const std::vector<double>& values) const override;
+
+ private:
+  /// Constant inputs that records share, how the plant turns under them as it is, and what its
+  /// records are compared by.
+  struct Condition {
+    Eigen::VectorXd inputs;
+    sim::SteadyState nominal;
+    std::vector<int> orders;  ///< highest that each output shows in all of its records
+    std::vector<OrderFeature> features;
+    double length_s = 0;  ///< of its first record
+  };
+  struct Record {
+    RecordLabels about;
+    std::size_t condition = 0;
+    OrderMeasurement measured;
+    std::vector<analysis::TimedLine> timed;  ///< see timed_lines()
+    Eigen::VectorXd values, noise, errors;   ///< of the condition's features
+  };
+
+  OrderTwin(sim::PlantSpec plant, const sim::TermLibrary& library)
+      : plant_(std::move(plant)), terms_(library) {}
+
+  Refusal load(const Campaign& campaign);
+  void sort_in(Record& record, const Eigen::VectorXd& inputs);
+  std::optional<hal::ConfigFault> solve_nominal(const sim::SteadyPlant& steady);
+  int highest_order() const;
+  ParameterScales scales() const;
+  void take_tolerances_as_spreads();
+  std::vector<OrderFeature> timed_lines(const Condition& condition) const;
+  std::vector<std::vector<bool>> shown_orders() const;
+  std::vector<std::size_t> probed_conditions() const;
+  std::vector<CandidateProbe> probe();
+  void add_orders_of(const std::vector<CandidateProbe>& probes,
+                     std::vector<std::vector<bool>>& shown) const;
+  Eigen::MatrixXd marks_of(const std::vector<CandidateProbe>& probes) const;
+  void choose_features(const std::vector<CandidateProbe>& probes);
+  void read_features(Record& record) const;
+  void find_errors();
+  void cut_units();
+  std::variant<std::vector<sim::SteadyState>, hal::ConfigFault> states_of(
+      const sim::PlantSpec& plant, const std::vector<std::size_t>& conditions) const;
+  std::optional<std::vector<sim::SteadyState>> solved(const std::vector<std::size_t>& effects,
+                                                      const std::vector<double>& values) const;
+  Eigen::VectorXcd features_of(const sim::SteadyState& state, const Condition& condition) const;
+  Eigen::VectorXd shown_by(const Eigen::VectorXcd& features, const Record& record) const;
+
+  sim::PlantSpec plant_;
+  const sim::TermLibrary& terms_;
+  std::size_t angle_ = 0;    ///< output that is the reference shaft's angle
+  int turning_ = 0;          ///< body that it is the angle of
+  double period_turns_ = 0;  ///< of that body
+  std::vector<Condition> conditions_;
+  std::vector<Record> records_;
+  std::optional<PlantFamily> family_;
+  std::vector<analysis::ModelParameter> base_;
+  std::vector<analysis::ObservedUnit> units_;
+};
+
+}  // namespace rvbench::bench

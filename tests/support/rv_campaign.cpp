@@ -1,0 +1,146 @@
+#include "tests/support/rv_campaign.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+
+#include "sim/draw.hpp"
+#include "sim/rv_train.hpp"
+
+namespace rvbench::test {
+namespace {
+
+constexpr double daq_rate_Hz = 4960;
+constexpr int steps_per_sample = 4;
+constexpr int daq_samples_per_sample = 5;
+constexpr double settling_s = 3;
+constexpr double gear_ratio = 121;
+constexpr double rated_torque_Nm = 167;
+constexpr double pole_pairs = 2;
+
+// Takes every so many-th sample below half the rate that is left: a Hann-windowed sinc.
+class Thinner {
+ public:
+  explicit Thinner(int every) : every_(every), taps_(half_periods * 2 * every + 1) {
+    for (Eigen::Index i = 0; i < taps_.size(); ++i) {
+      const double x = static_cast<double>(i - half_periods * every) / every;
+      const double sinc =
+          x == 0 ? 1 : std::sin(std::numbers::pi * cut * x) / (std::numbers::pi * cut * x);
+      taps_[i] = sinc * (1 + std::cos(std::numbers::pi * x / half_periods));
+    }
+    taps_ /= taps_.sum();
+  }
+  Eigen::VectorXd operator()(const Eigen::VectorXd& x) const {
+    Eigen::VectorXd out((x.size() - taps_.size()) / every_);
+    for (Eigen::Index i = 0; i < out.size(); ++i)
+      out[i] = taps_.dot(x.segment(i * every_, taps_.size()));
+    return out;
+  }
+  int delay() const { return half_periods * every_; }
+
+ private:
+  static constexpr int half_periods = 16;
+  static constexpr double cut = 0.88;  // of half the rate that is left
+  int every_;
+  Eigen::VectorXd taps_;
+};
+
+// Coloured noise of unit deviation.
+class Colour {
+ public:
+  Colour(double pole, std::uint64_t seed) : pole_(pole), engine_(seed) {}
+  double next() {
+    state_ = pole_ * state_ + std::sqrt(1 - pole_ * pole_) * normal_(engine_);
+    return state_;
+  }
+
+ private:
+  double pole_, state_ = 0;
+  std::mt19937_64 engine_;
+  std::normal_distribution<double> normal_;
+};
+
+Recording record_of(const sim::PlantSpec& machine, double speed_rpm, double load_pct,
+                    const RvMatrix& matrix, sim::Draw& draw) {
+  sim::RvUnit unit;
+  unit.phases_rad.assign(10, 0);
+  unit.friction_factor = 1 + matrix.friction_scatter * draw.uniform(-1.7, 1.7);
+  sim::RvTrain train(machine, unit, 1 / (daq_rate_Hz * steps_per_sample));
+  train.set_supply(speed_rpm / 60 * pole_pairs, true);
+  train.set_brake_torque(load_pct / 100 * rated_torque_Nm);
+  const auto run = [&](int steps) {
+    for (int i = 0; i < steps; ++i) train.step();
+    train.wrap();
+  };
+  const double settle = settling_s * draw.uniform(1, 1.3) * daq_rate_Hz;
+  for (int i = 0; i < static_cast<int>(settle); ++i) run(steps_per_sample);
+  const Thinner thin(daq_samples_per_sample);
+  const double length_s = matrix.periods * gear_ratio * 60 / speed_rpm;
+  const auto count = static_cast<Eigen::Index>(length_s * daq_rate_Hz) + 2 * thin.delay();
+  Eigen::VectorXd torque_Nm(count), angle_rad(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    run(steps_per_sample);
+    torque_Nm[i] = train.input_torque_Nm();
+    angle_rad[i] = train.input_angle_rad();
+  }
+  Recording recording;
+  recording.planned_speed_rpm = speed_rpm;
+  recording.load_pct = load_pct;
+  constexpr double rate_Hz = daq_rate_Hz / daq_samples_per_sample;
+  recording.channels = {{{"input_torque", "N·m", "", not_known}, rate_Hz, 0, thin(torque_Nm)},
+                        {{"input_angle", "rad", "", not_known}, rate_Hz, 0, thin(angle_rad)}};
+  Colour noise(matrix.noise_colour, draw.seed());
+  for (double& x : recording.channels[0].samples) {
+    x = matrix.torque_gain * x + matrix.torque_noise_Nm * noise.next();
+  }
+  return recording;
+}
+
+}  // namespace
+
+bench::Campaign rv_campaign(const sim::PlantSpec& machine, std::uint64_t seed,
+                            const RvMatrix& matrix) {
+  sim::Draw draw(seed);
+  bench::Campaign campaign;
+  campaign.name = "simulated RV bench";
+  for (const double speed_rpm : matrix.speeds_rpm) {
+    for (const double load_pct : matrix.loads_pct) {
+      for (int repeat = 1; repeat <= matrix.repeats; ++repeat) {
+        bench::CampaignRecord record;
+        record.condition = fmt::format("{:g} rpm, {:g} %", speed_rpm, load_pct);
+        record.name = fmt::format("{}, repeat {}", record.condition, repeat);
+        record.speed = fmt::format("{:g} rpm", speed_rpm);
+        record.load = fmt::format("{:g} %", load_pct);
+        record.programme = record.condition;
+        record.recording = record_of(machine, speed_rpm, load_pct, matrix, draw);
+        record.recording.repeat = repeat;
+        campaign.records.push_back(std::move(record));
+      }
+    }
+  }
+  return campaign;
+}
+
+sim::PlantSpec within_tolerance(sim::PlantSpec plant, std::uint64_t seed, double share) {
+  sim::Draw draw(seed);
+  for (const sim::PlacedQuantity& placed : sim::quantities(plant)) {
+    const double tolerance = placed.quantity->tolerance_pct / 100;
+    if (std::isfinite(tolerance))
+      placed.quantity->value *= 1 + share * tolerance * draw.uniform(-1, 1);
+  }
+  return plant;
+}
+
+sim::PlantSpec with_value(sim::PlantSpec plant, const std::string& pointer, double value) {
+  for (const sim::PlacedQuantity& placed : sim::quantities(plant)) {
+    if (placed.pointer != pointer) continue;
+    placed.quantity->value = value;
+    return plant;
+  }
+  throw std::invalid_argument(pointer + ": no quantity of the plant");
+}
+
+}  // namespace rvbench::test
