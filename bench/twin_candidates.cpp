@@ -126,6 +126,7 @@ TwinCandidate candidate_at(const sim::PlantSpec& plant, const sim::TermType& typ
     const bool one_way = card.min > -sim::unbounded;  // else it may be anything: a phase
     if (candidate.parameters.size() >= candidate.sizes && size != 0 && one_way) {
       // A shape far from what the motion covers is another law in disguise.
+      p.scale = std::clamp(p.scale, p.low, p.high);
       p.low = std::max(p.low, p.scale / widest_shape);
       p.high = std::min(p.high, p.scale * widest_shape);
     }
