@@ -1,12 +1,31 @@
 #include "sim/periodic_table.hpp"
 
+#include <array>
 #include <cmath>
+#include <numeric>
 
 #include "hal/types/units.hpp"
 
 namespace rvbench::sim {
 
 using units::two_pi;
+
+namespace {
+
+// cos 2πi/size: all that a harmonic needs, for each of its steps ends on one of these.
+template <int size>
+const std::array<double, size>& cosines() {
+  static const auto table = [] {
+    std::array<double, size> values{};
+    for (int i = 0; i < size; ++i) {
+      values[static_cast<std::size_t>(i)] = std::cos(two_pi * i / size);
+    }
+    return values;
+  }();
+  return table;
+}
+
+}  // namespace
 
 void PeriodicTable::reserve() {
   if (values_.empty()) values_.assign(size + 1, 0.0);
@@ -15,9 +34,14 @@ void PeriodicTable::reserve() {
 PeriodicTable& PeriodicTable::add_cosine(int harmonic, double amplitude, double phase_rad) {
   if (amplitude == 0) return *this;
   reserve();
-  for (int i = 0; i <= size; ++i) {
-    values_[static_cast<std::size_t>(i)] +=
-        amplitude * std::cos(harmonic * two_pi * i / size + phase_rad);
+  repeats_ = std::gcd(repeats_, harmonic);
+  const auto& cosine = cosines<size>();
+  const double a = amplitude * std::cos(phase_rad), b = amplitude * std::sin(phase_rad);
+  constexpr std::size_t quarter = size / 4;
+  std::size_t at = 0;
+  for (double& value : values_) {
+    value += a * cosine[at] + b * cosine[(at + quarter) % size];  // cos(x + π/2) = −sin x
+    at = (at + static_cast<std::size_t>(harmonic)) % size;
   }
   return *this;
 }
@@ -25,6 +49,7 @@ PeriodicTable& PeriodicTable::add_cosine(int harmonic, double amplitude, double 
 PeriodicTable& PeriodicTable::add_bump(double centre_rad, double width_rad, double height) {
   if (height == 0) return *this;
   reserve();
+  repeats_ = 1;
   for (int i = 0; i <= size; ++i) {
     const double away_rad = std::remainder(two_pi * i / size - centre_rad, two_pi);
     if (std::abs(away_rad) < width_rad / 2) {

@@ -49,6 +49,14 @@ class PhysicsTerm {
   /// The one frequency of what follows time in the push, and not motion; 0 if nothing does.
   virtual double rhythm_Hz(const PlantState&) const { return 0; }
 
+  /// How often the push comes again while each body makes so many turns; 0 if it does not know
+  /// where on that motion the bodies are. Ways between them that stay the same do not count.
+  /// @param turns  whole numbers, with their signs
+  virtual int repeats_in(const Eigen::VectorXd& turns) const {
+    (void)turns;
+    return 1;
+  }
+
   virtual bool is_linear() const { return false; }  ///< add_remainder() has nothing to add
 
   /// Whether add_remainder() depends on time and inputs alone: no step has to resolve it.

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <numeric>
 
 #include "hal/types/units.hpp"
 #include "sim/order_lines.hpp"
@@ -22,10 +23,11 @@ using Complex = std::complex<double>;
 using hal::ConfigFault;
 using units::two_pi;
 
-constexpr double held_together = 1e-9;     // of the stiffest way: below it bodies move freely
-constexpr double whole = 1e-6;             // of a turn
-constexpr double samples_per_order = 2.4;  // at least: more than the lines need, against aliasing
-constexpr int slopes_at = 16;              // angles of the period that the mean slopes come from
+constexpr double held_together = 1e-9;    // of the stiffest way: below it bodies move freely
+constexpr double whole = 1e-6;            // of a turn
+constexpr double samples_per_line = 2.4;  // at least: more than the lines need, against aliasing
+constexpr double fewest_samples = 64;
+constexpr int slopes_at = 16;  // angles of the period that the mean slopes come from
 constexpr double slope_step_rad = 1e-7;
 constexpr double slope_step_of_speed = 1e-6;
 constexpr double slopes_known_to = 1e-6;  // of the largest
@@ -42,10 +44,18 @@ constexpr SteadyMotion::Rest from_nowhere{1, 1e-5, 1e-7};
 constexpr SteadyMotion::Rest from_near{3, 1e-2, 1e-3};
 
 // A power of two, or one and a half: quick to transform.
-Eigen::Index samples_for(int orders) {
-  const double wanted = samples_per_order * std::max(orders, 4);
+Eigen::Index samples_for(int lines) {
+  const double wanted = std::max(samples_per_line * lines, fewest_samples);
   const Eigen::Index power = Eigen::Index{1} << static_cast<int>(std::ceil(std::log2(wanted)));
   return 0.75 * static_cast<double>(power) >= wanted ? power / 4 * 3 : power;
+}
+
+// How often all of it comes again while the bodies make these turns; as often as the highest order
+// if nothing knows where they are.
+int repeats_of(const PlantModel& model, const Eigen::VectorXd& turns, int orders) {
+  int all = 0;
+  for (const auto& term : model.terms) all = std::gcd(all, term->repeats_in(turns));
+  return all > 0 ? all : std::max(orders, 1);
 }
 
 // Calls what follows time twice, half a period apart: its own line cancels.
@@ -84,18 +94,42 @@ std::variant<Eigen::VectorXd, ConfigFault> common_motion(const PlantModel& model
   return common;
 }
 
+std::optional<ConfigFault> why_never_steady(const PlantModel& model,
+                                            const Eigen::VectorXd& common) {
+  const Eigen::Index n = common.size();
+  PlantState here{Eigen::VectorXd::LinSpaced(n, 0.1, 0.2), common,
+                  Eigen::VectorXd::Zero(model.memory_size),
+                  Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.pushed.size())), 0};
+  PlantState there = here;
+  there.q += two_pi * common;
+  for (const auto& term : model.terms) {
+    const auto* memory = dynamic_cast<const TermMemory*>(term.get());
+    if (memory != nullptr && !memory->is_clock()) {
+      return ConfigFault{0, "/terms", std::string(term->name()) + " has a past: no steady state"};
+    }
+    Eigen::VectorXd before = Eigen::VectorXd::Zero(n), after = before;
+    term->add_force(here, before);
+    term->add_force(there, after);
+    if ((after - before).norm() > rounding * before.norm()) {
+      return ConfigFault{0, "/terms", std::string(term->name()) + " holds on to one turn"};
+    }
+  }
+  return std::nullopt;
+}
+
 SteadyMotion::SteadyMotion(const PlantModel& model, Eigen::VectorXd common,
                            const Eigen::VectorXd& inputs, int orders)
     : model_(model),
       common_(std::move(common)),
       n_(model.inertia.size()),
-      orders_(orders),
-      samples_(samples_for(orders)),
+      repeats_(repeats_of(model, common_, orders)),
+      count_(std::max(orders / repeats_, 1)),
+      samples_(samples_for(count_)),
       u_(static_cast<Eigen::Index>(model.pushed.size())),
       clock_rates_(Eigen::VectorXd::Zero(model.memory_size)),
       linear_stiffness_(Eigen::MatrixXd::Zero(n_, n_)),
       linear_damping_(Eigen::MatrixXd::Zero(n_, n_)),
-      lines_(Eigen::MatrixXcd::Zero(n_, orders + 1)) {
+      lines_(Eigen::MatrixXcd::Zero(n_, count_ + 1)) {
   for (Eigen::Index i = 0; i < u_.size(); ++i) {
     const SignalTap& tap = model.taps[static_cast<std::size_t>(i)];
     u_[i] = tap.gain * inputs[tap.column] + tap.offset;
@@ -115,8 +149,8 @@ SteadyMotion::SteadyMotion(const PlantModel& model, Eigen::VectorXd common,
   }
 }
 
-double SteadyMotion::omega_rad_s(Eigen::Index order) const {
-  return static_cast<double>(order) * std::abs(speed_rad_s_);
+double SteadyMotion::omega_rad_s(Eigen::Index line) const {
+  return static_cast<double>(line * repeats_) * std::abs(speed_rad_s_);
 }
 
 Eigen::MatrixXcd SteadyMotion::differentiated(const Eigen::MatrixXcd& lines) const {
@@ -165,29 +199,14 @@ void SteadyMotion::add_forces(PlantState& s, bool remainder_only, Eigen::VectorX
 void SteadyMotion::go_round(const std::function<void(Eigen::Index, PlantState&)>& see) const {
   const Signals ways = over_period(lines_, samples_);
   const Signals speeds = over_period(differentiated(lines_), samples_);
-  const double step_rad = (speed_rad_s_ > 0 ? two_pi : -two_pi) / static_cast<double>(samples_);
+  const double step_rad =
+      (speed_rad_s_ > 0 ? two_pi : -two_pi) / static_cast<double>(samples_ * repeats_);
   PlantState s = mean_state(0);
   for (Eigen::Index i = 0; i < samples_; ++i) {
     s.q = common_ * (step_rad * static_cast<double>(i)) + ways.col(i);
     s.v = common_ * speed_rad_s_ + speeds.col(i);
     see(i, s);
   }
-}
-
-// A term that pushes otherwise once everything has made a whole period.
-const PhysicsTerm* SteadyMotion::find_holder() const {
-  PlantState here = mean_state(0);
-  here.q = Eigen::VectorXd::LinSpaced(n_, 0.1, 0.2);
-  here.v = common_;
-  PlantState there = here;
-  there.q += two_pi * common_;
-  for (const auto& term : model_.terms) {
-    Eigen::VectorXd before = Eigen::VectorXd::Zero(n_), after = before;
-    term->add_force(here, before);
-    term->add_force(there, after);
-    if ((after - before).norm() > rounding * before.norm()) return term.get();
-  }
-  return nullptr;
 }
 
 double SteadyMotion::drive_at(double speed_rad_s) const {
@@ -226,7 +245,8 @@ void SteadyMotion::find_slopes() {
   const Eigen::VectorXd v = s.v;
   Eigen::VectorXd above(n_), below(n_);
   for (int angle = 0; angle < slopes_at; ++angle) {
-    const Eigen::VectorXd q = lines_.col(0).real() + common_ * (two_pi * (angle + 0.5) / slopes_at);
+    const double turned_rad = two_pi * (angle + 0.5) / slopes_at / repeats_;
+    const Eigen::VectorXd q = lines_.col(0).real() + common_ * turned_rad;
     const auto add_slope = [&](double& value, double step, auto column) {
       const double middle = value;
       value = middle + step;
@@ -246,15 +266,6 @@ void SteadyMotion::find_slopes() {
 }
 
 std::optional<ConfigFault> SteadyMotion::solve() {
-  for (const auto& term : model_.terms) {
-    const auto* memory = dynamic_cast<const TermMemory*>(term.get());
-    if (memory != nullptr && !memory->is_clock()) {
-      return ConfigFault{0, "/terms", std::string(term->name()) + " has a past: no steady state"};
-    }
-  }
-  if (const PhysicsTerm* holds = find_holder()) {
-    return ConfigFault{0, "/terms", std::string(holds->name()) + " holds on to one turn"};
-  }
   lines_.setZero();
   if (!find_speed()) return ConfigFault{0, "/inputs", "nothing keeps the bodies turning"};
   find_slopes();
@@ -262,10 +273,18 @@ std::optional<ConfigFault> SteadyMotion::solve() {
   return ConfigFault{0, "/terms", "the oscillation of the turning bodies does not come to rest"};
 }
 
-bool SteadyMotion::solve_near(double speed_rad_s, const Eigen::MatrixXcd& lines) {
-  if (lines.rows() != n_ || lines.cols() != orders_ + 1) return false;
+bool SteadyMotion::solve_near(double speed_rad_s, const Eigen::MatrixXcd& by_orders) {
+  if (by_orders.rows() > n_) return false;
   speed_rad_s_ = speed_rad_s;
-  lines_ = lines;
+  for (Eigen::Index k = 0; k <= count_ && k * repeats_ < by_orders.cols(); ++k) {
+    lines_.col(k).head(by_orders.rows()) = by_orders.col(k * repeats_);
+  }
+  for (Eigen::Index body = by_orders.rows(); body < n_; ++body) {
+    // A body that was cut off another one goes with what turns as often.
+    for (Eigen::Index like = 0; like < by_orders.rows(); ++like) {
+      if (common_[like] == common_[body]) lines_.row(body) = lines_.row(like);
+    }
+  }
   find_slopes();
   return come_to_rest(from_near);
 }
@@ -282,25 +301,25 @@ bool SteadyMotion::come_to_rest(const Rest& rest) {
       pushes.col(i) = push;
     });
     if (!pushes.allFinite()) return false;
-    const Eigen::MatrixXcd remainder = lines_of(pushes, orders_);
+    const Eigen::MatrixXcd remainder = lines_of(pushes, count_);
     Eigen::VectorXd mean = remainder.col(0).real() - linear_stiffness_ * lines_.col(0).real() -
                            linear_damping_ * common_ * speed_rad_s_;
     Eigen::MatrixXcd open =
         remainder - linear_stiffness_ * lines_ - linear_damping_ * differentiated(lines_);
-    for (Eigen::Index k = 1; k <= orders_; ++k) {
+    for (Eigen::Index k = 1; k <= count_; ++k) {
       open.col(k) += omega_rad_s(k) * omega_rad_s(k) *
                      model_.inertia.cast<Complex>().cwiseProduct(lines_.col(k));
     }
     const double largest =
         std::max(pushes.cwiseAbs().maxCoeff(),
                  (linear_damping_ * common_ * speed_rad_s_).cwiseAbs().maxCoeff());
-    const double line = std::sqrt(remainder.rightCols(orders_).cwiseAbs2().maxCoeff());
-    const double open_line = std::sqrt(open.rightCols(orders_).cwiseAbs2().maxCoeff());
+    const double line = std::sqrt(remainder.rightCols(count_).cwiseAbs2().maxCoeff());
+    const double open_line = std::sqrt(open.rightCols(count_).cwiseAbs2().maxCoeff());
     const bool at_rest = open_line <= std::max(rest.lines * line, negligible_line * largest) &&
                          mean.cwiseAbs().maxCoeff() <= rest.balance * largest;
     speed_rad_s_ += common_.dot(mean) / common_.dot(damping_ * common_);
     lines_.col(0) += held.solve(mean).cast<Complex>();
-    for (Eigen::Index k = 1; k <= orders_; ++k) {
+    for (Eigen::Index k = 1; k <= count_; ++k) {
       if (open.col(k).squaredNorm() < std::pow(negligible_line * largest, 2)) continue;
       lines_.col(k) += impedance(omega_rad_s(k)).partialPivLu().solve(open.col(k));
     }

@@ -16,7 +16,15 @@ namespace rvbench::sim {
 /// 0 of a body that is held.
 std::variant<Eigen::VectorXd, hal::ConfigFault> common_motion(const PlantModel& model);
 
-/// How the bodies of a plant move when they turn steadily: see steady_state().
+/// Why a plant has no steady motion whatever drives it: a term has a past, or does not let the
+/// bodies turn on; nothing if it may have one.
+std::optional<hal::ConfigFault> why_never_steady(const PlantModel& model,
+                                                 const Eigen::VectorXd& common);
+
+/// How the bodies of a plant move when they turn steadily: see SteadyPlant.
+///
+/// Where all that goes round comes again n times in a period, the n-th part of it is solved:
+/// orders that are no multiples of n are not there.
 class SteadyMotion {
  public:
   /// When the bodies' oscillation counts as found.
@@ -33,26 +41,29 @@ class SteadyMotion {
 
   /// Starts from rest lines and the fastest speed that holds itself.
   std::optional<hal::ConfigFault> solve();
-  /// Starts from a motion that is near; @return whether it led there
-  bool solve_near(double speed_rad_s, const Eigen::MatrixXcd& lines);
+  /// Starts from a motion that is near, of the same bodies or of all but the last ones.
+  /// @param by_orders  bodies x orders
+  /// @return whether it led there
+  bool solve_near(double speed_rad_s, const Eigen::MatrixXcd& by_orders);
 
   double speed_rad_s() const { return speed_rad_s_; }  ///< of the slowest body
   const Eigen::VectorXd& common() const { return common_; }
-  const Eigen::MatrixXcd& lines() const { return lines_; }  ///< bodies x orders; column 0: the mean
-  double omega_rad_s(Eigen::Index order) const;
+  /// Bodies x lines; column 0: the mean, column k: order k·repeats().
+  const Eigen::MatrixXcd& lines() const { return lines_; }
+  int repeats() const { return repeats_; }
+  double omega_rad_s(Eigen::Index line) const;
   Eigen::MatrixXcd differentiated(const Eigen::MatrixXcd& lines) const;
   Eigen::MatrixXcd impedance(double omega_rad_s) const;  ///< about the mean motion
 
   /// Angles at zero, mean deflections, mean speeds, at this time.
   PlantState mean_state(double t_s) const;
   Eigen::Index samples() const { return samples_; }
-  /// Calls see(sample, state) around one period.
+  /// Calls see(sample, state) around one period, or the part of it that comes again.
   void go_round(const std::function<void(Eigen::Index, PlantState&)>& see) const;
 
  private:
   void set_clocks(PlantState& s, double t_s) const;
   void add_forces(PlantState& s, bool remainder_only, Eigen::VectorXd& f) const;
-  const PhysicsTerm* find_holder() const;
   double drive_at(double speed_rad_s) const;
   bool find_speed();
   void find_slopes();
@@ -63,7 +74,8 @@ class SteadyMotion {
   std::vector<const PhysicsTerm*> steady_, curved_;  // the others, and those with a remainder
   Eigen::VectorXd common_;
   Eigen::Index n_;
-  int orders_;
+  int repeats_;  // in one turn of the slowest body
+  int count_;    // of lines
   Eigen::Index samples_;
   Eigen::VectorXd u_, clock_rates_;
   Eigen::MatrixXd linear_stiffness_, linear_damping_;  // of the terms' linear parts

@@ -63,6 +63,15 @@ class SteadySensors {
   std::vector<int> places_;
 };
 
+// Column k of each row to column k·repeats of as many orders.
+Eigen::MatrixXcd by_orders(const Eigen::MatrixXcd& lines, int repeats, int orders) {
+  Eigen::MatrixXcd all = Eigen::MatrixXcd::Zero(lines.rows(), orders + 1);
+  for (Eigen::Index k = 0; k < lines.cols() && k * repeats <= orders; ++k) {
+    all.col(k * repeats) = lines.col(k);
+  }
+  return all;
+}
+
 // Of a sensor that is linear about the mean motion: what it makes of each line by itself.
 Eigen::RowVectorXcd lines_of_linear(const SteadySensors& sensors, const SteadyMotion& motion,
                                     Eigen::Index output) {
@@ -135,16 +144,18 @@ Eigen::VectorXcd timed_line(const SteadySensors& sensors, const SteadyMotion& mo
                 j * (shown_at(0.25) - shown_at(0.75)).cast<Complex>());
 }
 
-SteadyState shown(const PlantSpec& plant, const PlantModel& model, const SteadyMotion& motion) {
+SteadyState shown(const PlantSpec& plant, const PlantModel& model, const SteadyMotion& motion,
+                  int orders) {
   const SteadySensors sensors(plant, model);
   SteadyState result{std::abs(motion.speed_rad_s()) / units::two_pi,
                      motion.common() * motion.speed_rad_s(),
-                     motion.lines(),
+                     by_orders(motion.lines(), motion.repeats(), orders),
                      motion.speed_rad_s(),
                      {},
                      {}};
   const auto outputs = static_cast<Eigen::Index>(plant.outputs.size());
-  const Eigen::MatrixXcd lines = shaft_lines(sensors, motion, outputs);
+  const Eigen::MatrixXcd lines =
+      by_orders(shaft_lines(sensors, motion, outputs), motion.repeats(), orders);
   std::vector<Eigen::VectorXcd> timed;
   for (const auto& term : model.terms) {
     const double rhythm_Hz = term->rhythm_Hz(motion.mean_state(0));
@@ -177,6 +188,9 @@ std::variant<SteadyPlant, ConfigFault> SteadyPlant::make(const PlantSpec& plant,
   }
   auto common = common_motion(model);
   if (const auto* fault = std::get_if<ConfigFault>(&common)) return *fault;
+  if (auto fault = why_never_steady(model, std::get<Eigen::VectorXd>(common))) {
+    return *std::move(fault);
+  }
   return SteadyPlant(plant, std::move(model), std::get<Eigen::VectorXd>(std::move(common)));
 }
 
@@ -186,7 +200,7 @@ std::variant<SteadyState, ConfigFault> SteadyPlant::under(const Eigen::VectorXd&
   if (near == nullptr || !motion.solve_near(near->slowest_rad_s, near->motion)) {
     if (const auto fault = motion.solve()) return *fault;
   }
-  return shown(*plant_, model_, motion);
+  return shown(*plant_, model_, motion, orders);
 }
 
 }  // namespace rvbench::sim

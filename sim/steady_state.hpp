@@ -32,10 +32,11 @@ struct SteadyState {
 ///
 /// The bodies' common motion is the one that the linear springs let pass; its speed is where the
 /// power balances. Around it, the motion x answers the terms' forces over one period of the slowest
-/// body: (K + jωC − ω²M)·x = f, with f taken from the terms themselves at the motion found so far,
-/// until no force line is open by more than 1e-6 of the largest; from a state that is near, three
-/// times at least, each of which leaves about a tenth open of what the one before did. What follows
-/// time is taken as small beside the rest, one line for each such term.
+/// body, or the part of it after which all of them come again: (K + jωC − ω²M)·x = f, with f taken
+/// from the terms themselves at the motion found so far, until no force line is open by more than
+/// 1e-6 of the largest; from a state that is near, three times at least, each of which leaves about
+/// a tenth open of what the one before did. What follows time is taken as small beside the rest,
+/// one line for each such term.
 ///
 /// Leaves out: what outlasts a period (memories of terms, chaos), lines between the orders,
 /// modulation of the timed lines by the shaft
@@ -43,8 +44,8 @@ struct SteadyState {
 class SteadyPlant {
  public:
   /// @param plant  outlives the result
-  /// @return a fault if bodies can turn by themselves or have no common period, or if a motion is
-  ///         prescribed
+  /// @return a fault if bodies can turn by themselves or have no common period, if a term has a
+  ///         past or holds on to one turn, or if a motion is prescribed
   static std::variant<SteadyPlant, hal::ConfigFault> make(
       const PlantSpec& plant, const TermLibrary& library = standard_terms());
 
@@ -55,8 +56,8 @@ class SteadyPlant {
   /// @param inputs  of the channels of plant.inputs, in their order; all of them force or signal
   /// @param orders  lines 1 .. orders are solved
   /// @param near    a state of a plant much like this one: where to begin; nullptr: nowhere
-  /// @return the steady state; a fault if there is none: nothing drives the bodies, a term has a
-  ///         past, or the lines do not come to rest
+  /// @return the steady state; a fault if there is none: nothing drives the bodies, or the lines do
+  ///         not come to rest
   std::variant<SteadyState, hal::ConfigFault> under(const Eigen::VectorXd& inputs, int orders,
                                                     const SteadyState* near = nullptr) const;
 

@@ -1,6 +1,7 @@
 #include "sim/terms/cycloid_stage.hpp"
 
 #include <cmath>
+#include <cstdlib>
 #include <stdexcept>
 
 namespace rvbench::sim {
@@ -54,6 +55,11 @@ double CycloidStage::stored_energy_J(const PlantState& s) const {
 double CycloidStage::dissipated_power_W(const PlantState& s) const {
   const double rate = rate_rad_s(s);
   return p_.damping_Nms_rad * rate * rate;
+}
+
+int CycloidStage::repeats_in(const Eigen::VectorXd& turns) const {
+  return std::abs(static_cast<int>(turns[p_.crank] - turns[p_.carrier]) *
+                  p_.error_rad.repeats_per_turn());
 }
 
 void CycloidStage::add_linear(Eigen::MatrixXd& stiffness, Eigen::MatrixXd& damping) const {

@@ -1,6 +1,7 @@
 #include "sim/terms/planet_mesh.hpp"
 
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "hal/types/units.hpp"
@@ -122,6 +123,13 @@ double PlanetMesh::stored_energy_J(const PlantState& s) const {
 double PlanetMesh::dissipated_power_W(const PlantState& s) const {
   const double rate = rate_m_s(s);
   return p_.damping_Ns_m * rate * rate;
+}
+
+int PlanetMesh::repeats_in(const Eigen::VectorXd& turns) const {
+  const auto sun = static_cast<int>(turns[p_.sun] - turns[p_.carrier]);
+  return std::gcd(std::gcd(sun * p_.sun_error_m.repeats_per_turn(),
+                           sun * p_.stiffness_ripple.repeats_per_turn()),
+                  static_cast<int>(turns[p_.planet]) * p_.planet_error_m.repeats_per_turn());
 }
 
 void PlanetMesh::add_linear(Eigen::MatrixXd& stiffness, Eigen::MatrixXd& damping) const {

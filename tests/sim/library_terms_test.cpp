@@ -165,6 +165,28 @@ TEST_CASE("every term of the library pushes its ends alike, and its parts make t
   });
 }
 
+TEST_CASE("every term that lets bodies turn on comes again as often as it says",
+          "[sim][library][law]") {
+  for_every_term([](const sim::PhysicsTerm& term, const sim::PlantModel& model, bool between_two) {
+    if (dynamic_cast<const sim::OneAxisTerm*>(&term) == nullptr) return;  // gears: see terms_test
+    const Eigen::Vector3d turns(6, between_two ? 6 : 0, 10);
+    const auto changed_by = [&](double part) {
+      sim::PlantState s = some_state(model, 3);
+      double most = 0;
+      for (int angle = 0; angle < 200; ++angle) {
+        const Eigen::VectorXd before = force_of(term, s);
+        s.q += 2 * pi * part * turns;
+        most = std::max(most, (force_of(term, s) - before).norm() / (before.norm() + 1e-9));
+        s.q += (0.005 * 2 * pi - 2 * pi * part) * turns;
+      }
+      return most;
+    };
+    if (changed_by(1) > 1e-6) return;  // it holds on to one turn
+    const int repeats = term.repeats_in(turns);
+    CHECK(changed_by(repeats == 0 ? 0.1234 : 1.0 / repeats) < 1e-6);
+  });
+}
+
 TEST_CASE("the laws of friction", "[sim][library][literature]") {
   CHECK(effort_of("coulomb_friction", {{"level", 4}, {"creep_speed", 1e-3}}, 0, 0.5) == Approx(4));
   CHECK(effort_of("coulomb_friction", {{"level", 4}, {"creep_speed", 1e-3}}, 0, -0.5) ==

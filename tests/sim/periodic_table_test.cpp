@@ -26,6 +26,19 @@ TEST_CASE("a table reads cosines at any angle, of any turn and sign", "[sim]") {
   }
 }
 
+TEST_CASE("a table knows how often it comes again in a turn", "[sim]") {
+  sim::PeriodicTable table;
+  CHECK(table.repeats_per_turn() == 0);
+  table.add_cosine(12, 0, 0.3);
+  CHECK(table.repeats_per_turn() == 0);
+  table.add_cosine(12, 1, 0.3);
+  CHECK(table.repeats_per_turn() == 12);
+  table.add_cosine(18, 1, 0);
+  CHECK(table.repeats_per_turn() == 6);
+  table.add_bump(1, 0.1, 1);
+  CHECK(table.repeats_per_turn() == 1);
+}
+
 TEST_CASE("a table has no seam where the turn closes", "[sim]") {
   sim::PeriodicTable table;
   table.add_cosine(3, 1, 0.7);

@@ -25,6 +25,9 @@ class Lobes final : public sim::OneAxisTerm {
     const double wave = std::cos(3 * s.q[axis().body_a]);
     return (stiffness_ * way(s) - push_Nm_) * wave;
   }
+  int repeats_in(const Eigen::VectorXd& turns) const override {
+    return static_cast<int>(std::abs(3 * turns[axis().body_a]));
+  }
 
  private:
   double push_Nm_, stiffness_;

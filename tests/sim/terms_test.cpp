@@ -179,6 +179,56 @@ SCENARIO("an asynchronous motor follows Kloss", "[sim][terms][literature]") {
   }
 }
 
+// The sun makes 120 turns against the carrier and the planet 40 while the carrier makes one: with
+// radii of 1 to 3 the teeth stay pressed alike; a crank makes 40 as the stage's 40 pins want it.
+TEST_CASE("gears push alike as often as they say in one turn of the carrier", "[sim][terms]") {
+  const auto changed_by = [](const sim::PhysicsTerm& term, const Eigen::Vector4d& turns,
+                             double part) {
+    sim::PlantState s = turned(0, 1e-6);
+    double most = 0;
+    const auto force = [&] {
+      Eigen::VectorXd f = Eigen::VectorXd::Zero(bodies);
+      term.add_force(s, f);
+      return f;
+    };
+    constexpr int angles = 9720;  // 9 to each tooth of the sun that passes
+    for (int angle = 0; angle < angles; ++angle) {
+      s.q = two_pi * turns * angle / angles;
+      const Eigen::VectorXd before = force();
+      s.q += two_pi * part * turns;
+      most = std::max(most, (force() - before).norm());
+    }
+    return most;
+  };
+  const auto check = [&](const sim::PhysicsTerm& term, const Eigen::Vector4d& turns, int repeats) {
+    CHECK(term.repeats_in(turns) == repeats);
+    const double whole = changed_by(term, turns, 0.5 / repeats);
+    CHECK(whole > 1e-3);
+    CHECK(changed_by(term, turns, 1.0 / repeats) < 1e-3 * whole);
+  };
+  Eigen::Vector4d turns = Eigen::Vector4d::Zero();
+  sim::PlanetMesh::Params gears = mesh();
+  gears.planet_base_radius_m = 3 * gears.sun_base_radius_m;
+  turns[gears.sun] = 121;
+  turns[gears.carrier] = 1;
+  turns[gears.planet] = 40;
+  gears.sun_error_m.add_cosine(9, 3e-6, 0.4);
+  check(sim::PlanetMesh(gears), turns, 1080);
+  gears.sun_error_m.add_cosine(1, 3e-6, 0.4);
+  check(sim::PlanetMesh(gears), turns, 120);
+  gears.planet_error_m.add_bump(1, 0.1, -40e-6);
+  check(sim::PlanetMesh(gears), turns, 40);
+
+  turns = Eigen::Vector4d::Zero();
+  sim::CycloidStage::Params cranks = stage();
+  turns[cranks.crank] = 40;
+  turns[cranks.carrier] = 1;
+  cranks.error_rad.add_cosine(40, 2e-5, 0.1);
+  check(sim::CycloidStage(cranks), turns, 1560);
+  cranks.error_rad.add_cosine(1, 2e-5, 0.1);
+  check(sim::CycloidStage(cranks), turns, 39);
+}
+
 TEST_CASE("the inverter's ripple beats six times per electrical turn", "[sim][terms]") {
   const sim::InductionMotor term(motor());
   constexpr int n = 960;
