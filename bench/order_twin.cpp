@@ -275,20 +275,31 @@ std::vector<CandidateProbe> OrderTwin::probe() {
   return probes;
 }
 
+// Whether an order lies within one of a line that follows time, at the speed of any record.
+bool OrderTwin::is_beside_timed(std::size_t condition, int order,
+                                const std::vector<OrderFeature>& timed) const {
+  return std::ranges::any_of(records_, [&](const Record& record) {
+    if (record.condition != condition) return false;
+    const double period_Hz = record.measured.speed_Hz / period_turns_;
+    return std::ranges::any_of(timed, [&](const OrderFeature& line) {
+      return std::abs(line.frequency_Hz - order * period_Hz) < period_Hz;
+    });
+  });
+}
+
 void OrderTwin::choose_features(const std::vector<CandidateProbe>& probes) {
   std::vector<std::vector<bool>> shown = shown_orders();
   add_orders_of(probes, shown);
-  for (Condition& condition : conditions_) {
+  for (std::size_t c = 0; c < conditions_.size(); ++c) {
+    Condition& condition = conditions_[c];
     const std::vector<OrderFeature> timed = timed_lines(condition);
     for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
       condition.features.push_back({Kind::mean, o, 0, 0});
       for (int k = 1; k <= condition.orders[o]; ++k) {
         if (!shown[o][std::size_t(k)]) continue;
-        const double line_Hz = k * condition.nominal.period_Hz;
-        const bool is_apart = std::ranges::none_of(timed, [&](const OrderFeature& line) {
-          return std::abs(line.frequency_Hz - line_Hz) < condition.nominal.period_Hz;
-        });
-        if (is_apart) condition.features.push_back({Kind::shaft_line, o, k, 0});
+        if (!is_beside_timed(c, k, timed)) {
+          condition.features.push_back({Kind::shaft_line, o, k, 0});
+        }
       }
     }
     condition.features.insert(condition.features.end(), timed.begin(), timed.end());

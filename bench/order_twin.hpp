@@ -86,6 +86,8 @@ class OrderTwin final : public Twin {
   void add_orders_of(const std::vector<CandidateProbe>& probes,
                      std::vector<std::vector<bool>>& shown) const;
   Eigen::MatrixXd marks_of(const std::vector<CandidateProbe>& probes) const;
+  bool is_beside_timed(std::size_t condition, int order,
+                       const std::vector<OrderFeature>& timed) const;
   void choose_features(const std::vector<CandidateProbe>& probes);
   void read_features(Record& record) const;
   void find_errors();

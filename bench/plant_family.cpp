@@ -1,5 +1,7 @@
 #include "bench/plant_family.hpp"
 
+#include <complex>
+
 namespace rvbench::bench {
 
 PlantFamily::PlantFamily(sim::PlantSpec plant, const ParameterScales& scales,
@@ -46,9 +48,14 @@ sim::PlantSpec PlantFamily::with(const std::vector<std::size_t>& effects,
     const sim::TermType& type = terms_.types()[t];
     const sim::Motion motion = plant_.motion_of(site.body_a);
     sim::Parameters parameters;
+    const auto& phasor = candidates_[effect].phasor;
+    const std::complex<double> wave =
+        phasor ? std::complex<double>(values[at], values[at + 1]) : std::complex<double>();
     for (const sim::ParameterCard& card : type.parameters) {
       const auto chosen = chosen_[effect].find(card.name);
-      const double value = chosen != chosen_[effect].end() ? chosen->second : values[at++];
+      double value = chosen != chosen_[effect].end() ? chosen->second : values[at++];
+      if (phasor && card.name == phasor->size) value = std::abs(wave);
+      if (phasor && card.name == phasor->phase) value = std::arg(wave);
       parameters[card.name] = {value, std::string(sim::unit_of(card.unit, motion)), 0};
     }
     plant = sim::with_effect(plant, type.card.name, site, parameters, terms_);

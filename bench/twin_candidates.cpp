@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hal/types/units.hpp"
+
 namespace rvbench::bench {
 namespace {
 
@@ -33,6 +35,16 @@ std::size_t sizes_of(const sim::TermType& type) {
   return sizes;
 }
 
+// Of a wave: three that are a third of a turn apart.
+std::vector<std::vector<double>> starts_of_wave(double size) {
+  std::vector<std::vector<double>> starts;
+  for (const double turned : {0.0, 1.0 / 3, 2.0 / 3}) {
+    starts.push_back(
+        {size * std::cos(units::two_pi * turned), size * std::sin(units::two_pi * turned)});
+  }
+  return starts;
+}
+
 // Starts: as the cards say, the other way round, smaller, and each shape wider and narrower.
 std::vector<std::vector<double>> starts_of(
     const std::vector<analysis::ModelParameter>& parameters) {
@@ -51,6 +63,17 @@ std::vector<std::vector<double>> starts_of(
     }
   }
   return starts;
+}
+
+// A size that is followed by its phase: both become the parts of a phasor.
+void make_wave(analysis::Candidate& candidate, const std::string& phase) {
+  analysis::ModelParameter& size = candidate.parameters.front();
+  candidate.phasor = {size.name, phase};
+  candidate.sizes = 2;
+  size.low = -size.high;
+  candidate.parameters.push_back(size);
+  candidate.parameters[0].name += ", cosine part";
+  candidate.parameters[1].name += ", sine part";
 }
 
 // Narrows what may be by what the card of the parameter's term says.
@@ -117,6 +140,10 @@ TwinCandidate candidate_at(const sim::PlantSpec& plant, const sim::TermType& typ
       made.chosen[card.name] = size;
       continue;
     }
+    if (card.is_phase) {
+      make_wave(candidate, card.name);
+      continue;
+    }
     analysis::ModelParameter p;
     p.name = card.name;
     p.unit = std::string(sim::unit_of(card.unit, motion));
@@ -132,7 +159,11 @@ TwinCandidate candidate_at(const sim::PlantSpec& plant, const sim::TermType& typ
     }
     candidate.parameters.push_back(std::move(p));
   }
-  if (!candidate.parameters.empty()) candidate.starts = starts_of(candidate.parameters);
+  if (candidate.phasor) {
+    candidate.starts = starts_of_wave(candidate.parameters.front().scale);
+  } else if (!candidate.parameters.empty()) {
+    candidate.starts = starts_of(candidate.parameters);
+  }
   return made;
 }
 

@@ -9,6 +9,7 @@ namespace rvbench::sim {
 namespace {
 
 constexpr double usual_deviation_m = 3e-6;  // of gear teeth and pins of accuracy class 5 or 6
+constexpr double narrow_place_rad = 0.05;  // a fifth of a tooth of 27: what a place can be told by
 
 }  // namespace
 
@@ -42,12 +43,21 @@ ParameterCard deviation_card(std::string name) {
           .start = usual_deviation_m};
 }
 
+ParameterCard place_card(std::string name) {
+  return {.name = std::move(name),
+          .unit = UnitKind::angle,
+          .min = -unbounded,
+          .max = unbounded,
+          .start = narrow_place_rad};
+}
+
 ParameterCard phase_card(std::string name) {
   return {.name = std::move(name),
           .unit = UnitKind::angle,
           .min = -unbounded,
           .max = unbounded,
-          .start = units::two_pi / 3};
+          .start = 0,
+          .is_phase = true};
 }
 
 }  // namespace rvbench::sim

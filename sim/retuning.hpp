@@ -16,7 +16,9 @@ TermType retuning(TermCard card, std::string of_type, bool each,
 
 /// An amplitude in m that deviates from the drawing by a few µm.
 ParameterCard deviation_card(std::string name);
-/// Where on its part a deviation stands; a fit starts at several places of the turn.
+/// Where on its part a deviation that is one wave or more stands.
 ParameterCard phase_card(std::string name);
+/// Where on its part a local deviation stands.
+ParameterCard place_card(std::string name);
 
 }  // namespace rvbench::sim

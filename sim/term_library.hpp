@@ -24,6 +24,7 @@ struct ParameterCard {
   double start = 0;                     ///< where a fit begins, in natural_scale()
   std::optional<double> fallback = {};  ///< of a plant file that says nothing; required if empty
   bool fitted = true;                   ///< false: chosen beforehand, not part of the effect
+  bool is_phase = false;                ///< of a wave whose size is the parameter before it
 };
 
 /// Where a residual shows: the ledgers of a campaign.

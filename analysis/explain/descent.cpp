@@ -16,7 +16,7 @@ namespace {
 
 constexpr double difference_step = 1e-4;  // of a parameter's scale
 constexpr double at_rest = 1e-5;          // of the cost: less is to be won by another step,
-constexpr double at_rest_of_one = 0.2;    // or less than this of one value's share in it
+constexpr double at_rest_of_one = 0.02;   // or less than this of one value's share in it
 constexpr double smallest_region =
     1e-4;  // of Levenberg and Marquardt: no step worth its evaluation
 constexpr int most_tries_along_bounds = 4;

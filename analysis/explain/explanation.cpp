@@ -13,21 +13,8 @@ namespace rvbench::analysis {
 namespace {
 
 constexpr std::size_t most_rivals = 3;
-constexpr double ninety_pct = 1.645;   // standard errors to each side
 constexpr double beyond_errors = 1.2;  // of the measurement: what no noise leaves over
 constexpr double worth_telling = 0.5;  // of what any law could explain: less is not the answer
-
-std::vector<Estimate> estimates(const ForwardModel& model, const Fit& fit) {
-  std::vector<Estimate> all;
-  const std::vector<ModelParameter> parameters = parameters_of(model, fit.effects);
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const auto index = static_cast<Eigen::Index>(i);
-    const double error = std::sqrt(std::max(fit.covariance(index, index), 0.0));
-    all.push_back({parameters[i].name, parameters[i].unit, fit.values[i],
-                   fit.values[i] - ninety_pct * error, fit.values[i] + ninety_pct * error});
-  }
-  return all;
-}
 
 std::vector<RivalEffect> rivals_of(const ForwardModel& model, const Step& step) {
   std::vector<RivalEffect> rivals;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/explain/estimate.hpp"
 #include "analysis/explain/selection.hpp"
 
 namespace rvbench::analysis {
@@ -18,12 +19,6 @@ enum class ExplainVerdict {
 };
 
 const char* to_string(ExplainVerdict verdict) noexcept;  ///< "NULL", "NAMED", "CLASS", ...
-
-/// A number found by a fit, with the interval that holds it nine times in ten.
-struct Estimate {
-  std::string name, unit;
-  double value = 0, low = 0, high = 0;
-};
 
 /// What else could be meant, and by how much it predicts worse.
 struct RivalEffect {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/explain/wave.hpp"
+
 namespace rvbench::analysis {
 namespace {
 
@@ -13,6 +15,7 @@ constexpr int most_iterations = 30;       // of a fit, after the first moves
 constexpr int most_refit_iterations = 8;  // from where a fit on nearly the same data ended
 constexpr double least_same_cost = 1e-4;
 constexpr double same_value = 0.05;
+constexpr double wave_step = 1e-3;      // of a size's scale, and of a radian
 constexpr double same_in_errors = 0.1;  // of a standard error
 constexpr double part_way_back = 0.25;
 constexpr int most_ways_back = 4;
@@ -31,11 +34,11 @@ Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& information) {
          scale.asDiagonal();
 }
 
-// (JᵀJ)⁻¹ (Σ_u g_u g_uᵀ) (JᵀJ)⁻¹ over the units learned from.
-Eigen::MatrixXd clustered_covariance(const FitProblem& on, const Eigen::MatrixXd& slopes,
-                                     const Eigen::VectorXd& residuals) {
+// (JᵀJ)⁻¹ (Σ_u g_u g_uᵀ) (JᵀJ)⁻¹ over the units learned from, and what freedom they leave. A number
+// that was known beforehand is learned only in part: by as much as the units tell more of it.
+void add_covariance(const FitProblem& on, const Eigen::MatrixXd& slopes, Fit& fit) {
+  const Eigen::VectorXd& residuals = fit.residuals;
   const Eigen::Index n = slopes.cols();
-  if (n == 0) return {};
   Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(n, n);
   double units = 0;
   for (std::size_t u = 0; u < on.trained.size(); ++u) {
@@ -46,12 +49,16 @@ Eigen::MatrixXd clustered_covariance(const FitProblem& on, const Eigen::MatrixXd
     scatter += gradient * gradient.transpose();
     ++units;
   }
+  const Eigen::MatrixXd inverse = inverse_of(information_of(on, slopes));
+  auto learned = static_cast<double>(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const double spread = on.parameters[static_cast<std::size_t>(i)].spread;
-    if (std::isfinite(spread)) scatter(i, i) += std::pow(on.scatter, 4) / (spread * spread);
+    if (!std::isfinite(spread)) continue;
+    scatter(i, i) += std::pow(on.scatter, 4) / (spread * spread);
+    learned -= std::min(std::pow(on.scatter / spread, 2) * inverse(i, i), 1.0);
   }
-  const Eigen::MatrixXd inverse = inverse_of(information_of(on, slopes));
-  return units / std::max(units - static_cast<double>(n), 1.0) * inverse * scatter * inverse;
+  fit.freedom = std::max(units - learned, 1.0);
+  fit.covariance = units / fit.freedom * inverse * scatter * inverse;
 }
 
 // Costs that differ by less than one value's share in them are the same.
@@ -59,43 +66,41 @@ double same_cost(const Descent& end) {
   return std::max(least_same_cost, 1 / std::max(1.0, static_cast<double>(end.residuals.size())));
 }
 
-std::string disagreement(const Descent& best, const Descent& other,
-                         const std::vector<ModelParameter>& parameters,
-                         const Eigen::MatrixXd& covariance) {
+// Of the effects alone, and not of phases: what else the two chose is no matter where it costs the
+// same.
+std::string disagreement(const FitProblem& on, const Descent& best, const Descent& other,
+                         const Eigen::MatrixXd& covariance = {}) {
   if (other.cost > best.cost * (1 + same_cost(best))) {
     return fmt::format("starts end at costs of {:.6g} and {:.6g}", best.cost, other.cost);
   }
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
+  const std::vector<std::size_t> waves = waves_among(on.model, on.effects);
+  const std::vector<double> here = as_waves(best.values, waves);
+  const std::vector<double> there = as_waves(other.values, waves);
+  for (std::size_t i = on.model.base().size(); i < here.size(); ++i) {
     const auto index = static_cast<Eigen::Index>(i);
-    const double apart = std::abs(best.values[i] - other.values[i]);
-    const double error = std::sqrt(std::max(covariance(index, index), 0.0));
-    if (apart > same_value * std::abs(best.values[i]) && apart > same_in_errors * error) {
-      return fmt::format("starts end at {} = {:.4g} and {:.4g} {}", parameters[i].name,
-                         best.values[i], other.values[i], parameters[i].unit);
+    if (i > 0 && std::ranges::find(waves, i - 1) != waves.end()) continue;
+    const double apart = std::abs(here[i] - there[i]);
+    const double error = covariance.size() > 0 ? std::sqrt(covariance(index, index)) : 0;
+    if (apart > same_value * std::abs(here[i]) && apart > same_in_errors * error) {
+      return fmt::format("starts end at {} = {:.4g} and {:.4g} {}", on.parameters[i].name,
+                         best.values[i], other.values[i], on.parameters[i].unit);
     }
   }
   return {};
 }
 
 // Whether two came to rest in the same place.
-bool same_place(const Descent& a, const Descent& b) {
-  if (!a.converged || !b.converged || std::abs(a.cost - b.cost) > a.cost * same_cost(a)) {
-    return false;
-  }
-  for (std::size_t i = 0; i < a.values.size(); ++i) {
-    if (std::abs(a.values[i] - b.values[i]) > same_value * std::abs(a.values[i])) return false;
-  }
-  return true;
+bool same_place(const FitProblem& on, const Descent& best, const Descent& other) {
+  return best.converged && other.converged && disagreement(on, best, other).empty();
 }
 
-std::string certificate(const std::vector<Descent>& ends,
-                        const std::vector<ModelParameter>& parameters,
+std::string certificate(const FitProblem& on, const std::vector<Descent>& ends,
                         const Eigen::MatrixXd& covariance) {
   if (!ends.front().converged) return "the fit did not converge";
   if (ends.size() < 2) return "there is only one start";
   std::string why;
   for (std::size_t i = 1; i < ends.size(); ++i) {
-    std::string apart = disagreement(ends.front(), ends[i], parameters, covariance);
+    std::string apart = disagreement(on, ends.front(), ends[i], covariance);
     if (apart.empty()) return {};
     if (why.empty()) why = std::move(apart);
   }
@@ -127,14 +132,14 @@ void certify(const FitProblem& on, std::vector<Descent>& ends, const std::vector
   for (std::size_t i = 1; i < ends.size(); ++i) {
     Descent& end = ends[i];
     end = descend(on, end.values, most_refit_iterations, known_at(ends.front()));
-    if (!same_place(ends.front(), end) && !end.stand_in) {
+    if (!same_place(on, ends.front(), end)) {
       end = descend(on, end.values, most_iterations);
     }
-    if (!end.converged || same_place(ends.front(), end)) break;
+    if (!end.converged || same_place(on, ends.front(), end)) break;
   }
   std::ranges::stable_sort(ends, {}, &Descent::cost);
   for (int tried = 0; tried < most_ways_back; ++tried) {
-    if (ends.size() < 2 || same_place(ends[0], ends[1])) return;
+    if (ends.size() < 2 || same_place(on, ends[0], ends[1])) return;
     std::vector<double> back = ends.front().values;
     for (std::size_t i = 0; i < back.size(); ++i) back[i] += part_way_back * (start[i] - back[i]);
     Descent end = descend(on, std::move(back), most_iterations, known_at(ends.front()));
@@ -144,9 +149,37 @@ void certify(const FitProblem& on, std::vector<Descent>& ends, const std::vector
   }
 }
 
+// Slopes of a fit with respect to as_waves(values): a wave whose phase leaves no trace has none in
+// it, which the slopes of its two parts tell only but for their errors.
+Eigen::MatrixXd slopes_of_waves(const FitProblem& on, const Fit& fit) {
+  Eigen::MatrixXd slopes = fit.slopes;
+  const std::vector<std::size_t> waves = waves_among(on.model, on.effects);
+  const ForwardModel& model = fit.stand_in ? *fit.stand_in : on.model;
+  for (const std::size_t at : waves) {
+    for (const std::size_t i : {at, at + 1}) {
+      const double step = wave_step * (i == at ? on.parameters[i].scale : 1);
+      const auto moved = [&](double by) {
+        std::vector<double> values = as_waves(fit.values, waves);
+        values[i] += by;
+        return model.residuals(on.effects, from_waves(std::move(values), waves), on.trained);
+      };
+      const auto above = moved(step), below = moved(-step);
+      if (!above || !below) continue;
+      slopes.col(static_cast<Eigen::Index>(i)) = (*above - *below) / (2 * step);
+    }
+  }
+  return slopes;
+}
+
 Fit fit_at(const FitProblem& on, const Descent& end, const Eigen::MatrixXd& held = {}) {
-  Fit fit{on.effects, end.values, end.residuals, end.slopes, {}, end.cost,
-          on.scatter, {},         end.stand_in};
+  Fit fit;
+  fit.effects = on.effects;
+  fit.values = end.values;
+  fit.residuals = end.residuals;
+  fit.slopes = end.slopes;
+  fit.cost = end.cost;
+  fit.scatter = on.scatter;
+  fit.stand_in = end.stand_in;
   if (fit.slopes.size() == 0) {
     const auto residuals = on.model.residuals(on.effects, fit.values, on.trained);
     const auto slopes = residuals ? jacobian(on, fit.values, *residuals, held) : std::nullopt;
@@ -157,7 +190,7 @@ Fit fit_at(const FitProblem& on, const Descent& end, const Eigen::MatrixXd& held
     fit.residuals = *residuals;
     fit.slopes = *slopes;
   }
-  fit.covariance = clustered_covariance(on, fit.slopes, fit.residuals);
+  add_covariance(on, slopes_of_waves(on, fit), fit);
   return fit;
 }
 
@@ -176,8 +209,13 @@ Fit fit_from(const ForwardModel& model, const std::vector<std::size_t>& effects,
   const FitProblem on(model, effects, trained, scatter);
   std::vector<Descent> ends = first_moves(on, starts, known);
   const auto given_up = [&] {
-    const Descent& best = ends.front();
-    return Fit{effects, best.values, {}, {}, {}, best.cost, scatter, "explains too little", {}};
+    Fit none;
+    none.effects = effects;
+    none.values = ends.front().values;
+    none.cost = ends.front().cost;
+    none.scatter = scatter;
+    none.not_certified = "explains too little";
+    return none;
   };
   if (ends.front().cost > must_beat.after_first_moves) return given_up();
   // A stand-in knows all slopes for little more than it knows some.
@@ -186,8 +224,7 @@ Fit fit_from(const ForwardModel& model, const std::vector<std::size_t>& effects,
   if (ends.front().cost > must_beat.at_rest) return given_up();
   if (ends.front().converged) certify(on, ends, starts.front());
   Fit fit = fit_at(on, ends.front(), to_rest.held);
-  if (fit.not_certified.empty())
-    fit.not_certified = certificate(ends, on.parameters, fit.covariance);
+  if (fit.not_certified.empty()) fit.not_certified = certificate(on, ends, fit.covariance);
   return fit;
 }
 

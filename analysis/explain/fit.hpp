@@ -17,7 +17,8 @@ struct Fit {
   std::vector<double> values;        ///< of the base, then of each effect
   Eigen::VectorXd residuals;         ///< of all units, learned from or not
   Eigen::MatrixXd slopes;            ///< d residuals / d values
-  Eigen::MatrixXd covariance;        ///< of values, clustered by unit
+  Eigen::MatrixXd covariance;        ///< of as_waves(values), clustered by unit
+  double freedom = 1;                ///< units, less the numbers that were learned from them
   double cost = 0;                   ///< sum of squares over the units learned from
   double scatter = 1;                ///< see FitProblem: what it was fitted with
   std::string not_certified;         ///< why it must not be ranked; empty if several starts agree

@@ -24,13 +24,20 @@ struct ModelParameter {
   bool nuisance = false;  ///< of the measurement (delay, gain, offset, path), not of the machine
 };
 
+/// Size and phase of a wave, fitted as its cosine part a·cos φ and its sine part a·sin φ: in these
+/// a wave is straight, and no start leads round a circle.
+struct Phasor {
+  std::string size, phase;  ///< their names
+};
+
 /// An effect that may have been left out, at one place of the machine.
 struct Candidate {
   std::string name;   ///< the field's own word, as "coulomb_friction"
   std::string where;  ///< "slide", "coupling between motor and input shaft"
   /// The first ones are its sizes.
   std::vector<ModelParameter> parameters;
-  std::size_t sizes = 1;         ///< parameters that measure it; the others are its shape
+  std::size_t sizes = 1;              ///< parameters that measure it; the others are its shape
+  std::optional<Phasor> phasor = {};  ///< what the first two are, if they are the parts of one
   bool vanishes_at_zero = true;  ///< false: it changes the structure, and its size is no small one
   std::vector<std::vector<double>> starts;  ///< values to start fits from, at least two
   std::vector<std::string> mimics;          ///< names that can look alike

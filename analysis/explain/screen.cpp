@@ -10,7 +10,7 @@
 namespace rvbench::analysis {
 namespace {
 
-constexpr double screening_step = 1e-3;  // of the size's scale: small, but not in the last digits
+constexpr double screening_step = 1e-3;  // of a start's size: small, but not in the last digits
 
 // Takes out of a vector what the columns of a matrix span.
 class Projector {
@@ -65,6 +65,11 @@ Eigen::VectorXd only_trained(const ForwardModel& model, Eigen::VectorXd x,
   return x;
 }
 
+// A small wave leaves no trace in amplitudes where it stands alone in noise.
+bool is_small_when_screened(const Candidate& candidate) {
+  return candidate.vanishes_at_zero && !candidate.phasor;
+}
+
 // How the residuals change with the candidate's size, from nothing, at one start's shape.
 Eigen::VectorXd mark_of(const ForwardModel& model, const Fit& fit, std::size_t effect,
                         const std::vector<double>& start, const std::vector<bool>& trained) {
@@ -72,20 +77,36 @@ Eigen::VectorXd mark_of(const ForwardModel& model, const Fit& fit, std::size_t e
   effects.push_back(effect);
   std::vector<double> values = fit.values;
   values.insert(values.end(), start.begin(), start.end());
-  const double step =
-      std::copysign(screening_step * model.library()[effect].parameters.front().scale, start[0]);
-  if (model.library()[effect].vanishes_at_zero) values[fit.values.size()] = step;
+  const Candidate& candidate = model.library()[effect];
+  const double part = is_small_when_screened(candidate) ? screening_step : 1;
+  for (std::size_t i = 0; i < candidate.sizes; ++i) values[fit.values.size() + i] *= part;
   const auto moved = model.residuals(effects, values, trained);
   if (!moved || !moved->allFinite()) return {};
-  return (*moved - fit.residuals) / step;
+  return (*moved - fit.residuals) / part;
+}
+
+// Whether two starts leave the same mark but for its length: their sizes are in one proportion, and
+// their shapes the same.
+bool leave_one_mark(const Candidate& candidate, const std::vector<double>& a,
+                    const std::vector<double>& b) {
+  if (!is_small_when_screened(candidate)) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (i < candidate.sizes ? a[i] * b[0] != b[i] * a[0] : a[i] != b[i]) return false;
+  }
+  return true;
 }
 
 Screened screened(const ForwardModel& model, const Fit& fit, std::size_t effect,
                   const Projector& known, const Eigen::VectorXd& left_over,
                   const std::vector<bool>& trained) {
   Screened best{effect, 0, 1, {}, {}};
-  for (const std::vector<double>& start : model.library()[effect].starts) {
-    Eigen::VectorXd mark = mark_of(model, fit, effect, start, trained);
+  const Candidate& candidate = model.library()[effect];
+  for (auto start = candidate.starts.begin(); start != candidate.starts.end(); ++start) {
+    const bool is_seen = std::any_of(candidate.starts.begin(), start, [&](const auto& earlier) {
+      return leave_one_mark(candidate, earlier, *start);
+    });
+    if (is_seen) continue;
+    Eigen::VectorXd mark = mark_of(model, fit, effect, *start, trained);
     if (mark.size() == 0) continue;
     mark = only_trained(model, std::move(mark), trained);
     const double whole = mark.norm();

@@ -92,9 +92,12 @@ class Selector {
     std::vector<double> nominal;
     for (const ModelParameter& p : on_.model.base()) nominal.push_back(p.nominal);
     auto residuals = on_.model.residuals({}, nominal, on_.everything);
-    if (!residuals) return {{}, nominal, {}, {}, {}, 0, 1, "not at its nominal values", {}};
     Fit fit;
     fit.values = std::move(nominal);
+    if (!residuals) {
+      fit.not_certified = "not at its nominal values";
+      return fit;
+    }
     fit.residuals = *std::move(residuals);
     return polish(on_.model, fit, on_.everything);
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/explain/wave.hpp"
 #include "analysis/statistics.hpp"
 
 namespace rvbench::analysis {
@@ -32,15 +33,16 @@ std::string bound_reached(const Fit& fit, const std::vector<ModelParameter>& par
   return {};
 }
 
-// Of these sizes of an effect being nothing: the clearest one, for as many as there are.
-double size_p_value(const Tryout& on, const Fit& fit, std::size_t first, std::size_t sizes) {
-  const auto units = static_cast<double>(on.everything.size());
-  const double freedom = std::max(units - static_cast<double>(fit.values.size()), 1.0);
+// Of the sizes of an effect being nothing: the clearest one, for as many as there are; a wave has
+// one.
+double size_p_value(const Tryout& on, const Fit& fit, std::size_t first, const Candidate& effect) {
+  const std::size_t sizes = effect.phasor ? 1 : effect.sizes;
+  const std::vector<double> values = as_waves(fit.values, waves_among(on.model, fit.effects));
   double least = 1;
   for (std::size_t i = first; i < first + sizes; ++i) {
     const auto index = static_cast<Eigen::Index>(i);
     const double error = std::sqrt(std::max(fit.covariance(index, index), 0.0));
-    if (error > 0) least = std::min(least, t_p_value(fit.values[i] / error, freedom));
+    if (error > 0) least = std::min(least, t_p_value(values[i] / error, fit.freedom));
   }
   return std::min(1.0, least * static_cast<double>(sizes));
 }
@@ -91,8 +93,8 @@ Standalone stands_alone(const Tryout& on, const Fit& fit, std::size_t place) {
   const Candidate& effect = on.model.library()[fit.effects.at(place)];
   const std::size_t first = first_value_of(on.model, fit.effects, place);
   Standalone result;
-  result.p_value = std::min(1.0, size_p_value(on, fit, first, effect.sizes) *
-                                     static_cast<double>(on.model.library().size()));
+  result.p_value = std::min(
+      1.0, size_p_value(on, fit, first, effect) * static_cast<double>(on.model.library().size()));
   if (!fit.not_certified.empty()) {
     result.refused = "not fitted: " + fit.not_certified;
   } else if (result.p_value > least_p) {

@@ -51,7 +51,8 @@ TermType misalignment() {
                       .unit = UnitKind::angle,
                       .min = -unbounded,
                       .max = unbounded,
-                      .start = 2}},
+                      .start = 0,
+                      .is_phase = true}},
       .gate = {.translation = false, .on_one = false},
       .make = [](const TermSite& at) { return std::make_unique<Misalignment>(at); }};
 }

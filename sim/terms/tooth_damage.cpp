@@ -16,7 +16,7 @@ TermType tooth_damage() {
        .must_not_touch = {{Ledger::quasi_static, "means"}},
        .mimics = {"gear_eccentricity", "bearing_defect"},
        .experiment = "average over turns of the planet: one sector stands out"},
-      "planet_mesh", true, {deviation_card("lost_flank"), phase_card("lost_flank_place")});
+      "planet_mesh", true, {deviation_card("lost_flank"), place_card("lost_flank_place")});
 }
 
 }  // namespace rvbench::sim

@@ -49,7 +49,8 @@ TermType unbalance() {
                           .min = -unbounded,
                           .max = unbounded,
                           .start = 0,
-                          .fallback = 0}},
+                          .fallback = 0,
+                          .is_phase = true}},
           .gate = {.rotation = false, .reference = ReferenceKind::body, .reference_key = "rotor"},
           .make = [](const TermSite& at) { return std::make_unique<Unbalance>(at); }};
 }

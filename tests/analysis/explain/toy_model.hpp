@@ -74,8 +74,12 @@ class ToyModel final : public analysis::ForwardModel {
   void add(const std::string& name, std::vector<analysis::ModelParameter> parameters,
            std::vector<std::vector<double>> starts, Law law) {
     by_name_[name] = library_.size();
-    library_.push_back(
-        {name, "slide", std::move(parameters), 1, true, std::move(starts), {}, {}, {}});
+    analysis::Candidate candidate;
+    candidate.name = name;
+    candidate.where = "slide";
+    candidate.parameters = std::move(parameters);
+    candidate.starts = std::move(starts);
+    library_.push_back(std::move(candidate));
     laws_.push_back(law);
   }
 
