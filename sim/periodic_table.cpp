@@ -1,5 +1,6 @@
 #include "sim/periodic_table.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -11,6 +12,8 @@ namespace rvbench::sim {
 using units::two_pi;
 
 namespace {
+
+constexpr double lobes_of_a_bump = 2;  // of its spectrum: a raised cosine is over with its second
 
 // cos 2πi/size: all that a harmonic needs, for each of its steps ends on one of these.
 template <int size>
@@ -35,6 +38,7 @@ PeriodicTable& PeriodicTable::add_cosine(int harmonic, double amplitude, double 
   if (amplitude == 0) return *this;
   reserve();
   repeats_ = std::gcd(repeats_, harmonic);
+  highest_ = std::max(highest_, harmonic);
   const auto& cosine = cosines<size>();
   const double a = amplitude * std::cos(phase_rad), b = amplitude * std::sin(phase_rad);
   constexpr std::size_t quarter = size / 4;
@@ -50,6 +54,7 @@ PeriodicTable& PeriodicTable::add_bump(double centre_rad, double width_rad, doub
   if (height == 0) return *this;
   reserve();
   repeats_ = 1;
+  highest_ = std::max(highest_, static_cast<int>(std::ceil(lobes_of_a_bump * two_pi / width_rad)));
   for (int i = 0; i <= size; ++i) {
     const double away_rad = std::remainder(two_pi * i / size - centre_rad, two_pi);
     if (std::abs(away_rad) < width_rad / 2) {

@@ -19,6 +19,7 @@ class PeriodicTable {
   double operator()(double angle_rad) const;
 
   int repeats_per_turn() const { return repeats_; }  ///< 0 if it is zero everywhere
+  int highest_harmonic() const { return highest_; }  ///< likewise; of a bump, a hundredth is above
 
  private:
   static constexpr int size = 8192;  ///< below 5 ‰ of a step's error up to harmonic 200
@@ -26,6 +27,7 @@ class PeriodicTable {
   void reserve();
 
   int repeats_ = 0;
+  int highest_ = 0;
   std::vector<double> values_;  ///< size + 1: the first value stands again at the end
 };
 

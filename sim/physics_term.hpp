@@ -57,6 +57,10 @@ class PhysicsTerm {
     return 1;
   }
 
+  /// The highest order of that motion that its own push has, beside what ways and speeds bring:
+  /// fewer than two samples to each would take it for a lower one. By default the first.
+  virtual int highest_in(const Eigen::VectorXd& turns) const { return repeats_in(turns); }
+
   virtual bool is_linear() const { return false; }  ///< add_remainder() has nothing to add
 
   /// Whether add_remainder() depends on time and inputs alone: no step has to resolve it.

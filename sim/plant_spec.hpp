@@ -77,7 +77,8 @@ enum class OutputKind { position, speed, acceleration, effort, drive };
 
 /// What a sensor would show: channel(t) = gain·SI value(t − delay) + offset.
 ///
-/// `effort` is what a term takes from its body; `drive` what must push a body for it to move as
+/// `effort` is what a term takes from its body, with all that acts between the same two bodies:
+/// what a transducer in series with it is passed; `drive` what must push a body for it to move as
 /// prescribed: inverse dynamics.
 struct OutputSpec {
   std::string channel;  ///< its name in the recording

@@ -1,11 +1,12 @@
 #include "sim/rv_train.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <stdexcept>
 
+#include "hal/types/recording.hpp"
 #include "hal/types/units.hpp"
 #include "sim/named.hpp"
+#include "sim/steady_motion.hpp"
 
 namespace rvbench::sim {
 namespace {
@@ -23,25 +24,17 @@ PlantModel model_of(const PlantSpec& plant) {
   return std::get<PlantModel>(make_model(plant));
 }
 
-// The motion that strains no spring, per turn of one body; empty if there is not just one.
-Eigen::VectorXd free_motion(const Plant& plant, int body) {
-  const Eigen::Index n = plant.state().q.size();
-  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n), damping = stiffness;
-  for (const auto& term : plant.terms()) term->add_linear(stiffness, damping);
-  const Eigen::FullPivLU<Eigen::MatrixXd> lu(stiffness);
-  if (lu.dimensionOfKernel() != 1) return {};
-  const Eigen::VectorXd motion = lu.kernel().col(0);
-  return motion / motion[body];
-}
-
-// Whether a term pushes otherwise once everything has turned by this.
-bool can_tell(const PhysicsTerm& term, const PlantState& here, const Eigen::VectorXd& turn_rad) {
-  PlantState there = here;
-  there.q += turn_rad;
-  Eigen::VectorXd before = Eigen::VectorXd::Zero(here.q.size()), after = before;
-  term.add_force(here, before);
-  term.add_force(there, after);
-  return (after - before).norm() > rounding * before.norm();
+// What all bodies turn while one makes a turn, after which no term can tell the difference; empty
+// if there is no such motion.
+Eigen::VectorXd whole_turn(const PlantModel& model, int body) {
+  const auto common = common_motion(model);
+  if (!std::holds_alternative<Eigen::VectorXd>(common)) return {};
+  const Eigen::VectorXd turns =
+      std::get<Eigen::VectorXd>(common) / std::get<Eigen::VectorXd>(common)[body];
+  const Eigen::VectorXd whole = turns.array().round();
+  if ((turns - whole).cwiseAbs().maxCoeff() > rounding || held_by(model, whole) != nullptr)
+    return {};
+  return two_pi * whole;
 }
 
 }  // namespace
@@ -50,7 +43,8 @@ RvTrain::RvTrain(const PlantSpec& plant, const RvUnit& unit, double step_s)
     : RvTrain(model_of(as_built(plant, unit)), plant, step_s) {}
 
 RvTrain::RvTrain(PlantModel model, const PlantSpec& plant, double step_s)
-    : plant_(std::move(model), step_s),
+    : output_turn_rad_(whole_turn(model, index_of(plant.bodies, rv_parts::carrier))),
+      plant_(std::move(model), step_s),
       motor_(index_of(plant.bodies, rv_parts::motor)),
       input_shaft_(index_of(plant.bodies, rv_parts::input_shaft)),
       carrier_(index_of(plant.bodies, rv_parts::carrier)),
@@ -62,10 +56,19 @@ RvTrain::RvTrain(PlantModel model, const PlantSpec& plant, double step_s)
     if (auto* mesh = dynamic_cast<PlanetMesh*>(term.get())) meshes_.push_back(mesh);
   }
   find_stages();
-  coupling_ = joint_of(motor_, input_shaft_);
-  output_ = joint_of(carrier_, brake_);
-  find_output_turn();
+  coupling_ = input_joint(plant);
+  output_ = Joint::between(plant_.terms(), carrier_, brake_);
   set_supply(0, false);
+}
+
+// Where the plant has its torque transducer, or else between motor and input shaft.
+Joint RvTrain::input_joint(const PlantSpec& plant) const {
+  for (const OutputSpec& output : plant.outputs) {
+    if (output.channel != channel_names::input_torque || output.kind != OutputKind::effort)
+      continue;
+    return Joint::at(plant_.terms(), static_cast<std::size_t>(index_of(plant.terms, output.of)));
+  }
+  return Joint::between(plant_.terms(), motor_, input_shaft_);
 }
 
 void RvTrain::find_stages() {
@@ -78,37 +81,6 @@ void RvTrain::find_stages() {
       }
     }
   }
-}
-
-RvTrain::Joint RvTrain::joint_of(int body_a, int body_b) const {
-  Joint joint;
-  for (const auto& term : plant_.terms()) {
-    const auto* between = dynamic_cast<const OneAxisTerm*>(term.get());
-    if (between == nullptr) continue;
-    const Axis axis = between->axis();
-    if (axis.body_a == body_a && axis.body_b == body_b) joint.emplace_back(between, 1);
-    if (axis.body_a == body_b && axis.body_b == body_a) joint.emplace_back(between, -1);
-  }
-  return joint;
-}
-
-double RvTrain::passed_Nm(const Joint& joint) const {
-  double torque_Nm = 0;
-  for (const auto& [term, sign] : joint) torque_Nm += sign * term->effort(state());
-  return torque_Nm;
-}
-
-void RvTrain::find_output_turn() {
-  const Eigen::VectorXd turns = free_motion(plant_, carrier_);
-  if (turns.size() == 0) return;
-  const Eigen::VectorXd whole = turns.array().round();
-  if ((turns - whole).cwiseAbs().maxCoeff() > rounding) return;
-  PlantState here = state();
-  here.q = Eigen::VectorXd::LinSpaced(here.q.size(), 0.1, 0.2);
-  for (const auto& term : plant_.terms()) {
-    if (can_tell(*term, here, two_pi * whole)) return;
-  }
-  output_turn_rad_ = two_pi * whole;
 }
 
 void RvTrain::set_supply(double frequency_Hz, bool enabled) {

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/joint.hpp"
 #include "sim/plant.hpp"
 #include "sim/rv_plant.hpp"
 #include "sim/terms/cycloid_stage.hpp"
@@ -34,7 +35,7 @@ class RvTrain {
   const std::vector<const CycloidStage*>& stages() const { return stages_; }  ///< in that order
 
   /// What the transducer shows: passed on between motor and input shaft, by all that joins them.
-  double input_torque_Nm() const { return passed_Nm(coupling_); }
+  double input_torque_Nm() const { return coupling_.passed(state()); }
   double input_angle_rad() const;                                     ///< unwrapped since the start
   double shaft_angle_rad() const { return state().q[input_shaft_]; }  ///< of the input, wrapped
   double input_speed_rad_s() const { return state().v[input_shaft_]; }
@@ -43,17 +44,15 @@ class RvTrain {
   double motor_speed_rad_s() const { return state().v[motor_]; }
   double motor_torque_Nm() const;
   double output_speed_rad_s() const { return state().v[brake_]; }
-  double brake_torque_Nm() const { return passed_Nm(output_); }  ///< between carrier and brake
+  double brake_torque_Nm() const { return output_.passed(state()); }  ///< between carrier and brake
 
  private:
-  using Joint = std::vector<std::pair<const OneAxisTerm*, double>>;  ///< terms, +1 or −1
-
   RvTrain(PlantModel model, const PlantSpec& plant, double step_s);
-  Joint joint_of(int body_a, int body_b) const;
-  double passed_Nm(const Joint& joint) const;
   void find_stages();
-  void find_output_turn();
+  Joint input_joint(const PlantSpec& plant) const;
 
+  /// By how much each body turns during one turn of the carrier; empty if some term could tell.
+  Eigen::VectorXd output_turn_rad_;
   Plant plant_;
   int motor_, input_shaft_, carrier_, brake_;  ///< bodies
   std::size_t supply_input_, brake_input_;     ///< in PlantState::u
@@ -62,8 +61,6 @@ class RvTrain {
   std::vector<const CycloidStage*> stages_;
   Joint coupling_, output_;
   double brake_setpoint_Nm_ = 0;
-  /// By how much each body turns during one turn of the carrier; empty if some term could tell.
-  Eigen::VectorXd output_turn_rad_;
   double wrapped_turns_ = 0;
 };
 

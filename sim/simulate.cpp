@@ -8,6 +8,7 @@
 
 #include "sim/four_stage.hpp"
 #include "sim/interpolation.hpp"
+#include "sim/joint.hpp"
 #include "sim/named.hpp"
 #include "sim/plant_check.hpp"
 
@@ -21,6 +22,7 @@ struct Sensor {
   OutputKind kind;
   std::size_t index;       // of the body, or of the term
   std::size_t prescribed;  // place among the prescribed bodies; their number if it moves freely
+  Joint joint = {};        // that an effort passes
 };
 
 std::vector<Sensor> place_sensors(const PlantSpec& plant, const PlantModel& model) {
@@ -32,6 +34,7 @@ std::vector<Sensor> place_sensors(const PlantSpec& plant, const PlantModel& mode
     const auto place = std::find(model.prescribed.begin(), model.prescribed.end(), index);
     sensors.push_back({output.kind, static_cast<std::size_t>(index),
                        static_cast<std::size_t>(place - model.prescribed.begin())});
+    if (of_term) sensors.back().joint = Joint::at(model.terms, static_cast<std::size_t>(index));
   }
   return sensors;
 }
@@ -104,7 +107,7 @@ class Run {
         return sensor.prescribed < model_.prescribed.size()
                    ? stepper_.prescribed_acceleration(sensor.prescribed)
                    : forces_[body] / model_.inertia[body];
-      case OutputKind::effort: return model_.terms[sensor.index]->effort(s);
+      case OutputKind::effort: return sensor.joint.passed(s);
       case OutputKind::drive:
         return model_.inertia[body] * stepper_.prescribed_acceleration(sensor.prescribed) -
                forces_[body];

@@ -43,9 +43,11 @@ constexpr double negligible_line = 1e-12;  // of the largest: not solved for
 constexpr SteadyMotion::Rest from_nowhere{1, 1e-5, 1e-7};
 constexpr SteadyMotion::Rest from_near{3, 1e-2, 1e-3};
 
-// A power of two, or one and a half: quick to transform.
-Eigen::Index samples_for(int lines) {
-  const double wanted = std::max(samples_per_line * lines, fewest_samples);
+// A power of two, or one and a half: quick to transform. What the terms push beyond the lines must
+// not be taken for one of them.
+Eigen::Index samples_for(int lines, int highest) {
+  const double wanted =
+      std::max({samples_per_line * lines, double(lines) + highest + 1, fewest_samples});
   const Eigen::Index power = Eigen::Index{1} << static_cast<int>(std::ceil(std::log2(wanted)));
   return 0.75 * static_cast<double>(power) >= wanted ? power / 4 * 3 : power;
 }
@@ -56,6 +58,12 @@ int repeats_of(const PlantModel& model, const Eigen::VectorXd& turns, int orders
   int all = 0;
   for (const auto& term : model.terms) all = std::gcd(all, term->repeats_in(turns));
   return all > 0 ? all : std::max(orders, 1);
+}
+
+int highest_of(const PlantModel& model, const Eigen::VectorXd& turns) {
+  int highest = 0;
+  for (const auto& term : model.terms) highest = std::max(highest, term->highest_in(turns));
+  return highest;
 }
 
 // Calls what follows time twice, half a period apart: its own line cancels.
@@ -94,27 +102,19 @@ std::variant<Eigen::VectorXd, ConfigFault> common_motion(const PlantModel& model
   return common;
 }
 
-std::optional<ConfigFault> why_never_steady(const PlantModel& model,
-                                            const Eigen::VectorXd& common) {
-  const Eigen::Index n = common.size();
-  PlantState here{Eigen::VectorXd::LinSpaced(n, 0.1, 0.2), common,
+const PhysicsTerm* held_by(const PlantModel& model, const Eigen::VectorXd& turns) {
+  PlantState here{Eigen::VectorXd::LinSpaced(turns.size(), 0.1, 0.2), turns,
                   Eigen::VectorXd::Zero(model.memory_size),
                   Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.pushed.size())), 0};
   PlantState there = here;
-  there.q += two_pi * common;
+  there.q += two_pi * turns;
   for (const auto& term : model.terms) {
-    const auto* memory = dynamic_cast<const TermMemory*>(term.get());
-    if (memory != nullptr && !memory->is_clock()) {
-      return ConfigFault{0, "/terms", std::string(term->name()) + " has a past: no steady state"};
-    }
-    Eigen::VectorXd before = Eigen::VectorXd::Zero(n), after = before;
+    Eigen::VectorXd before = Eigen::VectorXd::Zero(turns.size()), after = before;
     term->add_force(here, before);
     term->add_force(there, after);
-    if ((after - before).norm() > rounding * before.norm()) {
-      return ConfigFault{0, "/terms", std::string(term->name()) + " holds on to one turn"};
-    }
+    if ((after - before).norm() > rounding * before.norm()) return term.get();
   }
-  return std::nullopt;
+  return nullptr;
 }
 
 SteadyMotion::SteadyMotion(const PlantModel& model, Eigen::VectorXd common,
@@ -124,7 +124,7 @@ SteadyMotion::SteadyMotion(const PlantModel& model, Eigen::VectorXd common,
       n_(model.inertia.size()),
       repeats_(repeats_of(model, common_, orders)),
       count_(std::max(orders / repeats_, 1)),
-      samples_(samples_for(count_)),
+      samples_(samples_for(count_, highest_of(model, common_) / repeats_)),
       u_(static_cast<Eigen::Index>(model.pushed.size())),
       clock_rates_(Eigen::VectorXd::Zero(model.memory_size)),
       linear_stiffness_(Eigen::MatrixXd::Zero(n_, n_)),

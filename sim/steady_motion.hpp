@@ -16,10 +16,8 @@ namespace rvbench::sim {
 /// 0 of a body that is held.
 std::variant<Eigen::VectorXd, hal::ConfigFault> common_motion(const PlantModel& model);
 
-/// Why a plant has no steady motion whatever drives it: a term has a past, or does not let the
-/// bodies turn on; nothing if it may have one.
-std::optional<hal::ConfigFault> why_never_steady(const PlantModel& model,
-                                                 const Eigen::VectorXd& common);
+/// A term that pushes otherwise once the bodies have made these turns; nullptr if none can tell.
+const PhysicsTerm* held_by(const PlantModel& model, const Eigen::VectorXd& turns);
 
 /// How the bodies of a plant move when they turn steadily: see SteadyPlant.
 ///

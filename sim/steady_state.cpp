@@ -5,9 +5,11 @@
 
 #include "hal/types/recording.hpp"
 #include "hal/types/units.hpp"
+#include "sim/joint.hpp"
 #include "sim/named.hpp"
 #include "sim/order_lines.hpp"
 #include "sim/steady_motion.hpp"
+#include "sim/term_memory.hpp"
 
 namespace rvbench::sim {
 namespace {
@@ -18,25 +20,25 @@ using hal::ConfigFault;
 // What the plant's sensors make of a motion.
 class SteadySensors {
  public:
-  SteadySensors(const PlantSpec& plant, const PlantModel& model) : plant_(plant), model_(model) {
+  SteadySensors(const PlantSpec& plant, const PlantModel& model) : plant_(plant) {
     for (const OutputSpec& output : plant.outputs) {
-      places_.push_back(output.kind == OutputKind::effort ? index_of(plant.terms, output.of)
-                                                          : index_of(plant.bodies, output.of));
+      const bool of_term = output.kind == OutputKind::effort;
+      places_.push_back(of_term ? index_of(plant.terms, output.of)
+                                : index_of(plant.bodies, output.of));
+      joints_.push_back(of_term ? Joint::at(model.terms, std::size_t(places_.back())) : Joint());
     }
   }
 
   /// Efforts of curved terms alone are not.
   bool is_linear(Eigen::Index output) const {
     const auto o = static_cast<std::size_t>(output);
-    return plant_.outputs[o].kind != OutputKind::effort ||
-           model_.terms[static_cast<std::size_t>(places_[o])]->is_linear();
+    return plant_.outputs[o].kind != OutputKind::effort || joints_[o].is_linear();
   }
 
   double value(Eigen::Index output, const PlantState& s,
                const Eigen::VectorXd& acceleration) const {
     const auto o = static_cast<std::size_t>(output);
-    return plant_.outputs[o].gain.value *
-           value(plant_.outputs[o].kind, places_[o], s, acceleration);
+    return plant_.outputs[o].gain.value * unscaled(o, s, acceleration);
   }
 
   Eigen::VectorXd values(const PlantState& s, const Eigen::VectorXd& acceleration) const {
@@ -46,21 +48,22 @@ class SteadySensors {
   }
 
  private:
-  double value(OutputKind kind, int place, const PlantState& s,
-               const Eigen::VectorXd& acceleration) const {
-    switch (kind) {
-      case OutputKind::position: return s.q[place];
-      case OutputKind::speed: return s.v[place];
-      case OutputKind::acceleration: return acceleration[place];
-      case OutputKind::effort: return model_.terms[static_cast<std::size_t>(place)]->effort(s);
+  double unscaled(std::size_t output, const PlantState& s,
+                  const Eigen::VectorXd& acceleration) const {
+    const int body = places_[output];
+    switch (plant_.outputs[output].kind) {
+      case OutputKind::position: return s.q[body];
+      case OutputKind::speed: return s.v[body];
+      case OutputKind::acceleration: return acceleration[body];
+      case OutputKind::effort: return joints_[output].passed(s);
       case OutputKind::drive: break;
     }
     return not_known;
   }
 
   const PlantSpec& plant_;
-  const PlantModel& model_;
   std::vector<int> places_;
+  std::vector<Joint> joints_;
 };
 
 // Column k of each row to column k·repeats of as many orders.
@@ -188,8 +191,14 @@ std::variant<SteadyPlant, ConfigFault> SteadyPlant::make(const PlantSpec& plant,
   }
   auto common = common_motion(model);
   if (const auto* fault = std::get_if<ConfigFault>(&common)) return *fault;
-  if (auto fault = why_never_steady(model, std::get<Eigen::VectorXd>(common))) {
-    return *std::move(fault);
+  for (const auto& term : model.terms) {
+    const auto* memory = dynamic_cast<const TermMemory*>(term.get());
+    if (memory != nullptr && !memory->is_clock()) {
+      return ConfigFault{0, "/terms", std::string(term->name()) + " has a past: no steady state"};
+    }
+  }
+  if (const PhysicsTerm* holds = held_by(model, std::get<Eigen::VectorXd>(common))) {
+    return ConfigFault{0, "/terms", std::string(holds->name()) + " holds on to one turn"};
   }
   return SteadyPlant(plant, std::move(model), std::get<Eigen::VectorXd>(std::move(common)));
 }

@@ -62,6 +62,11 @@ int CycloidStage::repeats_in(const Eigen::VectorXd& turns) const {
                   p_.error_rad.repeats_per_turn());
 }
 
+int CycloidStage::highest_in(const Eigen::VectorXd& turns) const {
+  return std::abs(static_cast<int>(turns[p_.crank] - turns[p_.carrier]) *
+                  p_.error_rad.highest_harmonic());
+}
+
 void CycloidStage::add_linear(Eigen::MatrixXd& stiffness, Eigen::MatrixXd& damping) const {
   Eigen::VectorXd arm = Eigen::VectorXd::Zero(stiffness.rows());
   arm[p_.crank] = 1.0 / p_.pins;

@@ -1,5 +1,6 @@
 #include "sim/terms/planet_mesh.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -130,6 +131,13 @@ int PlanetMesh::repeats_in(const Eigen::VectorXd& turns) const {
   return std::gcd(std::gcd(sun * p_.sun_error_m.repeats_per_turn(),
                            sun * p_.stiffness_ripple.repeats_per_turn()),
                   static_cast<int>(turns[p_.planet]) * p_.planet_error_m.repeats_per_turn());
+}
+
+int PlanetMesh::highest_in(const Eigen::VectorXd& turns) const {
+  const double sun = std::abs(turns[p_.sun] - turns[p_.carrier]);
+  const double error = std::max(sun * p_.sun_error_m.highest_harmonic(),
+                                std::abs(turns[p_.planet]) * p_.planet_error_m.highest_harmonic());
+  return static_cast<int>(sun * p_.stiffness_ripple.highest_harmonic() + error);
 }
 
 void PlanetMesh::add_linear(Eigen::MatrixXd& stiffness, Eigen::MatrixXd& damping) const {

@@ -80,14 +80,15 @@ sim::SteadyState steady(const std::string& plant, double torque_Nm) {
   return std::get<sim::SteadyState>(std::move(result));
 }
 
-// Twist of the shaft for a torque of 1 N·m on the rotor: two equations, solved by hand.
+// What spring and damper of the shaft pass on for a torque of 1 N·m on the rotor: two equations,
+// solved by hand.
 Complex twist_per_Nm(double omega) {
   const Complex j(0, 1);
   const Complex shaft = 30.0 + j * omega * 0.01;
   const Complex rotor = -omega * omega * 0.002 + shaft;
   const Complex wheel = -omega * omega * 0.05 + j * omega * 0.02 + shaft;
   const Complex det = rotor * wheel - shaft * shaft;
-  return 30.0 * (wheel - shaft) / det;
+  return shaft * (wheel - shaft) / det;
 }
 
 std::string lobes(const std::string& what, double value, const std::string& unit) {
@@ -138,4 +139,41 @@ SCENARIO("what cannot turn steadily is refused with its reason", "[sim][steady]"
   CHECK(refused(two_wheels(R"(, {"type": "spring", "body_a": "wheel",
     "parameters": {"stiffness": {"value": 1, "unit": "N·m/rad"}}})"),
                 1) == "0 bodies that can turn by themselves, not 1");
+}
+
+SCENARIO("a transducer in series is passed what all between its two bodies push", "[sim][steady]") {
+  // A second spring beside the shaft takes a part of the torque; both together take all of it.
+  const auto state = steady(two_wheels(R"(, {"type": "spring", "body_a": "wheel", "body_b": "rotor",
+    "parameters": {"stiffness": {"value": 15, "unit": "N·m/rad"}}})"),
+                            2.0);
+  CHECK(state.outputs[1].mean == Approx(2.0));
+}
+
+SCENARIO("terms that come again soon are solved over the part after which they do",
+         "[sim][steady]") {
+  // Lobes of three stand alone, or beside one more that nobody feels but that makes the whole turn
+  // the shortest part.
+  const std::string alone = R"(, {"type": "lobes", "name": "stiff_lobes", "body_a": "rotor",
+    "body_b": "wheel", "parameters": {"stiffness": {"value": 0.5, "unit": "N·m/rad"}}})";
+  const std::string beside = alone + R"(, {"type": "unbalance_of_nothing", "body_a": "rotor",
+    "body_b": "housing", "parameters": {}})";
+  sim::TermLibrary library = with_lobes();
+  class Nothing final : public sim::OneAxisTerm {
+   public:
+    explicit Nothing(const sim::TermSite& at) : OneAxisTerm("unbalance_of_nothing", at.axis) {}
+    double effort(const sim::PlantState&) const override { return 0; }
+    int repeats_in(const Eigen::VectorXd&) const override { return 1; }
+  };
+  library.add({.card = {.name = "unbalance_of_nothing"},
+               .make = [](const sim::TermSite& at) { return std::make_unique<Nothing>(at); }});
+  const auto lines = [&](const std::string& more) {
+    const sim::PlantSpec plant = plant_of(two_wheels(lobes("push", 0.02, "N·m") + more), library);
+    const auto made = sim::SteadyPlant::make(plant, library);
+    const auto state = std::get<sim::SteadyPlant>(made).under(Eigen::VectorXd::Constant(1, 2), 24);
+    return std::get<sim::SteadyState>(state).outputs[1].shaft_lines;
+  };
+  const Eigen::VectorXcd part = lines(alone), whole = lines(beside);
+  REQUIRE(part.size() == whole.size());
+  CHECK(std::abs(part[3]) > 1e-4);
+  CHECK((part - whole).tail(24).norm() < 1e-6 * part.tail(24).norm());
 }

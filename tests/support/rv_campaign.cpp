@@ -79,12 +79,14 @@ Recording record_of(const sim::PlantSpec& machine, double speed_rpm, double load
   for (int i = 0; i < static_cast<int>(settle); ++i) run(steps_per_sample);
   const Thinner thin(daq_samples_per_sample);
   const double length_s = matrix.periods * gear_ratio * 60 / speed_rpm;
+  const auto late =
+      static_cast<Eigen::Index>(std::round(matrix.torque_delay_samples * daq_samples_per_sample));
   const auto count = static_cast<Eigen::Index>(length_s * daq_rate_Hz) + 2 * thin.delay();
   Eigen::VectorXd torque_Nm(count), angle_rad(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
+  for (Eigen::Index i = -std::abs(late); i < count + std::abs(late); ++i) {
     run(steps_per_sample);
-    torque_Nm[i] = train.input_torque_Nm();
-    angle_rad[i] = train.input_angle_rad();
+    if (i + late >= 0 && i + late < count) torque_Nm[i + late] = train.input_torque_Nm();
+    if (i >= 0 && i < count) angle_rad[i] = train.input_angle_rad();
   }
   Recording recording;
   recording.planned_speed_rpm = speed_rpm;
@@ -130,6 +132,15 @@ sim::PlantSpec within_tolerance(sim::PlantSpec plant, std::uint64_t seed, double
     const double tolerance = placed.quantity->tolerance_pct / 100;
     if (std::isfinite(tolerance))
       placed.quantity->value *= 1 + share * tolerance * draw.uniform(-1, 1);
+  }
+  return plant;
+}
+
+sim::PlantSpec with_mesh_error(sim::PlantSpec plant) {
+  for (sim::TermSpec& term : plant.terms) {
+    if (term.type != "planet_mesh") continue;
+    term.parameters["profile_error"] = {3e-6, "m", 50};
+    term.parameters["profile_phase"] = {0.5, "rad", 0};
   }
   return plant;
 }

@@ -17,6 +17,7 @@ struct RvMatrix {
   double noise_colour = 0.5;        ///< pole of a one-pole filter
   double friction_scatter = 0.005;  ///< of the input shaft's friction, from record to record
   double torque_gain = 1;
+  double torque_delay_samples = 0;  ///< of the torque behind the angle, to a fifth of a sample
 };
 
 /// Records of torque and angle of the input shaft as the train integrates them in time: nothing
@@ -26,6 +27,9 @@ bench::Campaign rv_campaign(const sim::PlantSpec& machine, std::uint64_t seed,
 
 /// The plant with each quantity that has a tolerance somewhere within this share of it.
 sim::PlantSpec within_tolerance(sim::PlantSpec plant, std::uint64_t seed, double share = 0.8);
+
+/// The plant with an error of its meshes, 3 µm and known to a half: their lines are its strongest.
+sim::PlantSpec with_mesh_error(sim::PlantSpec plant);
 
 /// The plant with another value at a pointer, as "/terms/4/parameters/profile_error".
 sim::PlantSpec with_value(sim::PlantSpec plant, const std::string& pointer, double value);
