@@ -14,11 +14,12 @@ namespace {
 constexpr int most_iterations = 30;       // of a fit, after the first moves
 constexpr int most_refit_iterations = 8;  // from where a fit on nearly the same data ended
 constexpr double least_same_cost = 1e-4;
+constexpr double little_of_gain = 0.02;
 constexpr double same_value = 0.05;
 constexpr double wave_step = 1e-3;      // of a size's scale, and of a radian
 constexpr double same_in_errors = 0.1;  // of a standard error
 constexpr double part_way_back = 0.25;
-constexpr int most_ways_back = 4;
+constexpr int most_ways_back = 3;          // each a quarter of the one before
 constexpr int most_scatters = 4;           // tried in turn, each what the last fit left
 constexpr double same_scatter = 0.9;       // of the one before
 constexpr int opening_iterations = 2;      // of each start
@@ -39,6 +40,7 @@ Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& information) {
 void add_covariance(const FitProblem& on, const Eigen::MatrixXd& slopes, Fit& fit) {
   const Eigen::VectorXd& residuals = fit.residuals;
   const Eigen::Index n = slopes.cols();
+  if (n == 0) return;
   Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(n, n);
   double units = 0;
   for (std::size_t u = 0; u < on.trained.size(); ++u) {
@@ -61,16 +63,19 @@ void add_covariance(const FitProblem& on, const Eigen::MatrixXd& slopes, Fit& fi
   fit.covariance = units / fit.freedom * inverse * scatter * inverse;
 }
 
-// Costs that differ by less than one value's share in them are the same.
-double same_cost(const Descent& end) {
-  return std::max(least_same_cost, 1 / std::max(1.0, static_cast<double>(end.residuals.size())));
+// Costs that differ by less than one value's share in them are the same, or by little of what was
+// gained over the cost before.
+double same_cost(const Descent& end, double before) {
+  const double gained = before > end.cost ? std::log(before / end.cost) : 0;
+  const double one_share = 1 / std::max(1.0, static_cast<double>(end.residuals.size()));
+  return std::max({least_same_cost, one_share, little_of_gain * gained});
 }
 
 // Of the effects alone, and not of phases: what else the two chose is no matter where it costs the
 // same.
 std::string disagreement(const FitProblem& on, const Descent& best, const Descent& other,
-                         const Eigen::MatrixXd& covariance = {}) {
-  if (other.cost > best.cost * (1 + same_cost(best))) {
+                         double before, const Eigen::MatrixXd& covariance = {}) {
+  if (other.cost > best.cost * (1 + same_cost(best, before))) {
     return fmt::format("starts end at costs of {:.6g} and {:.6g}", best.cost, other.cost);
   }
   const std::vector<std::size_t> waves = waves_among(on.model, on.effects);
@@ -90,27 +95,28 @@ std::string disagreement(const FitProblem& on, const Descent& best, const Descen
 }
 
 // Whether two came to rest in the same place.
-bool same_place(const FitProblem& on, const Descent& best, const Descent& other) {
-  return best.converged && other.converged && disagreement(on, best, other).empty();
+bool same_place(const FitProblem& on, const Descent& best, const Descent& other, double before) {
+  return best.converged && other.converged && disagreement(on, best, other, before).empty();
 }
 
-std::string certificate(const FitProblem& on, const std::vector<Descent>& ends,
+std::string certificate(const FitProblem& on, const std::vector<Descent>& ends, double before,
                         const Eigen::MatrixXd& covariance) {
   if (!ends.front().converged) return "the fit did not converge";
   if (ends.size() < 2) return "there is only one start";
   std::string why;
   for (std::size_t i = 1; i < ends.size(); ++i) {
-    std::string apart = disagreement(on, ends.front(), ends[i], covariance);
+    std::string apart = disagreement(on, ends.front(), ends[i], before, covariance);
     if (apart.empty()) return {};
     if (why.empty()) why = std::move(apart);
   }
   return why;
 }
 
-// The best after all starts have made a few moves, in order of their costs.
-std::vector<Descent> first_moves(const FitProblem& on,
-                                 const std::vector<std::vector<double>>& starts,
+// The best after all starts have made a few moves, in order of their costs. Of a model with
+// stand-ins: two, one of them where a stand-in leads from all starts.
+std::vector<Descent> first_moves(const FitProblem& on, std::vector<std::vector<double>> starts,
                                  const KnownSlopes& known) {
+  if (auto best = foreseen_best(on, starts, known)) starts = {*std::move(best), starts.back()};
   std::vector<Descent> ends;
   for (const std::vector<double>& start : starts) {
     ends.push_back(descend(on, start, opening_iterations, known));
@@ -127,21 +133,23 @@ std::vector<Descent> first_moves(const FitProblem& on,
 // The others go where the first one did, in its own steps, unless they come to rest elsewhere.
 // Where all of them do, as happens round a circle of phases, one that goes part of the way back
 // toward the first start has to return.
-void certify(const FitProblem& on, std::vector<Descent>& ends, const std::vector<double>& start) {
+void certify(const FitProblem& on, std::vector<Descent>& ends, const std::vector<double>& start,
+             double before) {
   const auto known_at = [](const Descent& end) { return KnownSlopes{end.slopes, end.stand_in}; };
   for (std::size_t i = 1; i < ends.size(); ++i) {
     Descent& end = ends[i];
     end = descend(on, end.values, most_refit_iterations, known_at(ends.front()));
-    if (!same_place(on, ends.front(), end)) {
+    if (!same_place(on, ends.front(), end, before)) {
       end = descend(on, end.values, most_iterations);
     }
-    if (!end.converged || same_place(on, ends.front(), end)) break;
+    if (!end.converged || same_place(on, ends.front(), end, before)) break;
   }
   std::ranges::stable_sort(ends, {}, &Descent::cost);
   for (int tried = 0; tried < most_ways_back; ++tried) {
-    if (ends.size() < 2 || same_place(on, ends[0], ends[1])) return;
+    if (ends.size() < 2 || same_place(on, ends[0], ends[1], before)) return;
     std::vector<double> back = ends.front().values;
-    for (std::size_t i = 0; i < back.size(); ++i) back[i] += part_way_back * (start[i] - back[i]);
+    const double part = part_way_back * std::pow(part_way_back, tried);
+    for (std::size_t i = 0; i < back.size(); ++i) back[i] += part * (start[i] - back[i]);
     Descent end = descend(on, std::move(back), most_iterations, known_at(ends.front()));
     if (!end.converged) return;
     ends.push_back(std::move(end));
@@ -222,9 +230,10 @@ Fit fit_from(const ForwardModel& model, const std::vector<std::size_t>& effects,
   const KnownSlopes to_rest = known.stand_in ? KnownSlopes{} : known;
   ends.front() = descend(on, ends.front().values, most_iterations, to_rest);
   if (ends.front().cost > must_beat.at_rest) return given_up();
-  if (ends.front().converged) certify(on, ends, starts.front());
+  if (ends.front().converged) certify(on, ends, starts.front(), must_beat.before);
   Fit fit = fit_at(on, ends.front(), to_rest.held);
-  if (fit.not_certified.empty()) fit.not_certified = certificate(on, ends, fit.covariance);
+  if (fit.not_certified.empty())
+    fit.not_certified = certificate(on, ends, must_beat.before, fit.covariance);
   return fit;
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/explain/descent.hpp"
-#include "analysis/explain/forward_model.hpp"
+#include "analysis/explain/settle.hpp"
 
 namespace rvbench::analysis {
 
@@ -25,19 +25,22 @@ struct Fit {
   std::shared_ptr<const ForwardModel> stand_in = {};  ///< of the model, there; nullptr if none
 };
 
-/// Costs above which a fit is not worth going on with: of the best start after the first moves, and
-/// of the best one once the first has come to rest.
+/// Costs that a fit is measured by: above the first two it is not worth going on with.
 struct MustBeat {
+  /// Of the best start after the first moves.
   double after_first_moves = std::numeric_limits<double>::infinity();
+  /// Of the best one once the first has come to rest.
   double at_rest = std::numeric_limits<double>::infinity();
+  /// Of the model that it adds to: what it gains over it is what its starts must agree about.
+  double before = 0;
 };
 
 /// Least squares by simulation, from several starts.
 ///
 /// The fit moves the base and every effect together. It is certified if at least two starts end
-/// within 1e-4 in cost, or one value's share of it, and, of each parameter, within 5 % or a tenth
-/// of its standard error. All starts make their first moves; the best three go on until two come to
-/// rest in one place.
+/// within 1e-4 in cost, or one value's share of it, or 2 % of what is gained, and, of each
+/// parameter of the effects but phases, within 5 % or a tenth of its standard error. All starts
+/// make their first moves; the best three go on until two come to rest in one place.
 ///
 /// Covariance  (JᵀJ)⁻¹ (Σ_u g_u g_uᵀ) (JᵀJ)⁻¹ with g_u = J_uᵀ r_u: dependence within a unit does
 ///             not count as knowledge

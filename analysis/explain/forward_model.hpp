@@ -84,6 +84,14 @@ class ForwardModel {
                                                    const std::vector<double>& values,
                                                    const std::vector<bool>& trained) const = 0;
 
+  /// d residuals / d values, one column for each, where the model knows them itself.
+  virtual std::optional<Eigen::MatrixXd> slopes(const std::vector<std::size_t>& effects,
+                                                const std::vector<double>& values,
+                                                const std::vector<bool>& trained) const {
+    (void)effects, (void)values, (void)trained;
+    return std::nullopt;
+  }
+
   /// A stand-in that is quick to evaluate near these values: the same units, parameters and
   /// candidates; exact at the values, and straight in what the plant does there.
   /// @param like  one of a model with some of these effects, whose slopes it may take over; may be

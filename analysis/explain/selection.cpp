@@ -244,10 +244,30 @@ class Selector {
     return pairs;
   }
 
+  // Whether two, fitted at once, come to explain what one would have to.
+  bool may_gain_together(std::size_t a, std::size_t b) const {
+    std::vector<std::size_t> effects = foreseen_.fit.effects;
+    effects.insert(effects.end(), {a, b});
+    const auto& first = on_.model.library()[a].starts;
+    const auto& second = on_.model.library()[b].starts;
+    std::vector<std::vector<double>> starts;
+    for (std::size_t i = 0; i < std::max(first.size(), second.size()); ++i) {
+      starts.push_back(foreseen_.fit.values);
+      for (const auto& own : {first[i % first.size()], second[i % second.size()]}) {
+        starts.back().insert(starts.back().end(), own.begin(), own.end());
+      }
+    }
+    const Fit both =
+        fit_from(on_.model, effects, starts, on_.everything, foreseen_.fit.scatter,
+                 {foreseen_.fit.slopes, foreseen_.fit.stand_in}, least_of(on_, foreseen_.fit));
+    return both.residuals.size() > 0;
+  }
+
   // The second is refused where the two are not clearly better than neither.
   PairTrial try_pair(std::size_t a, std::size_t b) const {
     PairTrial pair;
     pair.second.refused = "its partner cannot be fitted";
+    if (!may_gain_together(a, b)) return pair;
     pair.first.fit = fit_with(on_.model, foreseen_.fit, a, on_.everything);
     if (!pair.first.fit.not_certified.empty()) return pair;
     const auto first = stand(on_, pair.first.fit, LeftOut::forecast);

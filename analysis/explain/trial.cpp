@@ -130,17 +130,21 @@ std::optional<Standing> stand(const Tryout& on, Fit fit, LeftOut left_out) {
   return Standing{std::move(fit), std::move(*held_out), std::move(*extrapolated)};
 }
 
+MustBeat least_of(const Tryout& on, const Fit& before) {
+  const double gain = on.least_gain();
+  return {on.cost_worth(worth_going_on * gain, before.cost), on.cost_worth(gain, before.cost),
+          before.cost};
+}
+
 Trial try_effect(const Tryout& on, const Standing& before, std::size_t effect) {
   Trial trial;
-  const double gain = on.least_gain();
-  trial.fit = fit_with(on.model, before.fit, effect, on.everything,
-                       {on.cost_worth(worth_going_on * gain, before.fit.cost),
-                        on.cost_worth(gain, before.fit.cost)});
+  const MustBeat least = least_of(on, before.fit);
+  trial.fit = fit_with(on.model, before.fit, effect, on.everything, least);
   if (trial.fit.residuals.size() == 0) {
     trial.refused = trial.fit.not_certified;
     return trial;
   }
-  if (trial.fit.cost > on.cost_worth(gain, before.fit.cost)) {
+  if (trial.fit.cost > least.at_rest) {
     trial.refused = trial.fit.not_certified = "explains too little";
     return trial;
   }

@@ -45,6 +45,9 @@ struct Standalone {
 /// @param place  of the effect in fit.effects
 Standalone stands_alone(const Tryout& on, const Fit& fit, std::size_t place);
 
+/// What a fit must come below to be worth going on with.
+MustBeat least_of(const Tryout& on, const Fit& before);
+
 /// Tries `effect` on top of what stands. Left-out conditions are forecast.
 /// @param before  with forecasts, likewise
 Trial try_effect(const Tryout& on, const Standing& before, std::size_t effect);
