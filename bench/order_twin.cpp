@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
+#include "bench/order_choice.hpp"
+#include "bench/order_errors.hpp"
 #include "bench/straight_orders.hpp"
 #include "hal/types/parallel_for.hpp"
-#include "hal/types/units.hpp"
 #include "sim/named.hpp"
 #include "sim/plant_check.hpp"
 
@@ -19,15 +19,9 @@ namespace {
 
 using Kind = OrderFeature::Kind;
 
-constexpr double clearly_above_noise = 4;    // rms amplitudes of it: by chance 1 in 10 million
-constexpr double worth_comparing = 0.1;      // of an effect's largest line
-constexpr double least_jitter = 0.01;        // of a line: what a plant's own lines are good for
-constexpr double least_mean_scatter = 5e-4;  // of a mean, likewise
-constexpr double tolerance_spreads = 2;      // standard deviations that a tolerance is wide
-constexpr double believable = 5;             // standard errors: farther off counts for little more
-constexpr double line_resolution = 2;        // bins: half a Hann window's main lobe
-constexpr std::array<int, 4> supply_harmonics{1, 2, 6, 12};
-constexpr std::array<double, 4> mains_Hz{50, 60, 100, 120};
+constexpr double tolerance_spreads = 2;  // standard deviations that a tolerance is wide
+constexpr double believable = 5;         // standard errors: farther off counts for little more
+constexpr double line_resolution = 2;    // bins: half a Hann window's main lobe
 
 int orders_of(const OrderMeasurement& measured, std::size_t output) {
   return std::max(0, static_cast<int>(measured.outputs[output].amplitude.size()) - 1);
@@ -38,6 +32,11 @@ int orders_of(const OrderMeasurement& measured, std::size_t output) {
 double pressed(double standard_errors) {
   const double part = standard_errors / believable;
   return std::copysign(believable * std::sqrt(std::log1p(part * part)), standard_errors);
+}
+
+double press_slope(double standard_errors) {
+  const double part = std::abs(standard_errors) / believable;
+  return part > 0 ? part / ((1 + part * part) * std::sqrt(std::log1p(part * part))) : 1;
 }
 
 }  // namespace
@@ -52,9 +51,11 @@ TwinOrRefusal OrderTwin::make(sim::PlantSpec plant, const Campaign& campaign,
   twin->family_.emplace(twin->plant_, twin->scales(), library);
   twin->take_tolerances_as_spreads();
   const std::vector<CandidateProbe> probes = twin->probe();
-  twin->choose_features(probes);
-  for (Record& record : twin->records_) twin->read_features(record);
-  twin->find_errors();
+  choose_features(twin->plant_, twin->records_, probes, twin->period_turns_, twin->conditions_);
+  for (OrderRecord& record : twin->records_) {
+    read_features(twin->conditions_[record.condition], record);
+  }
+  find_errors(twin->conditions_, twin->plant_.outputs.size(), twin->records_);
   group_candidates(*twin->family_, twin->marks_of(probes));
   twin->cut_units();
   return std::unique_ptr<Twin>(std::move(twin));
@@ -87,7 +88,7 @@ Refusal OrderTwin::load(const Campaign& campaign) {
     }
   }
   if (!refusal.faults.empty()) return refusal;
-  if (std::ranges::none_of(records_, [](const Record& r) { return r.about.learned_from; })) {
+  if (std::ranges::none_of(records_, [](const OrderRecord& r) { return r.about.learned_from; })) {
     return {{{0, "", "there is no recording to learn from"}}, true};
   }
   for (std::size_t i = 0; i < records_.size(); ++i) sort_in(records_[i], under[i]);
@@ -95,7 +96,7 @@ Refusal OrderTwin::load(const Campaign& campaign) {
     return {{*std::move(fault)}, false};
   for (std::size_t i = 0; i < records_.size(); ++i) {
     const Recording& recording = campaign.records[i].recording;
-    for (const OrderFeature& line : timed_lines(conditions_[records_[i].condition])) {
+    for (const OrderFeature& line : timed_lines(plant_, conditions_[records_[i].condition])) {
       const Channel& channel = *recording.find(plant_.outputs[line.output].channel);
       records_[i].timed.push_back(analysis::line_at(channel, line.frequency_Hz));
     }
@@ -104,8 +105,8 @@ Refusal OrderTwin::load(const Campaign& campaign) {
 }
 
 // Finds the record's condition, or opens one; it shows as many orders as all of its records do.
-void OrderTwin::sort_in(Record& record, const Eigen::VectorXd& inputs) {
-  const auto known = std::ranges::find(conditions_, inputs, &Condition::inputs);
+void OrderTwin::sort_in(OrderRecord& record, const Eigen::VectorXd& inputs) {
+  const auto known = std::ranges::find(conditions_, inputs, &OrderCondition::inputs);
   record.condition = static_cast<std::size_t>(known - conditions_.begin());
   if (known == conditions_.end()) {
     conditions_.push_back({inputs,
@@ -123,7 +124,7 @@ void OrderTwin::sort_in(Record& record, const Eigen::VectorXd& inputs) {
 std::optional<hal::ConfigFault> OrderTwin::solve_nominal(const sim::SteadyPlant& steady) {
   std::vector<std::optional<hal::ConfigFault>> faults(conditions_.size());
   parallel_for(conditions_.size(), [&](std::size_t c) {
-    auto state = steady.under(conditions_[c].inputs, highest_order());
+    auto state = steady.under(conditions_[c].inputs, highest_order(conditions_));
     if (auto* fault = std::get_if<hal::ConfigFault>(&state)) {
       faults[c] = std::move(*fault);
     } else {
@@ -136,18 +137,9 @@ std::optional<hal::ConfigFault> OrderTwin::solve_nominal(const sim::SteadyPlant&
   return std::nullopt;
 }
 
-// Of any record: the forces of all conditions bend alike, and are sampled alike.
-int OrderTwin::highest_order() const {
-  int highest = 0;
-  for (const Condition& condition : conditions_) {
-    highest = std::max(highest, std::ranges::max(condition.orders));
-  }
-  return highest;
-}
-
 ParameterScales OrderTwin::scales() const {
   double torque = 0, speed = 0, count = 0;
-  for (const Record& record : records_) {
+  for (const OrderRecord& record : records_) {
     if (!record.about.learned_from) continue;
     for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
       double& sum = o == angle_ ? speed : torque;
@@ -173,62 +165,15 @@ void OrderTwin::take_tolerances_as_spreads() {
   }
 }
 
-// Which orders of each output to compare: those that a recording shows, and those that the plant or
-// some effect would bring.
-std::vector<std::vector<bool>> OrderTwin::shown_orders() const {
-  const auto size = static_cast<std::size_t>(highest_order()) + 1;
-  std::vector<std::vector<bool>> shown(plant_.outputs.size(), std::vector<bool>(size));
-  for (const Record& record : records_) {
-    if (!record.about.learned_from) continue;
-    const sim::SteadyState& nominal = conditions_[record.condition].nominal;
-    for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
-      const analysis::PeriodLines& lines = record.measured.outputs[o];
-      for (Eigen::Index k = 1; k <= conditions_[record.condition].orders[o]; ++k) {
-        const double expected = std::abs(nominal.outputs[o].shaft_lines[k]);
-        if (lines.amplitude[k] > clearly_above_noise * lines.noise[k] ||
-            expected > lines.noise[k]) {
-          shown[o][std::size_t(k)] = true;
-        }
-      }
-    }
-  }
-  return shown;
-}
-
-// First, middle and last condition: what no load or no speed shows, another may.
-std::vector<std::size_t> OrderTwin::probed_conditions() const {
-  std::vector<std::size_t> some{0, conditions_.size() / 2, conditions_.size() - 1};
-  some.erase(std::unique(some.begin(), some.end()), some.end());
-  return some;
-}
-
-void OrderTwin::add_orders_of(const std::vector<CandidateProbe>& probes,
-                              std::vector<std::vector<bool>>& shown) const {
-  const std::vector<std::size_t> probed = probed_conditions();
-  for (const CandidateProbe& probe : probes) {
-    for (std::size_t i = 0; i < probe.states.size(); ++i) {
-      const sim::SteadyState& nominal = conditions_[probed[i]].nominal;
-      for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
-        const Eigen::VectorXd change =
-            (probe.states[i].outputs[o].shaft_lines - nominal.outputs[o].shaft_lines).cwiseAbs();
-        const double least = worth_comparing * change.tail(change.size() - 1).maxCoeff();
-        for (Eigen::Index k = 1; k < change.size(); ++k) {
-          if (least > 0 && change[k] >= least) shown[o][std::size_t(k)] = true;
-        }
-      }
-    }
-  }
-}
-
 // What each candidate of usual size changes of the first record of each probed condition, in
 // standard errors.
 Eigen::MatrixXd OrderTwin::marks_of(const std::vector<CandidateProbe>& probes) const {
   std::vector<Eigen::VectorXd> columns(probes.size());
   Eigen::Index rows = 0;
-  const std::vector<std::size_t> probed = probed_conditions();
+  const std::vector<std::size_t> probed = probed_conditions(conditions_);
   for (std::size_t p = 0; p < probed.size(); ++p) {
-    const auto record = std::ranges::find(records_, probed[p], &Record::condition);
-    const Condition& condition = conditions_[probed[p]];
+    const auto record = std::ranges::find(records_, probed[p], &OrderRecord::condition);
+    const OrderCondition& condition = conditions_[probed[p]];
     const Eigen::VectorXd before = shown_by(features_of(condition.nominal, condition), *record);
     rows += before.size();
     for (std::size_t i = 0; i < probes.size(); ++i) {
@@ -245,28 +190,8 @@ Eigen::MatrixXd OrderTwin::marks_of(const std::vector<CandidateProbe>& probes) c
   return marks;
 }
 
-// Lines at multiples of the supply's frequency, and of the mains', that the record can show.
-std::vector<OrderFeature> OrderTwin::timed_lines(const Condition& condition) const {
-  std::vector<double> rhythms_Hz(mains_Hz.begin(), mains_Hz.end());
-  for (std::size_t i = 0; i < plant_.inputs.size(); ++i) {
-    const sim::InputSpec& input = plant_.inputs[i];
-    if (input.kind != sim::InputKind::signal) continue;
-    const double supply_Hz =
-        input.gain.value * condition.inputs[Eigen::Index(i)] + input.offset.value;
-    for (const int harmonic : supply_harmonics) rhythms_Hz.push_back(harmonic * supply_Hz);
-  }
-  std::vector<OrderFeature> lines;
-  for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
-    const double highest_Hz = double(condition.orders[o]) * condition.nominal.period_Hz;
-    for (const double rhythm_Hz : rhythms_Hz) {
-      if (rhythm_Hz < highest_Hz) lines.push_back({Kind::timed_line, o, 0, rhythm_Hz});
-    }
-  }
-  return lines;
-}
-
 std::vector<CandidateProbe> OrderTwin::probe() {
-  const std::vector<std::size_t> probed = probed_conditions();
+  const std::vector<std::size_t> probed = probed_conditions(conditions_);
   auto probes = probe_candidates(
       *family_, [&](const sim::PlantSpec& plant) { return states_of(plant, probed); });
   for (std::size_t i = 0; i < probes.size(); ++i) {
@@ -275,121 +200,9 @@ std::vector<CandidateProbe> OrderTwin::probe() {
   return probes;
 }
 
-// Whether an order lies within one of a line that follows time, at the speed of any record.
-bool OrderTwin::is_beside_timed(std::size_t condition, int order,
-                                const std::vector<OrderFeature>& timed) const {
-  return std::ranges::any_of(records_, [&](const Record& record) {
-    if (record.condition != condition) return false;
-    const double period_Hz = record.measured.speed_Hz / period_turns_;
-    return std::ranges::any_of(timed, [&](const OrderFeature& line) {
-      return std::abs(line.frequency_Hz - order * period_Hz) < period_Hz;
-    });
-  });
-}
-
-void OrderTwin::choose_features(const std::vector<CandidateProbe>& probes) {
-  std::vector<std::vector<bool>> shown = shown_orders();
-  add_orders_of(probes, shown);
-  for (std::size_t c = 0; c < conditions_.size(); ++c) {
-    Condition& condition = conditions_[c];
-    const std::vector<OrderFeature> timed = timed_lines(condition);
-    for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
-      condition.features.push_back({Kind::mean, o, 0, 0});
-      for (int k = 1; k <= condition.orders[o]; ++k) {
-        if (!shown[o][std::size_t(k)]) continue;
-        if (!is_beside_timed(c, k, timed)) {
-          condition.features.push_back({Kind::shaft_line, o, k, 0});
-        }
-      }
-    }
-    condition.features.insert(condition.features.end(), timed.begin(), timed.end());
-  }
-}
-
-void OrderTwin::read_features(Record& record) const {
-  const std::vector<OrderFeature>& features = conditions_[record.condition].features;
-  record.values.resize(Eigen::Index(features.size()));
-  record.noise.resize(record.values.size());
-  auto timed = record.timed.begin();
-  for (std::size_t f = 0; f < features.size(); ++f) {
-    const analysis::PeriodLines& lines = record.measured.outputs[features[f].output];
-    const auto at = Eigen::Index(f);
-    switch (features[f].kind) {
-      case Kind::mean:
-        record.values[at] = lines.mean;
-        record.noise[at] = 0;
-        break;
-      case Kind::shaft_line:
-        record.values[at] = lines.amplitude[features[f].order];
-        record.noise[at] = lines.noise[features[f].order];
-        break;
-      case Kind::timed_line:
-        record.values[at] = timed->amplitude;
-        record.noise[at] = timed->noise;
-        ++timed;
-        break;
-    }
-  }
-}
-
-// What repeats of a condition differ by, pooled over all conditions: of means their scatter, of
-// lines the part that grows with them. Noise beside a line is known from each record.
-void OrderTwin::find_errors() {
-  Eigen::VectorXd scatter = Eigen::VectorXd::Zero(Eigen::Index(plant_.outputs.size()));
-  Eigen::VectorXd freedom = scatter;
-  double jitter = 0, power = 0;
-  std::vector<Eigen::VectorXd> means;
-  for (std::size_t c = 0; c < conditions_.size(); ++c) {
-    const std::vector<OrderFeature>& features = conditions_[c].features;
-    std::vector<const Record*> repeats;
-    Eigen::VectorXd mean = Eigen::VectorXd::Zero(Eigen::Index(features.size()));
-    for (const Record& record : records_) {
-      if (record.condition != c) continue;
-      repeats.push_back(&record);
-      mean += record.values;
-    }
-    const auto count = double(repeats.size());
-    mean /= count;
-    means.push_back(mean);
-    if (repeats.size() < 2 || !repeats.front()->about.learned_from) continue;
-    for (std::size_t f = 0; f < features.size(); ++f) {
-      const auto at = Eigen::Index(f);
-      double squares = 0, noise = 0;
-      for (const Record* record : repeats) {
-        squares += std::pow(record->values[at] - mean[at], 2);
-        noise += 0.5 * std::pow(record->noise[at], 2) / count;
-      }
-      if (features[f].kind == Kind::mean) {
-        scatter[Eigen::Index(features[f].output)] += squares;
-        freedom[Eigen::Index(features[f].output)] += count - 1;
-      } else if (mean[at] * mean[at] > std::pow(clearly_above_noise, 2) * noise) {
-        jitter += squares / (count - 1) - noise;
-        power += mean[at] * mean[at];
-      }
-    }
-  }
-  const double jitter_share =
-      std::hypot(least_jitter, power > 0 ? std::sqrt(std::max(jitter / power, 0.0)) : 0);
-  for (Record& record : records_) {
-    const std::vector<OrderFeature>& features = conditions_[record.condition].features;
-    const Eigen::VectorXd& mean = means[record.condition];
-    record.errors.resize(record.values.size());
-    for (std::size_t f = 0; f < features.size(); ++f) {
-      const auto at = Eigen::Index(f);
-      const auto o = Eigen::Index(features[f].output);
-      if (features[f].kind == Kind::mean) {
-        const double repeated = freedom[o] > 0 ? std::sqrt(scatter[o] / freedom[o]) : 0;
-        record.errors[at] = std::hypot(repeated, least_mean_scatter * mean[at]);
-      } else {
-        record.errors[at] = std::hypot(std::sqrt(0.5) * record.noise[at], jitter_share * mean[at]);
-      }
-    }
-  }
-}
-
 void OrderTwin::cut_units() {
   Eigen::Index at = 0;
-  for (const Record& record : records_) {
+  for (const OrderRecord& record : records_) {
     if (!record.about.learned_from) continue;
     units_.push_back({record.about.name, record.about.condition, record.about.speed,
                       record.about.load, at, record.values.size(), record.about.programme});
@@ -403,8 +216,8 @@ std::variant<std::vector<sim::SteadyState>, hal::ConfigFault> OrderTwin::states_
   if (const auto* fault = std::get_if<hal::ConfigFault>(&steady)) return *fault;
   std::vector<sim::SteadyState> states;
   for (const std::size_t c : conditions) {
-    auto state = std::get<sim::SteadyPlant>(steady).under(conditions_[c].inputs, highest_order(),
-                                                          &conditions_[c].nominal);
+    auto state = std::get<sim::SteadyPlant>(steady).under(
+        conditions_[c].inputs, highest_order(conditions_), &conditions_[c].nominal);
     if (const auto* fault = std::get_if<hal::ConfigFault>(&state)) return *fault;
     states.push_back(std::get<sim::SteadyState>(std::move(state)));
   }
@@ -421,7 +234,7 @@ std::optional<std::vector<sim::SteadyState>> OrderTwin::solved(
 }
 
 Eigen::VectorXcd OrderTwin::features_of(const sim::SteadyState& state,
-                                        const Condition& condition) const {
+                                        const OrderCondition& condition) const {
   const double resolution_Hz = line_resolution / condition.length_s;
   Eigen::VectorXcd features(static_cast<Eigen::Index>(condition.features.size()));
   for (std::size_t f = 0; f < condition.features.size(); ++f) {
@@ -435,7 +248,8 @@ Eigen::VectorXcd OrderTwin::features_of(const sim::SteadyState& state,
 }
 
 // What the record would show of its features on average, noise included.
-Eigen::VectorXd OrderTwin::shown_by(const Eigen::VectorXcd& features, const Record& record) const {
+Eigen::VectorXd OrderTwin::shown_by(const Eigen::VectorXcd& features,
+                                    const OrderRecord& record) const {
   const std::vector<OrderFeature>& of = conditions_[record.condition].features;
   Eigen::VectorXd shown(features.size());
   for (Eigen::Index f = 0; f < shown.size(); ++f) {
@@ -452,7 +266,8 @@ std::optional<Eigen::VectorXcd> OrderTwin::features(const std::vector<std::size_
   const auto states = solved(effects, values);
   if (!states) return std::nullopt;
   Eigen::Index size = 0;
-  for (const Condition& condition : conditions_) size += Eigen::Index(condition.features.size());
+  for (const OrderCondition& condition : conditions_)
+    size += Eigen::Index(condition.features.size());
   Eigen::VectorXcd all(size);
   Eigen::Index at = 0;
   for (std::size_t c = 0; c < conditions_.size(); ++c) {
@@ -463,14 +278,20 @@ std::optional<Eigen::VectorXcd> OrderTwin::features(const std::vector<std::size_
   return all;
 }
 
-Eigen::VectorXd OrderTwin::residuals_of(const Eigen::VectorXcd& features) const {
+// Where the features of each condition begin.
+std::vector<Eigen::Index> OrderTwin::first_features() const {
   std::vector<Eigen::Index> first{0};
-  for (const Condition& condition : conditions_) {
+  for (const OrderCondition& condition : conditions_) {
     first.push_back(first.back() + Eigen::Index(condition.features.size()));
   }
+  return first;
+}
+
+Eigen::VectorXd OrderTwin::residuals_of(const Eigen::VectorXcd& features) const {
+  const std::vector<Eigen::Index> first = first_features();
   Eigen::VectorXd apart(units_.back().first + units_.back().size);
   auto unit = units_.begin();
-  for (const Record& record : records_) {
+  for (const OrderRecord& record : records_) {
     if (!record.about.learned_from) continue;
     const Eigen::VectorXcd own = features.segment(first[record.condition], unit->size);
     apart.segment(unit->first, unit->size) =
@@ -478,6 +299,30 @@ Eigen::VectorXd OrderTwin::residuals_of(const Eigen::VectorXcd& features) const 
     ++unit;
   }
   return apart;
+}
+
+Eigen::MatrixXd OrderTwin::slopes_of(const Eigen::VectorXcd& features,
+                                     const Eigen::MatrixXcd& slopes) const {
+  const std::vector<Eigen::Index> first = first_features();
+  Eigen::MatrixXd all(units_.back().first + units_.back().size, slopes.cols());
+  auto unit = units_.begin();
+  for (const OrderRecord& record : records_) {
+    if (!record.about.learned_from) continue;
+    const Eigen::Index from = first[record.condition];
+    const Eigen::VectorXd shown = shown_by(features.segment(from, unit->size), record);
+    const std::vector<OrderFeature>& of = conditions_[record.condition].features;
+    for (Eigen::Index f = 0; f < unit->size; ++f) {
+      const bool is_mean = of[std::size_t(f)].kind == Kind::mean;
+      const std::complex<double> way = is_mean        ? 1
+                                       : shown[f] > 0 ? std::conj(features[from + f]) / shown[f]
+                                                      : 0;
+      const double error = record.errors[f];
+      const double per_feature = -press_slope((record.values[f] - shown[f]) / error) / error;
+      all.row(unit->first + f) = per_feature * (way * slopes.row(from + f)).real();
+    }
+    ++unit;
+  }
+  return all;
 }
 
 std::optional<Eigen::VectorXd> OrderTwin::residuals(const std::vector<std::size_t>& effects,
@@ -499,7 +344,7 @@ std::vector<Twin::Comparison> OrderTwin::compare(const std::vector<std::size_t>&
   const auto states = solved(effects, values);
   if (!states) return {};
   std::vector<Comparison> all;
-  for (const Record& record : records_) {
+  for (const OrderRecord& record : records_) {
     const sim::SteadyState& state = (*states)[record.condition];
     for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
       if (o == angle_) continue;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/candidate_probes.hpp"
-#include "bench/order_features.hpp"
+#include "bench/order_records.hpp"
 #include "bench/plant_family.hpp"
 #include "bench/twin.hpp"
 #include "sim/steady_state.hpp"
@@ -44,6 +44,9 @@ class OrderTwin final : public Twin {
                                            const std::vector<double>& values) const;
   /// @param features  see features()
   Eigen::VectorXd residuals_of(const Eigen::VectorXcd& features) const;
+  /// How those change.
+  /// @param slopes  of the features, one column for each number that moves them
+  Eigen::MatrixXd slopes_of(const Eigen::VectorXcd& features, const Eigen::MatrixXcd& slopes) const;
 
   sim::PlantSpec plant_with(const std::vector<std::size_t>& effects,
                             const std::vector<double>& values) const override {
@@ -53,59 +56,33 @@ class OrderTwin final : public Twin {
                                   const std::vector<double>& values) const override;
 
  private:
-  /// Constant inputs that records share, how the plant turns under them as it is, and what its
-  /// records are compared by.
-  struct Condition {
-    Eigen::VectorXd inputs;
-    sim::SteadyState nominal;
-    std::vector<int> orders;  ///< highest that each output shows in all of its records
-    std::vector<OrderFeature> features;
-    double length_s = 0;  ///< of its first record
-  };
-  struct Record {
-    RecordLabels about;
-    std::size_t condition = 0;
-    OrderMeasurement measured;
-    std::vector<analysis::TimedLine> timed;  ///< see timed_lines()
-    Eigen::VectorXd values, noise, errors;   ///< of the condition's features
-  };
-
   OrderTwin(sim::PlantSpec plant, const sim::TermLibrary& library)
       : plant_(std::move(plant)), terms_(library) {}
 
   Refusal load(const Campaign& campaign);
-  void sort_in(Record& record, const Eigen::VectorXd& inputs);
+  void sort_in(OrderRecord& record, const Eigen::VectorXd& inputs);
   std::optional<hal::ConfigFault> solve_nominal(const sim::SteadyPlant& steady);
-  int highest_order() const;
   ParameterScales scales() const;
   void take_tolerances_as_spreads();
-  std::vector<OrderFeature> timed_lines(const Condition& condition) const;
-  std::vector<std::vector<bool>> shown_orders() const;
-  std::vector<std::size_t> probed_conditions() const;
   std::vector<CandidateProbe> probe();
-  void add_orders_of(const std::vector<CandidateProbe>& probes,
-                     std::vector<std::vector<bool>>& shown) const;
   Eigen::MatrixXd marks_of(const std::vector<CandidateProbe>& probes) const;
-  bool is_beside_timed(std::size_t condition, int order,
-                       const std::vector<OrderFeature>& timed) const;
-  void choose_features(const std::vector<CandidateProbe>& probes);
-  void read_features(Record& record) const;
-  void find_errors();
   void cut_units();
   std::variant<std::vector<sim::SteadyState>, hal::ConfigFault> states_of(
       const sim::PlantSpec& plant, const std::vector<std::size_t>& conditions) const;
   std::optional<std::vector<sim::SteadyState>> solved(const std::vector<std::size_t>& effects,
                                                       const std::vector<double>& values) const;
-  Eigen::VectorXcd features_of(const sim::SteadyState& state, const Condition& condition) const;
-  Eigen::VectorXd shown_by(const Eigen::VectorXcd& features, const Record& record) const;
+  std::vector<Eigen::Index> first_features() const;
+  Eigen::VectorXcd features_of(const sim::SteadyState& state,
+                               const OrderCondition& condition) const;
+  Eigen::VectorXd shown_by(const Eigen::VectorXcd& features, const OrderRecord& record) const;
 
   sim::PlantSpec plant_;
   const sim::TermLibrary& terms_;
   std::size_t angle_ = 0;    ///< output that is the reference shaft's angle
   int turning_ = 0;          ///< body that it is the angle of
   double period_turns_ = 0;  ///< of that body
-  std::vector<Condition> conditions_;
-  std::vector<Record> records_;
+  std::vector<OrderCondition> conditions_;
+  std::vector<OrderRecord> records_;
   std::optional<PlantFamily> family_;
   std::vector<analysis::ModelParameter> base_;
   std::vector<analysis::ObservedUnit> units_;

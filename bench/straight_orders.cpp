@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analysis/explain/descent.hpp"
+#include "analysis/explain/fit_problem.hpp"
 #include "hal/types/parallel_for.hpp"
 
 namespace rvbench::bench {
@@ -49,10 +49,21 @@ std::optional<Eigen::VectorXd> StraightOrders::residuals(const std::vector<std::
                                                          const std::vector<double>& values,
                                                          const std::vector<bool>& trained) const {
   if (effects != effects_) return twin_.residuals(effects, values, trained);
+  return twin_.residuals_of(features_at(values));
+}
+
+std::optional<Eigen::MatrixXd> StraightOrders::slopes(const std::vector<std::size_t>& effects,
+                                                      const std::vector<double>& values,
+                                                      const std::vector<bool>& trained) const {
+  if (effects != effects_) return twin_.slopes(effects, values, trained);
+  return twin_.slopes_of(features_at(values), slopes_);
+}
+
+Eigen::VectorXcd StraightOrders::features_at(const std::vector<double>& values) const {
   const auto n = static_cast<Eigen::Index>(values.size());
   const Eigen::VectorXd moved = Eigen::Map<const Eigen::VectorXd>(values.data(), n) -
                                 Eigen::Map<const Eigen::VectorXd>(values_.data(), n);
-  return twin_.residuals_of(features_ + slopes_ * moved);
+  return features_ + slopes_ * moved;
 }
 
 }  // namespace rvbench::bench

@@ -33,8 +33,13 @@ class StraightOrders final : public analysis::ForwardModel {
   std::optional<Eigen::VectorXd> residuals(const std::vector<std::size_t>& effects,
                                            const std::vector<double>& values,
                                            const std::vector<bool>& trained) const override;
+  std::optional<Eigen::MatrixXd> slopes(const std::vector<std::size_t>& effects,
+                                        const std::vector<double>& values,
+                                        const std::vector<bool>& trained) const override;
 
  private:
+  Eigen::VectorXcd features_at(const std::vector<double>& values) const;
+
   StraightOrders(const OrderTwin& twin, std::vector<std::size_t> effects,
                  std::vector<double> values)
       : twin_(twin), effects_(std::move(effects)), values_(std::move(values)) {}

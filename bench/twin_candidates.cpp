@@ -35,12 +35,14 @@ std::size_t sizes_of(const sim::TermType& type) {
   return sizes;
 }
 
-// Of a wave: three that are a third of a turn apart.
+// Of a wave: three that are a third of a turn apart, and the same of a tenth the size.
 std::vector<std::vector<double>> starts_of_wave(double size) {
   std::vector<std::vector<double>> starts;
-  for (const double turned : {0.0, 1.0 / 3, 2.0 / 3}) {
-    starts.push_back(
-        {size * std::cos(units::two_pi * turned), size * std::sin(units::two_pi * turned)});
+  for (const double part : {1.0, 0.1}) {
+    for (const double turned : {0.0, 1.0 / 3, 2.0 / 3}) {
+      starts.push_back({part * size * std::cos(units::two_pi * turned),
+                        part * size * std::sin(units::two_pi * turned)});
+    }
   }
   return starts;
 }

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "analysis/explain/explanation.hpp"
 #include "sim/rv_plant.hpp"
 #include "tests/support/rv_campaign.hpp"
 #include "tests/support/under_sanitizer.hpp"
@@ -11,16 +12,7 @@ using namespace rvbench::bench;
 
 namespace {
 
-// The bench as on its drawing, but with the mesh's own error: its strongest line.
-sim::PlantSpec nominal() {
-  sim::PlantSpec plant = sim::rv20e_bench();
-  for (sim::TermSpec& term : plant.terms) {
-    if (term.type != "planet_mesh") continue;
-    term.parameters.at("profile_error") = {3e-6, "m", 50};
-    term.parameters.at("profile_phase") = {0.5, "rad", 0};
-  }
-  return plant;
-}
+sim::PlantSpec nominal() { return test::with_mesh_error(sim::rv20e_bench()); }
 
 std::unique_ptr<Twin> twin_of(const sim::PlantSpec& plant, const Campaign& campaign) {
   auto made = OrderTwin::make(plant, campaign);
@@ -76,8 +68,17 @@ SCENARIO("a stand-in is exact where it was made, and good nearby", "[bench][orde
   REQUIRE(stand_in);
   const Eigen::VectorXd before = *twin->residuals({}, here, all);
   CHECK((*stand_in->residuals({}, here, all) - before).norm() < 1e-9 * before.norm());
+  const auto slopes = stand_in->slopes({}, here, all);
+  REQUIRE(slopes);
   for (const std::size_t i : {0, 7, 12, 19}) {
     CAPTURE(twin->base()[i].name);
+    std::vector<double> above = here, below = here;
+    const double step = 1e-3 * twin->base()[i].scale;
+    above[i] += step;
+    below[i] -= step;
+    const Eigen::VectorXd by_differences =
+        (*stand_in->residuals({}, above, all) - *stand_in->residuals({}, below, all)) / (2 * step);
+    CHECK((slopes->col(Eigen::Index(i)) - by_differences).norm() < 1e-4 * by_differences.norm());
     std::vector<double> there = here;
     there[i] += 0.5 * twin->base()[i].spread;
     const Eigen::VectorXd moved = *twin->residuals({}, there, all);
@@ -105,4 +106,36 @@ TEST_CASE("a record of fewer than four output turns is refused with its reason",
   REQUIRE(std::holds_alternative<Refusal>(made));
   CHECK(std::get<Refusal>(made).faults.front().message.find("lines cannot be parted") !=
         std::string::npos);
+}
+
+SCENARIO("what a steadily turning bench lacks is named; a bench that lacks nothing is left alone",
+         "[bench][orders]") {
+  if (test::too_long_under_sanitizer()) return;
+  // Another unit than the drawing, within its tolerances.
+  const sim::PlantSpec machine = test::within_tolerance(nominal(), 11);
+  GIVEN("nothing is missing") {
+    const auto said = analysis::explain(*twin_of(nominal(), test::rv_campaign(machine, 12)));
+    INFO(said.reason);
+    CHECK(said.verdict == analysis::ExplainVerdict::null);
+    CHECK(said.self_null.found.empty());
+  }
+  GIVEN("pins of uneven height") {
+    const sim::PlantSpec uneven =
+        sim::with_effect(machine, "pin_ripple", {"planet_1", "carrier"},
+                         {{"pin_error", {0.3e-6, "m"}}, {"pin_phase", {2.2, "rad"}}});
+    const auto said = analysis::explain(*twin_of(nominal(), test::rv_campaign(uneven, 13)));
+    INFO(said.reason);
+    REQUIRE(said.effects.size() == 1);
+    CHECK(said.effects[0].name == "pin_ripple");
+    const analysis::Estimate& size = said.effects[0].parameters[0];
+    CHECK(size.name == "pin_error");
+    CHECK(size.value == Approx(0.3e-6).epsilon(0.1));
+    CHECK(size.low < 0.3e-6);
+    CHECK(size.high > 0.3e-6);
+    AND_THEN("how far the pins stand from the first record's zero is not told by amplitudes") {
+      const analysis::Estimate& phase = said.effects[0].parameters[1];
+      CHECK(phase.name == "pin_phase");
+      CHECK(phase.high - phase.low > 1);
+    }
+  }
 }

@@ -1,0 +1,131 @@
+#include "bench/order_choice.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "bench/order_errors.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+using Kind = OrderFeature::Kind;
+
+constexpr double worth_comparing = 0.1;  // of an effect's largest line
+constexpr std::array<int, 4> supply_harmonics{1, 2, 6, 12};
+constexpr std::array<double, 4> mains_Hz{50, 60, 100, 120};
+
+// Which orders of each output to compare: those that a recording shows, and those that the plant or
+// some effect would bring.
+std::vector<std::vector<bool>> shown_orders(const sim::PlantSpec& plant,
+                                            const std::vector<OrderRecord>& records,
+                                            const std::vector<OrderCondition>& conditions) {
+  const auto size = static_cast<std::size_t>(highest_order(conditions)) + 1;
+  std::vector<std::vector<bool>> shown(plant.outputs.size(), std::vector<bool>(size));
+  for (const OrderRecord& record : records) {
+    if (!record.about.learned_from) continue;
+    const sim::SteadyState& nominal = conditions[record.condition].nominal;
+    for (std::size_t o = 0; o < plant.outputs.size(); ++o) {
+      const analysis::PeriodLines& lines = record.measured.outputs[o];
+      for (Eigen::Index k = 1; k <= conditions[record.condition].orders[o]; ++k) {
+        const double expected = std::abs(nominal.outputs[o].shaft_lines[k]);
+        if (lines.amplitude[k] > clearly_above_noise * lines.noise[k] ||
+            expected > lines.noise[k]) {
+          shown[o][std::size_t(k)] = true;
+        }
+      }
+    }
+  }
+  return shown;
+}
+
+// Those that a candidate of usual size would bring.
+void add_orders_of(const std::vector<CandidateProbe>& probes,
+                   const std::vector<OrderCondition>& conditions,
+                   std::vector<std::vector<bool>>& shown) {
+  const std::vector<std::size_t> probed = probed_conditions(conditions);
+  for (const CandidateProbe& probe : probes) {
+    for (std::size_t i = 0; i < probe.states.size(); ++i) {
+      const sim::SteadyState& nominal = conditions[probed[i]].nominal;
+      for (std::size_t o = 0; o < shown.size(); ++o) {
+        const Eigen::VectorXd change =
+            (probe.states[i].outputs[o].shaft_lines - nominal.outputs[o].shaft_lines).cwiseAbs();
+        const double least = worth_comparing * change.tail(change.size() - 1).maxCoeff();
+        for (Eigen::Index k = 1; k < change.size(); ++k) {
+          if (least > 0 && change[k] >= least) shown[o][std::size_t(k)] = true;
+        }
+      }
+    }
+  }
+}
+
+// Whether an order lies within one of a line that follows time, at the speed of any record.
+bool is_beside_timed(const std::vector<OrderRecord>& records, std::size_t condition, int order,
+                     double period_turns, const std::vector<OrderFeature>& timed) {
+  return std::ranges::any_of(records, [&](const OrderRecord& record) {
+    if (record.condition != condition) return false;
+    const double period_Hz = record.measured.speed_Hz / period_turns;
+    return std::ranges::any_of(timed, [&](const OrderFeature& line) {
+      return std::abs(line.frequency_Hz - order * period_Hz) < period_Hz;
+    });
+  });
+}
+
+}  // namespace
+
+std::vector<OrderFeature> timed_lines(const sim::PlantSpec& plant,
+                                      const OrderCondition& condition) {
+  std::vector<double> rhythms_Hz(mains_Hz.begin(), mains_Hz.end());
+  for (std::size_t i = 0; i < plant.inputs.size(); ++i) {
+    const sim::InputSpec& input = plant.inputs[i];
+    if (input.kind != sim::InputKind::signal) continue;
+    const double supply_Hz =
+        input.gain.value * condition.inputs[Eigen::Index(i)] + input.offset.value;
+    for (const int harmonic : supply_harmonics) rhythms_Hz.push_back(harmonic * supply_Hz);
+  }
+  std::vector<OrderFeature> lines;
+  for (std::size_t o = 0; o < plant.outputs.size(); ++o) {
+    const double highest_Hz = double(condition.orders[o]) * condition.nominal.period_Hz;
+    for (const double rhythm_Hz : rhythms_Hz) {
+      if (rhythm_Hz < highest_Hz) lines.push_back({Kind::timed_line, o, 0, rhythm_Hz});
+    }
+  }
+  return lines;
+}
+
+int highest_order(const std::vector<OrderCondition>& conditions) {
+  int highest = 0;
+  for (const OrderCondition& condition : conditions) {
+    highest = std::max(highest, std::ranges::max(condition.orders));
+  }
+  return highest;
+}
+
+std::vector<std::size_t> probed_conditions(const std::vector<OrderCondition>& conditions) {
+  std::vector<std::size_t> some{0, conditions.size() / 2, conditions.size() - 1};
+  some.erase(std::unique(some.begin(), some.end()), some.end());
+  return some;
+}
+
+void choose_features(const sim::PlantSpec& plant, const std::vector<OrderRecord>& records,
+                     const std::vector<CandidateProbe>& probes, double period_turns,
+                     std::vector<OrderCondition>& conditions) {
+  std::vector<std::vector<bool>> shown = shown_orders(plant, records, conditions);
+  add_orders_of(probes, conditions, shown);
+  for (std::size_t c = 0; c < conditions.size(); ++c) {
+    OrderCondition& condition = conditions[c];
+    const std::vector<OrderFeature> timed = timed_lines(plant, condition);
+    for (std::size_t o = 0; o < plant.outputs.size(); ++o) {
+      condition.features.push_back({Kind::mean, o, 0, 0});
+      for (int k = 1; k <= condition.orders[o]; ++k) {
+        if (!shown[o][std::size_t(k)]) continue;
+        if (!is_beside_timed(records, c, k, period_turns, timed)) {
+          condition.features.push_back({Kind::shaft_line, o, k, 0});
+        }
+      }
+    }
+    condition.features.insert(condition.features.end(), timed.begin(), timed.end());
+  }
+}
+
+}  // namespace rvbench::bench

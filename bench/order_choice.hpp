@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "bench/candidate_probes.hpp"
+#include "bench/order_records.hpp"
+#include "sim/plant_spec.hpp"
+
+namespace rvbench::bench {
+
+/// Lines at multiples of the supply's frequency, and of the mains', that a condition's records can
+/// show.
+std::vector<OrderFeature> timed_lines(const sim::PlantSpec& plant, const OrderCondition& condition);
+
+/// Of any record: the forces of all conditions bend alike, and are sampled alike.
+int highest_order(const std::vector<OrderCondition>& conditions);
+
+/// First, middle and last condition: what no load or no speed shows, another may.
+std::vector<std::size_t> probed_conditions(const std::vector<OrderCondition>& conditions);
+
+/// Gives each condition its features: the outputs' means, lines of the orders that a recording
+/// shows or that the plant or a candidate would bring, but for those beside a line that follows
+/// time, and these.
+/// @param probes        of the probed conditions
+/// @param period_turns  turns of the reference shaft per period
+void choose_features(const sim::PlantSpec& plant, const std::vector<OrderRecord>& records,
+                     const std::vector<CandidateProbe>& probes, double period_turns,
+                     std::vector<OrderCondition>& conditions);
+
+}  // namespace rvbench::bench
