@@ -1,6 +1,7 @@
 #include "sim/four_stage.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "sim/linear_flow.hpp"
@@ -30,8 +31,26 @@ std::vector<int> free_bodies(const PlantModel& model) {
   return free;
 }
 
-// y += m·x. Plants are small: a plain loop beats what a library must find out first.
+template <int rows>
+void add_columns(const double* column, Eigen::Index columns, const double* x, double* y) {
+  std::array<double, rows> sum;
+  std::copy_n(y, rows, sum.begin());
+  for (Eigen::Index j = 0; j < columns; ++j, column += rows) {
+    for (std::size_t i = 0; i < rows; ++i) sum[i] += column[i] * x[j];
+  }
+  std::copy_n(sum.begin(), rows, y);
+}
+
+// y += m·x. Plants are small: a plain loop beats what a library must find out first, and one whose
+// length is known the loop that must count.
 void add_product(const Eigen::MatrixXd& m, const Eigen::VectorXd& x, Eigen::VectorXd& y) {
+  switch (m.rows()) {
+    case 1: return add_columns<1>(m.data(), m.cols(), x.data(), y.data());
+    case 2: return add_columns<2>(m.data(), m.cols(), x.data(), y.data());
+    case 3: return add_columns<3>(m.data(), m.cols(), x.data(), y.data());
+    case 4: return add_columns<4>(m.data(), m.cols(), x.data(), y.data());
+    default: break;
+  }
   const double* column = m.data();
   double* const out = y.data();
   const Eigen::Index rows = m.rows();

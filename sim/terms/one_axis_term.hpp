@@ -29,6 +29,11 @@ class OneAxisTerm : public PhysicsTerm {
   void add_force(const PlantState& s, Eigen::Ref<Eigen::VectorXd> f) const final {
     give(effort(s), f);
   }
+  /// The same; said once more because a step asks for it four times, and each call that hands a
+  /// reference on costs as much as the law itself.
+  void add_remainder(const PlantState& s, Eigen::Ref<Eigen::VectorXd> f) const override {
+    give(effort(s), f);
+  }
   double stored_energy_J(const PlantState&) const override { return 0; }
   double dissipated_power_W(const PlantState&) const override { return 0; }
   /// Of a term that knows way and speed alone; one that knows an angle overrides it.
