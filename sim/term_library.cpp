@@ -12,6 +12,7 @@
 #include "sim/terms/cubic_stiffness.hpp"
 #include "sim/terms/cycloid_stage.hpp"
 #include "sim/terms/damper.hpp"
+#include "sim/terms/displacement_damping.hpp"
 #include "sim/terms/external_force.hpp"
 #include "sim/terms/gear_eccentricity.hpp"
 #include "sim/terms/gravity.hpp"
@@ -66,6 +67,7 @@ TermLibrary make_standard_terms() {
                            cubic_stiffness,
                            quadratic_stiffness,
                            nonlinear_damping,
+                           displacement_damping,
                            stiffness_hysteresis,
                            torque_offset,
                            external_force,

@@ -31,7 +31,7 @@ TermType nonlinear_damping() {
                                {Ledger::quasi_static, "torque mean, convex in speed"}},
                    .must_not_touch = {{Ledger::fixed_frequency, "place of the resonance"},
                                       {Ledger::quasi_static, "growth with load"}},
-                   .mimics = {"coulomb_friction", "viscous_friction", "cubic_stiffness"},
+                   .mimics = {"displacement_damping", "coulomb_friction", "viscous_friction"},
                    .experiment = "free decay from two amplitudes"},
           .parameters = {{.name = "damping",
                           .unit = UnitKind::quadratic_damping,

@@ -8,7 +8,7 @@ namespace rvbench::sim {
 ///
 ///     F = c_2·|v|·v
 ///
-/// Leaves out: damping that grows with the way (x²·v).
+/// Leaves out: damping that grows with the way (displacement_damping).
 /// Source: Nayfeh & Mook, Nonlinear Oscillations, ch. 3.3
 TermType nonlinear_damping();
 

@@ -224,6 +224,9 @@ TEST_CASE("the laws of friction", "[sim][library][literature]") {
   CHECK(effort_of("thermal_viscosity", thermal, 0, 2, 0, 10) == Approx(10 * std::exp(-0.3)));
 
   CHECK(effort_of("nonlinear_damping", {{"damping", 2}}, 0, -3) == Approx(-18));
+  const std::map<std::string, double> by_way{{"damping", 5}, {"at_way", 0.1}};
+  CHECK(effort_of("displacement_damping", by_way, 0.1, -3) == Approx(-15));
+  CHECK(effort_of("displacement_damping", by_way, -0.2, 1) == Approx(20));
 }
 
 TEST_CASE("the laws of stiffness", "[sim][library][literature]") {
@@ -275,6 +278,7 @@ SCENARIO("every card says what explain needs", "[sim][library]") {
                                     "cubic_stiffness",
                                     "quadratic_stiffness",
                                     "nonlinear_damping",
+                                    "displacement_damping",
                                     "stiffness_hysteresis",
                                     "torsional_mode",
                                     "mesh_stiffness_variation",
