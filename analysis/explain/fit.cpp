@@ -238,11 +238,14 @@ Fit fit_from(const ForwardModel& model, const std::vector<std::size_t>& effects,
 }
 
 Fit fit_with(const ForwardModel& model, const Fit& before, std::size_t added,
-             const std::vector<bool>& trained, const MustBeat& must_beat) {
+             const std::vector<bool>& trained, const MustBeat& must_beat,
+             const std::vector<double>& screened) {
   std::vector<std::size_t> effects = before.effects;
   effects.push_back(added);
+  std::vector<std::vector<double>> all_own = model.library().at(added).starts;
+  if (!screened.empty()) all_own.push_back(screened);
   std::vector<std::vector<double>> starts;
-  for (const std::vector<double>& own : model.library().at(added).starts) {
+  for (const std::vector<double>& own : all_own) {
     starts.push_back(before.values);
     starts.back().insert(starts.back().end(), own.begin(), own.end());
   }

@@ -56,8 +56,10 @@ Fit fit_from(const ForwardModel& model, const std::vector<std::size_t>& effects,
              double scatter = 1, const KnownSlopes& known = {}, const MustBeat& must_beat = {});
 
 /// The fit of `before` with `added` as one more effect, from that effect's own starts.
+/// @param screened  one more start: see Screened; may be empty
 Fit fit_with(const ForwardModel& model, const Fit& before, std::size_t added,
-             const std::vector<bool>& trained, const MustBeat& must_beat = {});
+             const std::vector<bool>& trained, const MustBeat& must_beat = {},
+             const std::vector<double>& screened = {});
 
 /// Goes to rest with all slopes looked for anew, and with the scatter that the residuals have
 /// there: a fit that was ranked with slopes held, and with the scatter of a poorer model.

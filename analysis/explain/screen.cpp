@@ -96,10 +96,24 @@ bool leave_one_mark(const Candidate& candidate, const std::vector<double>& a,
   return true;
 }
 
+// @param by  times the sizes of a start
+std::vector<double> with_sizes(const Candidate& candidate, std::vector<double> start, double by) {
+  for (std::size_t i = 0; i < candidate.sizes; ++i) start[i] *= by;
+  return start;
+}
+
+// Of several sizes one may be out of bounds, and the others still explain something.
+bool may_be(const Candidate& candidate, const std::vector<double>& values) {
+  if (values.empty() || candidate.sizes > 1) return true;
+  const ModelParameter& size = candidate.parameters.front();
+  return values.front() > size.low && values.front() < size.high;
+}
+
 Screened screened(const ForwardModel& model, const Fit& fit, std::size_t effect,
                   const Projector& known, const Eigen::VectorXd& left_over,
                   const std::vector<bool>& trained) {
-  Screened best{effect, 0, 1, {}, {}};
+  Screened best;
+  best.effect = effect;
   const Candidate& candidate = model.library()[effect];
   for (auto start = candidate.starts.begin(); start != candidate.starts.end(); ++start) {
     const bool is_seen = std::any_of(candidate.starts.begin(), start, [&](const auto& earlier) {
@@ -118,7 +132,10 @@ Screened screened(const ForwardModel& model, const Fit& fit, std::size_t effect,
     const double explains = along * along / left_over.squaredNorm();
     if (explains <= best.explains) continue;
     Eigen::VectorXd scores = scores_of(model, mark, left_over, trained);
-    best = {effect, explains, p_value_of(scores), std::move(scores), std::move(mark)};
+    best = {effect, explains, p_value_of(scores), std::move(scores), std::move(mark), {}, true};
+    if (!is_small_when_screened(candidate)) continue;
+    best.start = with_sizes(candidate, *start, -along / norm);
+    best.is_admissible = may_be(candidate, best.start);
   }
   return best;
 }
@@ -155,6 +172,19 @@ double pair_explains(const Screened& a, const Screened& b) {
   const double first = std::copysign(std::sqrt(a.explains), a.scores.sum());
   const double second = std::copysign(std::sqrt(b.explains), b.scores.sum());
   return (a.explains + b.explains - 2 * alike * first * second) / apart;
+}
+
+bool pair_is_admissible(const ForwardModel& model, const Screened& a, const Screened& b) {
+  const double alike = a.direction.dot(b.direction);
+  const double apart = 1 - alike * alike;
+  if (apart < 1e-9) return a.is_admissible && b.is_admissible;
+  const double first = a.scores.sum(), second = b.scores.sum();
+  const auto is_admissible = [&](const Screened& s, double own, double other) {
+    const Candidate& candidate = model.library()[s.effect];
+    const double by = (own - alike * other) / apart / own;
+    return s.start.empty() || may_be(candidate, with_sizes(candidate, s.start, by));
+  };
+  return is_admissible(a, first, second) && is_admissible(b, second, first);
 }
 
 double pair_p_value(const Screened& a, const Screened& b) {

@@ -14,6 +14,9 @@ struct Screened {
   double p_value = 1;         ///< of that being chance, by the scatter from unit to unit
   Eigen::VectorXd scores;     ///< of each unit: its part in it
   Eigen::VectorXd direction;  ///< unit length: the candidate's own mark on the residuals
+  /// Its values where it explains that; empty if it leaves no small mark.
+  std::vector<double> start;
+  bool is_admissible = true;  ///< false: its one size would have to be out of bounds for it
 };
 
 /// Score test of every candidate that the data can show and the fit does not hold yet, strongest
@@ -27,6 +30,9 @@ std::vector<Screened> screen(const ForwardModel& model, const Fit& fit,
 
 /// Share of what the fit leaves over that two candidates explain together, 0 to 1.
 double pair_explains(const Screened& a, const Screened& b);
+
+/// Whether neither would have to be out of its bounds for that.
+bool pair_is_admissible(const ForwardModel& model, const Screened& a, const Screened& b);
 
 /// Probability that two candidates together explain this much by chance, by the scatter of their
 /// scores from unit to unit.

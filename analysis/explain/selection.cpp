@@ -18,7 +18,8 @@ constexpr double worth_trying = 0.1;    // of the gain wanted, as a small effect
 constexpr std::size_t most_pairs = 4;   // tried after a screening
 constexpr double worth_a_pair = 0.01;   // the same, of all pairs together
 constexpr std::size_t most_rivals = 4;  // of an effect: with itself
-constexpr double beyond_known = 3;      // spreads: so far off nothing is known of it after all
+constexpr double most_of_the_way = 0.75;  // of a gain, in log cost, that first moves must make
+constexpr double beyond_known = 3;        // spreads: so far off nothing is known of it after all
 
 // Why the base cannot be trusted: a parameter that had to leave what is known of it. One that is
 // bounded to one side only is bounded by physics, not by knowledge: zero says nothing against it.
@@ -135,19 +136,21 @@ class Selector {
   }
 
   std::vector<Trial> try_all() const {
-    std::vector<std::size_t> effects;
-    for (const Screened& s : screened_) {
+    std::vector<Screened> worthy = screened_;
+    std::erase_if(worthy, [&](const Screened& s) {
       const bool may_gain = on_.gain_of(s.explains) > worth_trying * on_.least_gain();
-      if (s.p_value < worth_a_fit && may_gain) effects.push_back(s.effect);
-    }
-    std::vector<Trial> trials(effects.size());
+      return !s.is_admissible || s.p_value >= worth_a_fit || !may_gain;
+    });
+    const MustBeat least = least_of(on_, foreseen_.fit);
+    std::vector<Trial> trials(worthy.size());
     std::atomic<std::size_t> done = 0;
     const std::string stage = fmt::format("effect {}", steps_.size() + 1);
     tell(stage, 0, "fitting candidates");
-    parallel_for(effects.size(), [&](std::size_t i) {
-      trials[i] = try_effect(on_, foreseen_, effects[i]);
-      tell(stage, double(++done) / double(effects.size()),
-           on_.model.library()[effects[i]].name + " fitted");
+    parallel_for(worthy.size(), [&](std::size_t i) {
+      const Screened& s = worthy[i];
+      trials[i] = try_effect(on_, foreseen_, s.effect, least, s.start);
+      tell(stage, double(++done) / double(worthy.size()),
+           on_.model.library()[s.effect].name + " fitted");
     });
     return trials;
   }
@@ -232,6 +235,7 @@ class Selector {
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t k = i + 1; k < n; ++k) {
         const Screened &a = screened_[i], &b = screened_[k];
+        if (!pair_is_admissible(on_.model, a, b)) continue;
         const double p = pair_p_value(a, b) * double(n * (n - 1)) / 2;
         const double gain = on_.gain_of(pair_explains(a, b));
         if (p < worth_a_pair && gain > on_.least_gain()) {
@@ -275,7 +279,7 @@ class Selector {
     pair.first.held_out = first->held_out;
     pair.first.extrapolated = first->extrapolated;
     pair.first.over_before = margin(first->held_out, foreseen_.held_out);
-    pair.second = try_effect(on_, *first, b);
+    pair.second = try_effect(on_, *first, b, least_of(on_, first->fit));
     if (!pair.second.refused.empty()) return pair;
     const Standalone partner = stands_alone(on_, pair.second.fit, now_.fit.effects.size());
     pair.first.p_value = partner.p_value;
@@ -304,7 +308,9 @@ class Selector {
 
   // @param rest  the present model without the effect of step s
   void try_exchange(std::size_t s, const Standing& rest, std::size_t effect) {
-    Trial trial = try_effect(on_, *stand(on_, rest.fit, LeftOut::forecast), effect);
+    const double now = now_.fit.cost, without = rest.fit.cost;
+    const MustBeat now_stands{without * std::pow(now / without, most_of_the_way), now};
+    Trial trial = try_effect(on_, *stand(on_, rest.fit, LeftOut::forecast), effect, now_stands);
     if (!trial.refused.empty() || !margin(trial.held_out, foreseen_.held_out).is_clear()) return;
     const Trial tried = trial;
     auto standing = confirm(on_, rest, trial);

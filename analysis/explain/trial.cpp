@@ -136,15 +136,15 @@ MustBeat least_of(const Tryout& on, const Fit& before) {
           before.cost};
 }
 
-Trial try_effect(const Tryout& on, const Standing& before, std::size_t effect) {
+Trial try_effect(const Tryout& on, const Standing& before, std::size_t effect,
+                 const MustBeat& must_beat, const std::vector<double>& screened) {
   Trial trial;
-  const MustBeat least = least_of(on, before.fit);
-  trial.fit = fit_with(on.model, before.fit, effect, on.everything, least);
+  trial.fit = fit_with(on.model, before.fit, effect, on.everything, must_beat, screened);
   if (trial.fit.residuals.size() == 0) {
     trial.refused = trial.fit.not_certified;
     return trial;
   }
-  if (trial.fit.cost > least.at_rest) {
+  if (trial.fit.cost > must_beat.at_rest) {
     trial.refused = trial.fit.not_certified = "explains too little";
     return trial;
   }

@@ -45,12 +45,14 @@ struct Standalone {
 /// @param place  of the effect in fit.effects
 Standalone stands_alone(const Tryout& on, const Fit& fit, std::size_t place);
 
-/// What a fit must come below to be worth going on with.
+/// What a fit must come below to win what an effect must, and half of it after its first moves.
 MustBeat least_of(const Tryout& on, const Fit& before);
 
 /// Tries `effect` on top of what stands. Left-out conditions are forecast.
-/// @param before  with forecasts, likewise
-Trial try_effect(const Tryout& on, const Standing& before, std::size_t effect);
+/// @param before    with forecasts, likewise
+/// @param screened  one more start: see Screened; may be empty
+Trial try_effect(const Tryout& on, const Standing& before, std::size_t effect,
+                 const MustBeat& must_beat, const std::vector<double>& screened = {});
 
 /// Fits what was tried with all of its slopes, predicts left-out conditions by refits, and judges
 /// it by them: trial.refused says why it cannot be accepted after all.

@@ -81,6 +81,33 @@ TEST_CASE("screening puts the effect that was left out first", "[explain]") {
   }
 }
 
+TEST_CASE("screening says how large an effect would be, and whether it may be that", "[explain]") {
+  ToyModel model({{{"coulomb_friction", {-0.3}}}, 0.01, 0.5});
+  const std::size_t coulomb = model.index_of("coulomb_friction");
+  const auto of_coulomb = [&] {
+    const auto all_screened = screen(model, base_fit(model), all(model));
+    return *std::ranges::find(all_screened, coulomb, &Screened::effect);
+  };
+  CHECK(of_coulomb().is_admissible);
+  REQUIRE(of_coulomb().start.size() == 1);
+  CHECK(of_coulomb().start[0] == Approx(-0.3).epsilon(0.02));
+  model.bound("coulomb_friction", 0, 10);
+  CHECK_FALSE(of_coulomb().is_admissible);
+}
+
+TEST_CASE("a pair may be what neither of the two may be alone", "[explain]") {
+  // Drag makes up for friction: alone, what is missing looks like friction that pushes.
+  ToyModel model({{{"coulomb_friction", {0.1}}, {"cubic_drag", {-0.2}}}, 0.01, 0.5});
+  model.bound("coulomb_friction", 0, 10);
+  const auto screened = screen(model, base_fit(model), all(model));
+  const auto of = [&](const std::string& name) {
+    return *std::ranges::find(screened, model.index_of(name), &Screened::effect);
+  };
+  CHECK(pair_is_admissible(model, of("coulomb_friction"), of("cubic_drag")));
+  model.bound("coulomb_friction", -10, 0);
+  CHECK_FALSE(pair_is_admissible(model, of("coulomb_friction"), of("cubic_drag")));
+}
+
 TEST_CASE("screening leaves out what the data cannot show", "[explain]") {
   ToyModel model({{{"load_friction", {0.3}}}});
   model.hide("load_friction", "the load never changes");

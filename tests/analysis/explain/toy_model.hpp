@@ -42,6 +42,9 @@ class ToyModel final : public analysis::ForwardModel {
         {{0.5, 0.2}, {-0.5, 0.2}, {0.5, 1.0}}, [](double v, double, const double* p) {
           return p[0] * std::exp(-v * v / p[1] / p[1]) * (v > 0 ? 1.0 : -1.0);
         });
+    conceal("power_drag", [](double v, double, const double* p) {
+      return p[0] * std::copysign(std::pow(std::abs(v), 2.5), v);
+    });
     measure(truth);
   }
 
@@ -69,6 +72,10 @@ class ToyModel final : public analysis::ForwardModel {
   void hide(const std::string& name, const std::string& why) {
     library_[by_name_.at(name)].not_exercised = why;
   }
+  void bound(const std::string& name, double low, double high) {
+    library_[by_name_.at(name)].parameters.front().low = low;
+    library_[by_name_.at(name)].parameters.front().high = high;
+  }
 
  private:
   void add(const std::string& name, std::vector<analysis::ModelParameter> parameters,
@@ -80,6 +87,12 @@ class ToyModel final : public analysis::ForwardModel {
     candidate.parameters = std::move(parameters);
     candidate.starts = std::move(starts);
     library_.push_back(std::move(candidate));
+    laws_.push_back(law);
+  }
+
+  // A law that the truth may hold and the library does not.
+  void conceal(const std::string& name, Law law) {
+    by_name_[name] = laws_.size();
     laws_.push_back(law);
   }
 
