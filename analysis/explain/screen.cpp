@@ -165,6 +165,30 @@ std::vector<Screened> screen(const ForwardModel& model, const Fit& fit,
   return all;
 }
 
+std::vector<double> done_by_others(const ForwardModel& model, const Fit& fit) {
+  const auto slopes_of = [&](std::size_t place) {
+    const std::size_t count = model.library()[fit.effects[place]].parameters.size();
+    return fit.slopes.middleCols(Eigen::Index(first_value_of(model, fit.effects, place)),
+                                 Eigen::Index(count));
+  };
+  const std::size_t last = fit.effects.size() - 1;
+  if (!model.library()[fit.effects[last]].vanishes_at_zero) return std::vector<double>(last, 0.0);
+  const auto sizes = Eigen::Index(model.library()[fit.effects[last]].sizes);
+  const Eigen::Map<const Eigen::VectorXd> values(
+      fit.values.data() + first_value_of(model, fit.effects, last), sizes);
+  const Eigen::VectorXd does = slopes_of(last).leftCols(sizes) * values;
+  const Eigen::MatrixXd base = fit.slopes.leftCols(Eigen::Index(model.base().size()));
+  const double beyond_base = Projector(base).remainder(does).squaredNorm();
+  std::vector<double> shares;
+  for (std::size_t e = 0; e < last; ++e) {
+    Eigen::MatrixXd both(base.rows(), base.cols() + slopes_of(e).cols());
+    both << base, slopes_of(e);
+    const double beyond_both = Projector(both).remainder(does).squaredNorm();
+    shares.push_back(beyond_base > 0 ? 1 - beyond_both / beyond_base : 0);
+  }
+  return shares;
+}
+
 double pair_explains(const Screened& a, const Screened& b) {
   const double alike = a.direction.dot(b.direction);
   const double apart = 1 - alike * alike;

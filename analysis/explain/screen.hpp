@@ -28,6 +28,10 @@ struct Screened {
 std::vector<Screened> screen(const ForwardModel& model, const Fit& fit,
                              const std::vector<bool>& trained);
 
+/// How much of what the last effect of a fit does, beyond what the base can do, each of the others
+/// could do as well: 0 to 1, as the slopes have it; 0 of one that changes the structure.
+std::vector<double> done_by_others(const ForwardModel& model, const Fit& fit);
+
 /// Share of what the fit leaves over that two candidates explain together, 0 to 1.
 double pair_explains(const Screened& a, const Screened& b);
 

@@ -19,6 +19,8 @@ constexpr std::size_t most_pairs = 4;   // tried after a screening
 constexpr double worth_a_pair = 0.01;   // the same, of all pairs together
 constexpr std::size_t most_rivals = 4;  // of an effect: with itself
 constexpr double most_of_the_way = 0.75;  // of a gain, in log cost, that first moves must make
+constexpr double mostly = 0.5;            // of what a candidate does, done by an accepted effect
+constexpr double little = 0.25;           // of what the accepted effect gained, in log cost
 constexpr double beyond_known = 3;        // spreads: so far off nothing is known of it after all
 
 // Why the base cannot be trusted: a parameter that had to leave what is known of it. One that is
@@ -109,11 +111,12 @@ class Selector {
     if (screened_.size() > options_.tries) screened_.resize(options_.tries);
     std::vector<Trial> trials = try_all();
     std::ranges::sort(trials, predicts_better);
+    refuse_refinements(trials);
     for (auto best = simplest_of_the_best(trials); best != trials.end();
          best = simplest_of_the_best(trials)) {
       Trial confirmed = *best;
       if (auto standing = confirm(on_, now_, confirmed); confirmed.refused.empty()) {
-        accept(confirmed, *best, trials);
+        accept(confirmed, *best, trials, now_.fit.cost);
         go_on_from(std::move(*standing));
         return true;
       }
@@ -121,6 +124,22 @@ class Selector {
     }
     last_tried_ = std::move(trials);
     return accept_pair();
+  }
+
+  // What does mostly what an accepted effect does already, and adds little to it, says that the
+  // form of that one is not quite right. It stands alone now, but as no partner of another.
+  void refuse_refinements(std::vector<Trial>& trials) {
+    for (Trial& trial : trials) {
+      if (!trial.refused.empty()) continue;
+      const double gain = std::log(foreseen_.fit.cost / trial.fit.cost);
+      const std::vector<double> done_by = done_by_others(on_.model, trial.fit);
+      for (std::size_t e = 0; e < done_by.size() && trial.refused.empty(); ++e) {
+        const auto step = std::ranges::find(steps_, trial.fit.effects[e], &Step::effect);
+        if (done_by[e] < mostly || gain > little * step->gain) continue;
+        trial.refused = "does little but refine " + on_.model.library()[step->effect].name;
+        std::erase_if(screened_, [&](const Screened& s) { return s.effect == trial.effect(); });
+      }
+    }
   }
 
   // Of those that none beats clearly, the one with the fewest parameters.
@@ -156,8 +175,10 @@ class Selector {
   }
 
   // @param best  as it was tried, among the others
-  void accept(const Trial& confirmed, const Trial& best, const std::vector<Trial>& trials) {
+  void accept(const Trial& confirmed, const Trial& best, const std::vector<Trial>& trials,
+              double cost_before) {
     Step step;
+    step.gain = std::log(cost_before / confirmed.fit.cost);
     step.effect = confirmed.effect();
     step.over_before = confirmed.over_before;
     step.error_after = confirmed.held_out.rms;
@@ -218,8 +239,8 @@ class Selector {
     pair.second.over_before = margin(pair.second.held_out, first->held_out);
     std::erase_if(last_tried_, [&](const Trial& t) { return t.effect() == pair.first.effect(); });
     last_tried_.insert(last_tried_.begin(), first_tried);
-    accept(pair.first, first_tried, std::exchange(last_tried_, {}));
-    accept(pair.second, second_tried, {second_tried});
+    accept(pair.first, first_tried, std::exchange(last_tried_, {}), now_.fit.cost);
+    accept(pair.second, second_tried, {second_tried}, first->fit.cost);
     go_on_from(std::move(*standing));
     return true;
   }
@@ -315,7 +336,9 @@ class Selector {
     const Trial tried = trial;
     auto standing = confirm(on_, rest, trial);
     if (!trial.refused.empty() || !margin(trial.held_out, now_.held_out).is_clear()) return;
-    steps_[s] = {effect, trial.over_before, trial.held_out.rms, trial.p_value, 0, {}, {tried}};
+    accept(trial, tried, {tried}, rest.fit.cost);
+    steps_[s] = std::move(steps_.back());
+    steps_.pop_back();
     go_on_from(std::move(*standing));
   }
 

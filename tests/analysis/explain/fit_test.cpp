@@ -108,6 +108,18 @@ TEST_CASE("a pair may be what neither of the two may be alone", "[explain]") {
   CHECK_FALSE(pair_is_admissible(model, of("coulomb_friction"), of("cubic_drag")));
 }
 
+TEST_CASE("what an effect does is told from what others could do as well", "[explain]") {
+  const ToyModel model({{{"drag", {0.3}}, {"load_friction", {0.1}}}, 0.01, 0.5});
+  const std::size_t drag = model.index_of("drag");
+  const auto beside_drag = [&](const std::string& other) {
+    const std::size_t effect = model.index_of(other);
+    return done_by_others(
+        model, fit_from(model, {drag, effect}, {{1, 0, 0.3, 0.1}, {1, 0, 0.2, 0.2}}, all(model)));
+  };
+  CHECK(beside_drag("cubic_drag")[0] > 0.8);
+  CHECK(beside_drag("load_friction")[0] < 0.3);
+}
+
 TEST_CASE("screening leaves out what the data cannot show", "[explain]") {
   ToyModel model({{{"load_friction", {0.3}}}});
   model.hide("load_friction", "the load never changes");

@@ -56,6 +56,29 @@ TEST_CASE("effects that the data cannot part are named as equals", "[explain]") 
   CHECK(set.contains("drag"));
 }
 
+TEST_CASE("what does little but refine an effect is none of its own", "[explain]") {
+  // Between a square and a cube: neither library law is it, and beside the better one the other
+  // would predict more clearly than chance.
+  const ToyModel model({{{"power_drag", {0.2}}}, 0.1, 0.5});
+  const Selection found = select_effects(model);
+  REQUIRE(found.steps.size() == 1);
+  const Step& step = found.steps[0];
+  std::set<std::string> set{model.library()[step.effect].name};
+  for (const std::size_t e : step.equals) set.insert(model.library()[e].name);
+  CHECK(set == std::set<std::string>{"drag", "cubic_drag"});
+  const auto refined = std::ranges::find_if(found.last_tried, [](const Trial& trial) {
+    return trial.refused.starts_with("does little but refine");
+  });
+  CHECK(refined != found.last_tried.end());
+}
+
+TEST_CASE("a small effect that no accepted one can do is not taken for a refinement", "[explain]") {
+  const ToyModel model({{{"drag", {2}}, {"load_friction", {0.02}}}, 0.02, 0.5});
+  const auto found = names(model, select_effects(model));
+  CHECK(std::set<std::string>(found.begin(), found.end()) ==
+        std::set<std::string>{"drag", "load_friction"});
+}
+
 TEST_CASE("a base that must leave what is known of it is called miscalibrated", "[explain]") {
   class Misjudged final : public ForwardModel {
    public:
