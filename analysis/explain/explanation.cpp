@@ -52,6 +52,24 @@ void name_and_place(const ForwardModel& model, const Step& step, ExplainedEffect
   effect.one_of = names;
 }
 
+// Where a law of any shape would still predict clearly better, no form is quite right. What falls
+// behind the effect of a step by less than this may then be it as well.
+std::vector<std::size_t> as_good_as_any_form(const Step& step, const Ceiling& ceiling,
+                                             double error) {
+  std::vector<std::size_t> equals = step.equals;
+  const auto own = std::ranges::find(step.tried, step.effect, &Trial::effect);
+  if (!ceiling.known || !ceiling.over_model.is_clear() || own == step.tried.end()) return equals;
+  const double not_right = error * error - ceiling.error * ceiling.error;
+  for (const Trial& trial : step.tried) {
+    const double behind = std::pow(trial.held_out.rms, 2) - std::pow(own->held_out.rms, 2);
+    const bool is_held = std::ranges::find(equals, trial.effect()) != equals.end();
+    if (trial.may_be && trial.effect() != step.effect && !is_held && behind < not_right) {
+      equals.push_back(trial.effect());
+    }
+  }
+  return equals;
+}
+
 ExplainedEffect explained(const ForwardModel& model, const Selection& found, const Step& step,
                           const std::vector<Estimate>& values, double error_before) {
   const Candidate& candidate = model.library()[step.effect];
@@ -181,13 +199,14 @@ Explanation explain(const ForwardModel& model, const SelectionOptions& options) 
       (model.base()[i].nuisance ? e.nuisances : e.base).push_back(values[i]);
     }
     double before = e.held_out_before;
-    for (const Step& step : found.steps) {
-      e.effects.push_back(explained(model, found, step, values, before));
-      before = e.effects.back().error_after;
-    }
     on.counts_as = independent_share(model, found.base.residuals);
     e.ceiling_before = flexible_ceiling(on, {found.base, found.base_held_out, {}});
     e.ceiling_after = flexible_ceiling(on, {found.fit, found.held_out, {}});
+    for (Step step : found.steps) {
+      step.equals = as_good_as_any_form(step, e.ceiling_after, found.held_out.rms);
+      e.effects.push_back(explained(model, found, step, values, before));
+      before = e.effects.back().error_after;
+    }
     e.self_null = self_null_of(model, found.fit, options);
   }
   conclude(model, e);
