@@ -68,6 +68,12 @@ class ToyModel final : public analysis::ForwardModel {
     return out;
   }
 
+  Eigen::MatrixXd states() const override {
+    Eigen::MatrixXd both(speed_.size(), 2);
+    both << speed_, load_;
+    return both;
+  }
+
   std::size_t index_of(const std::string& name) const { return by_name_.at(name); }
   void hide(const std::string& name, const std::string& why) {
     library_[by_name_.at(name)].not_exercised = why;
