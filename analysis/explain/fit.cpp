@@ -28,6 +28,7 @@ constexpr std::size_t most_finalists = 3;  // starts that go on after that
 
 // Of a symmetric matrix whose rows are in different units; pseudo where it has none.
 Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& information) {
+  if (information.size() == 0) return information;
   Eigen::VectorXd scale = information.diagonal().cwiseSqrt();
   scale = (scale.array() > 0).select(scale.cwiseInverse(), 1.0);
   const Eigen::MatrixXd even = scale.asDiagonal() * information * scale.asDiagonal();
