@@ -61,11 +61,12 @@ std::vector<std::size_t> as_good_as_any_form(const Step& step, const Ceiling& ce
   if (!ceiling.known || !ceiling.over_model.is_clear() || own == step.tried.end()) return equals;
   const double not_right = error * error - ceiling.error * ceiling.error;
   for (const Trial& trial : step.tried) {
-    const double behind = std::pow(trial.held_out.rms, 2) - std::pow(own->held_out.rms, 2);
     const bool is_held = std::ranges::find(equals, trial.effect()) != equals.end();
-    if (trial.may_be && trial.effect() != step.effect && !is_held && behind < not_right) {
-      equals.push_back(trial.effect());
-    }
+    if (!trial.may_be || is_held || trial.effect() == step.effect) continue;
+    const bool is_richer = trial.fit.values.size() > own->fit.values.size();
+    if (is_richer && margin(trial.held_out, own->held_out).is_clear()) continue;  // is tried beside
+    const double behind = std::pow(trial.held_out.rms, 2) - std::pow(own->held_out.rms, 2);
+    if (behind < not_right) equals.push_back(trial.effect());
   }
   return equals;
 }

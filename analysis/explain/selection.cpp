@@ -20,7 +20,8 @@ constexpr double worth_a_pair = 0.01;   // the same, of all pairs together
 constexpr std::size_t most_rivals = 4;  // of an effect: with itself
 constexpr double most_of_the_way = 0.75;  // of a gain, in log cost, that first moves must make
 constexpr double mostly = 0.5;            // of what a candidate does, done by an accepted effect
-constexpr double little = 0.25;           // of what the accepted effect gained, in log cost
+constexpr double little = 0.1;            // of what the accepted effect gained, in log cost
+constexpr double nearly_as_much = 0.75;   // of the log density that the best candidate wins
 constexpr double beyond_known = 3;        // spreads: so far off nothing is known of it after all
 
 // Why the base cannot be trusted: a parameter that had to leave what is known of it. One that is
@@ -142,14 +143,21 @@ class Selector {
     }
   }
 
-  // Of those that none beats clearly, the one with the fewest parameters.
+  // Of those that none beats clearly, the one with the fewest parameters; or one with fewer that
+  // wins nearly as much: what the best one has beyond it can still be added, and where that is all
+  // of it, the other turns out to be needless.
   std::vector<Trial>::iterator simplest_of_the_best(std::vector<Trial>& trials) const {
     const auto accepted = [](const Trial& t) { return t.refused.empty(); };
     const auto best = std::ranges::find_if(trials, accepted);
     auto simplest = best;
     for (auto t = best; t != trials.end(); ++t) {
-      const bool simpler = t->fit.values.size() < simplest->fit.values.size();
-      if (accepted(*t) && simpler && !margin(best->held_out, t->held_out).is_clear()) simplest = t;
+      if (!accepted(*t) || t->fit.values.size() >= simplest->fit.values.size()) continue;
+      const Margin behind = margin(best->held_out, t->held_out);
+      const bool wins_nearly_as_much =
+          t->over_before.delta > nearly_as_much * best->over_before.delta;
+      if (!behind.is_clear() || (wins_nearly_as_much && behind.delta > on_.least_gain())) {
+        simplest = t;
+      }
     }
     return simplest;
   }
@@ -186,11 +194,13 @@ class Selector {
     step.tried = trials;
     std::vector<HeldOut> ranked;
     for (const Trial& trial : trials) {
-      if (trial.held_out.log_density.size() == 0 || !trial.fit.not_certified.empty()) continue;
+      const bool is_richer = trial.fit.values.size() > best.fit.values.size();
+      if (!trial.may_be || (is_richer && margin(trial.held_out, best.held_out).is_clear()))
+        continue;
       ranked.push_back(trial.held_out);
       const bool itself = trial.effect() == step.effect;
       const Margin apart = margin(best.held_out, trial.held_out);
-      if (!itself && trial.may_be && std::abs(apart.delta) <= 2 * apart.se) {
+      if (!itself && std::abs(apart.delta) <= 2 * apart.se) {
         step.equals.push_back(trial.effect());
       }
     }

@@ -30,7 +30,7 @@ struct Step {
   double error_after = 0;  ///< root mean square of what was left out and predicted
   double p_value = 1;
   double gain = 0;       ///< log of the cost before over the cost after
-  double share_won = 0;  ///< of bootstraps, against all others tried
+  double share_won = 0;  ///< of bootstraps, against all others that may be it
   /// Those that may be it, and predict as well within 2 SE; not itself.
   std::vector<std::size_t> equals;
   std::vector<Trial> tried;  ///< all of them, best first
@@ -63,13 +63,14 @@ struct SelectionOptions {
 /// than two standard errors and at odds of 20 to 1 after the odds against any one of the library,
 /// it does not predict left-out speeds and loads worse, its size is significant (p times the number
 /// of candidates below 0.01) and inside its bounds. One that does mostly what an accepted effect
-/// does, and adds little to what that one gained, is no effect of its own. Of those
-/// that are accepted and that none predicts clearly better, the one with the fewest parameters is
-/// taken; those within two standard errors of it are its equals. Candidates are ranked by what the
-/// slopes of their fits forecast for left-out conditions; what is accepted is fitted anew without
-/// each of them. After each step earlier ones are exchanged for their rivals where that predicts
-/// clearly better; where no single candidate passes, the four most promising pairs are tried; in
-/// the end each effect that the others made needless is dropped.
+/// does, and adds little to what that one gained, is no effect of its own. One that needs more
+/// parameters than another that wins three quarters as much waits until that one is accepted. Of
+/// those that are accepted and that none predicts clearly better, the one with the fewest
+/// parameters is taken; those within two standard errors of it are its equals. Candidates are
+/// ranked by what the slopes of their fits forecast for left-out conditions; what is accepted is
+/// fitted anew without each of them. After each step earlier ones are exchanged for their rivals
+/// where that predicts clearly better; where no single candidate passes, the four most promising
+/// pairs are tried; in the end each effect that the others made needless is dropped.
 Selection select_effects(const ForwardModel& model, const SelectionOptions& options = {});
 
 }  // namespace rvbench::analysis

@@ -72,6 +72,14 @@ TEST_CASE("what does little but refine an effect is none of its own", "[explain]
   CHECK(refined != found.last_tried.end());
 }
 
+TEST_CASE("an effect of more numbers waits for one that does most of it, and may drop it",
+          "[explain]") {
+  // Coulomb friction does most of what Stribeck's curve does; beside the curve it is needless.
+  const ToyModel model({{{"stribeck_friction", {0.5, 1.5}}}, 0.05, 0.5});
+  const Selection found = select_effects(model);
+  CHECK(names(model, found) == std::vector<std::string>{"stribeck_friction"});
+}
+
 TEST_CASE("a small effect that no accepted one can do is not taken for a refinement", "[explain]") {
   const ToyModel model({{{"drag", {2}}, {"load_friction", {0.02}}}, 0.02, 0.5});
   const auto found = names(model, select_effects(model));
