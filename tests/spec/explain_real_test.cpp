@@ -133,7 +133,8 @@ TEST_CASE("a robot's joint leaves out dry friction", "[spec][data][explain]") {
 }
 
 // The joint lifts the arm: its friction may grow with the weight that it carries, or not.
-TEST_CASE("the second joint's friction is a class of two", "[spec][data][explain]") {
+TEST_CASE("the second joint's friction is a class: its load hardly changes",
+          "[spec][data][explain]") {
   const json said = explained("ur10e_joint", "ur10e_joint_2");
   if (said.is_null()) return;
   INFO(said.dump(1));
@@ -141,7 +142,9 @@ TEST_CASE("the second joint's friction is a class of two", "[spec][data][explain
   const json& effect = said.at("effects")[0];
   CHECK(effect.at("verdict") == "CLASS");
   const std::set<std::string> names_of_it = effect.at("class");
-  CHECK(names_of_it == std::set<std::string>{"coulomb_friction", "load_friction"});
+  CHECK(names_of_it.contains("coulomb_friction"));
+  CHECK(names_of_it.contains("load_friction"));
+  for (const std::string& name : names_of_it) CHECK(name.ends_with("_friction"));
 }
 
 // Speed without load, by counting turns of the first mesh line with numpy (phase of the demodulated
