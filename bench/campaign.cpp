@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "bench/campaign_points.hpp"
 #include "bench/campaign_source.hpp"
 #include "bench/sha256.hpp"
 
@@ -90,35 +91,47 @@ std::string free_name(const Campaign& campaign, const std::string& wanted) {
   return name;
 }
 
+// Adds the stretches of one recording. @return why not; "" if it did
+std::string add_stretches(Campaign& campaign, const Recording& recording,
+                          std::vector<Stretch> stretches) {
+  const double whole_s = length_s(recording);
+  for (Stretch& stretch : stretches) {
+    if (std::isnan(stretch.to_s)) stretch.to_s = whole_s;
+  }
+  std::string fault = overlap_fault(stretches);
+  if (!fault.empty()) return fault;
+  for (const Stretch& stretch : stretches) {
+    fault = stretch_fault(stretch, whole_s);
+    if (!fault.empty()) return fault;
+    add_record(campaign, cut(recording, stretch));
+  }
+  return {};
+}
+
 // Adds one file's records. @return why not; "" if it did
-std::string add_file(Campaign& campaign, const CampaignFile& file, int parts) {
+std::string add_file(Campaign& campaign, const CampaignFile& file,
+                     const std::vector<std::string>& wanted, int parts) {
   const auto hash = sha256_of_file(file.path);
   for (const auto& [other, known] : campaign.hashes) {
     if (hash == known) return file.path + ": the same recording as " + other;
   }
   if (hash) campaign.hashes.emplace_back(file.path, *hash);
-  auto read = read_source(file, campaign.notes);
+  auto read = read_source(file, wanted, campaign.notes);
   if (const auto* fault = std::get_if<std::string>(&read)) return *fault;
-  for (const Recording& recording : std::get<0>(read)) {
-    const double whole_s = length_s(recording);
+  const std::size_t before = campaign.records.size();
+  for (Recording& recording : std::get<0>(read)) {
+    if (file.stretches.empty() && is_point(recording)) {
+      add_point(campaign, std::move(recording));
+      continue;
+    }
     const std::string name =
         free_name(campaign, std::filesystem::path(recording.source).filename().string());
-    std::vector<Stretch> stretches =
-        file.stretches.empty() ? equal_parts(name, whole_s, parts) : file.stretches;
-    for (Stretch& stretch : stretches) {
-      if (std::isnan(stretch.to_s)) stretch.to_s = whole_s;
-    }
-    std::string fault = overlap_fault(stretches);
+    const std::string fault = add_stretches(
+        campaign, recording,
+        file.stretches.empty() ? equal_parts(name, length_s(recording), parts) : file.stretches);
     if (!fault.empty()) return file.path + ": " + fault;
-    for (const Stretch& stretch : stretches) {
-      fault = stretch_fault(stretch, whole_s);
-      if (!fault.empty()) return file.path + ": " + fault;
-      CampaignRecord record = cut(recording, stretch);
-      record.name = free_name(campaign, record.name);
-      campaign.records.push_back(std::move(record));
-    }
   }
-  return {};
+  return campaign.records.size() > before ? "" : file.path + ": none of its points can be used";
 }
 
 Stretch parse_stretch(hal::ConfigReader& json, const std::string& file) {
@@ -153,7 +166,12 @@ CampaignOrRefusal whole(Campaign campaign, std::vector<hal::ConfigFault> faults)
 
 }  // namespace
 
-CampaignOrRefusal read_campaign(const std::string& path) {
+void add_record(Campaign& campaign, CampaignRecord record) {
+  record.name = free_name(campaign, record.name);
+  campaign.records.push_back(std::move(record));
+}
+
+CampaignOrRefusal read_campaign(const std::string& path, const std::vector<std::string>& wanted) {
   hal::ConfigReader root = hal::ConfigReader::from_file(path);
   Campaign campaign;
   campaign.name = root.text("campaign");
@@ -167,20 +185,21 @@ CampaignOrRefusal read_campaign(const std::string& path) {
   std::vector<hal::ConfigFault> faults;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string fault =
-        add_file(campaign, files[i], files.size() == 1 ? parts_of_one_file : 1);
+        add_file(campaign, files[i], wanted, files.size() == 1 ? parts_of_one_file : 1);
     if (!fault.empty()) faults.push_back({0, fmt::format("/files/{}", i), fault});
   }
   return whole(std::move(campaign), std::move(faults));
 }
 
-CampaignOrRefusal campaign_of(const std::vector<std::string>& files, double rate_Hz) {
+CampaignOrRefusal campaign_of(const std::vector<std::string>& files, double rate_Hz,
+                              const std::vector<std::string>& wanted) {
   Campaign campaign;
   std::vector<hal::ConfigFault> faults;
   for (const std::string& file : files) {
     campaign.name +=
         (campaign.name.empty() ? "" : ", ") + std::filesystem::path(file).filename().string();
     const std::string fault =
-        add_file(campaign, {{file, rate_Hz}}, files.size() == 1 ? parts_of_one_file : 1);
+        add_file(campaign, {{file, rate_Hz}}, wanted, files.size() == 1 ? parts_of_one_file : 1);
     if (!fault.empty()) faults.push_back({0, "", fault});
   }
   return whole(std::move(campaign), std::move(faults));

@@ -42,6 +42,9 @@ struct Refusal {
 
 using CampaignOrRefusal = std::variant<Campaign, Refusal>;
 
+/// Adds a record; one whose name another has becomes "name (2)".
+void add_record(Campaign& campaign, CampaignRecord record);
+
 /// Reads a campaign file with the recordings it names, relative to itself.
 ///
 ///     {"campaign": "emps", "files": [{"file": "DATA_EMPS.mat", "rate_Hz": 1000,
@@ -52,12 +55,17 @@ using CampaignOrRefusal = std::variant<Campaign, Refusal>;
 /// rate_Hz, with a note. `constants` are channels that never change, as {"load": {"value": 60,
 /// "unit": "%"}}; `speed_from_vibration` makes a shaft's speed of a file's vibration (see
 /// VibrationSpeed). A record without `to_s` goes to the end.
-/// A recording that is given twice is refused: nothing could be left out of it.
-CampaignOrRefusal read_campaign(const std::string& path);
+/// A recording that is given twice is refused: nothing could be left out of it. Points of a run
+/// are records of their own, see add_point().
+/// @param wanted  names of channels that count: of a file with several clocks, theirs is kept;
+///                empty: that of the longest
+CampaignOrRefusal read_campaign(const std::string& path,
+                                const std::vector<std::string>& wanted = {});
 
 /// A campaign of bare recordings: each file one condition, or four of equal length if there is
-/// only one.
+/// only one; but points of a run as above.
 /// @param rate_Hz  of files that do not state it; NaN if not known
-CampaignOrRefusal campaign_of(const std::vector<std::string>& files, double rate_Hz);
+CampaignOrRefusal campaign_of(const std::vector<std::string>& files, double rate_Hz,
+                              const std::vector<std::string>& wanted = {});
 
 }  // namespace rvbench::bench

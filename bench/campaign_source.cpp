@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "bench/campaign_points.hpp"
 #include "bench/uniform_time.hpp"
 #include "hal/did_you_mean.hpp"
 #include "hal/formats/read_recordings.hpp"
@@ -55,22 +56,11 @@ std::string use_time_column(Recording& recording, const CampaignSource& source,
   return {};
 }
 
-// Without channels of another length or rate than the longest: scalars among the variables.
-std::string keep_longest(Recording& recording) {
-  Eigen::Index longest = 0;
-  for (const Channel& channel : recording.channels) {
-    longest = std::max(longest, channel.samples.size());
-  }
-  std::erase_if(recording.channels,
-                [&](const Channel& channel) { return channel.samples.size() != longest; });
-  return longest < 2 ? "has no channel of at least 2 samples" : "";
-}
-
 std::string put_in_order(Recording& recording, const CampaignSource& source,
-                         std::vector<std::string>& notes) {
+                         const std::vector<std::string>& wanted, std::vector<std::string>& notes) {
   std::string fault = name_columns(recording, source.columns);
   if (fault.empty()) fault = use_time_column(recording, source, notes);
-  return fault.empty() ? keep_longest(recording) : fault;
+  return fault.empty() ? keep_one_clock(recording, wanted) : fault;
 }
 
 std::string find_speed(Recording& recording, const CampaignSource& source,
@@ -81,7 +71,7 @@ std::string find_speed(Recording& recording, const CampaignSource& source,
   auto read = read_file(how.relative_to, source);
   if (!read) return read.error().where;
   Recording reference = std::move(read).value().front();
-  const std::string fault = put_in_order(reference, source, notes);
+  const std::string fault = put_in_order(reference, source, {}, notes);
   return fault.empty() ? use_vibration_speed(recording, &reference, how, notes)
                        : how.relative_to + ": " + fault;
 }
@@ -124,13 +114,31 @@ CampaignSource parse_source(hal::ConfigReader& json, const std::filesystem::path
   return source;
 }
 
-std::variant<std::vector<Recording>, std::string> read_source(const CampaignSource& source,
-                                                              std::vector<std::string>& notes) {
+// Channels of another length or rate are scalars among the variables, or on another clock.
+std::string keep_one_clock(Recording& recording, const std::vector<std::string>& wanted) {
+  const bool has_wanted = std::ranges::any_of(
+      wanted, [&](const std::string& name) { return recording.find(name) != nullptr; });
+  const auto counts = [&](const Channel& channel) {
+    return !has_wanted || std::ranges::find(wanted, channel.info.name) != wanted.end();
+  };
+  Eigen::Index longest = 0;
+  for (const Channel& channel : recording.channels) {
+    if (counts(channel)) longest = std::max(longest, channel.samples.size());
+  }
+  std::erase_if(recording.channels,
+                [&](const Channel& channel) { return channel.samples.size() != longest; });
+  return longest < 2 ? "has no channel of at least 2 samples" : "";
+}
+
+std::variant<std::vector<Recording>, std::string> read_source(
+    const CampaignSource& source, const std::vector<std::string>& wanted,
+    std::vector<std::string>& notes) {
   auto read = read_file(source.path, source);
   if (!read) return read.error().where;
   std::vector<Recording> recordings = std::move(read).value();
   for (Recording& recording : recordings) {
-    std::string fault = put_in_order(recording, source, notes);
+    if (has_no_sound_end(recording)) continue;
+    std::string fault = put_in_order(recording, source, wanted, notes);
     if (fault.empty()) fault = find_speed(recording, source, notes);
     if (fault.empty()) fault = add_constants(recording, source.constants, notes);
     if (!fault.empty()) return fmt::format("{}: {}", source.path, fault);

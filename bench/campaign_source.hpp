@@ -30,9 +30,16 @@ struct CampaignSource {
 
 CampaignSource parse_source(hal::ConfigReader& json, const std::filesystem::path& folder);
 
-/// @param notes  is told what was done to the data
+/// Leaves the channels of one clock: of those named, the ones that are as long as the longest of
+/// them; of all, if none of those is there.
+/// @return why not: "" if there are such channels
+std::string keep_one_clock(Recording& recording, const std::vector<std::string>& wanted);
+
+/// @param wanted  see keep_one_clock()
+/// @param notes   is told what was done to the data
 /// @return recordings of one rate and one length each, or why the file cannot be used
-std::variant<std::vector<Recording>, std::string> read_source(const CampaignSource& source,
-                                                              std::vector<std::string>& notes);
+std::variant<std::vector<Recording>, std::string> read_source(
+    const CampaignSource& source, const std::vector<std::string>& wanted,
+    std::vector<std::string>& notes);
 
 }  // namespace rvbench::bench

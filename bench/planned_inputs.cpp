@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/campaign_points.hpp"
+#include "bench/simulated_recording.hpp"
 #include "hal/types/units.hpp"
 #include "sequences/plan.hpp"
 #include "sim/rv_plant.hpp"
@@ -64,6 +66,28 @@ DrivenBy what_drove(const sim::PlantSpec& plant, const Recording& recording,
     if (planned) return *std::move(planned);
   }
   return {recording.channels};
+}
+
+std::vector<std::string> channels_of(const sim::PlantSpec& plant) {
+  std::vector<std::string> names;
+  for (const sim::InputSpec& input : plant.inputs) names.push_back(input.channel);
+  for (const sim::OutputSpec& output : plant.outputs) names.push_back(output.channel);
+  return names;
+}
+
+void add_planned_inputs(const sim::PlantSpec& plant, Campaign& campaign) {
+  for (CampaignRecord& record : campaign.records) {
+    if (!is_point(record.recording)) continue;
+    DrivenBy driven = what_drove(plant, record.recording, record.recording.source);
+    if (driven.lead_in == 0) continue;  // its own channels
+    const double start_s = record.recording.find(channel_names::input_torque)->start_s;
+    record.lead_in = driven.lead_in;
+    for (Channel& channel : driven.channels) {
+      drop_lead_in(channel, driven.lead_in);
+      channel.start_s = start_s;  // to the last digit: in step with what was recorded
+      record.recording.channels.push_back(std::move(channel));
+    }
+  }
 }
 
 }  // namespace rvbench::bench

@@ -2,8 +2,10 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "bench/campaign.hpp"
 #include "hal/types/recording.hpp"
 #include "sim/plant_spec.hpp"
 
@@ -28,5 +30,12 @@ std::optional<DrivenBy> planned_inputs(const sim::PlantSpec& plant, const Record
 /// rated torque of plan.json beside `file`, 167 N·m without one.
 DrivenBy what_drove(const sim::PlantSpec& plant, const Recording& recording,
                     const std::filesystem::path& file);
+
+/// Names of the channels that drive a plant or that it shows.
+std::vector<std::string> channels_of(const sim::PlantSpec& plant);
+
+/// Puts what drove each record of a run among its channels, as what_drove() has it. What was
+/// recorded while the plant comes into step becomes lead-in.
+void add_planned_inputs(const sim::PlantSpec& plant, Campaign& campaign);
 
 }  // namespace rvbench::bench

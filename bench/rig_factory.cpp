@@ -35,7 +35,7 @@ void schedule(sim::BenchWorld& world, const ScheduledFault& fault) {
 }
 
 // The plant, or its faults at the key of the rig file that names it.
-std::variant<sim::PlantSpec, std::vector<hal::ConfigFault>> plant_of(const SimRig& rig) {
+std::variant<sim::PlantSpec, std::vector<hal::ConfigFault>> runnable_plant(const SimRig& rig) {
   auto read = sim::read_plant(rig.plant);
   const auto* plant = std::get_if<sim::PlantSpec>(&read);
   std::vector<hal::ConfigFault> faults;
@@ -48,7 +48,7 @@ std::variant<sim::PlantSpec, std::vector<hal::ConfigFault>> plant_of(const SimRi
 }
 
 Made make(const SimRig& rig) {
-  const auto plant = plant_of(rig);
+  const auto plant = runnable_plant(rig);
   if (plant.index() == 1) return std::get<1>(plant);
   try {
     auto world = std::make_unique<sim::BenchWorld>(
@@ -81,7 +81,8 @@ nlohmann::ordered_json to_json(const SimRig& rig) {
 nlohmann::ordered_json to_json(const ReplayRig& rig) {
   return {{"rig", "replay"},
           {"recording", rig.recording},
-          {"rated_output_torque_Nm", rig.rated_output_torque_Nm}};
+          {"rated_output_torque_Nm", rig.rated_output_torque_Nm},
+          {"plant", rig.plant}};
 }
 
 }  // namespace
@@ -98,7 +99,7 @@ std::vector<hal::ConfigFault> check_rig(const std::string& file) {
   auto rig = read_rig(file, {});
   if (rig.index() == 1) return std::get<1>(std::move(rig));
   if (const auto* simulated = std::get_if<SimRig>(&std::get<0>(rig))) {
-    auto plant = plant_of(*simulated);
+    auto plant = runnable_plant(*simulated);
     return plant.index() == 1 ? std::get<1>(std::move(plant)) : std::vector<hal::ConfigFault>{};
   }
   Made made = make(std::get<ReplayRig>(std::get<0>(rig)));  // its recording may be missing, or none

@@ -42,10 +42,15 @@ ReplayRig read_replay(hal::ConfigReader& root) {
   replay.recording = root.text("recording");
   replay.rated_output_torque_Nm =
       root.number("rated_output_torque_Nm", {1e-3, 1e6}, replay.rated_output_torque_Nm);
+  replay.plant = root.text("plant", replay.plant);
   return replay;
 }
 
 }  // namespace
+
+std::string plant_of(const RigFile& rig) {
+  return std::visit([](const auto& kind) { return kind.plant; }, rig);
+}
 
 std::variant<RigFile, std::vector<hal::ConfigFault>> read_rig(const std::string& rig,
                                                               const RigOptions& options) {

@@ -28,9 +28,13 @@ struct SimRig {
 struct ReplayRig {
   std::string recording;
   double rated_output_torque_Nm = 167;
+  std::string plant = "rv20e_bench";  ///< shipped, or a plant file: what was recorded
 };
 
 using RigFile = std::variant<SimRig, ReplayRig>;
+
+/// The plant that stands for what the rig turns.
+std::string plant_of(const RigFile& rig);
 
 /// What a rig is, from "sim" or a file. Options fill in what the file leaves open.
 std::variant<RigFile, std::vector<hal::ConfigFault>> read_rig(const std::string& rig,

@@ -27,16 +27,6 @@ bool is_plain(char c) {
          c == '_' || c == '-';
 }
 
-// Sums are written last: a run without them was killed while its results were written.
-bool is_finished(const std::filesystem::path& run) {
-  if (!has_sums(run)) return false;
-  const std::optional<std::string> verdict = read_file(run / "verdict.json");
-  if (!verdict) return false;
-  const std::optional<Judgement> judgement = judgement_from_json(*verdict);
-  return judgement && judgement->ending.outcome != Outcome::aborted &&
-         judgement->ending.outcome != Outcome::error;
-}
-
 // Writes and syncs; 0, or errno.
 int fill(int fd, const std::string& text) {
   std::size_t written = 0;
@@ -75,6 +65,16 @@ std::filesystem::path create_run_folder(const std::filesystem::path& root,
   hal::sync_folder(folder);
   hal::sync_folder(parent);
   return folder;
+}
+
+// Sums are written last: a run without them was killed while its results were written.
+bool is_finished(const std::filesystem::path& run) {
+  if (!has_sums(run)) return false;
+  const std::optional<std::string> verdict = read_file(run / "verdict.json");
+  if (!verdict) return false;
+  const std::optional<Judgement> judgement = judgement_from_json(*verdict);
+  return judgement && judgement->ending.outcome != Outcome::aborted &&
+         judgement->ending.outcome != Outcome::error;
 }
 
 std::optional<std::filesystem::path> newest_unfinished_run(const std::filesystem::path& root,

@@ -69,6 +69,9 @@ std::string folder_name_of(const std::string& serial);
 std::filesystem::path create_run_folder(const std::filesystem::path& root,
                                         const std::string& serial, const std::string& utc);
 
+/// Whether a run came to PASS, FAIL or INVALID, with all of its files.
+bool is_finished(const std::filesystem::path& run);
+
 /// The newest run of that serial, if it did not come to PASS, FAIL or INVALID with all of its
 /// files.
 std::optional<std::filesystem::path> newest_unfinished_run(const std::filesystem::path& root,

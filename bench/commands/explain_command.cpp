@@ -6,13 +6,17 @@
 #include <mutex>
 #include <system_error>
 
-#include "bench/campaign.hpp"
+#include "bench/campaign_points.hpp"
 #include "bench/commands/commands.hpp"
 #include "bench/explanation_json.hpp"
+#include "bench/explanation_text.hpp"
 #include "bench/file_kind.hpp"
+#include "bench/planned_inputs.hpp"
 #include "bench/progress_bar.hpp"
 #include "bench/report/explanation_page.hpp"
+#include "bench/rig_file.hpp"
 #include "bench/run_folder.hpp"
+#include "bench/sha256.hpp"
 #include "bench/software_version.hpp"
 #include "bench/stop_on_signal.hpp"
 #include "bench/twin.hpp"
@@ -29,15 +33,21 @@ class ExplainCommand final : public Command {
     return "says which physics a plant model leaves out of recordings, and models it";
   }
   std::string examples() const override {
-    return "  rvbench explain --plant emps --rec emps_campaign.json --out explained\n"
+    return "  rvbench explain runs/A17/20260102T030405Z    a run beside its simulated bench\n"
+           "  rvbench explain --plant emps --rec emps_campaign.json --out explained\n"
            "  rvbench explain --plant my_axis.json --rec run1.csv run2.csv --rate 1000\n";
   }
   std::vector<Option> options() override {
-    return {{"--plant", "plant: " + listed(names_of(sim::plant_files())) + ", or a plant file",
-             &plant_, true},
-            {"--rec", "a campaign file, or recordings", &files_, true},
+    return {{"RUN", "run folder; or --rec", &run_},
+            {"--plant",
+             "plant: " + listed(names_of(sim::plant_files())) +
+                 ", or a plant file; default for RUN: that of its rig",
+             &plant_},
+            {"--rec", "a campaign file, or recordings", &files_},
             {"--rate", "sample rate [Hz]; default: what the file states", &rate_Hz_},
-            {"--out", "folder for explain.json, explain.html and plant_updated.json", &out_},
+            {"--out",
+             "folder for explain.json, explain.html and plant_updated.json; default for RUN: RUN",
+             &out_},
             {"--json", "one JSON document on standard output", &json_}};
   }
   int run(Console& console) override;
@@ -46,19 +56,16 @@ class ExplainCommand final : public Command {
   bool names_campaign() const {
     return files_.size() == 1 && std::filesystem::path(files_[0]).extension() == ".json";
   }
-  CampaignOrRefusal campaign() const {
-    return names_campaign() ? read_campaign(files_[0])
-                            : campaign_of(files_, rate_Hz_.value_or(not_known));
-  }
+  std::string usage_fault() const;
+  int look_into_run(Console& console);
+  CampaignOrRefusal campaign(const sim::PlantSpec& plant) const;
   analysis::Explanation explained(Console& console, Twin& twin) const;
   int tell(Console& console, const Campaign& campaign, const Twin& twin,
            const analysis::Explanation& explanation) const;
-  void print(Console& console, const analysis::Explanation& explanation) const;
-  void print_records(Console& console, const std::vector<RecordError>& records) const;
-  void print_self_null(Console& console, const analysis::SelfNull& self_null) const;
   void write_out(const Twin& twin, const analysis::Explanation& explanation,
                  const Comparisons& comparisons, ExplainFacts& facts) const;
 
+  std::string run_;
   std::string plant_;
   std::vector<std::string> files_;
   std::optional<double> rate_Hz_;
@@ -68,74 +75,6 @@ class ExplainCommand final : public Command {
 
 void tell_notes(Console& console, const Campaign& campaign) {
   for (const std::string& note : campaign.notes) console.err << "note: " << note << '\n';
-}
-
-std::string estimate_text(const analysis::Estimate& e) {
-  return fmt::format("{} {:.4g} {} (90 %: {:.4g} to {:.4g})", e.name, e.value, e.unit, e.low,
-                     e.high);
-}
-
-std::string predicted_text(const PredictedMean& mean, const std::string& unit) {
-  return fmt::format("      mean {:.6g}, predicted {:.6g} ± {:.2g} {} (90 %){}\n", mean.measured,
-                     mean.predicted, mean.half_width, unit,
-                     mean.is_inside()
-                         ? ""
-                         : ": outside, so the law ends before, or an input is not what it is said "
-                           "to be (see the notes)");
-}
-
-void ExplainCommand::print(Console& console, const analysis::Explanation& e) const {
-  const bool quiet = e.verdict == analysis::ExplainVerdict::null;
-  console.out << paint(console, quiet ? Tone::good : Tone::strong, to_string(e.verdict)) << "  "
-              << e.reason << '\n';
-  for (const analysis::ExplainedEffect& effect : e.effects) {
-    console.out << fmt::format("\n  {}: {} ({})\n", to_string(effect.verdict), effect.name,
-                               effect.where);
-    for (const analysis::Estimate& p : effect.parameters) {
-      console.out << "    " << estimate_text(p) << '\n';
-    }
-    console.out << fmt::format(
-        "    held-out error {:.3g} -> {:.3g} %; log density {:+.1f} ± {:.1f}; best in {:.0f} % of "
-        "bootstraps\n",
-        100 * effect.error_before, 100 * effect.error_after, effect.over_before.delta,
-        effect.over_before.se, 100 * effect.share_won);
-    for (const analysis::RivalEffect& rival : effect.rivals) {
-      console.out << fmt::format("    rival {}: worse by {:.1f} ± {:.1f}\n", rival.name,
-                                 rival.behind.delta, rival.behind.se);
-    }
-    if (!effect.next_experiment.empty()) {
-      console.out << "    would decide: " << effect.next_experiment << '\n';
-    }
-  }
-  if (e.ceiling_after.known) {
-    console.out << fmt::format("\n  a law of any shape would reach {:.3g} % held out\n",
-                               100 * e.ceiling_after.error);
-  }
-  for (const analysis::Estimate& p : e.nuisances) {
-    console.out << "  nuisance " << estimate_text(p) << '\n';
-  }
-}
-
-void ExplainCommand::print_records(Console& console,
-                                   const std::vector<RecordError>& records) const {
-  console.out << "\n  error by record, as the plant was -> with what was left out\n";
-  for (const RecordError& r : records) {
-    console.out << fmt::format("    {:31} {:9} {:.4g} -> {:.4g} {} ({:.3g} -> {:.3g} %){}\n",
-                               r.record, r.channel, r.before, r.after, r.unit,
-                               100 * r.relative_before, 100 * r.relative_after,
-                               r.learned_from ? "" : ", only predicted");
-    if (r.mean) console.out << predicted_text(*r.mean, r.unit);
-  }
-}
-
-void ExplainCommand::print_self_null(Console& console, const analysis::SelfNull& self_null) const {
-  if (!self_null.known) return;
-  console.out << fmt::format("\n  one repeat as the model of another: {} ({:.3g} % apart)\n",
-                             self_null.found.empty() ? "NULL" : "something changed",
-                             100 * self_null.error);
-  for (const analysis::Estimate& p : self_null.found) {
-    console.out << "    " << estimate_text(p) << '\n';
-  }
 }
 
 void ExplainCommand::write_out(const Twin& twin, const analysis::Explanation& explanation,
@@ -148,6 +87,7 @@ void ExplainCommand::write_out(const Twin& twin, const analysis::Explanation& ex
   }
   write_file(folder / "explain.json", explanation_to_json(explanation, facts));
   write_file(folder / "explain.html", make_explanation_page(explanation, facts, comparisons));
+  if (out_ == run_) write_sums(folder);
 }
 
 // @throws Twin::Interrupted
@@ -182,23 +122,57 @@ int ExplainCommand::tell(Console& console, const Campaign& campaign, const Twin&
     console.out << explanation_to_json(explanation, facts);
   } else {
     tell_notes(console, campaign);
-    print(console, explanation);
-    print_records(console, facts.records);
-    print_self_null(console, explanation.self_null);
+    print_explanation(console, explanation, facts);
     if (!out_.empty()) console.out << "\nReport: " << out_ << "/explain.html" << '\n';
   }
   const bool refused = explanation.verdict == analysis::ExplainVerdict::not_resolvable;
   return refused ? exit_codes::data_refused : exit_codes::done;
 }
 
+// What the command line lacks, or has too much of.
+std::string ExplainCommand::usage_fault() const {
+  if (run_.empty() && files_.empty()) return "RUN or --rec is required";
+  if (!run_.empty() && !files_.empty()) return "a run folder needs no --rec";
+  if (run_.empty() && plant_.empty()) return "--plant is required";
+  if (!rate_Hz_) return {};
+  if (!run_.empty()) return "a run states its rates: leave --rate out";
+  return names_campaign() ? "a campaign file states its rates: leave --rate out" : "";
+}
+
+// What a run folder says where the command line does not.
+int ExplainCommand::look_into_run(Console& console) {
+  if (run_.empty()) return exit_codes::done;
+  const std::vector<std::string> faults = run_faults(run_);
+  for (const std::string& fault : faults) complain(console, "rvbench: " + run_ + ": " + fault);
+  if (!faults.empty()) return exit_codes::data_refused;
+  if (out_.empty()) out_ = run_;
+  if (!plant_.empty()) return exit_codes::done;
+  const std::string file = std::filesystem::path(run_) / "rig.json";
+  const auto rig = read_rig(file, {});
+  if (rig.index() == 1) return refuse_file(console, file, std::get<1>(rig));
+  plant_ = plant_of(std::get<0>(rig));
+  return exit_codes::done;
+}
+
+CampaignOrRefusal ExplainCommand::campaign(const sim::PlantSpec& plant) const {
+  const std::vector<std::string> wanted = channels_of(plant);
+  CampaignOrRefusal made = !run_.empty() ? campaign_of_run(run_, wanted)
+                           : names_campaign()
+                               ? read_campaign(files_[0], wanted)
+                               : campaign_of(files_, rate_Hz_.value_or(not_known), wanted);
+  if (auto* read = std::get_if<Campaign>(&made)) add_planned_inputs(plant, *read);
+  return made;
+}
+
 int ExplainCommand::run(Console& console) {
   if (!is_positive(console, "--rate", rate_Hz_)) return exit_codes::usage;
-  if (rate_Hz_ && names_campaign()) {
-    return refuse_usage(console, "explain: a campaign file states its rates: leave --rate out");
+  if (const std::string fault = usage_fault(); !fault.empty()) {
+    return refuse_usage(console, "explain: " + fault);
   }
+  if (const int refused = look_into_run(console); refused != exit_codes::done) return refused;
   auto plant = sim::read_plant(plant_);
   if (plant.index() == 1) return refuse_file(console, plant_, std::get<1>(plant));
-  auto read = campaign();
+  auto read = campaign(std::get<0>(plant));
   if (const auto* refusal = std::get_if<Refusal>(&read)) {
     if (!refusal->of_recordings) return refuse_file(console, files_.front(), refusal->faults);
     for (const hal::ConfigFault& fault : refusal->faults) complain(console, fault.message);

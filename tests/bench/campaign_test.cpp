@@ -1,10 +1,10 @@
-#include "bench/campaign.hpp"
-
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 
+#include "bench/campaign_points.hpp"
+#include "bench/campaign_source.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace rvbench::bench {
@@ -32,7 +32,55 @@ Refusal refusal_of(const test::ScratchFolder& scratch, const std::string& text) 
   return std::get<1>(made);
 }
 
+// A point of a run: a vibration of 20 samples, and torque on a slower clock of its own.
+Recording point(double speed_rpm, double load_pct, int repeat) {
+  Recording made;
+  made.planned_speed_rpm = speed_rpm;
+  made.load_pct = load_pct;
+  made.repeat = repeat;
+  made.status = "ok";
+  made.channels = {{{"accel_1x", "m/s²", "+X", not_known}, 4960, 0, Eigen::VectorXd::Ones(20)},
+                   {{"input_torque", "N·m", "", not_known}, 496, 0, Eigen::VectorXd::Ones(2)}};
+  return made;
+}
+
 }  // namespace
+
+TEST_CASE("points of a run are records under the conditions of its plan", "[bench][explain]") {
+  Campaign campaign;
+  for (const int repeat : {1, 2}) add_point(campaign, point(605, 50, repeat));
+  add_point(campaign, point(1210, 50, 1));
+  REQUIRE(campaign.records.size() == 3);
+  const CampaignRecord& second = campaign.records[1];
+  CHECK(second.name == "605 rpm, 50 %, repeat 2");
+  CHECK(second.condition == campaign.records[0].condition);
+  CHECK(second.programme == campaign.records[0].programme);
+  CHECK(second.speed == "605 rpm");
+  CHECK(second.load == "50 %");
+  CHECK(second.learned_from);
+  CHECK(campaign.records[2].condition != second.condition);
+  CHECK(campaign.records[2].load == second.load);
+  CHECK(campaign.notes.empty());
+
+  Recording unsettled = point(1815, 50, 1);
+  unsettled.status = "unsettled";
+  add_point(campaign, unsettled);
+  CHECK(campaign.records.size() == 3);
+  REQUIRE(campaign.notes.size() == 1);
+  CHECK(campaign.notes[0] == "1815 rpm, 50 %, repeat 1 is left out: unsettled");
+  CHECK_FALSE(is_point(Recording{}));
+}
+
+TEST_CASE("of several clocks, that of the channels which count is kept", "[bench][explain]") {
+  Recording torque = point(605, 50, 1);
+  CHECK(keep_one_clock(torque, {"supply", "input_torque"}).empty());
+  REQUIRE(torque.channels.size() == 1);
+  CHECK(torque.channels[0].info.name == "input_torque");
+  Recording vibration = point(605, 50, 1);
+  CHECK(keep_one_clock(vibration, {"way"}).empty());  // none of these is there
+  REQUIRE(vibration.channels.size() == 1);
+  CHECK(vibration.channels[0].info.name == "accel_1x");
+}
 
 TEST_CASE("a campaign cuts its recordings into stretches", "[bench][explain]") {
   const test::ScratchFolder scratch;

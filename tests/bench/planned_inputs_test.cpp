@@ -68,6 +68,29 @@ TEST_CASE("a channel that was recorded goes before the plan", "[bench]") {
   CHECK(driven.channels.size() == 3);
 }
 
+TEST_CASE("records of a run are driven by its plan, in step with what was recorded", "[bench]") {
+  Campaign campaign;
+  campaign.records.resize(2);
+  campaign.records[0].recording = point(605, 50, 4960);
+  campaign.records[1].recording.channels = point(605, 50).channels;  // of no plan
+  add_planned_inputs(sim::rv20e_bench(), campaign);
+  const CampaignRecord& record = campaign.records[0];
+  CHECK(record.lead_in == 992);  // two seconds of it
+  for (const char* name : {"supply", "brake_torque"}) {
+    const Channel* channel = record.recording.find(name);
+    REQUIRE(channel != nullptr);
+    CHECK(channel->samples.size() == 4960);
+    CHECK(channel->start_s == record.recording.find("input_torque")->start_s);
+  }
+  CHECK(campaign.records[1].recording.channels.size() == 2);
+  CHECK(campaign.records[1].lead_in == 0);
+
+  const Campaign driven = campaign;
+  add_planned_inputs(sim::rv20e_bench(), campaign);  // it has them now
+  CHECK(campaign.records[0].recording.channels.size() ==
+        driven.records[0].recording.channels.size());
+}
+
 TEST_CASE("100 % load is what the plan beside the recording says", "[bench]") {
   const rvbench::test::ScratchFolder scratch;
   const auto brake_Nm = [&] {

@@ -71,6 +71,13 @@ TEST_CASE("the built-in rig is the simulated bench with the unit asked for", "[b
   CHECK(sim.faults.empty());
 }
 
+TEST_CASE("every rig has a plant that stands for what it turns", "[bench]") {
+  CHECK(plant_of(SimRig{}) == "rv20e_bench");
+  CHECK(plant_of(std::get<0>(read(R"({"rig": "replay", "recording": "r.h5"})"))) == "rv20e_bench");
+  CHECK(plant_of(std::get<0>(read(
+            R"({"rig": "replay", "recording": "r.h5", "plant": "mine.json"})"))) == "mine.json");
+}
+
 TEST_CASE("a rig file goes before the command line, which fills in what it leaves open",
           "[bench]") {
   const SimRig open = sim_of(R"({"rig": "sim"})", {.preset = "cycloid_pin", .seed = 7});

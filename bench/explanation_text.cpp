@@ -1,0 +1,85 @@
+#include "bench/explanation_text.hpp"
+
+#include <fmt/format.h>
+
+namespace rvbench::bench {
+namespace {
+
+std::string estimate_text(const analysis::Estimate& e) {
+  return fmt::format("{} {:.4g} {} (90 %: {:.4g} to {:.4g})", e.name, e.value, e.unit, e.low,
+                     e.high);
+}
+
+std::string predicted_text(const PredictedMean& mean, const std::string& unit) {
+  return fmt::format("      mean {:.6g}, predicted {:.6g} ± {:.2g} {} (90 %){}\n", mean.measured,
+                     mean.predicted, mean.half_width, unit,
+                     mean.is_inside()
+                         ? ""
+                         : ": outside, so the law ends before, or an input is not what it is said "
+                           "to be (see the notes)");
+}
+
+void print_answer(Console& console, const analysis::Explanation& e) {
+  const bool quiet = e.verdict == analysis::ExplainVerdict::null;
+  console.out << paint(console, quiet ? Tone::good : Tone::strong, to_string(e.verdict)) << "  "
+              << e.reason << '\n';
+  for (const analysis::ExplainedEffect& effect : e.effects) {
+    console.out << fmt::format("\n  {}: {} ({})\n", to_string(effect.verdict), effect.name,
+                               effect.where);
+    for (const analysis::Estimate& p : effect.parameters) {
+      console.out << "    " << estimate_text(p) << '\n';
+    }
+    console.out << fmt::format(
+        "    held-out error {:.3g} -> {:.3g} %; log density {:+.1f} ± {:.1f}; best in {:.0f} % of "
+        "bootstraps\n",
+        100 * effect.error_before, 100 * effect.error_after, effect.over_before.delta,
+        effect.over_before.se, 100 * effect.share_won);
+    for (const analysis::RivalEffect& rival : effect.rivals) {
+      console.out << fmt::format("    rival {}: worse by {:.1f} ± {:.1f}\n", rival.name,
+                                 rival.behind.delta, rival.behind.se);
+    }
+    if (!effect.next_experiment.empty()) {
+      console.out << "    would decide: " << effect.next_experiment << '\n';
+    }
+  }
+  if (e.ceiling_after.known) {
+    console.out << fmt::format("\n  a law of any shape would reach {:.3g} % held out\n",
+                               100 * e.ceiling_after.error);
+  }
+  for (const analysis::Estimate& p : e.nuisances) {
+    console.out << "  nuisance " << estimate_text(p) << '\n';
+  }
+}
+
+void print_records(Console& console, const std::vector<RecordError>& records) {
+  if (records.empty()) return;
+  console.out << "\n  error by record, as the plant was -> with what was left out\n";
+  for (const RecordError& r : records) {
+    console.out << fmt::format("    {:31} {:9} {:.4g} -> {:.4g} {} ({:.3g} -> {:.3g} %){}\n",
+                               r.record, r.channel, r.before, r.after, r.unit,
+                               100 * r.relative_before, 100 * r.relative_after,
+                               r.learned_from ? "" : ", only predicted");
+    if (r.mean) console.out << predicted_text(*r.mean, r.unit);
+  }
+}
+
+void print_self_null(Console& console, const analysis::SelfNull& self_null) {
+  if (!self_null.known) return;
+  console.out << fmt::format("\n  one repeat as the model of another: {} ({:.3g} % apart)\n",
+                             self_null.found.empty() ? "NULL" : "something changed",
+                             100 * self_null.error);
+  for (const analysis::Estimate& p : self_null.found) {
+    console.out << "    " << estimate_text(p) << '\n';
+  }
+}
+
+}  // namespace
+
+void print_explanation(Console& console, const analysis::Explanation& explanation,
+                       const ExplainFacts& facts) {
+  print_answer(console, explanation);
+  print_records(console, facts.records);
+  print_self_null(console, explanation.self_null);
+}
+
+}  // namespace rvbench::bench
