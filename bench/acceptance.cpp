@@ -10,6 +10,7 @@
 #include "bench/run_log.hpp"
 #include "bench/run_recordings.hpp"
 #include "bench/run_results.hpp"
+#include "bench/twin_check.hpp"
 #include "bench/verdict_json.hpp"
 #include "hal/recording_file.hpp"
 #include "sequences/sequencer.hpp"
@@ -136,6 +137,10 @@ Judgement run_acceptance(Acceptance acceptance, hal::Rig& rig, ProgressBar& bar,
     ending = graver(ending, bench_fault(recordings.error()));
   }
   ending = graver(ending, judge_points(judgement, acceptance, recorded, options, bar, stop));
+  if (!acceptance.twin.empty() && ending.outcome == Outcome::pass) {
+    bar.show("twin", 0, acceptance.twin);
+    log.event(judgement.facts.duration_s, twin_event(acceptance.folder, acceptance.twin));
+  }
   conclude(judgement, acceptance.kinematics, acceptance.plan.limits, ending);
   demand_confirmation(judgement, acceptance.kinematics);
   judgement.facts.events = log.events();

@@ -18,12 +18,15 @@ struct Acceptance {
   analysis::Kinematics kinematics;  ///< with the plan's limits
   std::filesystem::path folder;     ///< of the run, with plan.json and rig.json in it
   RunFacts facts;                   ///< what is known before the start
+  std::string twin = {};            ///< plant that stands for what the rig turns; "" on a simulated
+                                    ///< rig, which is its own
 };
 
 /// Measures and records, judges what was recorded, and leaves the run folder complete:
 /// recording, log.jsonl, verdict.json, junit.xml, report.html, SHA256SUMS. In a folder that holds
 /// recordings already it goes on at the next point; nothing is turned if no point is left. Whatever
 /// happens to the bench is in the judgement's ending, and also if the results cannot be written.
+/// How a run that was measured to its end differs from its twin is an event, and changes no ending.
 ///
 /// @throws std::system_error, before anything turns, if log.jsonl cannot be opened
 Judgement run_acceptance(Acceptance acceptance, hal::Rig& rig, ProgressBar& bar,

@@ -8,6 +8,7 @@
 
 #include "analysis/spectral_lines.hpp"
 #include "bench/report/html.hpp"
+#include "bench/twin_check.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -153,6 +154,12 @@ void print_teardown(Console& console, const RunFacts& facts) {
   }
 }
 
+void print_twin(Console& console, const RunFacts& facts) {
+  for (const auto& [time_s, event] : facts.events) {
+    if (event.starts_with(differs_from_twin)) console.out << "\nThe run " << event << '\n';
+  }
+}
+
 }  // namespace
 
 void print_summary(Console& console, const Judgement& judgement,
@@ -164,6 +171,7 @@ void print_summary(Console& console, const Judgement& judgement,
   print_limits(console, judgement.limits);
   print_findings(console, diagnosis, kinematics.period_turns);
   print_teardown(console, judgement.facts);
+  print_twin(console, judgement.facts);
   const Outcome outcome = judgement.ending.outcome;
   console.out << '\n'
               << paint(console, tone_of(outcome), to_string(outcome)) << "  "

@@ -60,6 +60,7 @@ class RunCommand final : public Command {
   RigOptions rig_options() const;
   int prepare_folder(Console& console, const sequences::TestPlan& plan);
   RunFacts facts(const sequences::TestPlan& plan) const;
+  std::string twin() const;
   int measure(Console& console, const sequences::TestPlan& plan, analysis::Kinematics kinematics);
 
   std::string plan_;
@@ -145,6 +146,12 @@ RunFacts RunCommand::facts(const sequences::TestPlan& plan) const {
   return facts;
 }
 
+std::string RunCommand::twin() const {
+  const auto rig = read_rig(rig_, rig_options());
+  const bool is_simulated = std::holds_alternative<SimRig>(std::get<0>(rig));
+  return is_simulated ? "" : plant_of(std::get<0>(rig));
+}
+
 int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
                         analysis::Kinematics kinematics) {
   StopOnSignal signals;
@@ -157,7 +164,7 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
     return refuse_usage(console, "run: no run folder in --out " + out_ + ": " + error.what());
   }
   ProgressBar bar(console, progress_style(console, json_));
-  const Judgement judgement = run_acceptance({plan, kinematics, folder_, facts(plan)},
+  const Judgement judgement = run_acceptance({plan, kinematics, folder_, facts(plan), twin()},
                                              std::get<0>(rig), bar, signals.token());
   print_unwritten(console, judgement);
   if (json_) {
