@@ -1,10 +1,7 @@
 #include "bench/explanation_json.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-
-#include "analysis/explain/predictive_error.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -87,57 +84,7 @@ ordered_json effect_json(const analysis::ExplainedEffect& effect, const ordered_
           {"next_experiment", effect.next_experiment}};
 }
 
-// d mean / d value of each comparison, over its channel's spread; one column for each value.
-Eigen::MatrixXd slopes_of_means(const Twin& twin, const analysis::Fit& fit,
-                                const std::vector<Twin::Comparison>& here) {
-  constexpr double step_of_scale = 1e-3;
-  const auto parameters = analysis::parameters_of(twin, fit.effects);
-  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(Eigen::Index(here.size()),
-                                                 static_cast<Eigen::Index>(parameters.size()));
-  for (std::size_t p = 0; p < parameters.size(); ++p) {
-    std::vector<double> moved = fit.values;
-    double step = step_of_scale * parameters[p].scale;
-    if (moved[p] + step > parameters[p].high) step = -step;
-    moved[p] += step;
-    const auto there = twin.compare(fit.effects, moved);
-    for (std::size_t i = 0; i < there.size(); ++i) {
-      slopes(Eigen::Index(i), static_cast<Eigen::Index>(p)) =
-          (there[i].simulated.mean() - here[i].simulated.mean()) / step / here[i].spread;
-    }
-  }
-  return slopes;
-}
-
 }  // namespace
-
-Comparisons compare(const Twin& twin, const analysis::Selection& found) {
-  if (found.base.residuals.size() == 0) return {};  // nothing was fitted
-  Comparisons both{twin.compare(found.base.effects, found.base.values),
-                   twin.compare(found.fit.effects, found.fit.values)};
-  if (both.before.size() != both.after.size()) return {};
-  return both;
-}
-
-std::vector<RecordError> record_errors(const Twin& twin, const analysis::Selection& found,
-                                       const Comparisons& comparisons) {
-  const auto& [before, after] = comparisons;
-  std::vector<RecordError> errors;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    const Twin::Comparison& b = before[i];
-    errors.push_back({b.record, b.channel, b.unit, b.learned_from, b.error(), after[i].error(),
-                      b.relative_error(), after[i].relative_error()});
-  }
-  if (std::ranges::all_of(errors, &RecordError::learned_from)) return errors;
-  const analysis::PredictiveError error(twin, found.fit);
-  const Eigen::MatrixXd slopes = slopes_of_means(twin, found.fit, after);
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    if (errors[i].learned_from) continue;
-    const Twin::Comparison& a = after[i];
-    errors[i].mean = {a.measured.mean(), a.simulated.mean(),
-                      a.spread * error.half_width_90(slopes.row(Eigen::Index(i)))};
-  }
-  return errors;
-}
 
 std::string explanation_to_json(const analysis::Explanation& e, const ExplainFacts& facts) {
   const ordered_json floor =

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cmath>
 
+#include "bench/report/explanation_sections.hpp"
 #include "bench/report/html.hpp"
 #include "bench/report/sections.hpp"
-#include "bench/report/svg_plot.hpp"
 #include "bench/xml_text.hpp"
 
 namespace rvbench::bench {
@@ -17,17 +17,7 @@ using report::number;
 using report::section;
 using report::table;
 
-constexpr std::size_t most_records = 4;
-
 std::string percent(double relative) { return number(100 * relative) + " %"; }
-
-std::string sentence_section(const Explanation& e, const ExplainFacts& facts) {
-  const bool quiet = e.verdict == analysis::ExplainVerdict::null;
-  return fmt::format(
-      "<h1>What {} leaves out</h1>\n<div class=\"verdict{}\"><div class=\"word\">{}</div>"
-      "<div class=\"reason\">{}</div></div>\n",
-      xml_escaped(facts.plant), quiet ? " pass" : "", to_string(e.verdict), xml_escaped(e.reason));
-}
 
 std::string estimates_table(const std::vector<analysis::Estimate>& all) {
   std::vector<std::vector<std::string>> rows;
@@ -38,17 +28,77 @@ std::string estimates_table(const std::vector<analysis::Estimate>& all) {
   return rows.empty() ? "" : table({"parameter", "value", "90 %: from", "to", "unit"}, rows);
 }
 
-std::string rivals_text(const std::vector<analysis::RivalEffect>& rivals, const char* than) {
+// Log densities apart, in nats.
+std::string apart_text(const std::string& name, const char* how, const analysis::Margin& by) {
+  return fmt::format("{} ({} by {} ± {})", report::spoken(name), how, number(std::abs(by.delta)),
+                     number(by.se));
+}
+
+std::string rivals_text(const std::vector<analysis::RivalEffect>& rivals) {
   std::string text;
   for (const analysis::RivalEffect& rival : rivals) {
-    text +=
-        fmt::format("{}{} ({} by {} ± {})", text.empty() ? "" : ", ", report::spoken(rival.name),
-                    than, number(rival.behind.delta), number(rival.behind.se));
+    text += (text.empty() ? "" : ", ") +
+            apart_text(rival.name, rival.behind.delta < 0 ? "better" : "worse", rival.behind);
   }
   return text.empty() ? "none came near" : text;
 }
 
-std::string effect_box(const analysis::ExplainedEffect& effect) {
+std::string refused_text(const std::vector<analysis::RivalEffect>& refused) {
+  std::string text;
+  for (const analysis::RivalEffect& one : refused) {
+    text +=
+        (text.empty() ? "" : ", ") +
+        apart_text(one.name, one.behind.delta < 0 ? "worse than without" : "better than without",
+                   one.behind);
+  }
+  return text;
+}
+
+// "1.131e-06 m (90 %: 8.05e-07 to 1.46e-06)"
+std::string size_text(const analysis::Estimate& size) {
+  return fmt::format("{} <b>{} {}</b> (90 %: {} to {})", report::spoken(size.name),
+                     number(size.value, 4), xml_escaped(size.unit), number(size.low),
+                     number(size.high));
+}
+
+// One effect as a sentence: what, where, how much, what else it could be, what would decide.
+std::string sentence(const analysis::ExplainedEffect& effect) {
+  std::string what = "<b>" + report::spoken(effect.name) + "</b>";
+  for (const std::string& name : effect.one_of) {
+    if (name != effect.name) what += " or <b>" + report::spoken(name) + "</b>";
+  }
+  std::string text = fmt::format("left out: {}; where: {}", what, xml_escaped(effect.where));
+  if (!effect.parameters.empty()) text += "; size: " + size_text(effect.parameters.front());
+  text += "; rivals: " + rivals_text(effect.rivals);
+  if (!effect.next_experiment.empty()) {
+    text += "; next experiment: " + xml_escaped(effect.next_experiment);
+  }
+  return "<li>" + text + "</li>\n";
+}
+
+std::string sentence_section(const Explanation& e, const ExplainFacts& facts) {
+  const bool quiet = e.verdict == analysis::ExplainVerdict::null;
+  std::string html = fmt::format(
+      "<h1>What {} leaves out</h1>\n<div class=\"verdict{}\"><div class=\"word\">{}</div>"
+      "<div class=\"reason\">{}</div>\n",
+      xml_escaped(facts.plant), quiet ? " pass" : "", to_string(e.verdict), xml_escaped(e.reason));
+  std::string effects;
+  for (const analysis::ExplainedEffect& effect : e.effects) effects += sentence(effect);
+  if (!e.cannot_exclude.empty()) {
+    effects += "<li>cannot exclude: " + refused_text(e.cannot_exclude) + "</li>\n";
+  }
+  if (!effects.empty()) html += "<ul class=\"left-out\">\n" + effects + "</ul>\n";
+  return html + "</div>\n";
+}
+
+// Long tables are there to be looked up.
+std::string folded(const std::string& heading, const std::string& summary,
+                   const std::string& body) {
+  if (body.empty()) return {};
+  return section(heading, "<details><summary>" + summary + "</summary>\n" + body + "</details>\n");
+}
+
+std::string effect_box(const analysis::ExplainedEffect& effect, bool by_orders) {
   std::string of_class;
   for (const std::string& name : effect.one_of) {
     of_class += (of_class.empty() ? " One of: " : ", ") + report::spoken(name);
@@ -58,25 +108,11 @@ std::string effect_box(const analysis::ExplainedEffect& effect) {
       "{:+.1f} ± {:.1f}; p {}; best in {:.0f} % of bootstraps.</p>\n{}<p>Rivals: {}.</p>\n"
       "<p>Would decide: {}.</p></div>\n",
       to_string(effect.verdict), report::spoken(effect.name), xml_escaped(effect.where), of_class,
-      percent(effect.error_before), percent(effect.error_after), effect.over_before.delta,
+      report::error_text(effect.error_before, by_orders),
+      report::error_text(effect.error_after, by_orders), effect.over_before.delta,
       effect.over_before.se, report::p_value_text(effect.p_value), 100 * effect.share_won,
-      estimates_table(effect.parameters), rivals_text(effect.rivals, "worse"),
+      estimates_table(effect.parameters), rivals_text(effect.rivals),
       effect.next_experiment.empty() ? "nothing known" : xml_escaped(effect.next_experiment));
-}
-
-std::string errors_section(const Explanation& e) {
-  const std::string any_after = e.ceiling_after.known ? percent(e.ceiling_after.error) : "–";
-  return section(
-      "Errors",
-      table({"", "as the plant was", "with what was left out", "a law of any shape added"},
-            {{"learned from", percent(e.trained_before), percent(e.trained_after), ""},
-             {"left out, then predicted", percent(e.held_out_before), percent(e.held_out_after),
-              any_after}}) +
-          report::paragraph("Root mean square of measured minus simulated, over the standard "
-                            "deviation of what was measured. On the plant as it was, a law of any "
-                            "shape reaches " +
-                            (e.ceiling_before.known ? percent(e.ceiling_before.error) : "–") +
-                            "."));
 }
 
 std::string mean_text(const std::optional<PredictedMean>& mean) {
@@ -93,13 +129,13 @@ std::string records_section(const std::vector<RecordError>& records) {
                     percent(r.relative_before), percent(r.relative_after), mean_text(r.mean)});
   }
   if (rows.empty()) return {};
-  return section("Errors by record",
-                 table({"record", "use", "channel", "RMS error before", "after", "unit",
-                        "relative before", "after", "mean, predicted ± 90 %"},
-                       rows));
+  return folded("Errors by record", fmt::format("{} rows", rows.size()),
+                table({"record", "use", "channel", "RMS error before", "after", "unit",
+                       "relative before", "after", "mean, predicted ± 90 %"},
+                      rows));
 }
 
-std::string self_null_section(const analysis::SelfNull& self_null) {
+std::string self_null_section(const analysis::SelfNull& self_null, bool by_orders) {
   if (!self_null.known) {
     return section("One repeat as the model of another",
                    report::paragraph("No two recordings repeat each other: not asked."));
@@ -111,33 +147,8 @@ std::string self_null_section(const analysis::SelfNull& self_null) {
                          ? "NULL: nothing is found between two repeats."
                          : "Something changed from one repeat to the other: smaller effects than "
                            "this are not to be believed.",
-                     percent(self_null.error))) +
+                     report::error_text(self_null.error, by_orders))) +
                      estimates_table(self_null.found));
-}
-
-std::string residual_plots(const Comparisons& comparisons) {
-  const auto& [before, after] = comparisons;
-  std::string plots;
-  for (std::size_t i = 0; i < std::min(before.size(), most_records); ++i) {
-    const Twin::Comparison& b = before[i];
-    const Eigen::VectorXd left_before = b.measured - b.simulated;
-    const Eigen::VectorXd left_after = after[i].measured - after[i].simulated;
-    const double end = b.first + static_cast<double>(b.measured.size()) * b.step;
-    const PlotAxis over{b.over, b.first, end};
-    const PlotAxis scale = axis_around(b.channel + " [" + b.unit + "]", left_before);
-    const auto plot = [&](const std::string& title, const Eigen::VectorXd& y,
-                          const PlotAxis& axis) {
-      SvgPlot svg(title, over, axis);
-      svg.add_trace(b.first, b.step, y);
-      return svg.svg();
-    };
-    plots +=
-        plot(b.record + ": left over before, " + percent(b.relative_error()), left_before, scale);
-    plots += plot("and after, " + percent(after[i].relative_error()), left_after, scale);
-  }
-  return plots.empty()
-             ? ""
-             : section("What is left over", "<div class=\"figures\">" + plots + "</div>\n");
 }
 
 std::string data_section(const ExplainFacts& facts) {
@@ -145,7 +156,8 @@ std::string data_section(const ExplainFacts& facts) {
   for (const std::string& note : facts.notes) body += report::paragraph(note);
   std::vector<std::vector<std::string>> rows;
   for (const auto& [file, hash] : facts.hashes) {
-    rows.push_back({xml_escaped(file), "<span class=\"hash\">" + hash + "</span>"});
+    rows.push_back({"<span class=\"hash\">" + xml_escaped(file) + "</span>",
+                    "<span class=\"hash\">" + hash + "</span>"});
   }
   if (!rows.empty()) body += table({"recording", "SHA-256"}, rows);
   if (!facts.plant_updated.empty()) {
@@ -164,19 +176,19 @@ std::string make_explanation_page(const Explanation& e, const ExplainFacts& fact
       xml_escaped(std::string(to_string(e.verdict)) + ": " + facts.plant) + "</title>\n<style>\n" +
       report::style_sheet() + "</style></head><body><main>\n";
   html += sentence_section(e, facts);
+  html += report::explained_errors_section(e, comparisons);
+  html += report::overlays_section(comparisons);
+  html += report::residual_maps_section(comparisons);
+  const bool by_orders = report::is_by_orders(comparisons);
   std::string effects;
-  for (const analysis::ExplainedEffect& effect : e.effects) effects += effect_box(effect);
-  html += section("Left out", effects);
-  if (!e.cannot_exclude.empty()) {
-    html += report::paragraph("Tried further, and refused: ") + "<p>" +
-            rivals_text(e.cannot_exclude, "better than without") + "</p>\n";
-  }
-  html += errors_section(e);
+  for (const analysis::ExplainedEffect& effect : e.effects)
+    effects += effect_box(effect, by_orders);
+  html += section("Each effect", effects);
+  html += self_null_section(e.self_null, by_orders);
   html += records_section(facts.records);
-  html += self_null_section(e.self_null);
-  html += residual_plots(comparisons);
-  html += section("Calibration of the measurement", estimates_table(e.nuisances));
-  html += section("Calibration of the plant", estimates_table(e.base));
+  html += folded("Calibration of the measurement", "nuisances", estimates_table(e.nuisances));
+  html += folded("Calibration of the plant", "numbers that are known within bounds, or not at all",
+                 estimates_table(e.base));
   html += data_section(facts);
   return html + "</main></body></html>\n";
 }

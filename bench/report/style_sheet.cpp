@@ -5,7 +5,8 @@ namespace {
 
 constexpr const char* style =
     R"(:root { --ink: #1c2530; --faint: #5b6876; --line: #d3dae1; --good: #1b7f3b; --bad: #b3261e;
-  --warn: #9a6700; --trace: #1f5fa8; --mark: #b3261e; }
+  --warn: #9a6700; --trace: #1f5fa8; --mark: #b3261e;
+  --before: #e08a2e; }
 * { box-sizing: border-box; }
 body { margin: 0; background: #fff; color: var(--ink); font: 15px/1.45 system-ui, "Segoe UI",
   "Liberation Sans", Arial, sans-serif; }
@@ -41,12 +42,30 @@ svg text { fill: var(--ink); } svg .mid { text-anchor: middle; } svg .end { text
 svg .title { font-weight: 600; font-size: 11.5px; } svg .marklabel { fill: var(--mark); font-size: 9.5px; }
 svg .grid { stroke: #e6ebef; } svg .frame { fill: none; stroke: #8a97a3; }
 svg .trace { fill: none; stroke: var(--trace); stroke-width: 1; stroke-linejoin: round; }
+svg .measured { fill: none; stroke: var(--ink); stroke-width: 2.4; opacity: 0.6; } svg .before { fill: none; stroke: var(--before); }
+svg .after { fill: none; stroke: var(--trace); stroke-width: 1.1; } svg .band { fill: #c9d2da; stroke: none; }
+svg .bar { stroke: none; opacity: 1; } svg .bar.measured { fill: var(--ink); } svg .bar.before { fill: var(--before); }
+svg .bar.after { fill: var(--trace); } svg .whisker { stroke: #8a97a3; stroke-width: 2; } svg .small { font-size: 9px; }
 svg .mark { stroke: var(--mark); stroke-width: 0.8; stroke-dasharray: 3 3; fill: none; }
 pre { background: #f5f7f9; border: 1px solid var(--line); padding: 8px; font-size: 0.76rem; overflow-x: auto;
   white-space: pre-wrap; overflow-wrap: anywhere; }
+.left-out { margin: 10px 0 0; padding: 0 0 0 1.2em; font-size: 1.02rem; } .left-out li { margin: 4px 0; }
+.bars { display: grid; grid-template-columns: max-content 1fr max-content; gap: 6px 12px; align-items: center; margin: 8px 0; }
+.bars b { font-variant-numeric: tabular-nums; } .track { background: #f0f3f6; height: 16px; }
+.track i { display: block; height: 100%; } .track .before, .legend .before { background: var(--before); }
+.track .after, .legend .after { background: var(--trace); } .track .floor { background: #9fb0bf; }
+.legend { font-size: 0.88rem; } .legend i { display: inline-block; width: 22px; height: 4px; margin: 0 6px 3px 0; }
+.legend span { margin-right: 14px; white-space: nowrap; display: inline-block; }
+.legend .measured { background: var(--ink); }
+.legend .band { background: #c9d2da; height: 12px; margin-bottom: -1px; }
+.wide { margin: -14px 0 0; overflow-x: auto; overflow-y: hidden; } .wide svg { min-width: 620px; }
+.scale { display: flex; align-items: center; font-size: 0.82rem; max-width: 520px; margin-top: 4px; }
+.scale i { flex: 1; height: 12px; } .scale span { margin: 0 8px; white-space: nowrap; }
+details summary { cursor: pointer; color: var(--trace); margin: 6px 0; }
 .signature { display: grid; grid-template-columns: repeat(3, 1fr); gap: 24px; margin-top: 40px; }
 .signature div { border-top: 1px solid var(--ink); padding-top: 4px; color: var(--faint); }
-@media (max-width: 600px) { main { padding: 8px; } dl { grid-template-columns: 1fr; gap: 0; }
+@media (max-width: 600px) { main { padding: 8px; } .bars { grid-template-columns: 1fr max-content; }
+  .bars span:first-child, .bars b + span { grid-column: 1 / -1; } dl { grid-template-columns: 1fr; gap: 0; }
   dd { margin-bottom: 6px; } .signature { grid-template-columns: 1fr; gap: 36px; } .verdict .word { font-size: 2rem; } }
 @media print { @page { size: A4; margin: 14mm; } body { font-size: 10pt; } main { max-width: none; padding: 0; }
   * { print-color-adjust: exact; -webkit-print-color-adjust: exact; } .scroll { overflow: visible; }

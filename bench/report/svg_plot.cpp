@@ -67,7 +67,8 @@ double SvgPlot::py(double y) const {
   return height_px_ - bottom_px - share * (height_px_ - top_px - bottom_px);
 }
 
-void SvgPlot::add_trace(double x0, double dx, const Eigen::Ref<const Eigen::VectorXd>& y) {
+void SvgPlot::add_trace(double x0, double dx, const Eigen::Ref<const Eigen::VectorXd>& y,
+                        const std::string& style) {
   const auto first = static_cast<Eigen::Index>(std::max(0.0, std::ceil((x_.min - x0) / dx)));
   const auto last =
       std::min(y.size() - 1, static_cast<Eigen::Index>(std::floor((x_.max - x0) / dx)));
@@ -92,7 +93,46 @@ void SvgPlot::add_trace(double x0, double dx, const Eigen::Ref<const Eigen::Vect
     }
     i = next;
   }
-  traces_ += "<path class=\"trace\" d=\"" + path.data() + "\"/>";
+  traces_ += "<path class=\"" + style + "\" d=\"" + path.data() + "\"/>";
+}
+
+void SvgPlot::add_band(double x0, double dx, const Eigen::Ref<const Eigen::VectorXd>& low,
+                       const Eigen::Ref<const Eigen::VectorXd>& high) {
+  std::string there, back;
+  for (Eigen::Index i = 0; i < low.size();) {
+    const double at = std::floor(px(x0 + double(i) * dx));
+    double least = low[i], greatest = high[i];
+    for (; i < low.size() && std::floor(px(x0 + double(i) * dx)) <= at; ++i) {
+      least = std::fmin(least, low[i]);
+      greatest = std::fmax(greatest, high[i]);
+    }
+    there += fmt::format("{}{:.1f},{:.1f}", there.empty() ? "M" : "L", at, py(greatest));
+    back.insert(0, fmt::format("L{:.1f},{:.1f}", at, py(least)));
+  }
+  traces_ += "<path class=\"band\" d=\"" + there + back + "Z\"/>";
+}
+
+void SvgPlot::add_groups(const std::vector<PlotGroup>& groups) {
+  constexpr double gap = 0.2;  // of a group: between it and the next
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const auto from = static_cast<double>(g) + gap / 2;
+    const double width = (1 - gap) / static_cast<double>(groups[g].bars.size());
+    for (std::size_t b = 0; b < groups[g].bars.size(); ++b) {
+      const PlotBar& bar = groups[g].bars[b];
+      const double left_at = px(from + static_cast<double>(b) * width);
+      const double right_at = px(from + static_cast<double>(b + 1) * width) - 1;
+      traces_ += fmt::format(
+          R"(<rect class="bar {}" x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}"/>)",
+          bar.style, left_at, py(bar.value), right_at - left_at, py(0) - py(bar.value));
+      if (bar.whisker == 0) continue;
+      traces_ += fmt::format(R"(<path class="whisker" d="M{0:.1f},{1:.1f}V{2:.1f}"/>)",
+                             (left_at + right_at) / 2, py(bar.value - bar.whisker),
+                             py(bar.value + bar.whisker));
+    }
+    labels_ += fmt::format(R"(<text x="{:.1f}" y="{}" class="mid">{}</text>)",
+                           px(static_cast<double>(g) + 0.5), height_px_ - bottom_px + 13,
+                           xml_escaped(groups[g].label));
+  }
 }
 
 void SvgPlot::add_mark(double x, std::string label) {
@@ -101,7 +141,8 @@ void SvgPlot::add_mark(double x, std::string label) {
   if (x >= x_.min && x <= x_.max && !known) marks_.push_back(mark);
 }
 
-std::string SvgPlot::axes() const {
+std::string SvgPlot::x_ticks() const {
+  if (!labels_.empty()) return labels_;
   const int bottom = height_px_ - bottom_px;
   std::string text;
   for (const double tick : round_ticks(x_.min, x_.max, 8)) {
@@ -109,6 +150,12 @@ std::string SvgPlot::axes() const {
         R"(<path class="grid" d="M{0:.1f},{1}V{2}"/><text x="{0:.1f}" y="{3}" class="mid">{4}</text>)",
         px(tick), top_px, bottom, bottom + 13, tick_text(tick));
   }
+  return text;
+}
+
+std::string SvgPlot::axes() const {
+  const int bottom = height_px_ - bottom_px;
+  std::string text = x_ticks();
   for (const double tick : round_ticks(y_.min, y_.max, 6)) {
     text += fmt::format(
         R"(<path class="grid" d="M{0},{1:.1f}H{2}"/><text x="{3}" y="{4:.1f}" class="end">{5}</text>)",

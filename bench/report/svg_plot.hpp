@@ -12,6 +12,18 @@ struct PlotAxis {
   double max = 1;
 };
 
+/// A bar from 0, with a whisker each way if its value is uncertain by that.
+struct PlotBar {
+  double value = 0, whisker = 0;
+  std::string style;  ///< class of the style sheet
+};
+
+/// Bars side by side, with one label below.
+struct PlotGroup {
+  std::string label;
+  std::vector<PlotBar> bars;
+};
+
 /// A line plot as one inline <svg>: axes with ticks, traces, and marks at places of interest.
 /// Colours come from the style sheet of the page.
 class SvgPlot {
@@ -21,7 +33,16 @@ class SvgPlot {
 
   /// Samples at x0, x0 + dx, ... Where they are denser than the plot can show, each column draws
   /// its least and its greatest value: no peak is lost. A NaN interrupts the trace.
-  void add_trace(double x0, double dx, const Eigen::Ref<const Eigen::VectorXd>& y);
+  /// @param style  class of the style sheet
+  void add_trace(double x0, double dx, const Eigen::Ref<const Eigen::VectorXd>& y,
+                 const std::string& style = "trace");
+
+  /// The strip between two traces, as wide in each column as at its widest.
+  void add_band(double x0, double dx, const Eigen::Ref<const Eigen::VectorXd>& low,
+                const Eigen::Ref<const Eigen::VectorXd>& high);
+
+  /// Group i between x = i and i + 1; their labels take the place of the ticks.
+  void add_groups(const std::vector<PlotGroup>& groups);
 
   /// A dashed line at x with a label on top; labels that would overlap go to further rows, and are
   /// left out (the line stays) when there is no room. The same mark twice is one.
@@ -32,6 +53,7 @@ class SvgPlot {
  private:
   double px(double x) const;
   double py(double y) const;
+  std::string x_ticks() const;
   std::string axes() const;
   std::string marks() const;
 
@@ -41,6 +63,7 @@ class SvgPlot {
   int width_px_;
   int height_px_;
   std::string traces_;
+  std::string labels_;  ///< of groups; empty: ticks
   std::vector<std::pair<double, std::string>> marks_;
 };
 

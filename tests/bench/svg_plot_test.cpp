@@ -52,6 +52,31 @@ TEST_CASE("a gap in the samples is a gap in the trace", "[bench]") {
   CHECK_THAT(trace, !Contains("nan"));
 }
 
+TEST_CASE("a band is as wide in each column as at its widest", "[bench]") {
+  Eigen::VectorXd middle = Eigen::VectorXd::Zero(100000),
+                  width = Eigen::VectorXd::Constant(100000, 0.1);
+  width[54321] = 1;
+  SvgPlot plot("band", {"t", 0, 1}, {"x", -1, 1});
+  plot.add_band(0, 1e-5, middle - width, middle + width);
+  CHECK_THAT(plot.svg(), Contains("class=\"band\"") && Contains(",57.0"));
+  CHECK(plot.svg().size() < 40000);
+}
+
+TEST_CASE("groups of bars stand on zero, with their labels in place of the ticks", "[bench]") {
+  SvgPlot plot("groups", {"order", 0, 2}, {"x", 0, 2});
+  plot.add_groups(
+      {{"39/121", {{1, 0.5, "measured"}, {2, 0, "before"}}}, {"<1>", {{0, 0, "after"}}}});
+  const std::string svg = plot.svg();
+  // 120 px from zero to the top of the frame.
+  CHECK_THAT(svg, Contains("class=\"bar measured\"") && Contains("height=\"60.0\""));
+  CHECK_THAT(svg, Contains("class=\"bar before\"") && Contains("height=\"120.0\""));
+  CHECK_THAT(svg, Contains("39/121") && Contains("&lt;1&gt;"));
+  CHECK_THAT(svg, !Contains(",57V177"));  // a line up from a tick
+  const auto whisker = svg.find("class=\"whisker\"");
+  CHECK(whisker != std::string::npos);
+  CHECK(svg.find("class=\"whisker\"", whisker + 1) == std::string::npos);  // one value is uncertain
+}
+
 TEST_CASE("labels are escaped, and marks off the axis are left out", "[bench]") {
   SvgPlot plot("a < b", {"t", 0, 1}, {"x", 0, 1});
   plot.add_mark(0.5, "<here>");

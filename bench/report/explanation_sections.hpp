@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+#include "analysis/explain/explanation.hpp"
+#include "bench/comparisons.hpp"
+
+/// Sections of explain.html. Each is HTML; empty if it has nothing to show.
+namespace rvbench::bench::report {
+
+/// Errors on what was left out as bars: before, after, what any law would reach, and what repeats
+/// differ by.
+std::string explained_errors_section(const analysis::Explanation& explanation,
+                                     const Comparisons& comparisons);
+
+/// Some records as they are predicted by fits that have not seen their condition: signals over
+/// time, the strongest lines side by side.
+std::string overlays_section(const Comparisons& comparisons);
+
+/// What is left over of every record before and after, on one scale of colour: by blocks of time,
+/// or by the orders that have most of it.
+std::string residual_maps_section(const Comparisons& comparisons);
+
+/// Whether what is compared are lines over order, not samples over time.
+bool is_by_orders(const Comparisons& comparisons);
+
+/// Errors of signals are relative, "2.6 %"; those of lines count standard errors, "1.2 σ".
+std::string error_text(double error, bool by_orders);
+
+/// The orders of a record where most is to be seen, at most `most`, rising. Elements count from the
+/// first order.
+std::vector<Eigen::Index> strongest(const Eigen::VectorXd& of, std::size_t most);
+
+}  // namespace rvbench::bench::report
