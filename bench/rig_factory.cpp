@@ -34,17 +34,23 @@ void schedule(sim::BenchWorld& world, const ScheduledFault& fault) {
   });
 }
 
-// The plant, or its faults at the key of the rig file that names it.
+// Faults of a plant, at the key of the rig file that names it.
+std::vector<hal::ConfigFault> at_plant(const std::string& plant,
+                                       const std::vector<hal::ConfigFault>& own) {
+  std::vector<hal::ConfigFault> faults;
+  for (const hal::ConfigFault& fault : own) {
+    faults.push_back({0, "/plant", hal::describe(plant, fault)});
+  }
+  return faults;
+}
+
+// The plant that a simulated bench turns, or its faults.
 std::variant<sim::PlantSpec, std::vector<hal::ConfigFault>> runnable_plant(const SimRig& rig) {
   auto read = sim::read_plant(rig.plant);
-  const auto* plant = std::get_if<sim::PlantSpec>(&read);
-  std::vector<hal::ConfigFault> faults;
-  for (const hal::ConfigFault& fault :
-       plant == nullptr ? std::get<1>(read) : sim::rv_plant_faults(*plant)) {
-    faults.push_back({0, "/plant", hal::describe(rig.plant, fault)});
-  }
-  if (!faults.empty()) return faults;
-  return *plant;
+  if (read.index() == 1) return at_plant(rig.plant, std::get<1>(read));
+  const auto faults = sim::rv_plant_faults(std::get<0>(read));
+  if (!faults.empty()) return at_plant(rig.plant, faults);
+  return std::get<0>(std::move(read));
 }
 
 Made make(const SimRig& rig) {
@@ -63,6 +69,9 @@ Made make(const SimRig& rig) {
 }
 
 Made make(const ReplayRig& rig) {
+  if (const auto twin = sim::read_plant(rig.plant); twin.index() == 1) {
+    return at_plant(rig.plant, std::get<1>(twin));
+  }
   Result<hal::Rig> made =
       hal::make_replay_rig(rig.recording, {.rated_output_torque_Nm = rig.rated_output_torque_Nm});
   if (!made) return std::vector<hal::ConfigFault>{{0, "/recording", describe(made.error())}};

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <optional>
+#include <variant>
 #include <vector>
 
 #include "bench/campaign_points.hpp"

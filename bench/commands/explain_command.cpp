@@ -87,7 +87,8 @@ void ExplainCommand::write_out(const Twin& twin, const analysis::Explanation& ex
   }
   write_file(folder / "explain.json", explanation_to_json(explanation, facts));
   write_file(folder / "explain.html", make_explanation_page(explanation, facts, comparisons));
-  if (out_ == run_) write_sums(folder);
+  std::error_code apart;
+  if (!run_.empty() && std::filesystem::equivalent(folder, run_, apart)) write_sums(folder);
 }
 
 // @throws Twin::Interrupted

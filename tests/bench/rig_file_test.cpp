@@ -76,6 +76,12 @@ TEST_CASE("every rig has a plant that stands for what it turns", "[bench]") {
   CHECK(plant_of(std::get<0>(read(R"({"rig": "replay", "recording": "r.h5"})"))) == "rv20e_bench");
   CHECK(plant_of(std::get<0>(read(
             R"({"rig": "replay", "recording": "r.h5", "plant": "mine.json"})"))) == "mine.json");
+
+  const rvbench::test::ScratchFolder scratch;
+  write_file(scratch / "rig.json", R"({"rig": "replay", "recording": "r.h5", "plant": "rv20"})");
+  const auto faults = check_rig(scratch / "rig.json");
+  REQUIRE(faults.size() == 1);
+  CHECK(faults[0].pointer == "/plant");
 }
 
 TEST_CASE("a rig file goes before the command line, which fills in what it leaves open",
