@@ -154,10 +154,13 @@ void print_teardown(Console& console, const RunFacts& facts) {
   }
 }
 
+// What was said last: a run that is judged again says it once more.
 void print_twin(Console& console, const RunFacts& facts) {
+  std::string last;
   for (const auto& [time_s, event] : facts.events) {
-    if (event.starts_with(differs_from_twin)) console.out << "\nThe run " << event << '\n';
+    if (event.starts_with(differs_from_twin)) last = event;
   }
+  if (!last.empty()) console.out << "\nThe run " << last << '\n';
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
+#include "bench/twin_check.hpp"
 #include "tests/bench/judgements.hpp"
 
 namespace rvbench::bench {
@@ -45,6 +46,18 @@ TEST_CASE("what the teardown came to is told, if it has something to say", "[ben
   CHECK_THAT(summary_of(judgement), !Contains("teardown"));
   judgement.facts.events.emplace_back(9, "in teardown: the shaft does not stop");
   CHECK_THAT(summary_of(judgement), Contains("In teardown: the shaft does not stop"));
+}
+
+TEST_CASE("how a run differs from its twin is one line, however often it was judged", "[bench]") {
+  Judgement judgement = test::passed_run();
+  judgement.facts.events.emplace_back(9, "as its twin rv20e_bench, within its tolerances");
+  judgement.facts.events.emplace_back(9, "not compared with its twin: too short");
+  CHECK_THAT(summary_of(judgement), !Contains("twin"));
+  for (const char* order : {"order 1", "order 2"}) {
+    judgement.facts.events.emplace_back(9, std::string(differs_from_twin) + " a: " + order);
+  }
+  CHECK_THAT(summary_of(judgement), Contains("The run differs from its twin a: order 2"));
+  CHECK_THAT(summary_of(judgement), !Contains("order 1"));
 }
 
 TEST_CASE("missing result files are named on standard error", "[bench]") {
