@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,16 +30,29 @@ class StraightOrders final : public analysis::ForwardModel {
   const std::vector<analysis::ModelParameter>& base() const override { return twin_.base(); }
   const std::vector<analysis::Candidate>& library() const override { return twin_.library(); }
 
-  /// With other effects than its own it asks the twin.
+  /// With more effects than its own: what the others do to the twin without its own is done here
+  /// as well. With others it asks the twin.
   std::optional<Eigen::VectorXd> residuals(const std::vector<std::size_t>& effects,
                                            const std::vector<double>& values,
                                            const std::vector<bool>& trained) const override;
   std::optional<Eigen::MatrixXd> slopes(const std::vector<std::size_t>& effects,
                                         const std::vector<double>& values,
                                         const std::vector<bool>& trained) const override;
+  /// Of what it says with more effects than its own.
+  std::unique_ptr<analysis::ForwardModel> straightened(const std::vector<std::size_t>& effects,
+                                                       const std::vector<double>& values,
+                                                       const ForwardModel* like) const override;
 
  private:
+  using Features = std::function<std::optional<Eigen::VectorXcd>(const std::vector<std::size_t>&,
+                                                                 const std::vector<double>&)>;
+  static std::unique_ptr<StraightOrders> of(const Features& features, const OrderTwin& twin,
+                                            const std::vector<std::size_t>& effects,
+                                            const std::vector<double>& values,
+                                            const StraightOrders* like);
   Eigen::VectorXcd features_at(const std::vector<double>& values) const;
+  std::optional<Eigen::VectorXcd> with_more(const std::vector<std::size_t>& effects,
+                                            const std::vector<double>& values) const;
 
   StraightOrders(const OrderTwin& twin, std::vector<std::size_t> effects,
                  std::vector<double> values)
@@ -48,7 +62,8 @@ class StraightOrders final : public analysis::ForwardModel {
   std::vector<std::size_t> effects_;
   std::vector<double> values_;
   Eigen::VectorXcd features_;
-  Eigen::MatrixXcd slopes_;  ///< one column for each value
+  Eigen::VectorXcd of_base_;  ///< features there without the effects
+  Eigen::MatrixXcd slopes_;   ///< one column for each value
 };
 
 }  // namespace rvbench::bench

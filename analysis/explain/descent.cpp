@@ -176,18 +176,21 @@ Descent descend(const FitProblem& on, std::vector<double> values, int iterations
   for (std::size_t i = 0; i < values.size(); ++i) {
     values[i] = std::clamp(values[i], on.parameters[i].low, on.parameters[i].high);
   }
-  auto start = stood_in(on, values, known.stand_in.get());
+  const ForwardModel* taken_over = known.stand_in.get();
+  auto start = stood_in(on, values, taken_over);
   if (!start) return descend_directly(on, std::move(values), iterations, known.held);
   Descent at = *std::move(start);
   const int rounds = std::max(1, iterations / iterations_of_a_stand_in);
-  const ForwardModel* like = known.stand_in.get();
+  bool slopes_belong_here = taken_over == nullptr;
   for (int round = 0; round < rounds && !at.converged; ++round) {
-    if (auto next = step_by_stand_in(on, at, like)) {
+    const std::shared_ptr<const ForwardModel> here = at.stand_in;
+    if (auto next = step_by_stand_in(on, at, taken_over != nullptr ? taken_over : here.get())) {
       at = *std::move(next);
-    } else if (like != nullptr) {
-      // Slopes that were taken over may be why: rest is where those that belong here see no step.
-      like = nullptr;
-      if (auto here = stood_in(on, at.values, nullptr)) at = *std::move(here);
+      slopes_belong_here = false;
+    } else if (taken_over == nullptr && !slopes_belong_here) {
+      // Slopes of the place before may be why: rest is where those that belong here see no step.
+      if (auto fresh = stood_in(on, at.values, nullptr)) at = *std::move(fresh);
+      slopes_belong_here = true;
     } else {
       at.converged = true;
     }
@@ -199,21 +202,6 @@ Descent descend(const FitProblem& on, std::vector<double> values, int iterations
     at.residuals.resize(0);
   }
   return at;
-}
-
-std::optional<std::vector<double>> foreseen_best(const FitProblem& on,
-                                                 const std::vector<std::vector<double>>& from,
-                                                 const KnownSlopes& known) {
-  const auto stand_in = on.model.straightened(on.effects, from.front(), known.stand_in.get());
-  if (!stand_in) return std::nullopt;
-  const FitProblem near(*stand_in, on.effects, on.trained, on.scatter);
-  Descent best;
-  best.cost = std::numeric_limits<double>::infinity();
-  for (const std::vector<double>& start : from) {
-    Descent end = descend_directly(near, start, most_iterations_of_a_stand_in, {});
-    if (end.cost < best.cost) best = std::move(end);
-  }
-  return best.values.empty() ? from.front() : best.values;
 }
 
 }  // namespace rvbench::analysis

@@ -27,17 +27,11 @@ struct KnownSlopes {
 };
 
 /// Levenberg-Marquardt within the parameters' bounds; of a model that has stand-ins, on one after
-/// the other.
+/// the other, which keep the slopes of the place before until these lead no further.
 /// @param known  what is not looked for anew: where these slopes do not change much, each step
-///               costs as many evaluations as there are other parameters, and one
+///               costs as many evaluations as there are other parameters, and one. A stand-in's
+///               stay as they are: it rests where they see no step
 Descent descend(const FitProblem& on, std::vector<double> values, int iterations,
                 const KnownSlopes& known = {});
-
-/// Where a stand-in that is made at the first of these values leads, from the one of them that
-/// leads it lowest.
-/// @return nothing if the model has no stand-in
-std::optional<std::vector<double>> foreseen_best(const FitProblem& on,
-                                                 const std::vector<std::vector<double>>& from,
-                                                 const KnownSlopes& known);
 
 }  // namespace rvbench::analysis

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/explain/covariance.hpp"
 #include "analysis/explain/wave.hpp"
 
 namespace rvbench::analysis {
@@ -16,7 +16,6 @@ constexpr int most_refit_iterations = 8;  // from where a fit on nearly the same
 constexpr double least_same_cost = 1e-4;
 constexpr double little_of_gain = 0.02;
 constexpr double same_value = 0.05;
-constexpr double wave_step = 1e-3;      // of a size's scale, and of a radian
 constexpr double same_in_errors = 0.1;  // of a standard error
 constexpr double part_way_back = 0.25;
 constexpr int most_ways_back = 3;          // each a quarter of the one before
@@ -25,44 +24,6 @@ constexpr double same_scatter = 0.9;       // of the one before
 constexpr int opening_iterations = 2;      // of each start
 constexpr int middle_iterations = 4;       // of those that go on after that
 constexpr std::size_t most_finalists = 3;  // starts that go on after that
-
-// Of a symmetric matrix whose rows are in different units; pseudo where it has none.
-Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& information) {
-  if (information.size() == 0) return information;
-  Eigen::VectorXd scale = information.diagonal().cwiseSqrt();
-  scale = (scale.array() > 0).select(scale.cwiseInverse(), 1.0);
-  const Eigen::MatrixXd even = scale.asDiagonal() * information * scale.asDiagonal();
-  return scale.asDiagonal() * even.completeOrthogonalDecomposition().pseudoInverse() *
-         scale.asDiagonal();
-}
-
-// (JᵀJ)⁻¹ (Σ_u g_u g_uᵀ) (JᵀJ)⁻¹ over the units learned from, and what freedom they leave. A number
-// that was known beforehand is learned only in part: by as much as the units tell more of it.
-void add_covariance(const FitProblem& on, const Eigen::MatrixXd& slopes, Fit& fit) {
-  const Eigen::VectorXd& residuals = fit.residuals;
-  const Eigen::Index n = slopes.cols();
-  if (n == 0) return;
-  Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(n, n);
-  double units = 0;
-  for (std::size_t u = 0; u < on.trained.size(); ++u) {
-    if (!on.trained[u]) continue;
-    const ObservedUnit& unit = on.model.units()[u];
-    const auto j = slopes.middleRows(unit.first, unit.size);
-    const Eigen::VectorXd gradient = j.transpose() * residuals.segment(unit.first, unit.size);
-    scatter += gradient * gradient.transpose();
-    ++units;
-  }
-  const Eigen::MatrixXd inverse = inverse_of(information_of(on, slopes));
-  auto learned = static_cast<double>(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double spread = on.parameters[static_cast<std::size_t>(i)].spread;
-    if (!std::isfinite(spread)) continue;
-    scatter(i, i) += std::pow(on.scatter, 4) / (spread * spread);
-    learned -= std::min(std::pow(on.scatter / spread, 2) * inverse(i, i), 1.0);
-  }
-  fit.freedom = std::max(units - learned, 1.0);
-  fit.covariance = units / fit.freedom * inverse * scatter * inverse;
-}
 
 // Costs that differ by less than one value's share in them are the same, or by little of what was
 // gained over the cost before.
@@ -84,7 +45,7 @@ std::string disagreement(const FitProblem& on, const Descent& best, const Descen
   const std::vector<double> there = as_waves(other.values, waves);
   for (std::size_t i = on.model.base().size(); i < here.size(); ++i) {
     const auto index = static_cast<Eigen::Index>(i);
-    if (i > 0 && std::ranges::find(waves, i - 1) != waves.end()) continue;
+    if (std::ranges::find(waves, i - 1) != waves.end()) continue;
     const double apart = std::abs(here[i] - there[i]);
     const double error = covariance.size() > 0 ? std::sqrt(covariance(index, index)) : 0;
     if (apart > same_value * std::abs(here[i]) && apart > same_in_errors * error) {
@@ -113,11 +74,22 @@ std::string certificate(const FitProblem& on, const std::vector<Descent>& ends, 
   return why;
 }
 
-// The best after all starts have made a few moves, in order of their costs. Of a model with
-// stand-ins: two, one of them where a stand-in leads from all starts.
-std::vector<Descent> first_moves(const FitProblem& on, std::vector<std::vector<double>> starts,
+// Where a stand-in of the model comes to rest, from the best of all starts.
+Descent foreseen_best(const FitProblem& on, const std::vector<std::vector<double>>& starts,
+                      const ForwardModel& stand_in) {
+  const FitProblem near(stand_in, on.effects, on.trained, on.scatter);
+  Descent best{starts.front(), std::numeric_limits<double>::infinity(), false, {}, {}, {}};
+  for (const std::vector<double>& start : starts) {
+    Descent end = descend(near, start, most_refit_iterations);
+    if (end.cost < best.cost) best = std::move(end);
+  }
+  return best;
+}
+
+// The best after all starts have made a few moves, in order of their costs.
+std::vector<Descent> first_moves(const FitProblem& on,
+                                 const std::vector<std::vector<double>>& starts,
                                  const KnownSlopes& known) {
-  if (auto best = foreseen_best(on, starts, known)) starts = {*std::move(best), starts.back()};
   std::vector<Descent> ends;
   for (const std::vector<double>& start : starts) {
     ends.push_back(descend(on, start, opening_iterations, known));
@@ -149,7 +121,7 @@ void certify(const FitProblem& on, std::vector<Descent>& ends, const std::vector
   for (int tried = 0; tried < most_ways_back; ++tried) {
     if (ends.size() < 2 || same_place(on, ends[0], ends[1], before)) return;
     std::vector<double> back = ends.front().values;
-    const double part = part_way_back * std::pow(part_way_back, tried);
+    const double part = std::pow(part_way_back, tried + 1);
     for (std::size_t i = 0; i < back.size(); ++i) back[i] += part * (start[i] - back[i]);
     Descent end = descend(on, std::move(back), most_iterations, known_at(ends.front()));
     if (!end.converged) return;
@@ -158,26 +130,14 @@ void certify(const FitProblem& on, std::vector<Descent>& ends, const std::vector
   }
 }
 
-// Slopes of a fit with respect to as_waves(values): a wave whose phase leaves no trace has none in
-// it, which the slopes of its two parts tell only but for their errors.
-Eigen::MatrixXd slopes_of_waves(const FitProblem& on, const Fit& fit) {
-  Eigen::MatrixXd slopes = fit.slopes;
-  const std::vector<std::size_t> waves = waves_among(on.model, on.effects);
-  const ForwardModel& model = fit.stand_in ? *fit.stand_in : on.model;
-  for (const std::size_t at : waves) {
-    for (const std::size_t i : {at, at + 1}) {
-      const double step = wave_step * (i == at ? on.parameters[i].scale : 1);
-      const auto moved = [&](double by) {
-        std::vector<double> values = as_waves(fit.values, waves);
-        values[i] += by;
-        return model.residuals(on.effects, from_waves(std::move(values), waves), on.trained);
-      };
-      const auto above = moved(step), below = moved(-step);
-      if (!above || !below) continue;
-      slopes.col(static_cast<Eigen::Index>(i)) = (*above - *below) / (2 * step);
-    }
-  }
-  return slopes;
+Fit given_up(const FitProblem& on, const Descent& end) {
+  Fit none;
+  none.effects = on.effects;
+  none.values = end.values;
+  none.cost = end.cost;
+  none.scatter = on.scatter;
+  none.not_certified = "explains too little";
+  return none;
 }
 
 Fit fit_at(const FitProblem& on, const Descent& end, const Eigen::MatrixXd& held = {}) {
@@ -199,7 +159,7 @@ Fit fit_at(const FitProblem& on, const Descent& end, const Eigen::MatrixXd& held
     fit.residuals = *residuals;
     fit.slopes = *slopes;
   }
-  add_covariance(on, slopes_of_waves(on, fit), fit);
+  add_covariance(on, fit);
   return fit;
 }
 
@@ -213,29 +173,34 @@ std::size_t first_value_of(const ForwardModel& model, const std::vector<std::siz
 }
 
 Fit fit_from(const ForwardModel& model, const std::vector<std::size_t>& effects,
-             const std::vector<std::vector<double>>& starts, const std::vector<bool>& trained,
+             std::vector<std::vector<double>> starts, const std::vector<bool>& trained,
              double scatter, const KnownSlopes& known, const MustBeat& must_beat) {
   const FitProblem on(model, effects, trained, scatter);
+  if (known.stand_in) {
+    Descent foreseen = foreseen_best(on, starts, *known.stand_in);
+    if (foreseen.cost > must_beat.after_first_moves) return given_up(on, foreseen);
+    starts = {std::move(foreseen.values), std::move(starts.back())};
+  }
   std::vector<Descent> ends = first_moves(on, starts, known);
-  const auto given_up = [&] {
-    Fit none;
-    none.effects = effects;
-    none.values = ends.front().values;
-    none.cost = ends.front().cost;
-    none.scatter = scatter;
-    none.not_certified = "explains too little";
-    return none;
-  };
-  if (ends.front().cost > must_beat.after_first_moves) return given_up();
-  // A stand-in knows all slopes for little more than it knows some.
-  const KnownSlopes to_rest = known.stand_in ? KnownSlopes{} : known;
-  ends.front() = descend(on, ends.front().values, most_iterations, to_rest);
-  if (ends.front().cost > must_beat.at_rest) return given_up();
+  if (ends.front().cost > must_beat.after_first_moves) return given_up(on, ends.front());
+  ends.front() = descend(on, ends.front().values, most_iterations, known);
+  if (ends.front().cost > must_beat.at_rest) return given_up(on, ends.front());
+  if (known.stand_in) ends.front() = descend(on, ends.front().values, most_iterations);
   if (ends.front().converged) certify(on, ends, starts.front(), must_beat.before);
-  Fit fit = fit_at(on, ends.front(), to_rest.held);
+  Fit fit = fit_at(on, ends.front(), known.stand_in ? Eigen::MatrixXd() : known.held);
   if (fit.not_certified.empty())
     fit.not_certified = certificate(on, ends, must_beat.before, fit.covariance);
   return fit;
+}
+
+std::vector<std::vector<double>> starts_from(const std::vector<double>& before,
+                                             const std::vector<std::vector<double>>& all_own) {
+  std::vector<std::vector<double>> starts;
+  for (const std::vector<double>& own : all_own) {
+    starts.push_back(before);
+    starts.back().insert(starts.back().end(), own.begin(), own.end());
+  }
+  return starts;
 }
 
 Fit fit_with(const ForwardModel& model, const Fit& before, std::size_t added,
@@ -245,13 +210,8 @@ Fit fit_with(const ForwardModel& model, const Fit& before, std::size_t added,
   effects.push_back(added);
   std::vector<std::vector<double>> all_own = model.library().at(added).starts;
   if (!screened.empty()) all_own.push_back(screened);
-  std::vector<std::vector<double>> starts;
-  for (const std::vector<double>& own : all_own) {
-    starts.push_back(before.values);
-    starts.back().insert(starts.back().end(), own.begin(), own.end());
-  }
-  return fit_from(model, effects, starts, trained, before.scatter, {before.slopes, before.stand_in},
-                  must_beat);
+  return fit_from(model, effects, starts_from(before.values, all_own), trained, before.scatter,
+                  {before.slopes, before.stand_in}, must_beat);
 }
 
 Fit polish(const ForwardModel& model, const Fit& fit, const std::vector<bool>& trained) {

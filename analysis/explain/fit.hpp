@@ -40,7 +40,8 @@ struct MustBeat {
 /// The fit moves the base and every effect together. It is certified if at least two starts end
 /// within 1e-4 in cost, or one value's share of it, or 2 % of what is gained, and, of each
 /// parameter of the effects but phases, within 5 % or a tenth of its standard error. All starts
-/// make their first moves; the best three go on until two come to rest in one place.
+/// make their first moves; the best three go on until two come to rest in one place. Where a
+/// stand-in is known all starts go on that first, and its best one and the last go on.
 ///
 /// Covariance  (JᵀJ)⁻¹ (Σ_u g_u g_uᵀ) (JᵀJ)⁻¹ with g_u = J_uᵀ r_u: dependence within a unit does
 ///             not count as knowledge
@@ -52,8 +53,12 @@ struct MustBeat {
 /// @param must_beat  where no start comes below it the fit ends there, without residuals
 /// @param scatter    of residuals: see FitProblem
 Fit fit_from(const ForwardModel& model, const std::vector<std::size_t>& effects,
-             const std::vector<std::vector<double>>& starts, const std::vector<bool>& trained,
+             std::vector<std::vector<double>> starts, const std::vector<bool>& trained,
              double scatter = 1, const KnownSlopes& known = {}, const MustBeat& must_beat = {});
+
+/// Where fits begin that add to another: its values, then each of `all_own` in turn.
+std::vector<std::vector<double>> starts_from(const std::vector<double>& before,
+                                             const std::vector<std::vector<double>>& all_own);
 
 /// The fit of `before` with `added` as one more effect, from that effect's own starts.
 /// @param screened  one more start: see Screened; may be empty

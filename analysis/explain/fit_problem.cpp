@@ -55,8 +55,8 @@ FitProblem::FitProblem(const ForwardModel& fitted, const std::vector<std::size_t
       scatter(residual_scatter),
       parameters(parameters_of(fitted, with)) {}
 
-double scatter_of(const ForwardModel& model, const Eigen::VectorXd& residuals,
-                  const std::vector<bool>& trained) {
+double mean_square_of(const ForwardModel& model, const Eigen::VectorXd& residuals,
+                      const std::vector<bool>& trained) {
   double squares = 0, count = 0;
   for (std::size_t u = 0; u < trained.size(); ++u) {
     const ObservedUnit& unit = model.units()[u];
@@ -64,7 +64,12 @@ double scatter_of(const ForwardModel& model, const Eigen::VectorXd& residuals,
     squares += residuals.segment(unit.first, unit.size).squaredNorm();
     count += static_cast<double>(unit.size);
   }
-  return count > 0 ? std::max(1.0, std::sqrt(squares / count)) : 1.0;
+  return count > 0 ? squares / count : 0;
+}
+
+double scatter_of(const ForwardModel& model, const Eigen::VectorXd& residuals,
+                  const std::vector<bool>& trained) {
+  return std::max(1.0, std::sqrt(mean_square_of(model, residuals, trained)));
 }
 
 std::vector<ModelParameter> parameters_of(const ForwardModel& model,

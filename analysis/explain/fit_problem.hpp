@@ -45,7 +45,11 @@ double cost_of(const FitProblem& on, const std::vector<double>& values,
 /// Share of the cost that is not worth another step.
 double negligible_gain(const FitProblem& on);
 
-/// Root mean square of the residuals of units learned from, 1 at least.
+/// Of the residuals of units learned from, squared; 0 if there are none.
+double mean_square_of(const ForwardModel& model, const Eigen::VectorXd& residuals,
+                      const std::vector<bool>& trained);
+
+/// Root of mean_square_of(), 1 at least.
 double scatter_of(const ForwardModel& model, const Eigen::VectorXd& residuals,
                   const std::vector<bool>& trained);
 

@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "analysis/explain/fit_problem.hpp"
 #include "hal/types/parallel_for.hpp"
 
 namespace rvbench::analysis {
@@ -25,17 +26,6 @@ void add_folds(std::vector<Fold>& folds, const std::vector<ObservedUnit>& units,
     for (const ObservedUnit& unit : units) fold.held_out.push_back(unit.*label == name);
     folds.push_back(std::move(fold));
   }
-}
-
-double trained_mean_square(const ForwardModel& model, const Eigen::VectorXd& residuals,
-                           const std::vector<bool>& trained) {
-  double sum = 0, count = 0;
-  for (std::size_t u = 0; u < trained.size(); ++u) {
-    if (!trained[u]) continue;
-    sum += residuals.segment(model.units()[u].first, model.units()[u].size).squaredNorm();
-    count += static_cast<double>(model.units()[u].size);
-  }
-  return count > 0 ? sum / count : 0;
 }
 
 }  // namespace
@@ -93,7 +83,7 @@ std::optional<HeldOut> predict_held_out(const ForwardModel& model, const Fit& fi
   for (std::size_t i = 0; i < folds.size(); ++i) {
     const Eigen::VectorXd& all = without[i].residuals;
     if (all.size() == 0) return std::nullopt;
-    const double scatter = trained_mean_square(model, all, folds[i].trained());
+    const double scatter = mean_square_of(model, all, folds[i].trained());
     for (std::size_t u = 0; u < folds[i].held_out.size(); ++u) {
       if (!folds[i].held_out[u]) continue;
       const ObservedUnit& unit = model.units()[u];

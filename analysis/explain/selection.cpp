@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/explain/miscalibration.hpp"
+#include "analysis/explain/pairs.hpp"
 #include "analysis/explain/trial.hpp"
 #include "hal/types/parallel_for.hpp"
 
@@ -15,32 +17,11 @@ namespace {
 
 constexpr double worth_a_fit = 0.1;     // p of a score: a fit asks for a hundredth of it, and less
 constexpr double worth_trying = 0.1;    // of the gain wanted, as a small effect would bring it
-constexpr std::size_t most_pairs = 4;   // tried after a screening
-constexpr double worth_a_pair = 0.01;   // the same, of all pairs together
 constexpr std::size_t most_rivals = 4;  // of an effect: with itself
 constexpr double most_of_the_way = 0.75;  // of a gain, in log cost, that first moves must make
 constexpr double mostly = 0.5;            // of what a candidate does, done by an accepted effect
 constexpr double little = 0.1;            // of what the accepted effect gained, in log cost
 constexpr double nearly_as_much = 0.75;   // of the log density that the best candidate wins
-constexpr double beyond_known = 3;        // spreads: so far off nothing is known of it after all
-
-// Why the base cannot be trusted: a parameter that had to leave what is known of it. One that is
-// bounded to one side only is bounded by physics, not by knowledge: zero says nothing against it.
-std::string miscalibration(const ForwardModel& model, const Fit& fit) {
-  for (std::size_t i = 0; i < model.base().size(); ++i) {
-    const ModelParameter& p = model.base()[i];
-    const bool is_known = std::isfinite(p.low) && std::isfinite(p.high);
-    const bool at_low = p.nominal > p.low && fit.values[i] <= p.low + 1e-6 * p.scale;
-    const bool at_high = p.nominal < p.high && fit.values[i] >= p.high - 1e-6 * p.scale;
-    if ((is_known && (at_low || at_high)) ||
-        std::abs(fit.values[i] - p.nominal) > beyond_known * p.spread) {
-      const double within = is_known ? 0.5 * (p.high - p.low) : beyond_known * p.spread;
-      return fmt::format("{} had to go to {:.4g} {}, known as {:.4g} within {:.2g}", p.name,
-                         fit.values[i], p.unit, p.nominal, within);
-    }
-  }
-  return {};
-}
 
 bool predicts_better(const Trial& a, const Trial& b) {
   const auto sum = [](const Trial& t) {
@@ -211,18 +192,14 @@ class Selector {
     steps_.push_back(std::move(step));
   }
 
-  struct PairTrial {
-    Trial first, second;
-  };
-
   // Two effects together that neither shows alone.
   bool accept_pair() {
     if (steps_.size() + 2 > options_.most_effects) return false;
-    const auto pairs = promising_pairs();
+    const std::vector<Pair> pairs = promising_pairs(on_, screened_);
     std::vector<PairTrial> trials(pairs.size());
     std::atomic<std::size_t> done = 0;
     parallel_for(pairs.size(), [&](std::size_t i) {
-      trials[i] = try_pair(pairs[i].first, pairs[i].second);
+      trials[i] = try_pair(on_, foreseen_, pairs[i]);
       tell(fmt::format("effect {}, pairs", steps_.size() + 1),
            double(++done) / double(pairs.size()), "fitting");
     });
@@ -253,72 +230,6 @@ class Selector {
     accept(pair.second, second_tried, {second_tried}, first->fit.cost);
     go_on_from(std::move(*standing));
     return true;
-  }
-
-  struct Pair {
-    std::size_t first, second;
-    double gain;
-  };
-
-  std::vector<Pair> promising_pairs() const {
-    std::vector<Pair> pairs;
-    const std::size_t n = screened_.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t k = i + 1; k < n; ++k) {
-        const Screened &a = screened_[i], &b = screened_[k];
-        if (!pair_is_admissible(on_.model, a, b)) continue;
-        const double p = pair_p_value(a, b) * double(n * (n - 1)) / 2;
-        const double gain = on_.gain_of(pair_explains(a, b));
-        if (p < worth_a_pair && gain > on_.least_gain()) {
-          pairs.push_back({a.effect, b.effect, gain});
-        }
-      }
-    }
-    std::ranges::sort(pairs, std::ranges::greater{}, &Pair::gain);
-    if (pairs.size() > most_pairs) pairs.resize(most_pairs);
-    return pairs;
-  }
-
-  // Whether two, fitted at once, come to explain what one would have to.
-  bool may_gain_together(std::size_t a, std::size_t b) const {
-    std::vector<std::size_t> effects = foreseen_.fit.effects;
-    effects.insert(effects.end(), {a, b});
-    const auto& first = on_.model.library()[a].starts;
-    const auto& second = on_.model.library()[b].starts;
-    std::vector<std::vector<double>> starts;
-    for (std::size_t i = 0; i < std::max(first.size(), second.size()); ++i) {
-      starts.push_back(foreseen_.fit.values);
-      for (const auto& own : {first[i % first.size()], second[i % second.size()]}) {
-        starts.back().insert(starts.back().end(), own.begin(), own.end());
-      }
-    }
-    const Fit both =
-        fit_from(on_.model, effects, starts, on_.everything, foreseen_.fit.scatter,
-                 {foreseen_.fit.slopes, foreseen_.fit.stand_in}, least_of(on_, foreseen_.fit));
-    return both.residuals.size() > 0;
-  }
-
-  // The second is refused where the two are not clearly better than neither.
-  PairTrial try_pair(std::size_t a, std::size_t b) const {
-    PairTrial pair;
-    pair.second.refused = "its partner cannot be fitted";
-    if (!may_gain_together(a, b)) return pair;
-    pair.first.fit = fit_with(on_.model, foreseen_.fit, a, on_.everything);
-    if (!pair.first.fit.not_certified.empty()) return pair;
-    const auto first = stand(on_, pair.first.fit, LeftOut::forecast);
-    if (!first) return pair;
-    pair.first.held_out = first->held_out;
-    pair.first.extrapolated = first->extrapolated;
-    pair.first.over_before = margin(first->held_out, foreseen_.held_out);
-    pair.second = try_effect(on_, *first, b, least_of(on_, first->fit));
-    if (!pair.second.refused.empty()) return pair;
-    const Standalone partner = stands_alone(on_, pair.second.fit, now_.fit.effects.size());
-    pair.first.p_value = partner.p_value;
-    pair.second.refused = partner.refused;
-    if (!margin(pair.second.held_out, foreseen_.held_out).is_clear()) {
-      pair.second.refused = "the pair does not predict left-out conditions clearly better";
-    }
-    return pair;
   }
 
   // Exchanges earlier effects for rivals that predict clearly better beside the newest one.
@@ -354,19 +265,13 @@ class Selector {
 
   // The present model without one of its effects, fitted anew.
   std::optional<Standing> refit_without(std::size_t effect) const {
-    std::vector<std::size_t> effects;
-    std::vector<double> start(now_.fit.values.begin(),
-                              now_.fit.values.begin() + std::ptrdiff_t(on_.model.base().size()));
-    std::size_t at = start.size();
-    for (const std::size_t held : now_.fit.effects) {
-      const std::size_t count = on_.model.library()[held].parameters.size();
-      if (held != effect) {
-        effects.push_back(held);
-        start.insert(start.end(), now_.fit.values.begin() + std::ptrdiff_t(at),
-                     now_.fit.values.begin() + std::ptrdiff_t(at + count));
-      }
-      at += count;
-    }
+    std::vector<std::size_t> effects = now_.fit.effects;
+    const auto place = std::ranges::find(effects, effect);
+    const std::size_t at = first_value_of(on_.model, effects, std::size_t(place - effects.begin()));
+    effects.erase(place);
+    std::vector<double> start = now_.fit.values;
+    const auto first = start.begin() + std::ptrdiff_t(at);
+    start.erase(first, first + std::ptrdiff_t(on_.model.library()[effect].parameters.size()));
     const Fit fit = fit_from(on_.model, effects, {start}, on_.everything, now_.fit.scatter);
     if (fit.residuals.size() == 0) return std::nullopt;
     return stand(on_, polish(on_.model, fit, on_.everything), LeftOut::refitted);

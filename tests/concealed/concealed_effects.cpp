@@ -3,10 +3,10 @@
 // plant that lacks them, and prints one line: what was hidden, what was answered, whether that is
 // right.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -16,120 +16,15 @@
 #include "analysis/explain/explanation.hpp"
 #include "bench/order_twin.hpp"
 #include "sim/draw.hpp"
-#include "sim/effect_sites.hpp"
 #include "sim/rv_plant.hpp"
-#include "sim/steady_state.hpp"
+#include "tests/concealed/hiding.hpp"
 #include "tests/support/rv_campaign.hpp"
 
 using namespace rvbench;
 using nlohmann::json;
+using test::Hidden;
 
 namespace {
-
-constexpr double below_strongest_line = 0.1;  // 20 dB
-constexpr double over_scatter = 3;            // of the friction from record to record
-constexpr int sizings = 3;                    // each as large as the one before came out too small
-const sim::NaturalScales natural{2.5, 1e-3, 120};
-
-/// An effect as it is hidden.
-struct Hidden {
-  json about;
-  std::string name;
-  sim::EffectSite site;
-  sim::Parameters parameters;
-};
-
-struct Shown {
-  double strongest_mean_Nm = 0;
-  Eigen::MatrixXcd lines;  ///< of torque: orders x conditions; the last rows follow time
-  Eigen::VectorXd means_Nm;
-};
-
-// How the torque of a plant that turns steadily looks under the matrix's corners.
-std::optional<Shown> shown_by(const sim::PlantSpec& plant) {
-  constexpr int orders = 2200;
-  const auto made = sim::SteadyPlant::make(plant);
-  if (!std::holds_alternative<sim::SteadyPlant>(made)) return std::nullopt;
-  const test::RvMatrix matrix;
-  const auto count = Eigen::Index(matrix.speeds_rpm.size() * matrix.loads_pct.size());
-  Shown shown{0, Eigen::MatrixXcd::Zero(orders + 8, count), Eigen::VectorXd(count)};
-  Eigen::Index at = 0;
-  for (const double speed_rpm : matrix.speeds_rpm) {
-    for (const double load_pct : matrix.loads_pct) {
-      const Eigen::Vector2d inputs(speed_rpm / 60 * 2, load_pct / 100 * 167);
-      const auto state = std::get<sim::SteadyPlant>(made).under(inputs, orders);
-      if (!std::holds_alternative<sim::SteadyState>(state)) return std::nullopt;
-      const sim::SteadyOutput& torque = std::get<sim::SteadyState>(state).outputs[0];
-      shown.lines.col(at).segment(1, orders) = torque.shaft_lines.tail(orders);
-      const Eigen::Index timed = std::min<Eigen::Index>(torque.timed_lines.size(), 7);
-      shown.lines.col(at).segment(orders + 1, timed) = torque.timed_lines.head(timed);
-      shown.means_Nm[at++] = torque.mean;
-    }
-  }
-  return shown;
-}
-
-// By how many times the effect is too small for what it is to show.
-double too_small(const Hidden& hidden, const Shown& without, const Shown& with,
-                 const test::RvMatrix& matrix) {
-  if (hidden.about.at("shows") == "lines") {
-    const double strongest = without.lines.topRows(2201).cwiseAbs().maxCoeff();
-    return below_strongest_line * strongest / (with.lines - without.lines).cwiseAbs().maxCoeff();
-  }
-  const Eigen::VectorXd change = with.means_Nm - without.means_Nm;
-  const double scatter_Nm = matrix.friction_scatter * 0.15;  // of the input shaft's friction
-  return over_scatter * scatter_Nm / std::sqrt(change.squaredNorm() / double(change.size()));
-}
-
-sim::PlantSpec with(const sim::PlantSpec& plant, const Hidden& hidden) {
-  return sim::with_effect(plant, hidden.name, hidden.site, hidden.parameters);
-}
-
-// Somewhere it may act, of random shape, as large as it is to show.
-std::optional<Hidden> hide(const sim::PlantSpec& machine, const json& about, sim::Draw& draw) {
-  Hidden hidden{about, about.at("effect"), {}, {}};
-  const sim::TermType& type = *sim::standard_terms().find(hidden.name);
-  std::vector<sim::EffectSite> sites = sim::sites_of(machine, type);
-  std::erase_if(sites, [&](const sim::EffectSite& site) {
-    const std::string where = sim::describe(site);
-    return (about.contains("where") && where != about.at("where")) ||
-           (about.contains("not_on") &&
-            where == std::string(about.at("not_on")) + " against the housing");
-  });
-  const auto without = shown_by(machine);
-  const test::RvMatrix matrix;
-  while (!sites.empty()) {
-    const auto at = static_cast<std::size_t>(draw.uniform(0, double(sites.size())));
-    hidden.site = sites[at];
-    sites.erase(sites.begin() + std::ptrdiff_t(at));
-    for (const sim::ParameterCard& card : type.parameters) {
-      double value = card.start * natural_scale(card.unit, natural) * draw.within_factor(1.3);
-      if (card.unit == sim::UnitKind::angle) value = draw.phase_rad();
-      if (card.name == "frequency" && about.contains("frequency_Hz")) {
-        value = about.at("frequency_Hz");
-      }
-      hidden.parameters[card.name] = {value, std::string(unit_of(card.unit, sim::Motion::rotation)),
-                                      0};
-    }
-    std::optional<Shown> shown;
-    for (int i = 0; i < sizings; ++i) {
-      shown = shown_by(with(machine, hidden));
-      if (!shown) break;
-      const double factor = too_small(hidden, *without, *shown, matrix);
-      if (!std::isfinite(factor)) {
-        shown.reset();
-        break;
-      }
-      for (const sim::ParameterCard& card : type.parameters) {
-        const bool is_size = &card == &type.parameters.front() ||
-                             (card.name == "sine" && type.parameters.front().name == "cosine");
-        if (is_size) hidden.parameters[card.name].value *= factor;
-      }
-    }
-    if (shown) return hidden;
-  }
-  return std::nullopt;
-}
 
 std::set<std::string> names_of(const analysis::ExplainedEffect& effect) {
   std::set<std::string> names(effect.one_of.begin(), effect.one_of.end());
@@ -157,7 +52,8 @@ std::string judged(const analysis::Explanation& said, const std::vector<Hidden>&
   for (const Hidden& h : hidden) {
     const bool is_named = std::ranges::any_of(
         said.effects, [&](const auto& e) { return names(e, h) || is_mimic(e, h); });
-    const bool hides = h.about.value("may_hide", false) && said.effects.empty();
+    const bool may_hide = !h.shows || h.about.value("may_hide", false);
+    const bool hides = may_hide && said.effects.empty();
     if (is_named || hides) ++found;
   }
   const auto meant = [&](const analysis::ExplainedEffect& e) {
@@ -199,40 +95,49 @@ double now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-int run(std::vector<std::string> args) {
-  const bool in_detail = std::erase(args, "--tried") > 0;
+// What is to be hidden: the one that is named, none, or two that nothing can hide behind.
+std::vector<json> wanted_of(const std::vector<std::string>& args, sim::Draw& draw) {
   const json all = json::parse(std::ifstream(args.at(0))).at("effects");
-  const std::string kind = args.at(1);
-  const auto seed = std::stoull(args.back());
-  sim::Draw draw(seed * 1000 + 17);
-  const sim::PlantSpec nominal = test::with_mesh_error(sim::rv20e_bench());
-  sim::PlantSpec machine = test::within_tolerance(nominal, draw.seed(), 1);
   std::vector<json> wanted;
-  if (kind == "single") {
-    for (const json& about : all) {
-      if (about.at("effect") == args.at(2)) wanted.push_back(about);
-    }
+  if (args.at(1) == "single") {
+    std::ranges::copy_if(all, std::back_inserter(wanted),
+                         [&](const json& about) { return about.at("effect") == args.at(2); });
     if (wanted.empty()) throw std::invalid_argument(args.at(2) + " is not in " + args.at(0));
-  } else if (kind == "pair") {
+  } else if (args.at(1) == "pair") {
     std::vector<json> open;
-    for (const json& about : all) {
-      if (!about.value("may_hide", false)) open.push_back(about);
-    }
+    std::ranges::copy_if(all, std::back_inserter(open), [](const json& about) {
+      return about.at("shows") == "lines" && !about.value("may_hide", false);
+    });
     for (int i = 0; i < 2; ++i) {
       const auto at = static_cast<std::size_t>(draw.uniform(0, double(open.size())));
       wanted.push_back(open[at]);
       open.erase(open.begin() + std::ptrdiff_t(at));
     }
   }
-  std::vector<Hidden> hidden;
+  return wanted;
+}
+
+std::string truth_of(const std::vector<Hidden>& hidden) {
   std::string truth;
-  for (const json& about : wanted) {
-    auto one = hide(machine, about, draw);
+  for (const Hidden& one : hidden) {
+    const std::string first = sim::standard_terms().find(one.name)->parameters.front().name;
+    truth += fmt::format(" {}={:.3g} ({}{})", one.name, one.parameters.at(first).value,
+                         sim::describe(one.site), one.shows ? "" : ", does not show");
+  }
+  return truth.empty() ? " nothing" : truth;
+}
+
+int run(std::vector<std::string> args) {
+  const bool in_detail = std::erase(args, "--tried") > 0;
+  const auto seed = std::stoull(args.back());
+  sim::Draw draw(seed * 1000 + 17);
+  const sim::PlantSpec nominal = test::with_mesh_error(sim::rv20e_bench());
+  sim::PlantSpec machine = test::within_tolerance(nominal, draw.seed(), 1);
+  std::vector<Hidden> hidden;
+  for (const json& about : wanted_of(args, draw)) {
+    auto one = test::hide(machine, about, draw);
     if (!one) throw std::runtime_error(about.at("effect").get<std::string>() + ": nowhere to hide");
-    machine = with(machine, *one);
-    const std::string first = sim::standard_terms().find(one->name)->parameters.front().name;
-    truth += fmt::format(" {}={:.3g} ({})", one->name, one->parameters.at(first).value,
-                         sim::describe(one->site));
+    machine = test::with(machine, *one);
     hidden.push_back(std::move(*one));
   }
   test::RvMatrix matrix;
@@ -245,9 +150,9 @@ int run(std::vector<std::string> args) {
     throw std::runtime_error(refusal->faults.front().message);
   }
   const analysis::Explanation said = analysis::explain(*std::get<0>(made));
-  std::cout << fmt::format("{}{} seed {}: {} | hidden:{} | said: {} | self-null {} | {:.1f} s\n",
-                           kind, kind == "single" ? " " + args.at(2) : "", seed,
-                           judged(said, hidden), truth.empty() ? " nothing" : truth,
+  args.erase(args.begin());
+  std::cout << fmt::format("{}: {} | hidden:{} | said: {} | self-null {} | {:.1f} s\n",
+                           fmt::join(args, " "), judged(said, hidden), truth_of(hidden),
                            said_in_short(said), said.self_null.found.size(), now_s() - start_s);
   if (in_detail) print_tried(*std::get<0>(made), said.selection);
   return 0;

@@ -69,8 +69,9 @@ Recording record_of(const sim::PlantSpec& machine, double speed_rpm, double load
   unit.phases_rad.assign(10, 0);
   unit.friction_factor = 1 + matrix.friction_scatter * draw.uniform(-1.7, 1.7);
   sim::RvTrain train(machine, unit, 1 / (daq_rate_Hz * steps_per_sample));
-  train.set_supply(speed_rpm / 60 * pole_pairs, true);
-  train.set_brake_torque(load_pct / 100 * rated_torque_Nm);
+  const Eigen::Vector2d inputs = rv_inputs(speed_rpm, load_pct);
+  train.set_supply(inputs[0], true);
+  train.set_brake_torque(inputs[1]);
   const auto run = [&](int steps) {
     for (int i = 0; i < steps; ++i) train.step();
     train.wrap();
@@ -102,6 +103,10 @@ Recording record_of(const sim::PlantSpec& machine, double speed_rpm, double load
 }
 
 }  // namespace
+
+Eigen::Vector2d rv_inputs(double speed_rpm, double load_pct) {
+  return {speed_rpm / 60 * pole_pairs, load_pct / 100 * rated_torque_Nm};
+}
 
 bench::Campaign rv_campaign(const sim::PlantSpec& machine, std::uint64_t seed,
                             const RvMatrix& matrix) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 
 #include "bench/campaign.hpp"
@@ -12,13 +13,16 @@ struct RvMatrix {
   std::vector<double> speeds_rpm{605, 1210, 1815};
   std::vector<double> loads_pct{0, 75, 150};
   int repeats = 3;
-  double periods = 4.3;             ///< output turns of each record
+  double periods = 4.5;             ///< output turns of each record
   double torque_noise_Nm = 2e-3;    ///< rms
   double noise_colour = 0.5;        ///< pole of a one-pole filter
   double friction_scatter = 0.005;  ///< of the input shaft's friction, from record to record
   double torque_gain = 1;
   double torque_delay_samples = 0;  ///< of the torque behind the angle, to a fifth of a sample
 };
+
+/// Of the plant's supply and brake under a corner of the matrix.
+Eigen::Vector2d rv_inputs(double speed_rpm, double load_pct);
 
 /// Records of torque and angle of the input shaft as the train integrates them in time: nothing
 /// here knows orders or steady states.

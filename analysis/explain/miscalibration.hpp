@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "analysis/explain/fit.hpp"
+#include "analysis/explain/forward_model.hpp"
+
+namespace rvbench::analysis {
+
+/// Why the base of a fit cannot be trusted: a parameter that had to leave what is known of it.
+/// One that is bounded to one side only is bounded by physics, not by knowledge: zero says nothing
+/// against it.
+/// @return empty if it can be trusted
+std::string miscalibration(const ForwardModel& model, const Fit& fit);
+
+}  // namespace rvbench::analysis
