@@ -30,6 +30,8 @@ std::vector<Eigen::Index> trained_rows(const FitProblem& on) {
   return rows;
 }
 
+// Takes each parameter in its own scale: Ceres tells the length of a step by all of them together,
+// and a stiffness would drown a micrometre.
 // Remembers where it was evaluated last, for Ceres asks for a step's cost, then for its slopes; and
 // where it gave slopes last, which is where Ceres stays if nothing further on is better.
 class Cost final : public ceres::CostFunction {
@@ -41,7 +43,7 @@ class Cost final : public ceres::CostFunction {
   }
 
   bool Evaluate(double const* const* blocks, double* out, double** jacobians) const override {
-    std::vector<double> values(blocks[0], blocks[0] + on_.parameters.size());
+    std::vector<double> values = values_at(blocks[0]);
     if (values != here_.values) {
       auto residuals = on_.model.residuals(on_.effects, values, on_.trained);
       if (!residuals || !residuals->allFinite()) return false;
@@ -56,6 +58,14 @@ class Cost final : public ceres::CostFunction {
     return jacobians == nullptr || jacobians[0] == nullptr || give_slopes(jacobians[0]);
   }
 
+  std::vector<double> values_at(const double* scaled) const {
+    std::vector<double> values(on_.parameters.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const ModelParameter& p = on_.parameters[i];
+      values[i] = std::clamp(scaled[i] * p.scale, p.low, p.high);
+    }
+    return values;
+  }
   const Evaluated& sloped_at() const { return sloped_at_; }
   const Eigen::MatrixXd& slopes() const { return slopes_; }
 
@@ -71,6 +81,9 @@ class Cost final : public ceres::CostFunction {
     for (std::size_t p = 0; p < prior_.of.size(); ++p) {
       all(measured + static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(prior_.of[p])) =
           1 / prior_.spread[p];
+    }
+    for (Eigen::Index i = 0; i < all.cols(); ++i) {
+      all.col(i) *= on_.parameters[static_cast<std::size_t>(i)].scale;
     }
     slopes_ = std::move(*slopes);
     sloped_at_ = here_;
@@ -117,17 +130,21 @@ Descent descend_directly(const FitProblem& on, std::vector<double> values, int i
   ceres::Problem::Options not_owner;
   not_owner.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   ceres::Problem problem(not_owner);
-  problem.AddResidualBlock(&cost, nullptr, values.data());
+  std::vector<double> scaled(values.size());
+  problem.AddResidualBlock(&cost, nullptr, scaled.data());
   for (std::size_t i = 0; i < values.size(); ++i) {
     const ModelParameter& p = on.parameters[i];
-    values[i] = std::clamp(values[i], p.low, p.high);
+    scaled[i] = std::clamp(values[i], p.low, p.high) / p.scale;
     const auto index = static_cast<int>(i);
-    if (std::isfinite(p.low)) problem.SetParameterLowerBound(values.data(), index, p.low);
-    if (std::isfinite(p.high)) problem.SetParameterUpperBound(values.data(), index, p.high);
+    if (std::isfinite(p.low)) problem.SetParameterLowerBound(scaled.data(), index, p.low / p.scale);
+    if (std::isfinite(p.high)) {
+      problem.SetParameterUpperBound(scaled.data(), index, p.high / p.scale);
+    }
   }
   ceres::Solver::Summary summary;
   keep_ceres_silent();
   ceres::Solve(solver_options(on, iterations), &problem, &summary);
+  values = cost.values_at(scaled.data());
   if (!summary.IsSolutionUsable()) return {values, infinite, false, {}, {}, {}};
   Descent end{
       values, 2 * summary.final_cost, summary.termination_type == ceres::CONVERGENCE, {}, {}, {}};

@@ -19,7 +19,45 @@ Fit base_fit(const ToyModel& model) {
   return fit_from(model, {}, {{1.0, 0.0}, {2.0, 1.0}}, all(model));
 }
 
+// A spring of 100 MN/m and a deviation of 60 µm, each with its own mark on four records.
+class SpringAndDeviation final : public ForwardModel {
+ public:
+  SpringAndDeviation() {
+    base_ = {{"stiffness", "N/m", 1e8, 0, 1e9, infinite, 5e6},
+             {"deviation", "m", 0, -1e-3, 1e-3, infinite, 3e-6}};
+    for (int record = 0; record < 4; ++record) {
+      const std::string name = std::to_string(record);
+      units_.push_back({name, name, "", "", record * 50, 50});
+    }
+  }
+  const std::vector<ObservedUnit>& units() const override { return units_; }
+  const std::vector<ModelParameter>& base() const override { return base_; }
+  const std::vector<Candidate>& library() const override { return none_; }
+  std::optional<Eigen::VectorXd> residuals(const std::vector<std::size_t>&,
+                                           const std::vector<double>& values,
+                                           const std::vector<bool>&) const override {
+    const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(200, 0, 20);
+    const Eigen::ArrayXd noise = (370 * t).sin();
+    return Eigen::VectorXd(noise + (1e8 - values[0]) / 1e6 * t.sin() +
+                           (6e-5 - values[1]) / 1e-6 * t.cos());
+  }
+
+ private:
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+  std::vector<ObservedUnit> units_;
+  std::vector<ModelParameter> base_;
+  std::vector<Candidate> none_;
+};
+
 }  // namespace
+
+TEST_CASE("micrometres are found beside meganewtons per metre", "[explain]") {
+  const SpringAndDeviation model;
+  const Fit fit = fit_from(model, {}, {{1e8, 0}, {1e8, 3e-6}}, all(model));
+  CHECK(fit.values[0] == Approx(1e8).epsilon(0.01));
+  CHECK(fit.values[1] == Approx(6e-5).epsilon(0.01));
+  CHECK(fit.not_certified.empty());
+}
 
 TEST_CASE("a fit finds the values that made the data, and is certified", "[explain]") {
   const ToyModel model({{{"stribeck_friction", {0.7, 0.4}}}, 0.02, 0.5});
