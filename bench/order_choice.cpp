@@ -13,7 +13,6 @@ using Kind = OrderFeature::Kind;
 
 constexpr double worth_comparing = 0.1;  // of an effect's largest line
 constexpr std::array<int, 4> supply_harmonics{1, 2, 6, 12};
-constexpr std::array<double, 4> mains_Hz{50, 60, 100, 120};
 
 // Which orders of each output to compare: those that a recording shows, and those that the plant or
 // some effect would bring.
@@ -73,9 +72,11 @@ bool is_beside_timed(const std::vector<OrderRecord>& records, std::size_t condit
 
 }  // namespace
 
+std::vector<double> mains_rhythms_Hz() { return {50, 60, 100, 120}; }
+
 std::vector<OrderFeature> timed_lines(const sim::PlantSpec& plant,
                                       const OrderCondition& condition) {
-  std::vector<double> rhythms_Hz(mains_Hz.begin(), mains_Hz.end());
+  std::vector<double> rhythms_Hz = mains_rhythms_Hz();
   for (std::size_t i = 0; i < plant.inputs.size(); ++i) {
     const sim::InputSpec& input = plant.inputs[i];
     if (input.kind != sim::InputKind::signal) continue;

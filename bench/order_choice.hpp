@@ -8,6 +8,9 @@
 
 namespace rvbench::bench {
 
+/// Of mains in Europe and America, and of what it does twice a period.
+std::vector<double> mains_rhythms_Hz();
+
 /// Lines at multiples of the supply's frequency, and of the mains', that a condition's records can
 /// show.
 std::vector<OrderFeature> timed_lines(const sim::PlantSpec& plant, const OrderCondition& condition);

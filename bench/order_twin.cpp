@@ -149,7 +149,7 @@ ParameterScales OrderTwin::scales() const {
   }
   const auto others = static_cast<double>(plant_.outputs.size()) - 1;
   const double force = std::sqrt(torque / count / std::max(others, 1.0));
-  return {{force, 1e-3, std::sqrt(speed / count)}, 1e-3, force};
+  return {{force, 1e-3, std::sqrt(speed / count)}, 1e-3, force, mains_rhythms_Hz()};
 }
 
 // Residuals are in standard errors, so that what is known of the plant can be weighed against them:

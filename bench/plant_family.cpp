@@ -17,18 +17,19 @@ PlantFamily::PlantFamily(sim::PlantSpec plant, const ParameterScales& scales,
     const sim::TermType& type = terms_.types()[t];
     if (!type.card.effect) continue;
     for (const sim::EffectSite& site : sim::sites_of(plant_, type)) {
-      add_candidate(t, site, scales.natural);
+      add_candidates(t, site, scales);
     }
   }
 }
 
-void PlantFamily::add_candidate(std::size_t type, const sim::EffectSite& site,
-                                const sim::NaturalScales& natural) {
-  TwinCandidate made = candidate_at(plant_, terms_.types()[type], site, natural);
-  if (made.candidate.parameters.empty()) return;
-  acts_.emplace_back(type, site);
-  chosen_.push_back(std::move(made.chosen));
-  candidates_.push_back(std::move(made.candidate));
+void PlantFamily::add_candidates(std::size_t type, const sim::EffectSite& site,
+                                 const ParameterScales& scales) {
+  for (TwinCandidate& made : candidates_at(plant_, terms_.types()[type], site, scales)) {
+    if (made.candidate.parameters.empty()) continue;
+    acts_.emplace_back(type, site);
+    chosen_.push_back(std::move(made.chosen));
+    candidates_.push_back(std::move(made.candidate));
+  }
 }
 
 void PlantFamily::stands_for(std::size_t candidate, std::size_t other) {

@@ -37,8 +37,7 @@ class PlantFamily {
                       const std::vector<double>& values) const;
 
  private:
-  void add_candidate(std::size_t type, const sim::EffectSite& site,
-                     const sim::NaturalScales& natural);
+  void add_candidates(std::size_t type, const sim::EffectSite& site, const ParameterScales& scales);
 
   sim::PlantSpec plant_;
   const sim::TermLibrary& terms_;

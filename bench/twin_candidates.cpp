@@ -93,6 +93,53 @@ void bound_by_card(analysis::ModelParameter& p, const sim::PlantSpec& plant,
   }
 }
 
+// @param given  parameters that are known, and not fitted
+TwinCandidate candidate_at(const sim::PlantSpec& plant, const sim::TermType& type,
+                           const sim::EffectSite& site, const sim::NaturalScales& natural,
+                           const std::map<std::string, double>& given) {
+  TwinCandidate made{{}, given};
+  analysis::Candidate& candidate = made.candidate;
+  candidate.name = type.card.name;
+  candidate.where = sim::describe(site);
+  candidate.mimics = type.card.mimics;
+  candidate.experiment = type.card.experiment;
+  candidate.vanishes_at_zero = bool(type.make);
+  candidate.sizes = sizes_of(type);
+  const sim::Motion motion = plant.motion_of(site.body_a);
+  for (const sim::ParameterCard& card : type.parameters) {
+    if (given.contains(card.name)) continue;
+    const double size = sim::natural_scale(card.unit, natural) * card.start;
+    if (!card.fitted) {
+      made.chosen[card.name] = size;
+      continue;
+    }
+    if (card.is_phase) {
+      make_wave(candidate, card.name);
+      continue;
+    }
+    analysis::ModelParameter p;
+    p.name = card.name;
+    p.unit = std::string(sim::unit_of(card.unit, motion));
+    p.low = bound(card.min);
+    p.high = bound(card.max);
+    p.scale = size != 0 ? std::abs(size) : 1;
+    const bool one_way = card.min > -sim::unbounded;  // else it may be anything: a phase
+    if (candidate.parameters.size() >= candidate.sizes && size != 0 && one_way) {
+      // A shape far from what the motion covers is another law in disguise.
+      p.scale = std::clamp(p.scale, p.low, p.high);
+      p.low = std::max(p.low, p.scale / widest_shape);
+      p.high = std::min(p.high, p.scale * widest_shape);
+    }
+    candidate.parameters.push_back(std::move(p));
+  }
+  if (candidate.phasor) {
+    candidate.starts = starts_of_wave(candidate.parameters.front().scale);
+  } else if (!candidate.parameters.empty()) {
+    candidate.starts = starts_of(candidate.parameters);
+  }
+  return made;
+}
+
 }  // namespace
 
 analysis::ModelParameter model_parameter(const sim::PlantSpec& plant,
@@ -125,48 +172,22 @@ analysis::ModelParameter model_parameter(const sim::PlantSpec& plant,
   return p;
 }
 
-TwinCandidate candidate_at(const sim::PlantSpec& plant, const sim::TermType& type,
-                           const sim::EffectSite& site, const sim::NaturalScales& natural) {
-  TwinCandidate made;
-  analysis::Candidate& candidate = made.candidate;
-  candidate.name = type.card.name;
-  candidate.where = sim::describe(site);
-  candidate.mimics = type.card.mimics;
-  candidate.experiment = type.card.experiment;
-  candidate.vanishes_at_zero = bool(type.make);
-  candidate.sizes = sizes_of(type);
-  const sim::Motion motion = plant.motion_of(site.body_a);
-  for (const sim::ParameterCard& card : type.parameters) {
-    const double size = sim::natural_scale(card.unit, natural) * card.start;
-    if (!card.fitted) {
-      made.chosen[card.name] = size;
-      continue;
-    }
-    if (card.is_phase) {
-      make_wave(candidate, card.name);
-      continue;
-    }
-    analysis::ModelParameter p;
-    p.name = card.name;
-    p.unit = std::string(sim::unit_of(card.unit, motion));
-    p.low = bound(card.min);
-    p.high = bound(card.max);
-    p.scale = size != 0 ? std::abs(size) : 1;
-    const bool one_way = card.min > -sim::unbounded;  // else it may be anything: a phase
-    if (candidate.parameters.size() >= candidate.sizes && size != 0 && one_way) {
-      // A shape far from what the motion covers is another law in disguise.
-      p.scale = std::clamp(p.scale, p.low, p.high);
-      p.low = std::max(p.low, p.scale / widest_shape);
-      p.high = std::min(p.high, p.scale * widest_shape);
-    }
-    candidate.parameters.push_back(std::move(p));
+std::vector<TwinCandidate> candidates_at(const sim::PlantSpec& plant, const sim::TermType& type,
+                                         const sim::EffectSite& site,
+                                         const ParameterScales& scales) {
+  const auto frequency =
+      std::ranges::find(type.parameters, sim::UnitKind::frequency, &sim::ParameterCard::unit);
+  const bool keeps_its_time = !type.card.touches.empty() &&
+                              type.card.touches.front().ledger == sim::Ledger::fixed_frequency;
+  if (frequency == type.parameters.end() || !keeps_its_time || scales.rhythms_Hz.empty()) {
+    return {candidate_at(plant, type, site, scales.natural, {})};
   }
-  if (candidate.phasor) {
-    candidate.starts = starts_of_wave(candidate.parameters.front().scale);
-  } else if (!candidate.parameters.empty()) {
-    candidate.starts = starts_of(candidate.parameters);
+  std::vector<TwinCandidate> all;
+  for (const double rhythm_Hz : scales.rhythms_Hz) {
+    all.push_back(candidate_at(plant, type, site, scales.natural, {{frequency->name, rhythm_Hz}}));
+    all.back().candidate.where += fmt::format(", at {:g} Hz", rhythm_Hz);
   }
-  return made;
+  return all;
 }
 
 }  // namespace rvbench::bench

@@ -15,6 +15,8 @@ struct ParameterScales {
   sim::NaturalScales natural;
   double sample_s = 0;
   double deviation = 0;  ///< of what was measured, in its unit
+  /// Frequencies that can be told of what keeps its own time; empty: they are fitted.
+  std::vector<double> rhythms_Hz = {};
 };
 
 /// A quantity of the plant as a fit moves it: within its tolerance, within what the term's card
@@ -30,7 +32,9 @@ struct TwinCandidate {
   std::map<std::string, double> chosen;  ///< parameters that are not fitted
 };
 
-TwinCandidate candidate_at(const sim::PlantSpec& plant, const sim::TermType& type,
-                           const sim::EffectSite& site, const sim::NaturalScales& natural);
+/// One candidate; of an effect that keeps its own time, one for each of the scales' rhythms.
+std::vector<TwinCandidate> candidates_at(const sim::PlantSpec& plant, const sim::TermType& type,
+                                         const sim::EffectSite& site,
+                                         const ParameterScales& scales);
 
 }  // namespace rvbench::bench

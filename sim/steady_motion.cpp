@@ -41,7 +41,7 @@ constexpr double negligible_line = 1e-12;  // of the largest: not solved for
 
 // From near, always as many rounds: what is left open then is a smooth function of the plant.
 constexpr SteadyMotion::Rest from_nowhere{1, 1e-5, 1e-7};
-constexpr SteadyMotion::Rest from_near{3, 1e-2, 1e-3};
+constexpr SteadyMotion::Rest from_near{3, 1e-4, 1e-4};
 
 // A power of two, or one and a half: quick to transform. What the terms push beyond the lines must
 // not be taken for one of them.

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double difference_step = 1e-4;  // of a parameter's scale
 constexpr double at_rest = 1e-5;          // of the cost: less is to be won by another step,
-constexpr double at_rest_of_one = 0.02;   // or less than this of one value's share in it
+constexpr double at_rest_of_one = 0.05;   // or less than this of one value's share in it
 
 }  // namespace
 

@@ -6,7 +6,7 @@ namespace rvbench::sim {
 
 /// A force from outside that keeps its own time: mains, a fan, a neighbouring machine.
 ///
-///     F = −(A·cos 2πft + B·sin 2πft)        pushes forward where A > 0 at t = 0
+///     F = −A·cos(2πft + φ)        pushes forward where the cosine is 1
 ///
 /// Leaves out: harmonics (one term each), drift of the frequency.
 /// Source: Rao, Mechanical Vibrations, ch. 3

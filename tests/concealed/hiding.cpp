@@ -13,6 +13,7 @@ namespace {
 constexpr double below_strongest_line = 0.1;  // 20 dB
 constexpr double over_scatter = 3;            // of the torque's mean from record to record
 constexpr double most_over_friction = 1;      // of the input shaft's: more would be seen by hand
+constexpr double most_over_usual = 30;        // of what a line effect starts its fits with
 constexpr int sizings = 4;                    // each as large as the one before came out too small
 constexpr int orders = 2200;
 constexpr Eigen::Index most_rhythms = 8;
@@ -131,10 +132,13 @@ sim::Parameters random_shape(const Hidden& hidden, sim::Draw& draw) {
   return parameters;
 }
 
-void scale_sizes(Hidden& hidden, double factor) {
-  const auto& cards = sim::standard_terms().find(hidden.name)->parameters;
-  hidden.parameters[cards.front().name].value *= factor;
-  if (cards.front().name == "cosine") hidden.parameters["sine"].value *= factor;
+double& size_of(Hidden& hidden) {
+  return hidden.parameters[sim::standard_terms().find(hidden.name)->parameters.front().name].value;
+}
+
+double over_usual(Hidden& hidden) {
+  const sim::ParameterCard& card = sim::standard_terms().find(hidden.name)->parameters.front();
+  return std::abs(size_of(hidden) / (card.start * natural_scale(card.unit, natural)));
 }
 
 // @return false if it does nothing there
@@ -143,14 +147,13 @@ bool give_size(const sim::PlantSpec& machine, Bare& bare, Hidden& hidden) {
   for (int i = 0; i < sizings; ++i) {
     const auto shown = shown_by(with(machine, hidden));
     if (!shown) return false;
-    double factor = in_lines ? bare.too_small_in_lines(*shown) : bare.too_small_in_means(*shown);
-    if (!in_lines) {
-      const double most = 1 / bare.too_large(*shown);
-      hidden.shows = factor <= most;
-      factor = std::min(factor, most);
-    }
-    if (!std::isfinite(factor)) return false;
-    scale_sizes(hidden, factor);
+    const double wanted =
+        in_lines ? bare.too_small_in_lines(*shown) : bare.too_small_in_means(*shown);
+    const double most =
+        in_lines ? most_over_usual / over_usual(hidden) : 1 / bare.too_large(*shown);
+    if (!std::isfinite(wanted) || !std::isfinite(most)) return false;
+    hidden.shows = wanted <= most;
+    size_of(hidden) *= std::min(wanted, most);
   }
   return true;
 }

@@ -246,9 +246,9 @@ TEST_CASE("the laws of stiffness", "[sim][library][literature]") {
 
 TEST_CASE("the laws of sources", "[sim][library][literature]") {
   CHECK(effort_of("torque_offset", {{"level", -3.2}}, 1, 1) == Approx(-3.2));
-  const std::map<std::string, double> push{{"cosine", 3}, {"sine", 4}, {"frequency", 50}};
-  CHECK(effort_of("external_force", push, 0, 0, 0) == Approx(-3));
-  CHECK(effort_of("external_force", push, 0, 0, 0.005) == Approx(-4));
+  const std::map<std::string, double> push{{"amplitude", 5}, {"phase", 0.3}, {"frequency", 50}};
+  CHECK(effort_of("external_force", push, 0, 0, 0) == Approx(-5 * std::cos(0.3)));
+  CHECK(effort_of("external_force", push, 0, 0, 0.005) == Approx(5 * std::sin(0.3)));
   CHECK(effort_of("saturation", {{"limit", 8}}, 0, 0, 0, 0, 11) == Approx(3));
   CHECK(effort_of("saturation", {{"limit", 8}}, 0, 0, 0, 0, -11) == Approx(-3));
   CHECK(effort_of("saturation", {{"limit", 8}}, 0, 0, 0, 0, 7) == 0);

@@ -33,7 +33,7 @@ const std::string machine = R"plant({
      "parameters": {"excess": {"value": 0.5, "unit": "N"}, "stribeck_speed": {"value": 0.1, "unit": "m/s"},
                     "creep_speed": {"value": 0.05, "unit": "m/s"}}},
     {"type": "external_force", "body_a": "b",
-     "parameters": {"cosine": {"value": 10, "unit": "N"}, "sine": {"value": 0, "unit": "N"},
+     "parameters": {"amplitude": {"value": 10, "unit": "N"}, "phase": {"value": 0, "unit": "rad"},
                     "frequency": {"value": 3, "unit": "Hz"}}},
     {"type": "cascade_controller", "body_a": "a", "set_point": "wanted",
      "parameters": {"position_gain": {"value": 8, "unit": "Hz"}, "speed_gain": {"value": 20, "unit": "N·s/m"},

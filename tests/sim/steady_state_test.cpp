@@ -120,11 +120,11 @@ SCENARIO("a torque that goes round answers as two inertias on a spring do", "[si
 
 SCENARIO("what follows time keeps its frequency at every speed", "[sim][steady]") {
   const auto state = steady(two_wheels(R"(, {"type": "external_force", "body_a": "rotor",
-    "parameters": {"cosine": {"value": 0.03, "unit": "N·m"}, "sine": {"value": -0.04, "unit": "N·m"},
+    "parameters": {"amplitude": {"value": 0.05, "unit": "N·m"}, "phase": {"value": 0.9, "unit": "rad"},
                    "frequency": {"value": 50, "unit": "Hz"}}})"),
                             GENERATE(0.5, 2.0));
   REQUIRE(state.rhythms_Hz == std::vector<double>{50});
-  const Complex expected = Complex(0.03, 0.04) * twist_per_Nm(2 * pi * 50);
+  const Complex expected = std::polar(0.05, 0.9) * twist_per_Nm(2 * pi * 50);
   CHECK(std::abs(state.outputs[1].timed_lines[0] - expected) < 1e-6 * std::abs(expected));
   CHECK(state.outputs[1].shaft_lines.tail(8).cwiseAbs().maxCoeff() < 1e-9);
 }
