@@ -149,7 +149,11 @@ ParameterScales OrderTwin::scales() const {
   }
   const auto others = static_cast<double>(plant_.outputs.size()) - 1;
   const double force = std::sqrt(torque / count / std::max(others, 1.0));
-  return {{force, 1e-3, std::sqrt(speed / count)}, 1e-3, force, mains_rhythms_Hz()};
+  const Eigen::VectorXd& speeds = conditions_.front().nominal.speed_rad_s;
+  std::vector<double> turns;
+  for (const double body_rad_s : speeds) turns.push_back(body_rad_s / speeds[turning_]);
+  return {
+      {force, 1e-3, std::sqrt(speed / count)}, 1e-3, force, mains_rhythms_Hz(), std::move(turns)};
 }
 
 // Residuals are in standard errors, so that what is known of the plant can be weighed against them:

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hal/types/units.hpp"
+#include "sim/named.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -93,6 +94,21 @@ void bound_by_card(analysis::ModelParameter& p, const sim::PlantSpec& plant,
   }
 }
 
+// Of what turns faster, less force and more way and speed: the same power.
+sim::NaturalScales natural_at(const sim::EffectSite& site, const sim::PlantSpec& plant,
+                              const ParameterScales& scales) {
+  if (scales.turns.empty()) return scales.natural;
+  const auto turns_of = [&](const std::string& name) {
+    const int body = sim::index_of(plant.bodies, name);
+    return body < 0 ? 0.0 : scales.turns[static_cast<std::size_t>(body)];
+  };
+  const double against = std::abs(turns_of(site.body_a) - turns_of(site.body_b));
+  const double turns = against > 0 ? against : std::abs(turns_of(site.body_a));
+  if (turns == 0) return scales.natural;
+  const sim::NaturalScales& one = scales.natural;
+  return {one.force / turns, one.coordinate * turns, one.speed * turns};
+}
+
 // @param given  parameters that are known, and not fitted
 TwinCandidate candidate_at(const sim::PlantSpec& plant, const sim::TermType& type,
                            const sim::EffectSite& site, const sim::NaturalScales& natural,
@@ -175,16 +191,17 @@ analysis::ModelParameter model_parameter(const sim::PlantSpec& plant,
 std::vector<TwinCandidate> candidates_at(const sim::PlantSpec& plant, const sim::TermType& type,
                                          const sim::EffectSite& site,
                                          const ParameterScales& scales) {
+  const sim::NaturalScales natural = natural_at(site, plant, scales);
   const auto frequency =
       std::ranges::find(type.parameters, sim::UnitKind::frequency, &sim::ParameterCard::unit);
   const bool keeps_its_time = !type.card.touches.empty() &&
                               type.card.touches.front().ledger == sim::Ledger::fixed_frequency;
   if (frequency == type.parameters.end() || !keeps_its_time || scales.rhythms_Hz.empty()) {
-    return {candidate_at(plant, type, site, scales.natural, {})};
+    return {candidate_at(plant, type, site, natural, {})};
   }
   std::vector<TwinCandidate> all;
   for (const double rhythm_Hz : scales.rhythms_Hz) {
-    all.push_back(candidate_at(plant, type, site, scales.natural, {{frequency->name, rhythm_Hz}}));
+    all.push_back(candidate_at(plant, type, site, natural, {{frequency->name, rhythm_Hz}}));
     all.back().candidate.where += fmt::format(", at {:g} Hz", rhythm_Hz);
   }
   return all;

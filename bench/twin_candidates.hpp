@@ -12,11 +12,14 @@ namespace rvbench::bench {
 
 /// What is much and what is little on a machine, for parameters whose own value does not tell.
 struct ParameterScales {
-  sim::NaturalScales natural;
+  sim::NaturalScales natural;  ///< of one body
   double sample_s = 0;
   double deviation = 0;  ///< of what was measured, in its unit
   /// Frequencies that can be told of what keeps its own time; empty: they are fitted.
   std::vector<double> rhythms_Hz = {};
+  /// Of bodies that turn together, while that one makes one turn; in order of the plant's; empty:
+  /// all of them go as it does.
+  std::vector<double> turns = {};
 };
 
 /// A quantity of the plant as a fit moves it: within its tolerance, within what the term's card

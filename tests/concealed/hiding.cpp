@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 
+#include "sim/named.hpp"
 #include "sim/rv_plant.hpp"
 #include "sim/steady_state.hpp"
 #include "tests/support/rv_campaign.hpp"
@@ -18,7 +19,7 @@ constexpr int sizings = 4;                    // each as large as the one before
 constexpr int orders = 2200;
 constexpr Eigen::Index most_rhythms = 8;
 constexpr double tolerance_spreads = 2;
-const sim::NaturalScales natural{2.5, 1e-3, 120};
+const sim::NaturalScales of_input_shaft{2.5, 1e-3, 120};
 
 struct Shown {
   Eigen::MatrixXcd lines;  ///< of torque: orders, then what follows time, x conditions
@@ -119,7 +120,22 @@ std::vector<sim::EffectSite> sites_of(const sim::PlantSpec& machine, const Hidde
   return sites;
 }
 
-sim::Parameters random_shape(const Hidden& hidden, sim::Draw& draw) {
+// A slow body goes with large forces and small ways.
+sim::NaturalScales natural_at(const sim::PlantSpec& machine, const sim::EffectSite& site) {
+  const auto steady = sim::SteadyPlant::make(machine);
+  const Eigen::VectorXd& turns = std::get<sim::SteadyPlant>(steady).turns_per_period();
+  const auto turns_of = [&](const std::string& name) {
+    const int body = sim::index_of(machine.bodies, name);
+    return body < 0 ? 0 : turns[body];
+  };
+  const double against = std::abs(turns_of(site.body_a) - turns_of(site.body_b));
+  const double ratio = (against > 0 ? against : turns_of(site.body_a)) / turns_of("input_shaft");
+  return {of_input_shaft.force / ratio, of_input_shaft.coordinate * ratio,
+          of_input_shaft.speed * ratio};
+}
+
+sim::Parameters random_shape(const sim::PlantSpec& machine, const Hidden& hidden, sim::Draw& draw) {
+  const sim::NaturalScales natural = natural_at(machine, hidden.site);
   sim::Parameters parameters;
   for (const sim::ParameterCard& card : sim::standard_terms().find(hidden.name)->parameters) {
     double value = card.start * natural_scale(card.unit, natural) * draw.within_factor(1.3);
@@ -136,9 +152,10 @@ double& size_of(Hidden& hidden) {
   return hidden.parameters[sim::standard_terms().find(hidden.name)->parameters.front().name].value;
 }
 
-double over_usual(Hidden& hidden) {
+double over_usual(const sim::PlantSpec& machine, Hidden& hidden) {
   const sim::ParameterCard& card = sim::standard_terms().find(hidden.name)->parameters.front();
-  return std::abs(size_of(hidden) / (card.start * natural_scale(card.unit, natural)));
+  return std::abs(size_of(hidden) /
+                  (card.start * natural_scale(card.unit, natural_at(machine, hidden.site))));
 }
 
 // @return false if it does nothing there
@@ -150,7 +167,7 @@ bool give_size(const sim::PlantSpec& machine, Bare& bare, Hidden& hidden) {
     const double wanted =
         in_lines ? bare.too_small_in_lines(*shown) : bare.too_small_in_means(*shown);
     const double most =
-        in_lines ? most_over_usual / over_usual(hidden) : 1 / bare.too_large(*shown);
+        in_lines ? most_over_usual / over_usual(machine, hidden) : 1 / bare.too_large(*shown);
     if (!std::isfinite(wanted) || !std::isfinite(most)) return false;
     hidden.shows = wanted <= most;
     size_of(hidden) *= std::min(wanted, most);
@@ -173,7 +190,7 @@ std::optional<Hidden> hide(const sim::PlantSpec& machine, const nlohmann::json& 
     const auto at = static_cast<std::size_t>(draw.uniform(0, double(sites.size())));
     hidden.site = sites[at];
     sites.erase(sites.begin() + std::ptrdiff_t(at));
-    hidden.parameters = random_shape(hidden, draw);
+    hidden.parameters = random_shape(machine, hidden, draw);
     if (give_size(machine, bare, hidden)) return hidden;
   }
   return std::nullopt;
