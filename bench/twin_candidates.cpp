@@ -36,35 +36,53 @@ std::size_t sizes_of(const sim::TermType& type) {
   return sizes;
 }
 
-// Of a wave: three that are a third of a turn apart, and the same of a tenth the size.
-std::vector<std::vector<double>> starts_of_wave(double size) {
+// The same start with each shape wider and narrower.
+void add_other_shapes(const std::vector<analysis::ModelParameter>& parameters,
+                      std::size_t first_shape, const std::vector<double>& first,
+                      std::vector<std::vector<double>>& starts) {
+  for (std::size_t i = first_shape; i < parameters.size(); ++i) {
+    for (const double factor : {3.0, 1.0 / 3}) {
+      starts.push_back(first);
+      starts.back()[i] = std::clamp(first[i] * factor, parameters[i].low, parameters[i].high);
+    }
+  }
+}
+
+std::vector<double> scales_of(const std::vector<analysis::ModelParameter>& parameters) {
+  std::vector<double> scales;
+  for (const analysis::ModelParameter& p : parameters) scales.push_back(p.scale);
+  return scales;
+}
+
+// Three that are a third of a turn apart, the same of a tenth the size, and the first one in other
+// shapes.
+std::vector<std::vector<double>> starts_of_wave(
+    const std::vector<analysis::ModelParameter>& parameters) {
+  const std::vector<double> scales = scales_of(parameters);
   std::vector<std::vector<double>> starts;
   for (const double part : {1.0, 0.1}) {
     for (const double turned : {0.0, 1.0 / 3, 2.0 / 3}) {
-      starts.push_back({part * size * std::cos(units::two_pi * turned),
-                        part * size * std::sin(units::two_pi * turned)});
+      starts.push_back(scales);
+      starts.back()[0] = part * scales[0] * std::cos(units::two_pi * turned);
+      starts.back()[1] = part * scales[0] * std::sin(units::two_pi * turned);
     }
   }
+  const std::vector<double> first = starts.front();
+  add_other_shapes(parameters, 2, first, starts);
   return starts;
 }
 
-// Starts: as the cards say, the other way round, smaller, and each shape wider and narrower.
+// As the cards say, smaller, the other way round, and in other shapes.
 std::vector<std::vector<double>> starts_of(
     const std::vector<analysis::ModelParameter>& parameters) {
-  std::vector<double> first;
-  for (const analysis::ModelParameter& p : parameters) first.push_back(p.scale);
+  const std::vector<double> first = scales_of(parameters);
   std::vector<std::vector<double>> starts{first, first};
   starts[1][0] *= 0.2;
   if (parameters[0].low < 0) {
     starts.push_back(first);
     starts[2][0] *= -1;
   }
-  for (std::size_t i = 1; i < parameters.size(); ++i) {
-    for (const double factor : {3.0, 1.0 / 3}) {
-      starts.push_back(first);
-      starts.back()[i] = std::clamp(first[i] * factor, parameters[i].low, parameters[i].high);
-    }
-  }
+  add_other_shapes(parameters, 1, first, starts);
   return starts;
 }
 
@@ -149,7 +167,7 @@ TwinCandidate candidate_at(const sim::PlantSpec& plant, const sim::TermType& typ
     candidate.parameters.push_back(std::move(p));
   }
   if (candidate.phasor) {
-    candidate.starts = starts_of_wave(candidate.parameters.front().scale);
+    candidate.starts = starts_of_wave(candidate.parameters);
   } else if (!candidate.parameters.empty()) {
     candidate.starts = starts_of(candidate.parameters);
   }
