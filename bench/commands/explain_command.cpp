@@ -45,6 +45,13 @@ class ExplainCommand final : public Command {
              &plant_},
             {"--rec", "a campaign file, or recordings", &files_},
             {"--rate", "sample rate [Hz]; default: what the file states", &rate_Hz_},
+            {"--effects",
+             fmt::format("effects to look for, at most; default: {}",
+                         analysis::SelectionOptions().most_effects),
+             &effects_,
+             false,
+             {},
+             20},
             {"--out",
              "folder for explain.json, explain.html and plant_updated.json; default for RUN: RUN",
              &out_},
@@ -69,6 +76,7 @@ class ExplainCommand final : public Command {
   std::string plant_;
   std::vector<std::string> files_;
   std::optional<double> rate_Hz_;
+  std::optional<std::uint64_t> effects_;
   std::string out_;
   bool json_ = false;
 };
@@ -97,6 +105,7 @@ analysis::Explanation ExplainCommand::explained(Console& console, Twin& twin) co
   twin.stop_on(signals.token());
   ProgressBar bar(console, progress_style(console, json_));
   analysis::SelectionOptions options;
+  options.most_effects = effects_.value_or(options.most_effects);
   std::mutex one_at_a_time;
   options.progress = [&](const std::string& stage, double share, const std::string& doing) {
     const std::scoped_lock locked(one_at_a_time);
@@ -135,6 +144,7 @@ std::string ExplainCommand::usage_fault() const {
   if (run_.empty() && files_.empty()) return "RUN or --rec is required";
   if (!run_.empty() && !files_.empty()) return "a run folder needs no --rec";
   if (run_.empty() && plant_.empty()) return "--plant is required";
+  if (effects_ == 0) return "--effects must be 1 or more";
   if (!rate_Hz_) return {};
   if (!run_.empty()) return "a run states its rates: leave --rate out";
   return names_campaign() ? "a campaign file states its rates: leave --rate out" : "";
