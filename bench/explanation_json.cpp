@@ -67,7 +67,8 @@ ordered_json record_errors_json(const std::vector<RecordError>& records) {
   return json;
 }
 
-ordered_json effect_json(const analysis::ExplainedEffect& effect, const ordered_json& floor) {
+ordered_json effect_json(const analysis::ExplainedEffect& effect, const ordered_json& floor,
+                         const char* metric) {
   return {{"verdict", to_string(effect.verdict)},
           {"name", effect.name},
           {"class", effect.one_of},
@@ -77,7 +78,7 @@ ordered_json effect_json(const analysis::ExplainedEffect& effect, const ordered_
            {{"before", number(effect.error_before)},
             {"after", number(effect.error_after)},
             {"floor", floor},
-            {"metric", "relative RMS error on left-out conditions"}}},
+            {"metric", metric}}},
           {"p_value", number(effect.p_value)},
           {"bootstraps_won", number(effect.share_won)},
           {"rivals", rivals(effect.rivals)},
@@ -89,9 +90,11 @@ ordered_json effect_json(const analysis::ExplainedEffect& effect, const ordered_
 std::string explanation_to_json(const analysis::Explanation& e, const ExplainFacts& facts) {
   const ordered_json floor =
       e.ceiling_after.known ? number(e.ceiling_after.error) : ordered_json(nullptr);
+  const char* const metric = e.in_standard_errors ? "RMS of standard errors on left-out conditions"
+                                                  : "relative RMS error on left-out conditions";
   ordered_json effects = ordered_json::array();
   for (const analysis::ExplainedEffect& effect : e.effects) {
-    effects.push_back(effect_json(effect, floor));
+    effects.push_back(effect_json(effect, floor, metric));
   }
   ordered_json hashes = ordered_json::array();
   for (const auto& [file, hash] : facts.hashes) {

@@ -30,9 +30,10 @@ void print_answer(Console& console, const analysis::Explanation& e) {
       console.out << "    " << estimate_text(p) << '\n';
     }
     console.out << fmt::format(
-        "    held-out error {:.3g} -> {:.3g} %; log density {:+.1f} ± {:.1f}; best in {:.0f} % of "
+        "    held-out error {} -> {}; log density {:+.1f} ± {:.1f}; best in {:.0f} % of "
         "bootstraps\n",
-        100 * effect.error_before, 100 * effect.error_after, effect.over_before.delta,
+        analysis::error_text(effect.error_before, e.in_standard_errors),
+        analysis::error_text(effect.error_after, e.in_standard_errors), effect.over_before.delta,
         effect.over_before.se, 100 * effect.share_won);
     for (const analysis::RivalEffect& rival : effect.rivals) {
       console.out << fmt::format("    rival {}: worse by {:.1f} ± {:.1f}\n", rival.name,
@@ -43,8 +44,8 @@ void print_answer(Console& console, const analysis::Explanation& e) {
     }
   }
   if (e.ceiling_after.known) {
-    console.out << fmt::format("\n  a law of any shape would reach {:.3g} % held out\n",
-                               100 * e.ceiling_after.error);
+    console.out << fmt::format("\n  a law of any shape would reach {} held out\n",
+                               analysis::error_text(e.ceiling_after.error, e.in_standard_errors));
   }
   for (const analysis::Estimate& p : e.nuisances) {
     console.out << "  nuisance " << estimate_text(p) << '\n';
@@ -63,11 +64,12 @@ void print_records(Console& console, const std::vector<RecordError>& records) {
   }
 }
 
-void print_self_null(Console& console, const analysis::SelfNull& self_null) {
+void print_self_null(Console& console, const analysis::SelfNull& self_null,
+                     bool in_standard_errors) {
   if (!self_null.known) return;
-  console.out << fmt::format("\n  one repeat as the model of another: {} ({:.3g} % apart)\n",
+  console.out << fmt::format("\n  one repeat as the model of another: {} ({} apart)\n",
                              self_null.found.empty() ? "NULL" : "something changed",
-                             100 * self_null.error);
+                             analysis::error_text(self_null.error, in_standard_errors));
   for (const analysis::Estimate& p : self_null.found) {
     console.out << "    " << estimate_text(p) << '\n';
   }
@@ -79,7 +81,7 @@ void print_explanation(Console& console, const analysis::Explanation& explanatio
                        const ExplainFacts& facts) {
   print_answer(console, explanation);
   print_records(console, facts.records);
-  print_self_null(console, explanation.self_null);
+  print_self_null(console, explanation.self_null, explanation.in_standard_errors);
 }
 
 }  // namespace rvbench::bench

@@ -31,6 +31,7 @@ class OrderTwin final : public Twin {
   const std::vector<analysis::ObservedUnit>& units() const override { return units_; }
   const std::vector<analysis::ModelParameter>& base() const override { return base_; }
   const std::vector<analysis::Candidate>& library() const override { return family_->candidates(); }
+  bool counts_standard_errors() const override { return true; }
   std::optional<Eigen::VectorXd> residuals(const std::vector<std::size_t>& effects,
                                            const std::vector<double>& values,
                                            const std::vector<bool>& trained) const override;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "analysis/explain/fit.hpp"
 #include "analysis/explain/fit_problem.hpp"
 #include "hal/types/parallel_for.hpp"
 
@@ -53,7 +54,11 @@ std::unique_ptr<StraightOrders> StraightOrders::of(const Features& features, con
   std::size_t known = 0;
   if (like != nullptr && begins_with(effects, like->effects_)) {
     known = like->values_.size();
-    made->slopes_.leftCols(like->slopes_.cols()) = like->slopes_;
+    // The newest effect is the one that bends.
+    if (like->effects_ == effects && !effects.empty()) {
+      known = analysis::first_value_of(twin, effects, effects.size() - 1);
+    }
+    made->slopes_.leftCols(Eigen::Index(known)) = like->slopes_.leftCols(Eigen::Index(known));
   }
   std::vector<char> found(values.size() - known, 0);
   parallel_for(found.size(), [&](std::size_t column) {

@@ -19,7 +19,8 @@ class StraightOrders final : public analysis::ForwardModel {
  public:
   /// @param twin  outlives the result
   /// @param like  one with some of these effects: what it knows of their parameters and of the
-  ///              base is not looked for anew; may be nullptr
+  ///              base is not looked for anew, but for the last effect's if it has them all; may be
+  ///              nullptr
   /// @return nullptr if the twin cannot be solved there
   static std::unique_ptr<StraightOrders> make(const OrderTwin& twin,
                                               const std::vector<std::size_t>& effects,

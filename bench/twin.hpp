@@ -33,11 +33,12 @@ class Twin : public analysis::ForwardModel {
     std::string record, channel, unit;
     bool learned_from = true;
     double spread = 1;                    ///< of the channel: what residuals are in units of
-    std::string over;                     ///< "time [s]"
+    std::string over;                     ///< "time [s]", "order of the input shaft"
     double first = 0, step = 1;           ///< of what it is over
     Eigen::VectorXd measured, simulated;  ///< in `unit`
-    double error() const;                 ///< RMS of the difference
-    double relative_error() const;        ///< over the RMS of what was measured
+    bool is_by_orders() const { return over.starts_with("order"); }
+    double error() const;           ///< RMS of the difference
+    double relative_error() const;  ///< over the RMS of what was measured
   };
   /// All records, also those that were only to be predicted. Empty if it cannot be simulated.
   virtual std::vector<Comparison> compare(const std::vector<std::size_t>& effects,

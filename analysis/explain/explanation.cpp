@@ -103,7 +103,9 @@ std::string sentence(const Explanation& explanation) {
       break;
     default: break;
   }
-  std::string text = "left out: ";
+  std::string text = explanation.verdict == ExplainVerdict::none_of_the_above
+                         ? "most of what is missing is no effect of the library; a part is: "
+                         : "left out: ";
   for (std::size_t i = 0; i < explanation.effects.size(); ++i) {
     const ExplainedEffect& effect = explanation.effects[i];
     text += fmt::format("{}{} ({})", i == 0 ? "" : ", then ",
@@ -112,8 +114,9 @@ std::string sentence(const Explanation& explanation) {
                             : "one of " + fmt::format("{}", fmt::join(effect.one_of, ", ")),
                         effect.where);
   }
-  return text + fmt::format("; held-out error {:.3g} -> {:.3g} %",
-                            100 * explanation.held_out_before, 100 * explanation.held_out_after);
+  return text + fmt::format("; held-out error {} -> {}",
+                            error_text(explanation.held_out_before, explanation.in_standard_errors),
+                            error_text(explanation.held_out_after, explanation.in_standard_errors));
 }
 
 double trained_error(const Fit& fit) {
@@ -121,11 +124,15 @@ double trained_error(const Fit& fit) {
   return n > 0 ? std::sqrt(fit.residuals.squaredNorm() / n) : 0;
 }
 
-// Whether a law of any shape would predict much that the explanation does not.
+// Whether much could be predicted that the explanation does not: by a law of any shape, or where
+// errors of the measurement are all that should be left.
 bool misses_much(const Explanation& e) {
-  if (!e.ceiling_after.known || !e.ceiling_after.over_model.is_clear()) return false;
-  const double any =
-      e.held_out_before * e.held_out_before - e.ceiling_after.error * e.ceiling_after.error;
+  const double floor = e.in_standard_errors ? 1 : e.ceiling_after.error;
+  const bool leaves_more = e.in_standard_errors
+                               ? e.trained_after > beyond_errors
+                               : e.ceiling_after.known && e.ceiling_after.over_model.is_clear();
+  if (!leaves_more) return false;
+  const double any = e.held_out_before * e.held_out_before - floor * floor;
   const double named = e.held_out_before * e.held_out_before - e.held_out_after * e.held_out_after;
   return any > 0 && named < worth_telling * any;
 }
@@ -148,8 +155,6 @@ void conclude(const ForwardModel& model, Explanation& e) {
   if (!e.selection.miscalibrated.empty()) {
     e.verdict = ExplainVerdict::miscalibrated;
   } else if (misses_much(e)) {
-    e.verdict = ExplainVerdict::none_of_the_above;
-  } else if (e.effects.empty() && e.trained_after > beyond_errors) {
     e.verdict = ExplainVerdict::none_of_the_above;
   } else if (e.effects.empty()) {
     e.verdict = ExplainVerdict::null;
@@ -177,8 +182,13 @@ const char* to_string(ExplainVerdict verdict) noexcept {
   return "";
 }
 
+std::string error_text(double error, bool in_standard_errors) {
+  return in_standard_errors ? fmt::format("{:.3g} σ", error) : fmt::format("{:.3g} %", 100 * error);
+}
+
 Explanation explain(const ForwardModel& model, const SelectionOptions& options) {
   Explanation e;
+  e.in_standard_errors = model.counts_standard_errors();
   Tryout on(model);
   if (on.conditions.empty() || model.units().size() < fewest_units) {
     e.verdict = ExplainVerdict::not_resolvable;

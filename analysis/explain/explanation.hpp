@@ -57,16 +57,20 @@ struct SelfNull {
 
 struct Explanation {
   ExplainVerdict verdict = ExplainVerdict::null;
-  std::string reason;  ///< one sentence for people
+  std::string reason;               ///< one sentence for people
+  bool in_standard_errors = false;  ///< what errors count: see counts_standard_errors()
   std::vector<ExplainedEffect> effects;
   std::vector<Estimate> nuisances, base;
-  double trained_before = 0, trained_after = 0;    ///< relative errors
+  double trained_before = 0, trained_after = 0;
   double held_out_before = 0, held_out_after = 0;  ///< likewise, on left-out conditions
   Ceiling ceiling_before, ceiling_after;
   SelfNull self_null;
   std::vector<RivalEffect> cannot_exclude;  ///< tried last and refused, the nearest three
   Selection selection;
 };
+
+/// "1.2 σ" of one that counts standard errors; "2.6 %" of a relative one.
+std::string error_text(double error, bool in_standard_errors);
 
 /// Locates, names and sizes what a model leaves out of its recordings.
 /// @throws what options.progress throws

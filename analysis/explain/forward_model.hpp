@@ -74,7 +74,7 @@ class ForwardModel {
   virtual const std::vector<ModelParameter>& base() const = 0;
   virtual const std::vector<Candidate>& library() const = 0;
 
-  /// Measured minus predicted, over the standard deviation of the measurement.
+  /// Measured minus predicted, over what counts_standard_errors() says.
   /// @param effects  indices into library(), each at most once
   /// @param values   of base(), then of each effect's parameters
   /// @param trained  per unit: whether it may be learned from. What is free and linear (paths,
@@ -83,6 +83,10 @@ class ForwardModel {
   virtual std::optional<Eigen::VectorXd> residuals(const std::vector<std::size_t>& effects,
                                                    const std::vector<double>& values,
                                                    const std::vector<bool>& trained) const = 0;
+
+  /// Whether residuals count standard errors of the measurement; else they are relative to what a
+  /// record shows.
+  virtual bool counts_standard_errors() const { return false; }
 
   /// d residuals / d values, one column for each, where the model knows them itself.
   virtual std::optional<Eigen::MatrixXd> slopes(const std::vector<std::size_t>& effects,

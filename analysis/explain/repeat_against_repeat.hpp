@@ -25,6 +25,7 @@ class RepeatAgainstRepeat final : public ForwardModel {
   const std::vector<ObservedUnit>& units() const override { return units_; }
   const std::vector<ModelParameter>& base() const override { return none_; }
   const std::vector<Candidate>& library() const override { return library_; }
+  bool counts_standard_errors() const override { return model_.counts_standard_errors(); }
   std::optional<Eigen::VectorXd> residuals(const std::vector<std::size_t>& effects,
                                            const std::vector<double>& values,
                                            const std::vector<bool>& trained) const override;

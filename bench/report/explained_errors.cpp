@@ -15,7 +15,7 @@ struct Bar {
   const char* style;  // class of the style sheet
 };
 
-std::string bars_of(const std::vector<Bar>& bars, bool by_orders) {
+std::string bars_of(const std::vector<Bar>& bars, bool in_standard_errors) {
   double largest = 0;
   for (const Bar& bar : bars) largest = std::max(largest, bar.error);
   std::string html = "<div class=\"bars\">\n";
@@ -24,25 +24,16 @@ std::string bars_of(const std::vector<Bar>& bars, bool by_orders) {
         "<span>{}</span><span class=\"track\"><i class=\"{}\" style=\"width:{:.1f}%\"></i></span>"
         "<b>{}</b>\n",
         bar.label, bar.style, largest > 0 ? 100 * bar.error / largest : 0,
-        error_text(bar.error, by_orders));
+        analysis::error_text(bar.error, in_standard_errors));
   }
   return html + "</div>\n";
 }
 
 }  // namespace
 
-bool is_by_orders(const Comparisons& comparisons) {
-  return !comparisons.before.empty() && comparisons.before.front().over.starts_with("order");
-}
-
-std::string error_text(double error, bool by_orders) {
-  return by_orders ? number(error) + " σ" : number(100 * error) + " %";
-}
-
 std::string explained_errors_section(const analysis::Explanation& e,
                                      const Comparisons& comparisons) {
   if (comparisons.before.empty()) return {};
-  const bool by_orders = is_by_orders(comparisons);
   std::vector<Bar> bars{{"the plant as it was", e.held_out_before, "before"}};
   if (!e.effects.empty()) {
     bars.push_back({"with what was left out", e.held_out_after, "after"});
@@ -54,16 +45,17 @@ std::string explained_errors_section(const analysis::Explanation& e,
     bars.push_back({"one repeat as the model of another", e.self_null.error, "floor"});
   }
   const std::string metric =
-      by_orders
+      e.in_standard_errors
           ? "Root mean square of measured minus simulated means and lines, in standard errors "
             "σ of the measurement; far ones count for little more than five. "
           : "Root mean square of measured minus simulated, over the standard deviation of "
             "what was measured. ";
   return section(
       "Error on conditions that were left out, then predicted",
-      bars_of(bars, by_orders) +
-          paragraph(metric + "On what it learned from: " + error_text(e.trained_before, by_orders) +
-                    " before, " + error_text(e.trained_after, by_orders) + " after."));
+      bars_of(bars, e.in_standard_errors) +
+          paragraph(metric + "On what it learned from: " +
+                    analysis::error_text(e.trained_before, e.in_standard_errors) + " before, " +
+                    analysis::error_text(e.trained_after, e.in_standard_errors) + " after."));
 }
 
 }  // namespace rvbench::bench::report

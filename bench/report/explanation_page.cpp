@@ -98,7 +98,7 @@ std::string folded(const std::string& heading, const std::string& summary,
   return section(heading, "<details><summary>" + summary + "</summary>\n" + body + "</details>\n");
 }
 
-std::string effect_box(const analysis::ExplainedEffect& effect, bool by_orders) {
+std::string effect_box(const analysis::ExplainedEffect& effect, bool in_standard_errors) {
   std::string of_class;
   for (const std::string& name : effect.one_of) {
     of_class += (of_class.empty() ? " One of: " : ", ") + report::spoken(name);
@@ -108,8 +108,8 @@ std::string effect_box(const analysis::ExplainedEffect& effect, bool by_orders) 
       "{:+.1f} ± {:.1f}; p {}; best in {:.0f} % of bootstraps.</p>\n{}<p>Rivals: {}.</p>\n"
       "<p>Would decide: {}.</p></div>\n",
       to_string(effect.verdict), report::spoken(effect.name), xml_escaped(effect.where), of_class,
-      report::error_text(effect.error_before, by_orders),
-      report::error_text(effect.error_after, by_orders), effect.over_before.delta,
+      analysis::error_text(effect.error_before, in_standard_errors),
+      analysis::error_text(effect.error_after, in_standard_errors), effect.over_before.delta,
       effect.over_before.se, report::p_value_text(effect.p_value), 100 * effect.share_won,
       estimates_table(effect.parameters), rivals_text(effect.rivals),
       effect.next_experiment.empty() ? "nothing known" : xml_escaped(effect.next_experiment));
@@ -135,7 +135,7 @@ std::string records_section(const std::vector<RecordError>& records) {
                       rows));
 }
 
-std::string self_null_section(const analysis::SelfNull& self_null, bool by_orders) {
+std::string self_null_section(const analysis::SelfNull& self_null, bool in_standard_errors) {
   if (!self_null.known) {
     return section("One repeat as the model of another",
                    report::paragraph("No two recordings repeat each other: not asked."));
@@ -147,7 +147,7 @@ std::string self_null_section(const analysis::SelfNull& self_null, bool by_order
                          ? "NULL: nothing is found between two repeats."
                          : "Something changed from one repeat to the other: smaller effects than "
                            "this are not to be believed.",
-                     report::error_text(self_null.error, by_orders))) +
+                     analysis::error_text(self_null.error, in_standard_errors))) +
                      estimates_table(self_null.found));
 }
 
@@ -179,12 +179,11 @@ std::string make_explanation_page(const Explanation& e, const ExplainFacts& fact
   html += report::explained_errors_section(e, comparisons);
   html += report::overlays_section(comparisons);
   html += report::residual_maps_section(comparisons);
-  const bool by_orders = report::is_by_orders(comparisons);
   std::string effects;
   for (const analysis::ExplainedEffect& effect : e.effects)
-    effects += effect_box(effect, by_orders);
+    effects += effect_box(effect, e.in_standard_errors);
   html += section("Each effect", effects);
-  html += self_null_section(e.self_null, by_orders);
+  html += self_null_section(e.self_null, e.in_standard_errors);
   html += records_section(facts.records);
   html += folded("Calibration of the measurement", "nuisances", estimates_table(e.nuisances));
   html += folded("Calibration of the plant", "numbers that are known within bounds, or not at all",

@@ -21,12 +21,6 @@ std::string overlays_section(const Comparisons& comparisons);
 /// or by the orders that have most of it.
 std::string residual_maps_section(const Comparisons& comparisons);
 
-/// Whether what is compared are lines over order, not samples over time.
-bool is_by_orders(const Comparisons& comparisons);
-
-/// Errors of signals are relative, "2.6 %"; those of lines count standard errors, "1.2 σ".
-std::string error_text(double error, bool by_orders);
-
 /// The orders of a record where most is to be seen, at most `most`, rising. Elements count from the
 /// first order.
 std::vector<Eigen::Index> strongest(const Eigen::VectorXd& of, std::size_t most);

@@ -93,7 +93,7 @@ std::string overlays_section(const Comparisons& comparisons) {
                      (has_scatter ? key("band", "nine in ten repeats") : "") +
                      key("before", "the plant as it was") + key("after", "with what was left out") +
                      "</p>\n";
-  const bool by_orders = is_by_orders(comparisons);
+  const bool by_orders = comparisons.unseen.front().before.is_by_orders();
   for (const UnseenRecord& record : comparisons.unseen) {
     body += "<figure class=\"wide\">" + (by_orders ? line_plot(record) : signal_plot(record)) +
             "</figure>\n";

@@ -172,7 +172,7 @@ std::string residual_maps_section(const Comparisons& comparisons) {
   }
   std::string body;
   for (const std::string& channel : channels) {
-    const ResidualMap map = map_of(comparisons, channel, is_by_orders(comparisons));
+    const ResidualMap map = map_of(comparisons, channel, comparisons.before.front().is_by_orders());
     body += "<div class=\"figures\">" + map_svg(map, "the plant as it was", &MapRow::before) +
             map_svg(map, "with what was left out", &MapRow::after) + "</div>\n" + legend(map);
   }

@@ -88,7 +88,9 @@ TEST_CASE("the page says it in a sentence first, and then shows it", "[bench][ex
 }
 
 TEST_CASE("lines over order are told by their numbers, in standard errors", "[bench][explain]") {
-  const std::string page = page_of(friction(), comparisons("order of the input shaft", 1.0 / 121));
+  analysis::Explanation by_orders = friction();
+  by_orders.in_standard_errors = true;
+  const std::string page = page_of(by_orders, comparisons("order of the input shaft", 1.0 / 121));
   CHECK_THAT(page, Contains("80/121") && Contains("<b>0.2 σ</b>"));
   CHECK_THAT(page, Contains("class=\"bar measured\"") && Contains("class=\"whisker\""));
   CHECK(count(page, darkest) == 1);

@@ -8,6 +8,48 @@ namespace rvbench::analysis {
 
 using test::ToyModel;
 
+namespace {
+
+constexpr double noise_N = 0.05;
+
+// Counts standard errors of the transducer, and tells no states.
+class InErrors final : public ForwardModel {
+ public:
+  explicit InErrors(const ToyModel::Truth& truth) : toy_(truth) {}
+  const std::vector<ObservedUnit>& units() const override { return toy_.units(); }
+  const std::vector<ModelParameter>& base() const override { return toy_.base(); }
+  const std::vector<Candidate>& library() const override { return toy_.library(); }
+  bool counts_standard_errors() const override { return true; }
+  std::optional<Eigen::VectorXd> residuals(const std::vector<std::size_t>& effects,
+                                           const std::vector<double>& values,
+                                           const std::vector<bool>& trained) const override {
+    return Eigen::VectorXd(*toy_.residuals(effects, values, trained) / noise_N);
+  }
+
+ private:
+  ToyModel toy_;
+};
+
+}  // namespace
+
+TEST_CASE("what is named must be most of what errors do not account for", "[explain]") {
+  const std::pair<std::string, std::vector<double>> drag{"drag", {0.2}};
+  SECTION("all of it") {
+    const Explanation e = explain(InErrors({{drag}, noise_N, 0.0}));
+    CHECK(e.verdict == ExplainVerdict::named);
+    CHECK(e.reason.find(" σ") != std::string::npos);
+  }
+  SECTION("a part of it") {
+    const Explanation e = explain(InErrors({{drag, {"ripple", {1.0}}}, noise_N, 0.0}));
+    CHECK(e.verdict == ExplainVerdict::none_of_the_above);
+    REQUIRE_FALSE(e.effects.empty());
+    CHECK(e.reason.starts_with("most of what is missing is no effect of the library; a part is"));
+  }
+  SECTION("nothing") {
+    CHECK(explain(InErrors({{}, noise_N, 0.0})).verdict == ExplainVerdict::null);
+  }
+}
+
 TEST_CASE("an effect whose law is in the library is named", "[explain]") {
   const Explanation e = explain(ToyModel({{{"drag", {0.2}}}, 0.01, 0.5}));
   REQUIRE(e.effects.size() == 1);

@@ -45,6 +45,7 @@ class ToyModel final : public analysis::ForwardModel {
     conceal("power_drag", [](double v, double, const double* p) {
       return p[0] * std::copysign(std::pow(std::abs(v), 2.5), v);
     });
+    conceal("ripple", [](double v, double, const double* p) { return p[0] * std::cos(40 * v); });
     measure(truth);
   }
 
