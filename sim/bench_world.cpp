@@ -10,6 +10,8 @@ namespace {
 
 constexpr int scans_per_sample = 10;  // of the slow devices; 496 Hz, of a transducer's class
 constexpr double transducer_rate_Hz = RvBench::rate_Hz / scans_per_sample;
+// rms, of transducer, amplifier and ADC together: 0.01 % of a range of 20 N·m, assumed.
+constexpr double transducer_noise_Nm = 0.002;
 constexpr double pcb_356a16_V_per_m_s2 = 0.0102;  // maker's sheet: 100 mV/g
 // Of the housing against the hall, by natural convection: assumed.
 constexpr double heat_K_per_W = 0.15;
@@ -39,6 +41,8 @@ BenchWorld::BenchWorld(const std::string& preset, std::uint64_t seed,
     : plant_(draw_unit(preset, seed), plant),
       inverter_(inverter),
       server_(inverter_),
+      torque_filter_(RvBench::rate_Hz, transducer_rate_Hz),
+      torque_engine_(plant_.unit().noise_seed + 3),
       channels_(triaxial_channels()),
       scan_(RvBench::sensors) {
   hal::InProcessBus bus = hal::make_in_process_bus([this] { return now_s_; });
@@ -79,13 +83,18 @@ void BenchWorld::step() {
   if (!daq_stopped_) {
     waiting_.insert(waiting_.end(), scan_.data(), scan_.data() + scan_.size());
   }
+  const double torque_Nm = torque_filter_.step(plant().input_torque_Nm());
   if (scans_ % scans_per_sample != 0) return;
-  transducer_->advance_to(now_s_, plant().input_torque_Nm(), plant().input_angle_rad());
+  transducer_->advance_to(now_s_, torque_Nm + torque_noise_Nm(), plant().input_angle_rad());
   brake_->advance_to(now_s_, plant().brake_torque_Nm());
   const double share = plant().motor_torque_Nm() / rated_torque_Nm;
   inverter_.set_measured(units::rpm_from_rad_s(plant().motor_speed_rad_s()),
                          rated_current_A * std::hypot(no_load_current_share, share));
   heat(scans_per_sample * dt_s);
+}
+
+double BenchWorld::torque_noise_Nm() {
+  return transducer_noise_Nm * plant_.unit().noise_level_factor * torque_noise_(torque_engine_);
 }
 
 // First-order warming of the housing by what the reducer does not pass on.

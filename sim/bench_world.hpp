@@ -3,10 +3,12 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <random>
 #include <string>
 #include <utility>
 
 #include "hal/plant_port.hpp"
+#include "sim/anti_alias_filter.hpp"
 #include "sim/can_nodes.hpp"
 #include "sim/inverter_model.hpp"
 #include "sim/inverter_server.hpp"
@@ -17,6 +19,8 @@ namespace rvbench::sim {
 /// The simulated bench as the HAL meets it: the RV-20E train behind a real Modbus inverter, a CAN
 /// transducer and brake, a DAQ and safety inputs. Time moves only in advance_to().
 ///
+/// Torque   behind the transducer's anti-alias filter, with its noise; the angle is counted, and
+///          has neither
 /// Threads  one caller at a time; the inverter's server has a thread of its own
 class BenchWorld final : public hal::PlantPort {
  public:
@@ -54,6 +58,7 @@ class BenchWorld final : public hal::PlantPort {
   static constexpr double hall_degC = 22;  ///< assumed
 
   void step();
+  double torque_noise_Nm();
   void heat(double dt_s);
 
   RvBench plant_;
@@ -62,6 +67,9 @@ class BenchWorld final : public hal::PlantPort {
   std::unique_ptr<hal::CanTransport> bench_end_, node_end_;
   std::unique_ptr<TransducerNode> transducer_;
   std::unique_ptr<BrakeNode> brake_;
+  AntiAliasFilter torque_filter_;
+  std::mt19937_64 torque_engine_;
+  std::normal_distribution<double> torque_noise_;
   std::vector<ChannelInfo> channels_;
 
   double now_s_ = 0;

@@ -29,6 +29,7 @@ class RvBench {
   /// One DAQ sample on. @param accelerations_m_s2  size `sensors`, out
   void step(Eigen::Ref<Eigen::VectorXf> accelerations_m_s2);
 
+  const RvUnit& unit() const { return unit_; }
   const RvTrain& train() const { return train_; }
 
  private:
