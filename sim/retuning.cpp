@@ -9,7 +9,7 @@ namespace rvbench::sim {
 namespace {
 
 constexpr double usual_deviation_m = 3e-6;  // of gear teeth and pins of accuracy class 5 or 6
-constexpr double narrow_place_rad = 0.05;  // a fifth of a tooth of 27: what a place can be told by
+constexpr double narrow_place_rad = 0.05;   // a fifth of a tooth of 27: what a place can be told by
 
 }  // namespace
 

@@ -35,6 +35,7 @@
 #include "sim/terms/spring.hpp"
 #include "sim/terms/stiffness_hysteresis.hpp"
 #include "sim/terms/stribeck_friction.hpp"
+#include "sim/terms/sun_tooth_error.hpp"
 #include "sim/terms/thermal_viscosity.hpp"
 #include "sim/terms/tooth_damage.hpp"
 #include "sim/terms/torque_offset.hpp"
@@ -79,6 +80,7 @@ TermLibrary make_standard_terms() {
                            mesh_stiffness_variation,
                            gear_eccentricity,
                            tooth_damage,
+                           sun_tooth_error,
                            pin_ripple,
                            crank_eccentricity,
                            shaft_torsion,

@@ -61,14 +61,14 @@ struct SelectionOptions {
 ///
 /// A candidate is accepted if its fit is certified, it predicts left-out conditions better by more
 /// than two standard errors and at odds of 20 to 1 after the odds against any one of the library,
-/// it does not predict left-out speeds and loads worse, its size is significant (p times the number
-/// of candidates below 0.01) and inside its bounds. One that does mostly what an accepted effect
-/// does, and adds little to what that one gained, is no effect of its own. One that needs more
-/// parameters than another that wins three quarters as much waits until that one is accepted. Of
-/// those that are accepted and that none predicts clearly better, the one with the fewest
-/// parameters is taken; those within two standard errors of it are its equals. Candidates are
-/// ranked by what the slopes of their fits forecast for left-out conditions; what is accepted is
-/// fitted anew without each of them. After each step earlier ones are exchanged for their rivals
+/// it does not predict left-out speeds and loads clearly worse, its size is significant (p times
+/// the number of candidates below 0.01) and inside its bounds. One that does mostly what an
+/// accepted effect does, and adds little to what that one gained, is no effect of its own. One that
+/// needs more parameters than another that wins three quarters as much waits until that one is
+/// accepted. Of those that are accepted and that none predicts clearly better, the one with the
+/// fewest parameters is taken; those within two standard errors of it are its equals. Candidates
+/// are ranked by what the slopes of their fits forecast for left-out conditions; what is accepted
+/// is fitted anew without each of them. After each step earlier ones are exchanged for their rivals
 /// where that predicts clearly better; where no single candidate passes, the four most promising
 /// pairs are tried; in the end each effect that the others made needless is dropped.
 Selection select_effects(const ForwardModel& model, const SelectionOptions& options = {});

@@ -61,8 +61,8 @@ void judge_predictions(const Tryout& on, Trial& trial, const Standing& now,
   trial.held_out = now.held_out;
   trial.extrapolated = now.extrapolated;
   trial.over_before = margin(now.held_out, before.held_out);
-  if (now.extrapolated.log_density.sum() < before.extrapolated.log_density.sum()) {
-    trial.refused = "predicts left-out speeds or loads worse";
+  if (margin(before.extrapolated, now.extrapolated).is_clear()) {
+    trial.refused = "predicts left-out speeds or loads clearly worse";
     return;
   }
   trial.may_be = trial.over_before.delta >= on.least_gain();

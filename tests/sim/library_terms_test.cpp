@@ -298,6 +298,7 @@ SCENARIO("every card says what explain needs", "[sim][library]") {
                                     "mains_hum",
                                     "bearing_defect",
                                     "tooth_damage",
+                                    "sun_tooth_error",
                                     "looseness",
                                     "saturation",
                                     "external_force",

@@ -5,6 +5,7 @@
 #include "sim/effect_sites.hpp"
 #include "sim/plant_check.hpp"
 #include "sim/rv_plant.hpp"
+#include "sim/steady_state.hpp"
 
 using namespace rvbench;
 using sim::EffectSite;
@@ -26,6 +27,7 @@ SCENARIO("errors of the teeth belong to all meshes, eccentricities to one", "[si
   const PlantSpec plant = sim::rv20e_bench();
   REQUIRE(sites(plant, "transmission_error").size() == 1);
   CHECK(sites(plant, "pin_ripple").size() == 1);
+  CHECK(sites(plant, "sun_tooth_error").size() == 1);
   REQUIRE(sites(plant, "gear_eccentricity").size() == 2);
   CHECK(sites(plant, "crank_eccentricity").size() == 2);
   WHEN("one is added") {
@@ -47,6 +49,30 @@ SCENARIO("errors of the teeth belong to all meshes, eccentricities to one", "[si
       CHECK(sites(all, "transmission_error").empty());
       CHECK(sites(one, "gear_eccentricity").size() == 1);
     }
+  }
+}
+
+SCENARIO("an error of the sun's teeth shows where both planets meet it at once", "[sim][effects]") {
+  // The sun turns 120 times against the carrier while the input shaft turns 121 times; two planets
+  // opposite each other cancel what goes round with it once.
+  const PlantSpec plant = sim::rv20e_bench();
+  const PlantSpec worn =
+      sim::with_effect(plant, "sun_tooth_error", sites(plant, "sun_tooth_error")[0],
+                       {{"sun_tooth_error", {10e-6, "m"}}, {"sun_tooth_phase", {1, "rad"}}});
+  const auto lines = [](const PlantSpec& of) {
+    const auto steady = std::get<0>(sim::SteadyPlant::make(of));
+    return std::get<0>(steady.under(Eigen::Vector2d(2 * 1210 / 60.0, 83.5), 600))
+        .outputs[0]
+        .shaft_lines;
+  };
+  Eigen::VectorXd change = (lines(worn) - lines(plant)).cwiseAbs();
+  change[0] = 0;
+  Eigen::Index strongest = 0;
+  const double most = change.maxCoeff(&strongest);
+  CHECK(strongest % 240 == 0);
+  CHECK(change[120] < 0.05 * most);
+  for (Eigen::Index order = 1; order < change.size(); ++order) {
+    if (order % 120 != 0) CHECK(change[order] < 0.05 * most);
   }
 }
 
