@@ -33,8 +33,7 @@ std::optional<DrivenBy> planned_inputs(const sim::PlantSpec& plant, const Record
                                        double rated_output_torque_Nm) {
   const Channel* clock = point.find(channel_names::input_torque);
   const sim::TermSpec* motor = motor_of(plant);
-  const bool planned = std::isfinite(point.planned_speed_rpm) && std::isfinite(point.load_pct);
-  if (clock == nullptr || motor == nullptr || !planned ||
+  if (clock == nullptr || motor == nullptr || !is_point(point) ||
       plant.find_input(sim::rv_parts::supply) == nullptr ||
       plant.find_input(sim::rv_parts::brake_torque) == nullptr) {
     return std::nullopt;

@@ -27,7 +27,7 @@ Eigen::MatrixXd slopes_of_waves(const FitProblem& on, const Fit& fit) {
   Eigen::MatrixXd slopes = fit.slopes;
   const std::vector<std::size_t> waves = waves_among(on.model, on.effects);
   const std::vector<double> at_rest = as_waves(fit.values, waves);
-  const ForwardModel& model = fit.stand_in ? *fit.stand_in : on.model;
+  const ForwardModel& model = fit.near(on.model);
   for (const std::size_t at : waves) {
     for (const std::size_t i : {at, at + 1}) {
       const double step = wave_step * (i == at ? on.parameters[i].scale : 1);

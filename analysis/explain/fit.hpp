@@ -23,6 +23,9 @@ struct Fit {
   double scatter = 1;                ///< see FitProblem: what it was fitted with
   std::string not_certified;         ///< why it must not be ranked; empty if several starts agree
   std::shared_ptr<const ForwardModel> stand_in = {};  ///< of the model, there; nullptr if none
+
+  /// What is quickest to ask near these values: the stand-in, or the model itself.
+  const ForwardModel& near(const ForwardModel& model) const { return stand_in ? *stand_in : model; }
 };
 
 /// Costs that a fit is measured by: above the first two it is not worth going on with.

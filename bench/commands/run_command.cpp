@@ -59,8 +59,7 @@ class RunCommand final : public Command {
  private:
   RigOptions rig_options() const;
   int prepare_folder(Console& console, const sequences::TestPlan& plan);
-  RunFacts facts(const sequences::TestPlan& plan) const;
-  std::string twin() const;
+  RunFacts facts(const sequences::TestPlan& plan, const RigFile& rig) const;
   int measure(Console& console, const sequences::TestPlan& plan, analysis::Kinematics kinematics);
 
   std::string plan_;
@@ -130,15 +129,14 @@ int RunCommand::prepare_folder(Console& console, const sequences::TestPlan& plan
   return exit_codes::done;
 }
 
-RunFacts RunCommand::facts(const sequences::TestPlan& plan) const {
+RunFacts RunCommand::facts(const sequences::TestPlan& plan, const RigFile& rig) const {
   RunFacts facts;
   facts.serial = serial_;
   facts.started_utc = utc_now();
   facts.plan = plan.name;
   facts.rig = rig_;
   // A rig file goes before the command line, and a replayed recording has no preset and no seed.
-  const auto rig = read_rig(rig_, rig_options());
-  if (const auto* sim = std::get_if<SimRig>(&std::get<0>(rig))) {
+  if (const auto* sim = std::get_if<SimRig>(&rig)) {
     facts.preset = sim->preset;
     facts.seed = sim->seed;
   }
@@ -146,10 +144,9 @@ RunFacts RunCommand::facts(const sequences::TestPlan& plan) const {
   return facts;
 }
 
-std::string RunCommand::twin() const {
-  const auto rig = read_rig(rig_, rig_options());
-  const bool is_simulated = std::holds_alternative<SimRig>(std::get<0>(rig));
-  return is_simulated ? "" : plant_of(std::get<0>(rig));
+// The plant that a run is held against; "" for a simulated rig, which is its own twin.
+std::string twin_of(const RigFile& rig) {
+  return std::holds_alternative<SimRig>(rig) ? "" : plant_of(rig);
 }
 
 int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
@@ -164,8 +161,10 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
     return refuse_usage(console, "run: no run folder in --out " + out_ + ": " + error.what());
   }
   ProgressBar bar(console, progress_style(console, json_));
-  const Judgement judgement = run_acceptance({plan, kinematics, folder_, facts(plan), twin()},
-                                             std::get<0>(rig), bar, signals.token());
+  const RigFile file = std::get<0>(read_rig(rig_, rig_options()));  // make_rig() could read it
+  const Judgement judgement =
+      run_acceptance({plan, kinematics, folder_, facts(plan, file), twin_of(file)},
+                     std::get<0>(rig), bar, signals.token());
   print_unwritten(console, judgement);
   if (json_) {
     console.out << judgement_to_json(judgement);

@@ -32,15 +32,12 @@ std::set<std::string> names_of(const analysis::ExplainedEffect& effect) {
   return names;
 }
 
-// Its own name, or a class that holds it; what may hide, also by nothing or by a mimic's class.
-bool names(const analysis::ExplainedEffect& said, const Hidden& hidden) {
-  return names_of(said).contains(hidden.name);
-}
-
-bool is_mimic(const analysis::ExplainedEffect& said, const Hidden& hidden) {
-  const auto mimics = hidden.about.value("mimics", std::vector<std::string>());
+// Its own name, that of a mimic, or a class that holds one of them.
+bool is_meant(const analysis::ExplainedEffect& said, const Hidden& hidden) {
+  auto right = hidden.about.value("mimics", std::vector<std::string>());
+  right.push_back(hidden.name);
   const auto all = names_of(said);
-  return std::ranges::any_of(mimics, [&](const std::string& m) { return all.contains(m); });
+  return std::ranges::any_of(right, [&](const std::string& name) { return all.contains(name); });
 }
 
 // right; wrong: a name that is not meant; missed: nothing named
@@ -48,20 +45,15 @@ std::string judged(const analysis::Explanation& said, const std::vector<Hidden>&
   if (hidden.empty()) {
     return said.verdict == analysis::ExplainVerdict::null ? "right" : "false_alarm";
   }
-  std::size_t found = 0;
-  for (const Hidden& h : hidden) {
-    const bool is_named = std::ranges::any_of(
-        said.effects, [&](const auto& e) { return names(e, h) || is_mimic(e, h); });
+  const bool all_found = std::ranges::all_of(hidden, [&](const Hidden& h) {
     const bool may_hide = !h.shows || h.about.value("may_hide", false);
-    const bool hides = may_hide && said.effects.empty();
-    if (is_named || hides) ++found;
-  }
-  const auto meant = [&](const analysis::ExplainedEffect& e) {
-    return std::ranges::any_of(hidden,
-                               [&](const Hidden& h) { return names(e, h) || is_mimic(e, h); });
-  };
-  const bool all_meant = std::ranges::all_of(said.effects, meant);
-  if (found == hidden.size() && all_meant && said.effects.size() <= hidden.size()) return "right";
+    return (may_hide && said.effects.empty()) ||
+           std::ranges::any_of(said.effects, [&](const auto& e) { return is_meant(e, h); });
+  });
+  const bool all_meant = std::ranges::all_of(said.effects, [&](const auto& e) {
+    return std::ranges::any_of(hidden, [&](const Hidden& h) { return is_meant(e, h); });
+  });
+  if (all_found && all_meant && said.effects.size() <= hidden.size()) return "right";
   return all_meant ? "missed" : "wrong";
 }
 

@@ -20,7 +20,7 @@ Fit base_fit(const ToyModel& model) {
 }
 
 // A spring of 100 MN/m and a deviation of 60 µm, each with its own mark on four records.
-class SpringAndDeviation final : public ForwardModel {
+class SpringAndDeviation final : public test::PlainModel {
  public:
   SpringAndDeviation() {
     base_ = {{"stiffness", "N/m", 1e8, 0, 1e9, infinite, 5e6},
@@ -30,9 +30,6 @@ class SpringAndDeviation final : public ForwardModel {
       units_.push_back({name, name, "", "", record * 50, 50});
     }
   }
-  const std::vector<ObservedUnit>& units() const override { return units_; }
-  const std::vector<ModelParameter>& base() const override { return base_; }
-  const std::vector<Candidate>& library() const override { return none_; }
   std::optional<Eigen::VectorXd> residuals(const std::vector<std::size_t>&,
                                            const std::vector<double>& values,
                                            const std::vector<bool>&) const override {
@@ -44,9 +41,6 @@ class SpringAndDeviation final : public ForwardModel {
 
  private:
   static constexpr double infinite = std::numeric_limits<double>::infinity();
-  std::vector<ObservedUnit> units_;
-  std::vector<ModelParameter> base_;
-  std::vector<Candidate> none_;
 };
 
 }  // namespace

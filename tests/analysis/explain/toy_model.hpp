@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "analysis/explain/forward_model.hpp"
+#include "tests/analysis/explain/plain_model.hpp"
 
 namespace rvbench::test {
 
 /// A machine whose force is a sum of known functions of speed and load, measured in records of
 /// `record_size` samples, with noise that remembers (AR(1)) and a gain that scatters by record.
-class ToyModel final : public analysis::ForwardModel {
+class ToyModel final : public PlainModel {
  public:
   using Law = double (*)(double speed, double load, const double* p);
   static constexpr Eigen::Index record_size = 200;
@@ -48,10 +48,6 @@ class ToyModel final : public analysis::ForwardModel {
     conceal("ripple", [](double v, double, const double* p) { return p[0] * std::cos(40 * v); });
     measure(truth);
   }
-
-  const std::vector<analysis::ObservedUnit>& units() const override { return units_; }
-  const std::vector<analysis::ModelParameter>& base() const override { return base_; }
-  const std::vector<analysis::Candidate>& library() const override { return library_; }
 
   std::optional<Eigen::VectorXd> residuals(const std::vector<std::size_t>& effects,
                                            const std::vector<double>& values,
@@ -134,9 +130,6 @@ class ToyModel final : public analysis::ForwardModel {
     }
   }
 
-  std::vector<analysis::ObservedUnit> units_;
-  std::vector<analysis::ModelParameter> base_;
-  std::vector<analysis::Candidate> library_;
   std::vector<Law> laws_;
   std::map<std::string, std::size_t> by_name_;
   Eigen::VectorXd measured_, speed_, load_;

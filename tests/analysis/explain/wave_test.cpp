@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analysis/explain/estimate.hpp"
+#include "tests/analysis/explain/plain_model.hpp"
 
 using namespace rvbench;
 using namespace rvbench::analysis;
@@ -13,7 +14,7 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 
 // An offset, and a wave at two frequencies' lines: nothing but straight lines in its parts.
-class Waves final : public ForwardModel {
+class Waves final : public test::PlainModel {
  public:
   Waves() {
     base_ = {{.name = "offset", .unit = "N"}};
@@ -28,19 +29,11 @@ class Waves final : public ForwardModel {
     line.parameters = {{.name = "slope", .unit = "N"}};
     library_ = {line, wave};
   }
-  const std::vector<ObservedUnit>& units() const override { return units_; }
-  const std::vector<ModelParameter>& base() const override { return base_; }
-  const std::vector<Candidate>& library() const override { return library_; }
   std::optional<Eigen::VectorXd> residuals(const std::vector<std::size_t>&,
                                            const std::vector<double>&,
                                            const std::vector<bool>&) const override {
     return std::nullopt;
   }
-
- private:
-  std::vector<ObservedUnit> units_;
-  std::vector<ModelParameter> base_;
-  std::vector<Candidate> library_;
 };
 
 }  // namespace
