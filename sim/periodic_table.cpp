@@ -1,9 +1,7 @@
 #include "sim/periodic_table.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "hal/types/units.hpp"
 
@@ -37,8 +35,7 @@ void PeriodicTable::reserve() {
 PeriodicTable& PeriodicTable::add_cosine(int harmonic, double amplitude, double phase_rad) {
   if (amplitude == 0) return *this;
   reserve();
-  repeats_ = std::gcd(repeats_, harmonic);
-  highest_ = std::max(highest_, harmonic);
+  harmonics_.insert(harmonic);
   const auto& cosine = cosines<size>();
   const double a = amplitude * std::cos(phase_rad), b = amplitude * std::sin(phase_rad);
   constexpr std::size_t quarter = size / 4;
@@ -53,8 +50,8 @@ PeriodicTable& PeriodicTable::add_cosine(int harmonic, double amplitude, double 
 PeriodicTable& PeriodicTable::add_bump(double centre_rad, double width_rad, double height) {
   if (height == 0) return *this;
   reserve();
-  repeats_ = 1;
-  highest_ = std::max(highest_, static_cast<int>(std::ceil(lobes_of_a_bump * two_pi / width_rad)));
+  const auto highest = static_cast<int>(std::ceil(lobes_of_a_bump * two_pi / width_rad));
+  for (int harmonic = 1; harmonic <= highest; ++harmonic) harmonics_.insert(harmonic);
   for (int i = 0; i <= size; ++i) {
     const double away_rad = std::remainder(two_pi * i / size - centre_rad, two_pi);
     if (std::abs(away_rad) < width_rad / 2) {

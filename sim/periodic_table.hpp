@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <vector>
 
 namespace rvbench::sim {
@@ -18,16 +19,15 @@ class PeriodicTable {
 
   double operator()(double angle_rad) const;
 
-  int repeats_per_turn() const { return repeats_; }  ///< 0 if it is zero everywhere
-  int highest_harmonic() const { return highest_; }  ///< likewise; of a bump, a hundredth is above
+  /// > 0: that it is made of; of a bump, a hundredth lies above.
+  const std::set<int>& harmonics() const { return harmonics_; }
 
  private:
   static constexpr int size = 8192;  ///< below 5 ‰ of a step's error up to harmonic 200
 
   void reserve();
 
-  int repeats_ = 0;
-  int highest_ = 0;
+  std::set<int> harmonics_;
   std::vector<double> values_;  ///< size + 1: the first value stands again at the end
 };
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <limits>
+#include <set>
 #include <string_view>
 
 namespace rvbench::sim {
@@ -14,6 +16,11 @@ struct PlantState {
   Eigen::VectorXd u = {};  ///< the inputs of the plant at this time, SI
   double t_s = 0;          ///< since the start
 };
+
+/// Adds |turns|, as a whole number, unless nothing turns.
+inline void add_order(double turns, std::set<int>& orders) {
+  if (turns != 0) orders.insert(static_cast<int>(std::abs(turns)));
+}
 
 /// One physical effect. The plant sums its terms; a term never knows its neighbours.
 ///
@@ -49,17 +56,12 @@ class PhysicsTerm {
   /// The one frequency of what follows time in the push, and not motion; 0 if nothing does.
   virtual double rhythm_Hz(const PlantState&) const { return 0; }
 
-  /// How often the push comes again while each body makes so many turns; 0 if it does not know
-  /// where on that motion the bodies are. Ways between them that stay the same do not count.
-  /// @param turns  whole numbers, with their signs
-  virtual int repeats_in(const Eigen::VectorXd& turns) const {
-    (void)turns;
-    return 1;
-  }
-
-  /// The highest order of that motion that its own push has, beside what ways and speeds bring:
-  /// fewer than two samples to each would take it for a lower one. By default the first.
-  virtual int highest_in(const Eigen::VectorXd& turns) const { return repeats_in(turns); }
+  /// Adds how often each wave of its push comes again while the bodies make these turns: nothing if
+  /// it does not know where on that motion they are. What ways and speeds between the bodies bring
+  /// is not its own.
+  /// @param turns   whole numbers, with their signs
+  /// @param orders  > 0
+  virtual void add_orders(const Eigen::VectorXd& turns, std::set<int>& orders) const = 0;
 
   virtual bool is_linear() const { return false; }  ///< add_remainder() has nothing to add
 

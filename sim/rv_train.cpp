@@ -6,7 +6,7 @@
 #include "hal/types/recording.hpp"
 #include "hal/types/units.hpp"
 #include "sim/named.hpp"
-#include "sim/steady_motion.hpp"
+#include "sim/common_motion.hpp"
 
 namespace rvbench::sim {
 namespace {

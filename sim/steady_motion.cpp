@@ -1,16 +1,12 @@
 #include "sim/steady_motion.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/LU>
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
-#include <limits>
-#include <numeric>
+#include <set>
 
 #include "hal/types/units.hpp"
 #include "sim/order_lines.hpp"
@@ -23,11 +19,7 @@ using Complex = std::complex<double>;
 using hal::ConfigFault;
 using units::two_pi;
 
-constexpr double held_together = 1e-9;    // of the stiffest way: below it bodies move freely
-constexpr double whole = 1e-6;            // of a turn
-constexpr double samples_per_line = 2.4;  // at least: more than the lines need, against aliasing
-constexpr double fewest_samples = 64;
-constexpr int slopes_at = 16;  // angles of the period that the mean slopes come from
+constexpr int slopes_at = 11;  // angles of the period: few pushes come so often, or twice so often
 constexpr double slope_step_rad = 1e-7;
 constexpr double slope_step_of_speed = 1e-6;
 constexpr double slopes_known_to = 1e-6;  // of the largest
@@ -35,7 +27,6 @@ constexpr double slowest_rad_s = 1e-3;    // of the fastest body: what counts as
 constexpr double fastest_rad_s = 1e4;
 constexpr int speeds_tried = 400;
 constexpr int halvings = 60;
-constexpr double rounding = 1e-6;
 constexpr int most_rounds = 20;
 constexpr double negligible_line = 1e-12;  // of the largest: not solved for
 
@@ -43,27 +34,15 @@ constexpr double negligible_line = 1e-12;  // of the largest: not solved for
 constexpr SteadyMotion::Rest from_nowhere{1, 1e-5, 1e-7};
 constexpr SteadyMotion::Rest from_near{3, 1e-4, 1e-4};
 
-// A power of two, or one and a half: quick to transform. What the terms push beyond the lines must
-// not be taken for one of them.
-Eigen::Index samples_for(int lines, int highest) {
-  const double wanted =
-      std::max({samples_per_line * lines, double(lines) + highest + 1, fewest_samples});
-  const Eigen::Index power = Eigen::Index{1} << static_cast<int>(std::ceil(std::log2(wanted)));
-  return 0.75 * static_cast<double>(power) >= wanted ? power / 4 * 3 : power;
+// What each of the plant's terms does while the bodies make these turns.
+std::vector<std::set<int>> pushes_of(const PlantModel& model, const Eigen::VectorXd& turns) {
+  std::vector<std::set<int>> pushes(model.terms.size());
+  for (std::size_t i = 0; i < pushes.size(); ++i) model.terms[i]->add_orders(turns, pushes[i]);
+  return pushes;
 }
 
-// How often all of it comes again while the bodies make these turns; as often as the highest order
-// if nothing knows where they are.
-int repeats_of(const PlantModel& model, const Eigen::VectorXd& turns, int orders) {
-  int all = 0;
-  for (const auto& term : model.terms) all = std::gcd(all, term->repeats_in(turns));
-  return all > 0 ? all : std::max(orders, 1);
-}
-
-int highest_of(const PlantModel& model, const Eigen::VectorXd& turns) {
-  int highest = 0;
-  for (const auto& term : model.terms) highest = std::max(highest, term->highest_in(turns));
-  return highest;
+double largest(const Eigen::MatrixXcd& lines) {
+  return lines.size() > 0 ? std::sqrt(lines.cwiseAbs2().maxCoeff()) : 0;
 }
 
 // Calls what follows time twice, half a period apart: its own line cancels.
@@ -71,60 +50,13 @@ constexpr std::array<double, 2> half_periods{0, 0.5};
 
 }  // namespace
 
-std::variant<Eigen::VectorXd, ConfigFault> common_motion(const PlantModel& model) {
-  const Eigen::Index n = model.inertia.size();
-  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
-  Eigen::MatrixXd damping = stiffness;
-  for (const auto& term : model.terms) term->add_linear(stiffness, damping);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(stiffness, Eigen::ComputeFullV);
-  const Eigen::VectorXd& held = svd.singularValues();
-  const Eigen::Index free = (held.array() <= held_together * held[0]).count();
-  if (free != 1) {
-    return ConfigFault{0, "/bodies",
-                       fmt::format("{} bodies that can turn by themselves, not 1", free)};
-  }
-  Eigen::VectorXd common = svd.matrixV().col(n - 1);
-  const double turning = held_together * common.cwiseAbs().maxCoeff();
-  double slowest = std::numeric_limits<double>::infinity();
-  for (double& turns : common) {
-    if (std::abs(turns) <= turning) turns = 0;
-    if (turns != 0 && std::abs(turns) < std::abs(slowest)) slowest = turns;
-  }
-  common /= slowest;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    if (std::abs(common[i] - std::round(common[i])) > whole * std::abs(common[i])) {
-      return ConfigFault{
-          0, fmt::format("/bodies/{}", i),
-          fmt::format("makes {:.9g} turns for each of the slowest body's: no period", common[i])};
-    }
-    common[i] = std::round(common[i]);
-  }
-  return common;
-}
-
-const PhysicsTerm* held_by(const PlantModel& model, const Eigen::VectorXd& turns) {
-  PlantState here{Eigen::VectorXd::LinSpaced(turns.size(), 0.1, 0.2), turns,
-                  Eigen::VectorXd::Zero(model.memory_size),
-                  Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.pushed.size())), 0};
-  PlantState there = here;
-  there.q += two_pi * turns;
-  for (const auto& term : model.terms) {
-    Eigen::VectorXd before = Eigen::VectorXd::Zero(turns.size()), after = before;
-    term->add_force(here, before);
-    term->add_force(there, after);
-    if ((after - before).norm() > rounding * before.norm()) return term.get();
-  }
-  return nullptr;
-}
-
 SteadyMotion::SteadyMotion(const PlantModel& model, Eigen::VectorXd common,
                            const Eigen::VectorXd& inputs, int orders)
     : model_(model),
       common_(std::move(common)),
       n_(model.inertia.size()),
-      repeats_(repeats_of(model, common_, orders)),
-      count_(std::max(orders / repeats_, 1)),
-      samples_(samples_for(count_, highest_of(model, common_) / repeats_)),
+      orders_(pushes_of(model, common_), orders),
+      count_(static_cast<Eigen::Index>(orders_.orders().size())),
       u_(static_cast<Eigen::Index>(model.pushed.size())),
       clock_rates_(Eigen::VectorXd::Zero(model.memory_size)),
       linear_stiffness_(Eigen::MatrixXd::Zero(n_, n_)),
@@ -150,7 +82,7 @@ SteadyMotion::SteadyMotion(const PlantModel& model, Eigen::VectorXd common,
 }
 
 double SteadyMotion::omega_rad_s(Eigen::Index line) const {
-  return static_cast<double>(line * repeats_) * std::abs(speed_rad_s_);
+  return line == 0 ? 0 : orders_.orders()[std::size_t(line - 1)] * std::abs(speed_rad_s_);
 }
 
 Eigen::MatrixXcd SteadyMotion::differentiated(const Eigen::MatrixXcd& lines) const {
@@ -197,12 +129,11 @@ void SteadyMotion::add_forces(PlantState& s, bool remainder_only, Eigen::VectorX
 }
 
 void SteadyMotion::go_round(const std::function<void(Eigen::Index, PlantState&)>& see) const {
-  const Signals ways = over_period(lines_, samples_);
-  const Signals speeds = over_period(differentiated(lines_), samples_);
-  const double step_rad =
-      (speed_rad_s_ > 0 ? two_pi : -two_pi) / static_cast<double>(samples_ * repeats_);
+  const Signals ways = over_period(lines_, orders_);
+  const Signals speeds = over_period(differentiated(lines_), orders_);
+  const double step_rad = (speed_rad_s_ > 0 ? two_pi : -two_pi) / static_cast<double>(samples());
   PlantState s = mean_state(0);
-  for (Eigen::Index i = 0; i < samples_; ++i) {
+  for (Eigen::Index i = 0; i < samples(); ++i) {
     s.q = common_ * (step_rad * static_cast<double>(i)) + ways.col(i);
     s.v = common_ * speed_rad_s_ + speeds.col(i);
     see(i, s);
@@ -245,7 +176,7 @@ void SteadyMotion::find_slopes() {
   const Eigen::VectorXd v = s.v;
   Eigen::VectorXd above(n_), below(n_);
   for (int angle = 0; angle < slopes_at; ++angle) {
-    const double turned_rad = two_pi * (angle + 0.5) / slopes_at / repeats_;
+    const double turned_rad = two_pi * (angle + 0.5) / slopes_at;
     const Eigen::VectorXd q = lines_.col(0).real() + common_ * turned_rad;
     const auto add_slope = [&](double& value, double step, auto column) {
       const double middle = value;
@@ -276,8 +207,10 @@ std::optional<ConfigFault> SteadyMotion::solve() {
 bool SteadyMotion::solve_near(double speed_rad_s, const Eigen::MatrixXcd& by_orders) {
   if (by_orders.rows() > n_) return false;
   speed_rad_s_ = speed_rad_s;
-  for (Eigen::Index k = 0; k <= count_ && k * repeats_ < by_orders.cols(); ++k) {
-    lines_.col(k).head(by_orders.rows()) = by_orders.col(k * repeats_);
+  lines_.col(0).head(by_orders.rows()) = by_orders.col(0);
+  for (Eigen::Index k = 1; k <= count_; ++k) {
+    const int order = orders_.orders()[std::size_t(k - 1)];
+    if (order < by_orders.cols()) lines_.col(k).head(by_orders.rows()) = by_orders.col(order);
   }
   for (Eigen::Index body = by_orders.rows(); body < n_; ++body) {
     // A body that was cut off another one goes with what turns as often.
@@ -293,15 +226,18 @@ bool SteadyMotion::come_to_rest(const Rest& rest) {
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> held;
   held.setThreshold(slopes_known_to);
   held.compute(stiffness_);
-  Signals pushes(n_, samples_);
+  Signals pushes(n_, samples());
   Eigen::VectorXd push(n_);
+  // About the speed of the first round: that it is a little off costs a part of a round.
+  std::vector<std::optional<Eigen::PartialPivLU<Eigen::MatrixXcd>>> answers(
+      orders_.orders().size());
   for (int round = 0; round < most_rounds; ++round) {
     go_round([&](Eigen::Index i, PlantState& s) {
       add_forces(s, true, push);
       pushes.col(i) = push;
     });
     if (!pushes.allFinite()) return false;
-    const Eigen::MatrixXcd remainder = lines_of(pushes, count_);
+    const Eigen::MatrixXcd remainder = lines_of(pushes, orders_);
     Eigen::VectorXd mean = remainder.col(0).real() - linear_stiffness_ * lines_.col(0).real() -
                            linear_damping_ * common_ * speed_rad_s_;
     Eigen::MatrixXcd open =
@@ -310,18 +246,20 @@ bool SteadyMotion::come_to_rest(const Rest& rest) {
       open.col(k) += omega_rad_s(k) * omega_rad_s(k) *
                      model_.inertia.cast<Complex>().cwiseProduct(lines_.col(k));
     }
-    const double largest =
+    const double largest_push =
         std::max(pushes.cwiseAbs().maxCoeff(),
                  (linear_damping_ * common_ * speed_rad_s_).cwiseAbs().maxCoeff());
-    const double line = std::sqrt(remainder.rightCols(count_).cwiseAbs2().maxCoeff());
-    const double open_line = std::sqrt(open.rightCols(count_).cwiseAbs2().maxCoeff());
-    const bool at_rest = open_line <= std::max(rest.lines * line, negligible_line * largest) &&
-                         mean.cwiseAbs().maxCoeff() <= rest.balance * largest;
+    const bool at_rest = largest(open.rightCols(count_)) <=
+                             std::max(rest.lines * largest(remainder.rightCols(count_)),
+                                      negligible_line * largest_push) &&
+                         mean.cwiseAbs().maxCoeff() <= rest.balance * largest_push;
     speed_rad_s_ += common_.dot(mean) / common_.dot(damping_ * common_);
     lines_.col(0) += held.solve(mean).cast<Complex>();
     for (Eigen::Index k = 1; k <= count_; ++k) {
-      if (open.col(k).squaredNorm() < std::pow(negligible_line * largest, 2)) continue;
-      lines_.col(k) += impedance(omega_rad_s(k)).partialPivLu().solve(open.col(k));
+      if (open.col(k).squaredNorm() < std::pow(negligible_line * largest_push, 2)) continue;
+      auto& answer = answers[static_cast<std::size_t>(k - 1)];
+      if (!answer) answer.emplace(impedance(omega_rad_s(k)));
+      lines_.col(k) += answer->solve(open.col(k));
     }
     if (at_rest && round + 1 >= rest.rounds) return true;
   }

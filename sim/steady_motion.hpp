@@ -8,21 +8,12 @@
 #include <vector>
 
 #include "hal/config_reader.hpp"
+#include "sim/period_orders.hpp"
 #include "sim/plant_model.hpp"
 
 namespace rvbench::sim {
 
-/// Turns of each body while the slowest makes one: the one motion that the linear springs let pass.
-/// 0 of a body that is held.
-std::variant<Eigen::VectorXd, hal::ConfigFault> common_motion(const PlantModel& model);
-
-/// A term that pushes otherwise once the bodies have made these turns; nullptr if none can tell.
-const PhysicsTerm* held_by(const PlantModel& model, const Eigen::VectorXd& turns);
-
 /// How the bodies of a plant move when they turn steadily: see SteadyPlant.
-///
-/// Where all that goes round comes again n times in a period, the n-th part of it is solved:
-/// orders that are no multiples of n are not there.
 class SteadyMotion {
  public:
   /// When the bodies' oscillation counts as found.
@@ -46,17 +37,17 @@ class SteadyMotion {
 
   double speed_rad_s() const { return speed_rad_s_; }  ///< of the slowest body
   const Eigen::VectorXd& common() const { return common_; }
-  /// Bodies x lines; column 0: the mean, column k: order k·repeats().
+  const PeriodOrders& orders() const { return orders_; }
+  /// Bodies x lines; column 0: the mean, column 1 + i: of orders().orders()[i].
   const Eigen::MatrixXcd& lines() const { return lines_; }
-  int repeats() const { return repeats_; }
   double omega_rad_s(Eigen::Index line) const;
   Eigen::MatrixXcd differentiated(const Eigen::MatrixXcd& lines) const;
   Eigen::MatrixXcd impedance(double omega_rad_s) const;  ///< about the mean motion
 
   /// Angles at zero, mean deflections, mean speeds, at this time.
   PlantState mean_state(double t_s) const;
-  Eigen::Index samples() const { return samples_; }
-  /// Calls see(sample, state) around one period, or the part of it that comes again.
+  Eigen::Index samples() const { return orders_.samples(); }
+  /// Calls see(sample, state) around one period.
   void go_round(const std::function<void(Eigen::Index, PlantState&)>& see) const;
 
  private:
@@ -72,9 +63,8 @@ class SteadyMotion {
   std::vector<const PhysicsTerm*> steady_, curved_;  // the others, and those with a remainder
   Eigen::VectorXd common_;
   Eigen::Index n_;
-  int repeats_;  // in one turn of the slowest body
-  int count_;    // of lines
-  Eigen::Index samples_;
+  PeriodOrders orders_;
+  Eigen::Index count_;  // of lines
   Eigen::VectorXd u_, clock_rates_;
   Eigen::MatrixXd linear_stiffness_, linear_damping_;  // of the terms' linear parts
   Eigen::MatrixXd stiffness_, damping_;                // mean slopes of all forces

@@ -5,6 +5,7 @@
 
 #include "hal/types/recording.hpp"
 #include "hal/types/units.hpp"
+#include "sim/common_motion.hpp"
 #include "sim/joint.hpp"
 #include "sim/named.hpp"
 #include "sim/order_lines.hpp"
@@ -66,11 +67,12 @@ class SteadySensors {
   std::vector<Joint> joints_;
 };
 
-// Column k of each row to column k·repeats of as many orders.
-Eigen::MatrixXcd by_orders(const Eigen::MatrixXcd& lines, int repeats, int orders) {
-  Eigen::MatrixXcd all = Eigen::MatrixXcd::Zero(lines.rows(), orders + 1);
-  for (Eigen::Index k = 0; k < lines.cols() && k * repeats <= orders; ++k) {
-    all.col(k * repeats) = lines.col(k);
+// Each line to the column of its order; the others are empty.
+Eigen::MatrixXcd by_orders(const Eigen::MatrixXcd& lines, const PeriodOrders& at, int highest) {
+  Eigen::MatrixXcd all = Eigen::MatrixXcd::Zero(lines.rows(), highest + 1);
+  all.col(0) = lines.col(0);
+  for (Eigen::Index k = 1; k < lines.cols(); ++k) {
+    all.col(at.orders()[static_cast<std::size_t>(k - 1)]) = lines.col(k);
   }
   return all;
 }
@@ -117,7 +119,7 @@ Eigen::MatrixXcd shaft_lines(const SteadySensors& sensors, const SteadyMotion& m
       signals(static_cast<Eigen::Index>(o), i) = sensors.value(curved[o], s, none);
     }
   });
-  lines(curved, Eigen::all) = lines_of(signals, lines.cols() - 1);
+  lines(curved, Eigen::all) = lines_of(signals, motion.orders());
   return lines;
 }
 
@@ -152,13 +154,13 @@ SteadyState shown(const PlantSpec& plant, const PlantModel& model, const SteadyM
   const SteadySensors sensors(plant, model);
   SteadyState result{std::abs(motion.speed_rad_s()) / units::two_pi,
                      motion.common() * motion.speed_rad_s(),
-                     by_orders(motion.lines(), motion.repeats(), orders),
+                     by_orders(motion.lines(), motion.orders(), orders),
                      motion.speed_rad_s(),
                      {},
                      {}};
   const auto outputs = static_cast<Eigen::Index>(plant.outputs.size());
   const Eigen::MatrixXcd lines =
-      by_orders(shaft_lines(sensors, motion, outputs), motion.repeats(), orders);
+      by_orders(shaft_lines(sensors, motion, outputs), motion.orders(), orders);
   std::vector<Eigen::VectorXcd> timed;
   for (const auto& term : model.terms) {
     const double rhythm_Hz = term->rhythm_Hz(motion.mean_state(0));

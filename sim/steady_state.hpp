@@ -32,15 +32,15 @@ struct SteadyState {
 ///
 /// The bodies' common motion is the one that the linear springs let pass; its speed is where the
 /// power balances. Around it, the motion x answers the terms' forces over one period of the slowest
-/// body, or the part of it after which all of them come again: (K + jωC − ω²M)·x = f, with f taken
-/// from the terms themselves at the motion found so far, until no force line is open by more than
-/// 1e-6 of the largest; from a state that is near, three times at least, each of which leaves about
-/// a tenth open of what the one before did. What follows time is taken as small beside the rest,
-/// one line for each such term.
+/// body, at the orders that PeriodOrders tells: (K + jωC − ω²M)·x = f, with f taken from the terms
+/// themselves at the motion found so far, until no force line is open by more than 1e-6 of the
+/// largest; from a state that is near, three times at least, each of which leaves about a tenth
+/// open of what the one before did. What follows time is taken as small beside the rest, one line
+/// for each such term.
 ///
-/// Leaves out: what outlasts a period (memories of terms, chaos), lines between the orders,
-/// modulation of the timed lines by the shaft
-/// Source: Cameron & Griffin, J. Appl. Mech. 56(1), 149-154 (1989): alternating frequency and time
+/// Leaves out: what outlasts a period (memories of terms, chaos), lines at and between other
+/// orders, modulation of the timed lines by the shaft Source: Cameron & Griffin, J. Appl. Mech.
+/// 56(1), 149-154 (1989): alternating frequency and time
 class SteadyPlant {
  public:
   /// @param plant  outlives the result

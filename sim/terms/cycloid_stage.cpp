@@ -1,7 +1,6 @@
 #include "sim/terms/cycloid_stage.hpp"
 
 #include <cmath>
-#include <cstdlib>
 #include <stdexcept>
 
 namespace rvbench::sim {
@@ -57,14 +56,10 @@ double CycloidStage::dissipated_power_W(const PlantState& s) const {
   return p_.damping_Nms_rad * rate * rate;
 }
 
-int CycloidStage::repeats_in(const Eigen::VectorXd& turns) const {
-  return std::abs(static_cast<int>(turns[p_.crank] - turns[p_.carrier]) *
-                  p_.error_rad.repeats_per_turn());
-}
-
-int CycloidStage::highest_in(const Eigen::VectorXd& turns) const {
-  return std::abs(static_cast<int>(turns[p_.crank] - turns[p_.carrier]) *
-                  p_.error_rad.highest_harmonic());
+void CycloidStage::add_orders(const Eigen::VectorXd& turns, std::set<int>& orders) const {
+  for (const int harmonic : p_.error_rad.harmonics()) {
+    add_order(harmonic * (turns[p_.crank] - turns[p_.carrier]), orders);
+  }
 }
 
 void CycloidStage::add_linear(Eigen::MatrixXd& stiffness, Eigen::MatrixXd& damping) const {

@@ -36,8 +36,7 @@ class CycloidStage final : public PhysicsTerm {
   void add_force(const PlantState& s, Eigen::Ref<Eigen::VectorXd> f) const override;
   double stored_energy_J(const PlantState& s) const override;
   double dissipated_power_W(const PlantState& s) const override;
-  int repeats_in(const Eigen::VectorXd& turns) const override;
-  int highest_in(const Eigen::VectorXd& turns) const override;
+  void add_orders(const Eigen::VectorXd& turns, std::set<int>& orders) const override;
   void add_linear(Eigen::MatrixXd& stiffness, Eigen::MatrixXd& damping) const override;
   void add_remainder(const PlantState& s, Eigen::Ref<Eigen::VectorXd> f) const override;
 

@@ -16,8 +16,8 @@ class Gravity final : public OneAxisTerm {
   double stored_energy_J(const PlantState& s) const override {
     return cosine_ * std::sin(way(s)) - sine_ * std::cos(way(s));
   }
-  int repeats_in(const Eigen::VectorXd& turns) const override {
-    return static_cast<int>(std::abs(turns[axis().body_a]));
+  void add_orders(const Eigen::VectorXd& turns, std::set<int>& orders) const override {
+    add_order(turns[axis().body_a], orders);
   }
   double fastest_rad_s(const Eigen::VectorXd& inertia) const override {
     return std::sqrt(std::hypot(sine_, cosine_) * mobility(inertia));

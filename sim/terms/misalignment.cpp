@@ -17,8 +17,8 @@ class Misalignment final : public OneAxisTerm {
   }
   // The stiffness changes as the shaft turns: what it gives back is not what it took.
   double supplied_power_W(const PlantState& s) const override { return -effort(s) * speed(s); }
-  int repeats_in(const Eigen::VectorXd& turns) const override {
-    return static_cast<int>(std::abs(2 * turns[axis().body_a]));
+  void add_orders(const Eigen::VectorXd& turns, std::set<int>& orders) const override {
+    add_order(2 * turns[axis().body_a], orders);
   }
   double fastest_rad_s(const Eigen::VectorXd& inertia) const override {
     return std::sqrt(std::abs(stiffness_) * mobility(inertia));

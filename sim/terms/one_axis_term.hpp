@@ -37,7 +37,7 @@ class OneAxisTerm : public PhysicsTerm {
   double stored_energy_J(const PlantState&) const override { return 0; }
   double dissipated_power_W(const PlantState&) const override { return 0; }
   /// Of a term that knows way and speed alone; one that knows an angle overrides it.
-  int repeats_in(const Eigen::VectorXd&) const override { return 0; }
+  void add_orders(const Eigen::VectorXd&, std::set<int>&) const override {}
 
   Axis axis() const { return axis_; }
   double way(const PlantState& s) const {  ///< x, m or rad

@@ -1,8 +1,6 @@
 #include "sim/terms/planet_mesh.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 #include "hal/types/units.hpp"
@@ -126,18 +124,22 @@ double PlanetMesh::dissipated_power_W(const PlantState& s) const {
   return p_.damping_Ns_m * rate * rate;
 }
 
-int PlanetMesh::repeats_in(const Eigen::VectorXd& turns) const {
-  const auto sun = static_cast<int>(turns[p_.sun] - turns[p_.carrier]);
-  return std::gcd(std::gcd(sun * p_.sun_error_m.repeats_per_turn(),
-                           sun * p_.stiffness_ripple.repeats_per_turn()),
-                  static_cast<int>(turns[p_.planet]) * p_.planet_error_m.repeats_per_turn());
-}
-
-int PlanetMesh::highest_in(const Eigen::VectorXd& turns) const {
-  const double sun = std::abs(turns[p_.sun] - turns[p_.carrier]);
-  const double error = std::max(sun * p_.sun_error_m.highest_harmonic(),
-                                std::abs(turns[p_.planet]) * p_.planet_error_m.highest_harmonic());
-  return static_cast<int>(sun * p_.stiffness_ripple.highest_harmonic() + error);
+void PlanetMesh::add_orders(const Eigen::VectorXd& turns, std::set<int>& orders) const {
+  const double sun = turns[p_.sun] - turns[p_.carrier];
+  std::set<int> errors;
+  for (const int harmonic : p_.sun_error_m.harmonics()) add_order(harmonic * sun, errors);
+  for (const int harmonic : p_.planet_error_m.harmonics()) {
+    add_order(harmonic * turns[p_.planet], errors);
+  }
+  orders.insert(errors.begin(), errors.end());
+  for (const int harmonic : p_.stiffness_ripple.harmonics()) {
+    const double ripple = harmonic * sun;
+    add_order(ripple, orders);
+    for (const int error : errors) {
+      add_order(error + ripple, orders);
+      add_order(error - ripple, orders);
+    }
+  }
 }
 
 void PlanetMesh::add_linear(Eigen::MatrixXd& stiffness, Eigen::MatrixXd& damping) const {

@@ -17,8 +17,8 @@ class Unbalance final : public OneAxisTerm {
     return -amount_kgm_ * s.v[rotor_] * s.v[rotor_] * std::cos(s.q[rotor_] + phase_rad_);
   }
   double supplied_power_W(const PlantState& s) const override { return -effort(s) * speed(s); }
-  int repeats_in(const Eigen::VectorXd& turns) const override {
-    return static_cast<int>(std::abs(turns[rotor_]));
+  void add_orders(const Eigen::VectorXd& turns, std::set<int>& orders) const override {
+    add_order(turns[rotor_], orders);
   }
 
  private:

@@ -26,17 +26,21 @@ TEST_CASE("a table reads cosines at any angle, of any turn and sign", "[sim]") {
   }
 }
 
-TEST_CASE("a table knows how often it comes again in a turn", "[sim]") {
+TEST_CASE("a table knows the harmonics that it is made of", "[sim]") {
   sim::PeriodicTable table;
-  CHECK(table.repeats_per_turn() == 0);
+  CHECK(table.harmonics().empty());
   table.add_cosine(12, 0, 0.3);
-  CHECK(table.repeats_per_turn() == 0);
-  table.add_cosine(12, 1, 0.3);
-  CHECK(table.repeats_per_turn() == 12);
-  table.add_cosine(18, 1, 0);
-  CHECK(table.repeats_per_turn() == 6);
-  table.add_bump(1, 0.1, 1);
-  CHECK(table.repeats_per_turn() == 1);
+  CHECK(table.harmonics().empty());
+  table.add_cosine(18, 1, 0.3).add_cosine(12, 1, 0);
+  CHECK(table.harmonics() == std::set<int>{12, 18});
+}
+
+TEST_CASE("a table takes a bump for the harmonics of its spectrum's two lobes", "[sim]") {
+  sim::PeriodicTable table;
+  table.add_bump(1, two_pi / 10, 1);
+  REQUIRE(table.harmonics().size() == 20);
+  CHECK(*table.harmonics().begin() == 1);
+  CHECK(*table.harmonics().rbegin() == 20);
 }
 
 TEST_CASE("a table has no seam where the turn closes", "[sim]") {

@@ -18,6 +18,7 @@ class Push final : public sim::PhysicsTerm {
   void add_force(const sim::PlantState&, Eigen::Ref<Eigen::VectorXd> f) const override {
     f[0] += torque_Nm_;
   }
+  void add_orders(const Eigen::VectorXd&, std::set<int>&) const override {}
   double stored_energy_J(const sim::PlantState&) const override { return 0; }
   double dissipated_power_W(const sim::PlantState&) const override { return 0; }
 
@@ -33,6 +34,7 @@ class Fan final : public sim::PhysicsTerm {
   void add_force(const sim::PlantState& s, Eigen::Ref<Eigen::VectorXd> f) const override {
     f[0] -= c_ * s.v[0] * s.v[0];
   }
+  void add_orders(const Eigen::VectorXd&, std::set<int>&) const override {}
   double stored_energy_J(const sim::PlantState&) const override { return 0; }
   double dissipated_power_W(const sim::PlantState& s) const override {
     return c_ * std::pow(s.v[0], 3);

@@ -5,6 +5,7 @@
 #include <complex>
 #include <numbers>
 
+#include "sim/simulate.hpp"
 #include "sim/terms/one_axis_term.hpp"
 #include "tests/sim/plant_texts.hpp"
 
@@ -16,21 +17,24 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// A torque that goes round with its body: A·cos 3θ, or a stiffness that does.
+// A torque that goes round with its body, A·cos nθ, or a stiffness that does.
 class Lobes final : public sim::OneAxisTerm {
  public:
   explicit Lobes(const sim::TermSite& at)
-      : OneAxisTerm("lobes", at.axis), push_Nm_(at["push"]), stiffness_(at["stiffness"]) {}
+      : OneAxisTerm("lobes", at.axis),
+        push_Nm_(at["push"]),
+        stiffness_(at["stiffness"]),
+        lobes_(at["lobes"]) {}
   double effort(const sim::PlantState& s) const override {
-    const double wave = std::cos(3 * s.q[axis().body_a]);
+    const double wave = std::cos(lobes_ * s.q[axis().body_a]);
     return (stiffness_ * way(s) - push_Nm_) * wave;
   }
-  int repeats_in(const Eigen::VectorXd& turns) const override {
-    return static_cast<int>(std::abs(3 * turns[axis().body_a]));
+  void add_orders(const Eigen::VectorXd& turns, std::set<int>& orders) const override {
+    sim::add_order(lobes_ * turns[axis().body_a], orders);
   }
 
  private:
-  double push_Nm_, stiffness_;
+  double push_Nm_, stiffness_, lobes_;
 };
 
 sim::TermLibrary with_lobes() {
@@ -39,7 +43,8 @@ sim::TermLibrary with_lobes() {
       {.card = {.name = "lobes"},
        .parameters =
            {{.name = "push", .unit = sim::UnitKind::force, .max = 1e9, .fallback = 0},
-            {.name = "stiffness", .unit = sim::UnitKind::stiffness, .max = 1e9, .fallback = 0}},
+            {.name = "stiffness", .unit = sim::UnitKind::stiffness, .max = 1e9, .fallback = 0},
+            {.name = "lobes", .unit = sim::UnitKind::ratio, .max = 100, .fallback = 3}},
        .make = [](const sim::TermSite& at) { return std::make_unique<Lobes>(at); }});
   return library;
 }
@@ -149,31 +154,38 @@ SCENARIO("a transducer in series is passed what all between its two bodies push"
   CHECK(state.outputs[1].mean == Approx(2.0));
 }
 
-SCENARIO("terms that come again soon are solved over the part after which they do",
-         "[sim][steady]") {
-  // Lobes of three stand alone, or beside one more that nobody feels but that makes the whole turn
-  // the shortest part.
-  const std::string alone = R"(, {"type": "lobes", "name": "stiff_lobes", "body_a": "rotor",
-    "body_b": "wheel", "parameters": {"stiffness": {"value": 0.5, "unit": "N·m/rad"}}})";
-  const std::string beside = alone + R"(, {"type": "unbalance_of_nothing", "body_a": "rotor",
-    "body_b": "housing", "parameters": {}})";
-  sim::TermLibrary library = with_lobes();
-  class Nothing final : public sim::OneAxisTerm {
-   public:
-    explicit Nothing(const sim::TermSite& at) : OneAxisTerm("unbalance_of_nothing", at.axis) {}
-    double effort(const sim::PlantState&) const override { return 0; }
-    int repeats_in(const Eigen::VectorXd&) const override { return 1; }
+SCENARIO("waves that share no order answer each other as they do in time", "[sim][steady]") {
+  // Thirty lobes modulate the shaft's stiffness, seven push the rotor: orders 23 and 37 are there
+  // because of both.
+  const std::string plant = two_wheels(R"(, {"type": "lobes", "name": "thirty",
+      "body_a": "rotor", "body_b": "wheel", "parameters": {
+        "stiffness": {"value": 3, "unit": "N·m/rad"}, "lobes": {"value": 30, "unit": "1"}}},
+      {"type": "lobes", "name": "seven", "body_a": "rotor", "body_b": "housing", "parameters": {
+        "push": {"value": 0.05, "unit": "N·m"}, "lobes": {"value": 7, "unit": "1"}}})");
+  const double torque_Nm = 0.3;
+  const auto state = std::get<sim::SteadyState>(solve(plant, torque_Nm, 100));
+  const Eigen::VectorXcd& lines = state.outputs[1].shaft_lines;
+
+  const double rate_Hz = 4000;
+  const sim::TermLibrary library = with_lobes();
+  const std::vector<Channel> driven{
+      {{"torque", "N·m", "", not_known}, rate_Hz, 0, Eigen::VectorXd::Constant(200000, torque_Nm)}};
+  const auto simulated = sim::simulate(plant_of(plant, library), driven, library);
+  const Eigen::VectorXd& twist = std::get<sim::Simulated>(simulated).channels[1].samples;
+  const auto line_in_time = [&](int order) {  // with a Hann window over the last half
+    Complex sum = 0;
+    const Eigen::Index n = twist.size() / 2;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double window = 1 - std::cos(2 * pi * double(i) / double(n));
+      const double angle = 2 * pi * order * state.period_Hz * double(i) / rate_Hz;
+      sum += window * twist[n + i] * std::polar(1.0, -angle);
+    }
+    return 2.0 / double(n) * std::abs(sum);
   };
-  library.add({.card = {.name = "unbalance_of_nothing"},
-               .make = [](const sim::TermSite& at) { return std::make_unique<Nothing>(at); }});
-  const auto lines = [&](const std::string& more) {
-    const sim::PlantSpec plant = plant_of(two_wheels(lobes("push", 0.02, "N·m") + more), library);
-    const auto made = sim::SteadyPlant::make(plant, library);
-    const auto state = std::get<sim::SteadyPlant>(made).under(Eigen::VectorXd::Constant(1, 2), 24);
-    return std::get<sim::SteadyState>(state).outputs[1].shaft_lines;
-  };
-  const Eigen::VectorXcd part = lines(alone), whole = lines(beside);
-  REQUIRE(part.size() == whole.size());
-  CHECK(std::abs(part[3]) > 1e-4);
-  CHECK((part - whole).tail(24).norm() < 1e-6 * part.tail(24).norm());
+  for (const int order : {7, 23, 30, 37}) {
+    CHECK(std::abs(lines[order]) > 1e-6);
+    CHECK(std::abs(lines[order]) == Approx(line_in_time(order)).epsilon(0.02));
+  }
+  CHECK(line_in_time(8) < 1e-6);
+  CHECK(std::abs(lines[8]) == 0);
 }
