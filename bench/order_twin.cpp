@@ -9,7 +9,6 @@
 
 #include "bench/order_choice.hpp"
 #include "bench/order_errors.hpp"
-#include "bench/straight_orders.hpp"
 #include "hal/types/parallel_for.hpp"
 #include "sim/named.hpp"
 #include "sim/plant_check.hpp"
@@ -32,11 +31,6 @@ int orders_of(const OrderMeasurement& measured, std::size_t output) {
 double pressed(double standard_errors) {
   const double part = standard_errors / believable;
   return std::copysign(believable * std::sqrt(std::log1p(part * part)), standard_errors);
-}
-
-double press_slope(double standard_errors) {
-  const double part = std::abs(standard_errors) / believable;
-  return part > 0 ? part / ((1 + part * part) * std::sqrt(std::log1p(part * part))) : 1;
 }
 
 }  // namespace
@@ -237,110 +231,54 @@ std::optional<std::vector<sim::SteadyState>> OrderTwin::solved(
   return std::get<0>(std::move(states));
 }
 
-Eigen::VectorXcd OrderTwin::features_of(const sim::SteadyState& state,
-                                        const OrderCondition& condition) const {
+// Means, and amplitudes of lines.
+Eigen::VectorXd OrderTwin::features_of(const sim::SteadyState& state,
+                                       const OrderCondition& condition) const {
   const double resolution_Hz = line_resolution / condition.length_s;
-  Eigen::VectorXcd features(static_cast<Eigen::Index>(condition.features.size()));
+  Eigen::VectorXd features(static_cast<Eigen::Index>(condition.features.size()));
   for (std::size_t f = 0; f < condition.features.size(); ++f) {
     const OrderFeature& feature = condition.features[f];
+    const std::complex<double> value = predicted(state, feature, resolution_Hz);
     features[Eigen::Index(f)] =
-        feature.kind == Kind::mean && feature.output == angle_
-            ? std::abs(plant_.outputs[angle_].gain.value * state.speed_rad_s[turning_])
-            : predicted(state, feature, resolution_Hz);
+        feature.kind != Kind::mean ? std::abs(value)
+        : feature.output != angle_
+            ? value.real()
+            : std::abs(plant_.outputs[angle_].gain.value * state.speed_rad_s[turning_]);
   }
   return features;
 }
 
 // What the record would show of its features on average, noise included.
-Eigen::VectorXd OrderTwin::shown_by(const Eigen::VectorXcd& features,
-                                    const OrderRecord& record) const {
+Eigen::VectorXd OrderTwin::shown_by(Eigen::VectorXd features, const OrderRecord& record) const {
   const std::vector<OrderFeature>& of = conditions_[record.condition].features;
-  Eigen::VectorXd shown(features.size());
-  for (Eigen::Index f = 0; f < shown.size(); ++f) {
-    shown[f] = of[std::size_t(f)].kind == Kind::mean
-                   ? features[f].real()
-                   : with_noise(std::abs(features[f]), record.noise[f]);
+  for (Eigen::Index f = 0; f < features.size(); ++f) {
+    if (of[std::size_t(f)].kind == Kind::mean) continue;
+    features[f] = with_noise(features[f], record.noise[f]);
   }
-  return shown;
-}
-
-std::optional<Eigen::VectorXcd> OrderTwin::features(const std::vector<std::size_t>& effects,
-                                                    const std::vector<double>& values) const {
-  stop_if_asked();
-  const auto states = solved(effects, values);
-  if (!states) return std::nullopt;
-  Eigen::Index size = 0;
-  for (const OrderCondition& condition : conditions_)
-    size += Eigen::Index(condition.features.size());
-  Eigen::VectorXcd all(size);
-  Eigen::Index at = 0;
-  for (std::size_t c = 0; c < conditions_.size(); ++c) {
-    const Eigen::VectorXcd own = features_of((*states)[c], conditions_[c]);
-    all.segment(at, own.size()) = own;
-    at += own.size();
-  }
-  return all;
-}
-
-// Where the features of each condition begin.
-std::vector<Eigen::Index> OrderTwin::first_features() const {
-  std::vector<Eigen::Index> first{0};
-  for (const OrderCondition& condition : conditions_) {
-    first.push_back(first.back() + Eigen::Index(condition.features.size()));
-  }
-  return first;
-}
-
-Eigen::VectorXd OrderTwin::residuals_of(const Eigen::VectorXcd& features) const {
-  const std::vector<Eigen::Index> first = first_features();
-  Eigen::VectorXd apart(units_.back().first + units_.back().size);
-  auto unit = units_.begin();
-  for (const OrderRecord& record : records_) {
-    if (!record.about.learned_from) continue;
-    const Eigen::VectorXcd own = features.segment(first[record.condition], unit->size);
-    apart.segment(unit->first, unit->size) =
-        (record.values - shown_by(own, record)).cwiseQuotient(record.errors).unaryExpr(&pressed);
-    ++unit;
-  }
-  return apart;
-}
-
-Eigen::MatrixXd OrderTwin::slopes_of(const Eigen::VectorXcd& features,
-                                     const Eigen::MatrixXcd& slopes) const {
-  const std::vector<Eigen::Index> first = first_features();
-  Eigen::MatrixXd all(units_.back().first + units_.back().size, slopes.cols());
-  auto unit = units_.begin();
-  for (const OrderRecord& record : records_) {
-    if (!record.about.learned_from) continue;
-    const Eigen::Index from = first[record.condition];
-    const Eigen::VectorXd shown = shown_by(features.segment(from, unit->size), record);
-    const std::vector<OrderFeature>& of = conditions_[record.condition].features;
-    for (Eigen::Index f = 0; f < unit->size; ++f) {
-      const bool is_mean = of[std::size_t(f)].kind == Kind::mean;
-      const std::complex<double> way = is_mean        ? 1
-                                       : shown[f] > 0 ? std::conj(features[from + f]) / shown[f]
-                                                      : 0;
-      const double error = record.errors[f];
-      const double per_feature = -press_slope((record.values[f] - shown[f]) / error) / error;
-      all.row(unit->first + f) = per_feature * (way * slopes.row(from + f)).real();
-    }
-    ++unit;
-  }
-  return all;
+  return features;
 }
 
 std::optional<Eigen::VectorXd> OrderTwin::residuals(const std::vector<std::size_t>& effects,
                                                     const std::vector<double>& values,
                                                     const std::vector<bool>&) const {
-  const auto found = features(effects, values);
-  if (!found) return std::nullopt;
-  return residuals_of(*found);
-}
-
-std::unique_ptr<analysis::ForwardModel> OrderTwin::straightened(
-    const std::vector<std::size_t>& effects, const std::vector<double>& values,
-    const ForwardModel* like) const {
-  return StraightOrders::make(*this, effects, values, dynamic_cast<const StraightOrders*>(like));
+  stop_if_asked();
+  const auto states = solved(effects, values);
+  if (!states) return std::nullopt;
+  std::vector<Eigen::VectorXd> features;
+  for (std::size_t c = 0; c < conditions_.size(); ++c) {
+    features.push_back(features_of((*states)[c], conditions_[c]));
+  }
+  Eigen::VectorXd apart(units_.back().first + units_.back().size);
+  auto unit = units_.begin();
+  for (const OrderRecord& record : records_) {
+    if (!record.about.learned_from) continue;
+    apart.segment(unit->first, unit->size) =
+        (record.values - shown_by(features[record.condition], record))
+            .cwiseQuotient(record.errors)
+            .unaryExpr(&pressed);
+    ++unit;
+  }
+  return apart;
 }
 
 std::vector<Twin::Comparison> OrderTwin::compare(const std::vector<std::size_t>& effects,

@@ -35,19 +35,7 @@ class OrderTwin final : public Twin {
   std::optional<Eigen::VectorXd> residuals(const std::vector<std::size_t>& effects,
                                            const std::vector<double>& values,
                                            const std::vector<bool>& trained) const override;
-  std::unique_ptr<analysis::ForwardModel> straightened(const std::vector<std::size_t>& effects,
-                                                       const std::vector<double>& values,
-                                                       const ForwardModel* like) const override;
-
-  /// Means and complex lines of every condition, one condition after the other.
-  /// @return nothing if the plant does not turn steadily
-  std::optional<Eigen::VectorXcd> features(const std::vector<std::size_t>& effects,
-                                           const std::vector<double>& values) const;
-  /// @param features  see features()
-  Eigen::VectorXd residuals_of(const Eigen::VectorXcd& features) const;
-  /// How those change.
-  /// @param slopes  of the features, one column for each number that moves them
-  Eigen::MatrixXd slopes_of(const Eigen::VectorXcd& features, const Eigen::MatrixXcd& slopes) const;
+  bool is_quick() const override { return true; }
 
   sim::PlantSpec plant_with(const std::vector<std::size_t>& effects,
                             const std::vector<double>& values) const override {
@@ -72,10 +60,8 @@ class OrderTwin final : public Twin {
       const sim::PlantSpec& plant, const std::vector<std::size_t>& conditions) const;
   std::optional<std::vector<sim::SteadyState>> solved(const std::vector<std::size_t>& effects,
                                                       const std::vector<double>& values) const;
-  std::vector<Eigen::Index> first_features() const;
-  Eigen::VectorXcd features_of(const sim::SteadyState& state,
-                               const OrderCondition& condition) const;
-  Eigen::VectorXd shown_by(const Eigen::VectorXcd& features, const OrderRecord& record) const;
+  Eigen::VectorXd features_of(const sim::SteadyState& state, const OrderCondition& condition) const;
+  Eigen::VectorXd shown_by(Eigen::VectorXd features, const OrderRecord& record) const;
 
   sim::PlantSpec plant_;
   const sim::TermLibrary& terms_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace rvbench::sim {
 namespace {
@@ -27,11 +28,13 @@ struct Parted {
   std::set<int> others;  // 0 among them
 };
 
-// A term's orders stand beside the lattice where a finer one, that holds them too, has many lines,
-// and more than that.
+// Terms of many orders come first. A term's orders stand beside the lattice where a finer one, that
+// holds them too, has many lines, and more than that.
 Parted parted(std::vector<std::set<int>> pushes, int highest) {
   std::erase_if(pushes, [](const std::set<int>& push) { return push.empty(); });
-  std::ranges::stable_sort(pushes, std::ranges::greater{}, &common_divisor);
+  std::ranges::stable_sort(pushes, std::ranges::greater{}, [](const std::set<int>& push) {
+    return std::pair(push.size(), common_divisor(push));
+  });
   Parted result{0, 0, {0}};
   for (const std::set<int>& push : pushes) {
     const int finer = std::gcd(result.lattice, common_divisor(push));
@@ -67,6 +70,14 @@ std::vector<int> sums_of(const Parted& parts, int highest) {
   return sums;
 }
 
+// FFTW has small transforms of its own for these factors.
+bool is_quick_to_transform(int samples) {
+  for (const int factor : {2, 3, 5, 7, 11, 13}) {
+    while (samples % factor == 0) samples /= factor;
+  }
+  return samples == 1;
+}
+
 // Asks how often a period must be sampled.
 class Samples {
  public:
@@ -75,7 +86,7 @@ class Samples {
       : orders_(orders), others_(std::move(others)) {}
 
   int fewest(int at_least) {
-    while (!are_enough(at_least)) ++at_least;
+    while (!is_quick_to_transform(at_least) || !are_enough(at_least)) ++at_least;
     return at_least;
   }
 

@@ -32,7 +32,7 @@ constexpr double negligible_line = 1e-12;  // of the largest: not solved for
 
 // From near, always as many rounds: what is left open then is a smooth function of the plant.
 constexpr SteadyMotion::Rest from_nowhere{1, 1e-5, 1e-7};
-constexpr SteadyMotion::Rest from_near{3, 1e-4, 1e-4};
+constexpr SteadyMotion::Rest from_near{3, 1e-7, 1e-7};
 
 // What each of the plant's terms does while the bodies make these turns.
 std::vector<std::set<int>> pushes_of(const PlantModel& model, const Eigen::VectorXd& turns) {

@@ -27,14 +27,13 @@ Eigen::MatrixXd slopes_of_waves(const FitProblem& on, const Fit& fit) {
   Eigen::MatrixXd slopes = fit.slopes;
   const std::vector<std::size_t> waves = waves_among(on.model, on.effects);
   const std::vector<double> at_rest = as_waves(fit.values, waves);
-  const ForwardModel& model = fit.near(on.model);
   for (const std::size_t at : waves) {
     for (const std::size_t i : {at, at + 1}) {
       const double step = wave_step * (i == at ? on.parameters[i].scale : 1);
       const auto moved = [&](double by) {
         std::vector<double> values = at_rest;
         values[i] += by;
-        return model.residuals(on.effects, from_waves(std::move(values), waves), on.trained);
+        return on.model.residuals(on.effects, from_waves(std::move(values), waves), on.trained);
       };
       const auto above = moved(step), below = moved(-step);
       if (!above || !below) continue;

@@ -15,9 +15,6 @@ namespace {
 constexpr double smallest_region =
     1e-4;  // of Levenberg and Marquardt: no step worth its evaluation
 constexpr int most_tries_along_bounds = 4;
-constexpr int iterations_of_a_stand_in = 2;  // that one more of them is worth
-constexpr int most_iterations_of_a_stand_in = 20;
-constexpr int most_halvings = 8;  // of a step that a stand-in was wrong about
 
 // The rows of the units that are learned from.
 std::vector<Eigen::Index> trained_rows(const FitProblem& on) {
@@ -116,15 +113,17 @@ ceres::Solver::Options solver_options(const FitProblem& on, int iterations) {
   return options;
 }
 
-Descent descend_directly(const FitProblem& on, std::vector<double> values, int iterations,
-                         const Eigen::MatrixXd& held) {
+}  // namespace
+
+Descent descend(const FitProblem& on, std::vector<double> values, int iterations,
+                const Eigen::MatrixXd& held) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   if (values.empty()) {
     auto residuals = on.model.residuals(on.effects, values, on.trained);
-    if (!residuals) return {{}, infinite, false, {}, {}, {}};
+    if (!residuals) return {{}, infinite, false, {}, {}};
     const double cost = cost_of(on, values, *residuals);
     Eigen::MatrixXd slopes(residuals->size(), 0);
-    return {{}, cost, true, std::move(*residuals), std::move(slopes), {}};
+    return {{}, cost, true, std::move(*residuals), std::move(slopes)};
   }
   Cost cost(on, held);
   ceres::Problem::Options not_owner;
@@ -145,80 +144,14 @@ Descent descend_directly(const FitProblem& on, std::vector<double> values, int i
   keep_ceres_silent();
   ceres::Solve(solver_options(on, iterations), &problem, &summary);
   values = cost.values_at(scaled.data());
-  if (!summary.IsSolutionUsable()) return {values, infinite, false, {}, {}, {}};
+  if (!summary.IsSolutionUsable()) return {values, infinite, false, {}, {}};
   Descent end{
-      values, 2 * summary.final_cost, summary.termination_type == ceres::CONVERGENCE, {}, {}, {}};
+      values, 2 * summary.final_cost, summary.termination_type == ceres::CONVERGENCE, {}, {}};
   if (cost.sloped_at().values == values) {
     end.residuals = cost.sloped_at().residuals;
     end.slopes = cost.slopes();
   }
   return end;
-}
-
-// Where a model's stand-in at these values begins.
-std::optional<Descent> stood_in(const FitProblem& on, const std::vector<double>& values,
-                                const ForwardModel* like) {
-  std::shared_ptr<const ForwardModel> stand_in = on.model.straightened(on.effects, values, like);
-  if (!stand_in) return std::nullopt;
-  auto residuals = stand_in->residuals(on.effects, values, on.trained);
-  if (!residuals || !residuals->allFinite()) return std::nullopt;
-  const double cost = cost_of(on, values, *residuals);
-  return Descent{values, cost, false, *std::move(residuals), {}, std::move(stand_in)};
-}
-
-// To where the stand-in would come to rest, or part of the way if it is not that good there.
-// @return nothing if no better place is found
-std::optional<Descent> step_by_stand_in(const FitProblem& on, const Descent& at,
-                                        const ForwardModel* like) {
-  const FitProblem near(*at.stand_in, on.effects, on.trained, on.scatter);
-  const Descent foreseen = descend_directly(near, at.values, most_iterations_of_a_stand_in, {});
-  const double least_gain = negligible_gain(on) * at.cost;
-  if (at.cost - foreseen.cost < least_gain) return std::nullopt;
-  std::vector<double> to = foreseen.values;
-  for (int halved = 0; halved < most_halvings; ++halved) {
-    const auto residuals = on.model.residuals(on.effects, to, on.trained);
-    const double cost = residuals && residuals->allFinite()
-                            ? cost_of(on, to, *residuals)
-                            : std::numeric_limits<double>::infinity();
-    if (cost < at.cost - least_gain) return stood_in(on, to, like);
-    for (std::size_t i = 0; i < to.size(); ++i) to[i] = 0.5 * (to[i] + at.values[i]);
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
-Descent descend(const FitProblem& on, std::vector<double> values, int iterations,
-                const KnownSlopes& known) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = std::clamp(values[i], on.parameters[i].low, on.parameters[i].high);
-  }
-  const ForwardModel* taken_over = known.stand_in.get();
-  auto start = stood_in(on, values, taken_over);
-  if (!start) return descend_directly(on, std::move(values), iterations, known.held);
-  Descent at = *std::move(start);
-  const int rounds = std::max(1, iterations / iterations_of_a_stand_in);
-  bool slopes_belong_here = taken_over == nullptr;
-  for (int round = 0; round < rounds && !at.converged; ++round) {
-    const std::shared_ptr<const ForwardModel> here = at.stand_in;
-    if (auto next = step_by_stand_in(on, at, taken_over != nullptr ? taken_over : here.get())) {
-      at = *std::move(next);
-      slopes_belong_here = false;
-    } else if (taken_over == nullptr && !slopes_belong_here) {
-      // Slopes of the place before may be why: rest is where those that belong here see no step.
-      if (auto fresh = stood_in(on, at.values, nullptr)) at = *std::move(fresh);
-      slopes_belong_here = true;
-    } else {
-      at.converged = true;
-    }
-  }
-  const FitProblem there(*at.stand_in, on.effects, on.trained, on.scatter);
-  if (auto slopes = jacobian(there, at.values, at.residuals)) {
-    at.slopes = *std::move(slopes);
-  } else {
-    at.residuals.resize(0);
-  }
-  return at;
 }
 
 }  // namespace rvbench::analysis

@@ -74,30 +74,18 @@ std::string certificate(const FitProblem& on, const std::vector<Descent>& ends, 
   return why;
 }
 
-// Where a stand-in of the model comes to rest, from the best of all starts.
-Descent foreseen_best(const FitProblem& on, const std::vector<std::vector<double>>& starts,
-                      const ForwardModel& stand_in) {
-  const FitProblem near(stand_in, on.effects, on.trained, on.scatter);
-  Descent best{starts.front(), std::numeric_limits<double>::infinity(), false, {}, {}, {}};
-  for (const std::vector<double>& start : starts) {
-    Descent end = descend(near, start, most_refit_iterations);
-    if (end.cost < best.cost) best = std::move(end);
-  }
-  return best;
-}
-
 // The best after all starts have made a few moves, in order of their costs.
 std::vector<Descent> first_moves(const FitProblem& on,
                                  const std::vector<std::vector<double>>& starts,
-                                 const KnownSlopes& known) {
+                                 const Eigen::MatrixXd& held) {
   std::vector<Descent> ends;
   for (const std::vector<double>& start : starts) {
-    ends.push_back(descend(on, start, opening_iterations, known));
+    ends.push_back(descend(on, start, opening_iterations, held));
   }
   std::ranges::stable_sort(ends, {}, &Descent::cost);
   if (ends.size() > most_finalists) ends.resize(most_finalists);
   for (Descent& end : ends) {
-    if (!end.converged) end = descend(on, end.values, middle_iterations, known);
+    if (!end.converged) end = descend(on, end.values, middle_iterations, held);
   }
   std::ranges::stable_sort(ends, {}, &Descent::cost);
   return ends;
@@ -108,10 +96,9 @@ std::vector<Descent> first_moves(const FitProblem& on,
 // toward the first start has to return.
 void certify(const FitProblem& on, std::vector<Descent>& ends, const std::vector<double>& start,
              double before) {
-  const auto known_at = [](const Descent& end) { return KnownSlopes{end.slopes, end.stand_in}; };
   for (std::size_t i = 1; i < ends.size(); ++i) {
     Descent& end = ends[i];
-    end = descend(on, end.values, most_refit_iterations, known_at(ends.front()));
+    end = descend(on, end.values, most_refit_iterations, ends.front().slopes);
     if (!same_place(on, ends.front(), end, before)) {
       end = descend(on, end.values, most_iterations);
     }
@@ -123,7 +110,7 @@ void certify(const FitProblem& on, std::vector<Descent>& ends, const std::vector
     std::vector<double> back = ends.front().values;
     const double part = std::pow(part_way_back, tried + 1);
     for (std::size_t i = 0; i < back.size(); ++i) back[i] += part * (start[i] - back[i]);
-    Descent end = descend(on, std::move(back), most_iterations, known_at(ends.front()));
+    Descent end = descend(on, std::move(back), most_iterations, ends.front().slopes);
     if (!end.converged) return;
     ends.push_back(std::move(end));
     std::ranges::stable_sort(ends, {}, &Descent::cost);
@@ -148,7 +135,6 @@ Fit fit_at(const FitProblem& on, const Descent& end, const Eigen::MatrixXd& held
   fit.slopes = end.slopes;
   fit.cost = end.cost;
   fit.scatter = on.scatter;
-  fit.stand_in = end.stand_in;
   if (fit.slopes.size() == 0) {
     const auto residuals = on.model.residuals(on.effects, fit.values, on.trained);
     const auto slopes = residuals ? jacobian(on, fit.values, *residuals, held) : std::nullopt;
@@ -174,20 +160,14 @@ std::size_t first_value_of(const ForwardModel& model, const std::vector<std::siz
 
 Fit fit_from(const ForwardModel& model, const std::vector<std::size_t>& effects,
              std::vector<std::vector<double>> starts, const std::vector<bool>& trained,
-             double scatter, const KnownSlopes& known, const MustBeat& must_beat) {
+             double scatter, const Eigen::MatrixXd& held, const MustBeat& must_beat) {
   const FitProblem on(model, effects, trained, scatter);
-  if (known.stand_in) {
-    Descent foreseen = foreseen_best(on, starts, *known.stand_in);
-    if (foreseen.cost > must_beat.after_first_moves) return given_up(on, foreseen);
-    starts = {std::move(foreseen.values), std::move(starts.back())};
-  }
-  std::vector<Descent> ends = first_moves(on, starts, known);
+  std::vector<Descent> ends = first_moves(on, starts, held);
   if (ends.front().cost > must_beat.after_first_moves) return given_up(on, ends.front());
-  ends.front() = descend(on, ends.front().values, most_iterations, known);
+  ends.front() = descend(on, ends.front().values, most_iterations, held);
   if (ends.front().cost > must_beat.at_rest) return given_up(on, ends.front());
-  if (known.stand_in) ends.front() = descend(on, ends.front().values, most_iterations);
   if (ends.front().converged) certify(on, ends, starts.front(), must_beat.before);
-  Fit fit = fit_at(on, ends.front(), known.stand_in ? Eigen::MatrixXd() : known.held);
+  Fit fit = fit_at(on, ends.front(), held);
   if (fit.not_certified.empty())
     fit.not_certified = certificate(on, ends, must_beat.before, fit.covariance);
   return fit;
@@ -211,7 +191,7 @@ Fit fit_with(const ForwardModel& model, const Fit& before, std::size_t added,
   std::vector<std::vector<double>> all_own = model.library().at(added).starts;
   if (!screened.empty()) all_own.push_back(screened);
   return fit_from(model, effects, starts_from(before.values, all_own), trained, before.scatter,
-                  {before.slopes, before.stand_in}, must_beat);
+                  before.slopes, must_beat);
 }
 
 Fit polish(const ForwardModel& model, const Fit& fit, const std::vector<bool>& trained) {
@@ -231,26 +211,16 @@ Fit polish(const ForwardModel& model, const Fit& fit, const std::vector<bool>& t
 }
 
 Evaluated foresee(const ForwardModel& model, const Fit& fit, const std::vector<bool>& trained) {
-  if (!fit.stand_in) {
-    return forecast(FitProblem(model, fit.effects, trained, fit.scatter),
-                    {fit.values, fit.residuals}, fit.slopes);
-  }
-  const FitProblem near(*fit.stand_in, fit.effects, trained, fit.scatter);
-  Descent end = descend(near, fit.values, most_refit_iterations);
-  auto residuals = fit.stand_in->residuals(fit.effects, end.values, trained);
-  return {std::move(end.values), residuals ? std::move(*residuals) : Eigen::VectorXd()};
+  if (model.is_quick()) return refit(model, fit, trained);
+  return forecast(FitProblem(model, fit.effects, trained, fit.scatter), {fit.values, fit.residuals},
+                  fit.slopes);
 }
 
 Evaluated refit(const ForwardModel& model, const Fit& fit, const std::vector<bool>& trained) {
-  if (fit.stand_in) {
-    Evaluated there = foresee(model, fit, trained);
-    auto residuals = model.residuals(fit.effects, there.values, trained);
-    return {std::move(there.values), residuals ? std::move(*residuals) : Eigen::VectorXd()};
-  }
   const FitProblem on(model, fit.effects, trained, fit.scatter);
   auto settled = settle(on, {fit.values, fit.residuals}, fit.slopes);
   if (settled) return std::move(*settled);
-  const Descent end = descend(on, fit.values, most_refit_iterations, {fit.slopes, {}});
+  const Descent end = descend(on, fit.values, most_refit_iterations, fit.slopes);
   if (end.residuals.size() > 0) return {end.values, end.residuals};
   auto residuals = model.residuals(fit.effects, end.values, trained);
   return {end.values, residuals ? std::move(*residuals) : Eigen::VectorXd()};

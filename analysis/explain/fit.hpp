@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <limits>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,10 +21,6 @@ struct Fit {
   double cost = 0;                   ///< sum of squares over the units learned from
   double scatter = 1;                ///< see FitProblem: what it was fitted with
   std::string not_certified;         ///< why it must not be ranked; empty if several starts agree
-  std::shared_ptr<const ForwardModel> stand_in = {};  ///< of the model, there; nullptr if none
-
-  /// What is quickest to ask near these values: the stand-in, or the model itself.
-  const ForwardModel& near(const ForwardModel& model) const { return stand_in ? *stand_in : model; }
 };
 
 /// Costs that a fit is measured by: above the first two it is not worth going on with.
@@ -43,8 +38,7 @@ struct MustBeat {
 /// The fit moves the base and every effect together. It is certified if at least two starts end
 /// within 1e-4 in cost, or one value's share of it, or 2 % of what is gained, and, of each
 /// parameter of the effects but phases, within 5 % or a tenth of its standard error. All starts
-/// make their first moves; the best three go on until two come to rest in one place. Where a
-/// stand-in is known all starts go on that first, and its best one and the last go on.
+/// make their first moves; the best three go on until two come to rest in one place.
 ///
 /// Covariance  (JᵀJ)⁻¹ (Σ_u g_u g_uᵀ) (JᵀJ)⁻¹ with g_u = J_uᵀ r_u: dependence within a unit does
 ///             not count as knowledge
@@ -52,12 +46,12 @@ struct MustBeat {
 ///
 /// @param starts     each of the size of all values; the best end wins
 /// @param trained    per unit: whether it is learned from
-/// @param known      slopes of the first parameters, good enough to be ranked by: see polish()
+/// @param held       slopes of the first parameters, good enough to be ranked by: see polish()
 /// @param must_beat  where no start comes below it the fit ends there, without residuals
 /// @param scatter    of residuals: see FitProblem
 Fit fit_from(const ForwardModel& model, const std::vector<std::size_t>& effects,
              std::vector<std::vector<double>> starts, const std::vector<bool>& trained,
-             double scatter = 1, const KnownSlopes& known = {}, const MustBeat& must_beat = {});
+             double scatter = 1, const Eigen::MatrixXd& held = {}, const MustBeat& must_beat = {});
 
 /// Where fits begin that add to another: its values, then each of `all_own` in turn.
 std::vector<std::vector<double>> starts_from(const std::vector<double>& before,
@@ -74,7 +68,8 @@ Fit fit_with(const ForwardModel& model, const Fit& before, std::size_t added,
 /// @return with the certificate that it had, or the reason why it has lost it
 Fit polish(const ForwardModel& model, const Fit& fit, const std::vector<bool>& trained);
 
-/// Where its slopes, or its stand-in, say that a fit would come to rest on other units.
+/// Where its slopes say that a fit would come to rest on other units; of a quick model, see
+/// refit().
 Evaluated foresee(const ForwardModel& model, const Fit& fit, const std::vector<bool>& trained);
 
 /// Where a fit comes to rest on other units, without a certificate.

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -96,17 +95,9 @@ class ForwardModel {
     return std::nullopt;
   }
 
-  /// A stand-in that is quick to evaluate near these values: the same units, parameters and
-  /// candidates; exact at the values, and straight in what the plant does there.
-  /// @param like  one of a model with some of these effects, whose slopes it may take over; may be
-  ///              nullptr
-  /// @return nullptr if this model is quick itself, or cannot be evaluated there
-  virtual std::unique_ptr<ForwardModel> straightened(const std::vector<std::size_t>& effects,
-                                                     const std::vector<double>& values,
-                                                     const ForwardModel* like) const {
-    (void)effects, (void)values, (void)like;
-    return nullptr;
-  }
+  /// Whether an evaluation costs so little that left-out conditions are fitted anew where they
+  /// would else be forecast.
+  virtual bool is_quick() const { return false; }
 
   /// What a law of unknown shape might depend on (ways, speeds, forces, load), one row for each
   /// value of the residuals. Empty if that is not known.

@@ -21,7 +21,7 @@ bool may_gain_together(const Tryout& on, const Fit& before, const Pair& pair) {
   std::vector<std::size_t> effects = before.effects;
   effects.insert(effects.end(), {pair.first, pair.second});
   const Fit both = fit_from(on.model, effects, starts_from(before.values, own), on.everything,
-                            before.scatter, {before.slopes, before.stand_in}, least_of(on, before));
+                            before.scatter, before.slopes, least_of(on, before));
   return both.residuals.size() > 0;
 }
 

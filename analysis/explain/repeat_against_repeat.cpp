@@ -107,7 +107,7 @@ std::optional<Eigen::VectorXd> RepeatAgainstRepeat::residuals(
     at += count;
   }
   const std::vector<bool> everything(model_.units().size(), true);
-  const auto later = fit_.near(model_).residuals(all, moved, everything);
+  const auto later = model_.residuals(all, moved, everything);
   if (!later) return std::nullopt;
   Eigen::VectorXd out(units_.back().first + units_.back().size);
   for (std::size_t i = 0; i < pairs_.size(); ++i) {

@@ -80,7 +80,7 @@ Eigen::VectorXd mark_of(const ForwardModel& model, const Fit& fit, std::size_t e
   const Candidate& candidate = model.library()[effect];
   const double part = is_small_when_screened(candidate) ? screening_step : 1;
   for (std::size_t i = 0; i < candidate.sizes; ++i) values[fit.values.size() + i] *= part;
-  const auto moved = fit.near(model).residuals(effects, values, trained);
+  const auto moved = model.residuals(effects, values, trained);
   if (!moved || !moved->allFinite()) return {};
   return (*moved - fit.residuals) / part;
 }

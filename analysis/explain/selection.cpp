@@ -66,7 +66,7 @@ class Selector {
  private:
   void go_on_from(Standing standing) {
     now_ = std::move(standing);
-    foreseen_ = *stand(on_, now_.fit, LeftOut::forecast);
+    foreseen_ = on_.model.is_quick() ? now_ : *stand(on_, now_.fit, LeftOut::forecast);
   }
 
   void tell(const std::string& stage, double share, const std::string& doing) const {

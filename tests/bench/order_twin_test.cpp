@@ -59,37 +59,6 @@ SCENARIO("a plant by orders shows what time integration recorded of it", "[bench
   }
 }
 
-SCENARIO("a stand-in is exact where it was made, and good nearby", "[bench][orders]") {
-  if (test::too_long_under_sanitizer()) return;
-  const auto twin = twin_of(nominal(), test::rv_campaign(nominal(), 2, two_records()));
-  const std::vector<double> here = nominal_values(*twin);
-  const std::vector<bool> all{true, true};
-  const auto stand_in = twin->straightened({}, here, nullptr);
-  REQUIRE(stand_in);
-  const Eigen::VectorXd before = *twin->residuals({}, here, all);
-  CHECK((*stand_in->residuals({}, here, all) - before).norm() < 1e-9 * before.norm());
-  const auto slopes = stand_in->slopes({}, here, all);
-  REQUIRE(slopes);
-  for (const std::size_t i : {0, 7, 12, 19}) {
-    CAPTURE(twin->base()[i].name);
-    std::vector<double> above = here, below = here;
-    const double step = 1e-3 * twin->base()[i].scale;
-    above[i] += step;
-    below[i] -= step;
-    const Eigen::VectorXd by_differences =
-        (*stand_in->residuals({}, above, all) - *stand_in->residuals({}, below, all)) / (2 * step);
-    CHECK((slopes->col(Eigen::Index(i)) - by_differences).norm() < 1e-4 * by_differences.norm());
-    std::vector<double> there = here;
-    there[i] += 0.5 * twin->base()[i].spread;
-    const Eigen::VectorXd moved = *twin->residuals({}, there, all);
-    CHECK((*stand_in->residuals({}, there, all) - moved).norm() <
-          0.2 * (moved - before).norm() + 1e-3 * before.norm());
-    const auto taken_over = twin->straightened({}, there, stand_in.get());
-    REQUIRE(taken_over);
-    CHECK((*taken_over->residuals({}, there, all) - moved).norm() < 1e-9 * moved.norm());
-  }
-}
-
 TEST_CASE("a plant without an angle of reference is not compared by orders", "[bench][orders]") {
   sim::PlantSpec blind = nominal();
   blind.outputs.pop_back();
