@@ -9,6 +9,7 @@
 #include <set>
 
 #include "hal/types/units.hpp"
+#include "sim/anderson.hpp"
 #include "sim/order_lines.hpp"
 #include "sim/term_memory.hpp"
 
@@ -27,7 +28,8 @@ constexpr double slowest_rad_s = 1e-3;    // of the fastest body: what counts as
 constexpr double fastest_rad_s = 1e4;
 constexpr int speeds_tried = 400;
 constexpr int halvings = 60;
-constexpr int most_rounds = 20;
+constexpr int most_rounds = 30;
+constexpr std::size_t steps_mixed = 5;
 constexpr double negligible_line = 1e-12;  // of the largest: not solved for
 
 // From near, always as many rounds: what is left open then is a smooth function of the plant.
@@ -222,7 +224,20 @@ bool SteadyMotion::solve_near(double speed_rad_s, const Eigen::MatrixXcd& by_ord
   return come_to_rest(from_near);
 }
 
+// One round further: by a mixture of this step and those before.
+void SteadyMotion::move(AndersonMixing& mixing, const Eigen::MatrixXcd& step,
+                        double speed_step_rad_s) {
+  const Eigen::Index size = step.size();
+  Eigen::VectorXd all(2 * size + 1);
+  all << step.real().reshaped(), step.imag().reshaped(), speed_step_rad_s;
+  all = mixing.mixed(all);
+  lines_.real() += all.head(size).reshaped(step.rows(), step.cols());
+  lines_.imag() += all.segment(size, size).reshaped(step.rows(), step.cols());
+  speed_rad_s_ += all[2 * size];
+}
+
 bool SteadyMotion::come_to_rest(const Rest& rest) {
+  AndersonMixing mixing(steps_mixed);
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> held;
   held.setThreshold(slopes_known_to);
   held.compute(stiffness_);
@@ -253,14 +268,15 @@ bool SteadyMotion::come_to_rest(const Rest& rest) {
                              std::max(rest.lines * largest(remainder.rightCols(count_)),
                                       negligible_line * largest_push) &&
                          mean.cwiseAbs().maxCoeff() <= rest.balance * largest_push;
-    speed_rad_s_ += common_.dot(mean) / common_.dot(damping_ * common_);
-    lines_.col(0) += held.solve(mean).cast<Complex>();
+    Eigen::MatrixXcd step = Eigen::MatrixXcd::Zero(n_, count_ + 1);
+    step.col(0) = held.solve(mean).cast<Complex>();
     for (Eigen::Index k = 1; k <= count_; ++k) {
       if (open.col(k).squaredNorm() < std::pow(negligible_line * largest_push, 2)) continue;
       auto& answer = answers[static_cast<std::size_t>(k - 1)];
       if (!answer) answer.emplace(impedance(omega_rad_s(k)));
-      lines_.col(k) += answer->solve(open.col(k));
+      step.col(k) = answer->solve(open.col(k));
     }
+    move(mixing, step, common_.dot(mean) / common_.dot(damping_ * common_));
     if (at_rest && round + 1 >= rest.rounds) return true;
   }
   return false;

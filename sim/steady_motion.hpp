@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hal/config_reader.hpp"
+#include "sim/anderson.hpp"
 #include "sim/period_orders.hpp"
 #include "sim/plant_model.hpp"
 
@@ -57,6 +58,7 @@ class SteadyMotion {
   bool find_speed();
   void find_slopes();
   bool come_to_rest(const Rest& rest);
+  void move(AndersonMixing& mixing, const Eigen::MatrixXcd& step, double speed_step_rad_s);
 
   const PlantModel& model_;
   std::vector<std::pair<const PhysicsTerm*, double>> rhythmic_;  // with its rhythm, Hz
