@@ -67,6 +67,29 @@ ordered_json record_errors_json(const std::vector<RecordError>& records) {
   return json;
 }
 
+ordered_json clusters_json(const std::vector<analysis::ResidualCluster>& clusters) {
+  ordered_json json = ordered_json::array();
+  for (const analysis::ResidualCluster& c : clusters) {
+    json.push_back({{"channel", c.channel},
+                    {"locked_to", to_string(c.locked_to)},
+                    {"first", number(c.first)},
+                    {"last", number(c.last)},
+                    {"conditions", c.conditions},
+                    {"apart", number(c.apart)},
+                    {"unit", c.unit},
+                    {"standard_errors", number(c.standard_errors)}});
+  }
+  return json;
+}
+
+// Null if the comparison knows no means and lines.
+ordered_json located_json(const Located& located) {
+  if (located.cells == 0) return nullptr;
+  return {{"cells", located.cells},
+          {"before", clusters_json(located.before)},
+          {"after", clusters_json(located.after)}};
+}
+
 ordered_json effect_json(const analysis::ExplainedEffect& effect, const ordered_json& floor,
                          const char* metric) {
   return {{"verdict", to_string(effect.verdict)},
@@ -112,6 +135,7 @@ std::string explanation_to_json(const analysis::Explanation& e, const ExplainFac
          {{"before", number(e.held_out_before)},
           {"after", number(e.held_out_after)},
           {"floor", floor}}}}},
+      {"located", located_json(facts.located)},
       {"records", record_errors_json(facts.records)},
       {"self_null", self_null(e.self_null)},
       {"cannot_exclude", rivals(e.cannot_exclude)},

@@ -6,6 +6,7 @@
 
 #include "analysis/explain/explanation.hpp"
 #include "bench/comparisons.hpp"
+#include "bench/located.hpp"
 
 namespace rvbench::bench {
 
@@ -14,6 +15,7 @@ struct ExplainFacts {
   std::string plant, software;
   std::string plant_updated;  ///< path, or "" if there is none
   std::vector<RecordError> records;
+  Located located;
   std::vector<std::string> notes;
   std::vector<std::pair<std::string, std::string>> hashes;  ///< file, SHA-256
 };

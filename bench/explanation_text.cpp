@@ -2,8 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace rvbench::bench {
 namespace {
+
+constexpr std::size_t most_places = 5;
 
 std::string estimate_text(const analysis::Estimate& e) {
   return fmt::format("{} {:.4g} {} (90 %: {:.4g} to {:.4g})", e.name, e.value, e.unit, e.low,
@@ -52,6 +57,27 @@ void print_answer(Console& console, const analysis::Explanation& e) {
   }
 }
 
+std::string cluster_text(const analysis::ResidualCluster& c) {
+  return fmt::format("{}: {:+.3g} {} ({:.0f} standard errors), {} condition{}", place_text(c),
+                     c.apart, c.unit, std::abs(c.standard_errors), c.conditions.size(),
+                     c.conditions.size() == 1 ? "" : "s");
+}
+
+void print_located(Console& console, const Located& located) {
+  if (located.cells == 0) return;
+  console.out << fmt::format(
+      "\n  where it differs by more than chance, of {} means and lines: {} places -> {}\n",
+      located.cells, located.before.size(), located.after.size());
+  const std::size_t shown = std::min(located.before.size(), most_places);
+  for (std::size_t i = 0; i < shown; ++i) {
+    console.out << "    " << cluster_text(located.before[i]) << '\n';
+  }
+  if (shown < located.before.size()) {
+    console.out << fmt::format("    and {} more: see explain.json\n",
+                               located.before.size() - shown);
+  }
+}
+
 void print_records(Console& console, const std::vector<RecordError>& records) {
   if (records.empty()) return;
   console.out << "\n  error by record, as the plant was -> with what was left out\n";
@@ -80,6 +106,7 @@ void print_self_null(Console& console, const analysis::SelfNull& self_null,
 void print_explanation(Console& console, const analysis::Explanation& explanation,
                        const ExplainFacts& facts) {
   print_answer(console, explanation);
+  print_located(console, facts.located);
   print_records(console, facts.records);
   print_self_null(console, explanation.self_null, explanation.in_standard_errors);
 }

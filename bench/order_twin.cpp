@@ -21,6 +21,7 @@ using Kind = OrderFeature::Kind;
 constexpr double tolerance_spreads = 2;  // standard deviations that a tolerance is wide
 constexpr double believable = 5;         // standard errors: farther off counts for little more
 constexpr double line_resolution = 2;    // bins: half a Hann window's main lobe
+constexpr double one_line = 1.5;         // orders of a period: neighbours show one another
 
 int orders_of(const OrderMeasurement& measured, std::size_t output) {
   return std::max(0, static_cast<int>(measured.outputs[output].amplitude.size()) - 1);
@@ -31,6 +32,19 @@ int orders_of(const OrderMeasurement& measured, std::size_t output) {
 double pressed(double standard_errors) {
   const double part = standard_errors / believable;
   return std::copysign(believable * std::sqrt(std::log1p(part * part)), standard_errors);
+}
+
+analysis::LockedTo locked_to(Kind kind) {
+  switch (kind) {
+    case Kind::mean: break;
+    case Kind::shaft_line: return analysis::LockedTo::shaft;
+    case Kind::timed_line: return analysis::LockedTo::time;
+  }
+  return analysis::LockedTo::nothing;
+}
+
+double place_of(const OrderFeature& feature, double period_turns) {
+  return feature.kind == Kind::shaft_line ? feature.order / period_turns : feature.frequency_Hz;
 }
 
 }  // namespace
@@ -279,6 +293,37 @@ std::optional<Eigen::VectorXd> OrderTwin::residuals(const std::vector<std::size_
     ++unit;
   }
   return apart;
+}
+
+Twin::Cells OrderTwin::cells(const std::vector<std::size_t>& effects,
+                             const std::vector<double>& values) const {
+  Cells cells{{}, one_line / period_turns_};
+  const auto states = solved(effects, values);
+  if (!states) return cells;
+  for (std::size_t c = 0; c < conditions_.size(); ++c) {
+    const Eigen::VectorXd expected = features_of((*states)[c], conditions_[c]);
+    std::vector<const OrderRecord*> records;
+    for (const OrderRecord& record : records_) {
+      if (record.condition == c && record.about.learned_from) records.push_back(&record);
+    }
+    if (records.empty()) continue;
+    const auto count = static_cast<double>(records.size());
+    Eigen::VectorXd apart = Eigen::VectorXd::Zero(expected.size()), squares = apart;
+    for (const OrderRecord* record : records) {
+      apart += (record->values - shown_by(expected, *record)) / count;
+      squares += record->errors.cwiseAbs2() / (count * count);
+    }
+    for (std::size_t f = 0; f < conditions_[c].features.size(); ++f) {
+      const OrderFeature& feature = conditions_[c].features[f];
+      const sim::OutputSpec& output = plant_.outputs[feature.output];
+      const bool is_speed = feature.output == angle_;
+      const auto at = Eigen::Index(f);
+      cells.all.push_back({output.channel, is_speed ? "rad/s" : output.unit,
+                           records.front()->about.condition, locked_to(feature.kind),
+                           place_of(feature, period_turns_), apart[at], std::sqrt(squares[at])});
+    }
+  }
+  return cells;
 }
 
 std::vector<Twin::Comparison> OrderTwin::compare(const std::vector<std::size_t>& effects,

@@ -43,6 +43,8 @@ class OrderTwin final : public Twin {
   }
   std::vector<Comparison> compare(const std::vector<std::size_t>& effects,
                                   const std::vector<double>& values) const override;
+  Cells cells(const std::vector<std::size_t>& effects,
+              const std::vector<double>& values) const override;
 
  private:
   OrderTwin(sim::PlantSpec plant, const sim::TermLibrary& library)

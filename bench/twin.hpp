@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/explain/forward_model.hpp"
+#include "analysis/explain/residual_cells.hpp"
 #include "bench/campaign.hpp"
 #include "sim/plant_spec.hpp"
 #include "sim/term_library.hpp"
@@ -43,6 +44,17 @@ class Twin : public analysis::ForwardModel {
   /// All records, also those that were only to be predicted. Empty if it cannot be simulated.
   virtual std::vector<Comparison> compare(const std::vector<std::size_t>& effects,
                                           const std::vector<double>& values) const = 0;
+
+  /// Means and lines of all conditions that are learned from, beside what a model makes of them.
+  struct Cells {
+    std::vector<analysis::ResidualCell> all;  ///< empty if this twin compares nothing of the kind
+    double beside = 0;                        ///< orders, or Hz, within which lines are one
+  };
+  virtual Cells cells(const std::vector<std::size_t>& effects,
+                      const std::vector<double>& values) const {
+    (void)effects, (void)values;
+    return {};
+  }
 
  protected:
   /// @throws Interrupted if a stop is requested

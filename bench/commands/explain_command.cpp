@@ -121,6 +121,7 @@ int ExplainCommand::tell(Console& console, const Campaign& campaign, const Twin&
                      software_version(),
                      "",
                      record_errors(twin, explanation.selection, comparisons),
+                     locate(twin, explanation.selection),
                      campaign.notes,
                      campaign.hashes};
   try {

@@ -177,6 +177,7 @@ std::string make_explanation_page(const Explanation& e, const ExplainFacts& fact
       report::style_sheet() + "</style></head><body><main>\n";
   html += sentence_section(e, facts);
   html += report::explained_errors_section(e, comparisons);
+  html += report::located_section(facts.located);
   html += report::overlays_section(comparisons);
   html += report::residual_maps_section(comparisons);
   std::string effects;

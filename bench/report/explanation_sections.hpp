@@ -4,6 +4,7 @@
 
 #include "analysis/explain/explanation.hpp"
 #include "bench/comparisons.hpp"
+#include "bench/located.hpp"
 
 /// Sections of explain.html. Each is HTML; empty if it has nothing to show.
 namespace rvbench::bench::report {
@@ -12,6 +13,9 @@ namespace rvbench::bench::report {
 /// differ by.
 std::string explained_errors_section(const analysis::Explanation& explanation,
                                      const Comparisons& comparisons);
+
+/// Means and lines that differ by more than chance, before and after. Also says that none does.
+std::string located_section(const Located& located);
 
 /// Some records as they are predicted by fits that have not seen their condition: signals over
 /// time, the strongest lines side by side.

@@ -1,0 +1,26 @@
+#include "bench/located.hpp"
+
+#include <fmt/format.h>
+
+namespace rvbench::bench {
+
+std::string place_text(const analysis::ResidualCluster& c) {
+  const std::string places = c.last > c.first ? fmt::format("{:.5g} to {:.5g}", c.first, c.last)
+                                              : fmt::format("{:.5g}", c.first);
+  switch (c.locked_to) {
+    case analysis::LockedTo::nothing: break;
+    case analysis::LockedTo::shaft: return c.channel + " order " + places;
+    case analysis::LockedTo::time: return c.channel + ' ' + places + " Hz";
+  }
+  return c.channel + " mean";
+}
+
+Located locate(const Twin& twin, const analysis::Selection& found) {
+  if (found.base.residuals.size() == 0) return {};
+  const Twin::Cells before = twin.cells(found.base.effects, found.base.values);
+  const Twin::Cells after = twin.cells(found.fit.effects, found.fit.values);
+  return {before.all.size(), analysis::locate(before.all, before.beside),
+          analysis::locate(after.all, after.beside)};
+}
+
+}  // namespace rvbench::bench

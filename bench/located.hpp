@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "analysis/explain/residual_cells.hpp"
+#include "analysis/explain/selection.hpp"
+#include "bench/twin.hpp"
+
+namespace rvbench::bench {
+
+/// Where recordings differ from the plant by more than chance, as it was and with what was left
+/// out.
+struct Located {
+  std::size_t cells = 0;  ///< means and lines looked at; 0: the comparison has none
+  std::vector<analysis::ResidualCluster> before, after;
+};
+
+/// @param found  with a base that was fitted, or nothing is located
+Located locate(const Twin& twin, const analysis::Selection& found);
+
+/// "input_torque order 8.926", "input_torque mean", "input_torque 100 Hz"
+std::string place_text(const analysis::ResidualCluster& cluster);
+
+}  // namespace rvbench::bench

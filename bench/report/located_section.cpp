@@ -1,0 +1,65 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/report/explanation_sections.hpp"
+#include "bench/report/html.hpp"
+#include "bench/report/sections.hpp"
+#include "bench/xml_text.hpp"
+
+namespace rvbench::bench::report {
+namespace {
+
+constexpr std::size_t most_places = 20;
+
+bool overlap(const analysis::ResidualCluster& a, const analysis::ResidualCluster& b) {
+  return a.channel == b.channel && a.locked_to == b.locked_to && a.first <= b.last &&
+         b.first <= a.last;
+}
+
+std::string off_by(const analysis::ResidualCluster& c) {
+  return fmt::format("{:+.3g} {} ({:.0f} σ)", c.apart, xml_escaped(c.unit),
+                     std::abs(c.standard_errors));
+}
+
+std::string conditions_of(const analysis::ResidualCluster& c) {
+  const std::string& one = c.conditions.front();
+  return c.conditions.size() == 1 ? xml_escaped(one)
+                                  : fmt::format("{} conditions", c.conditions.size());
+}
+
+}  // namespace
+
+std::string located_section(const Located& located) {
+  if (located.cells == 0) return {};
+  std::vector<std::vector<std::string>> rows;
+  const auto add = [&](const analysis::ResidualCluster& c, std::string before, std::string after) {
+    if (rows.size() < most_places) {
+      rows.push_back(
+          {xml_escaped(place_text(c)), conditions_of(c), std::move(before), std::move(after)});
+    }
+  };
+  for (const analysis::ResidualCluster& c : located.before) {
+    const auto left =
+        std::ranges::find_if(located.after, [&](const auto& other) { return overlap(c, other); });
+    add(c, off_by(c), left == located.after.end() ? "within chance" : off_by(*left));
+  }
+  for (const analysis::ResidualCluster& c : located.after) {
+    const bool was_there =
+        std::ranges::any_of(located.before, [&](const auto& other) { return overlap(c, other); });
+    if (!was_there) add(c, "within chance", off_by(c));
+  }
+  std::string text = fmt::format(
+      "Of {} means and lines, one for each channel and condition, {} differ by more than chance as "
+      "the plant was, {} with what was left out; one in twenty of these may be wrong.",
+      located.cells,
+      located.before.empty() ? "none" : fmt::format("{} places", located.before.size()),
+      located.after.empty() ? "none" : fmt::format("{} places", located.after.size()));
+  return section(
+      "Where it differs",
+      paragraph(text) +
+          (rows.empty() ? "" : table({"where", "under", "farthest off before", "after"}, rows)));
+}
+
+}  // namespace rvbench::bench::report
