@@ -24,6 +24,8 @@ constexpr double same_scatter = 0.9;       // of the one before
 constexpr int opening_iterations = 2;      // of each start
 constexpr int middle_iterations = 4;       // of those that go on after that
 constexpr std::size_t most_finalists = 3;  // starts that go on after that
+constexpr int sizes_tried = 7;             // of each start of a quick model,
+constexpr double size_step = 0.316;        // one after the other
 
 // Costs that differ by less than one value's share in them are the same, or by little of what was
 // gained over the cost before.
@@ -96,9 +98,12 @@ std::vector<Descent> first_moves(const FitProblem& on,
 // toward the first start has to return.
 void certify(const FitProblem& on, std::vector<Descent>& ends, const std::vector<double>& start,
              double before) {
+  const auto held_by = [&](const Descent& end) {
+    return on.model.is_quick() ? Eigen::MatrixXd() : end.slopes;
+  };
   for (std::size_t i = 1; i < ends.size(); ++i) {
     Descent& end = ends[i];
-    end = descend(on, end.values, most_refit_iterations, ends.front().slopes);
+    end = descend(on, end.values, most_refit_iterations, held_by(ends.front()));
     if (!same_place(on, ends.front(), end, before)) {
       end = descend(on, end.values, most_iterations);
     }
@@ -110,7 +115,7 @@ void certify(const FitProblem& on, std::vector<Descent>& ends, const std::vector
     std::vector<double> back = ends.front().values;
     const double part = std::pow(part_way_back, tried + 1);
     for (std::size_t i = 0; i < back.size(); ++i) back[i] += part * (start[i] - back[i]);
-    Descent end = descend(on, std::move(back), most_iterations, ends.front().slopes);
+    Descent end = descend(on, std::move(back), most_iterations, held_by(ends.front()));
     if (!end.converged) return;
     ends.push_back(std::move(end));
     std::ranges::stable_sort(ends, {}, &Descent::cost);
@@ -164,10 +169,11 @@ Fit fit_from(const ForwardModel& model, const std::vector<std::size_t>& effects,
   const FitProblem on(model, effects, trained, scatter);
   std::vector<Descent> ends = first_moves(on, starts, held);
   if (ends.front().cost > must_beat.after_first_moves) return given_up(on, ends.front());
-  ends.front() = descend(on, ends.front().values, most_iterations, held);
+  const Eigen::MatrixXd still_held = model.is_quick() ? Eigen::MatrixXd() : held;
+  ends.front() = descend(on, ends.front().values, most_iterations, still_held);
   if (ends.front().cost > must_beat.at_rest) return given_up(on, ends.front());
   if (ends.front().converged) certify(on, ends, starts.front(), must_beat.before);
-  Fit fit = fit_at(on, ends.front(), held);
+  Fit fit = fit_at(on, ends.front(), still_held);
   if (fit.not_certified.empty())
     fit.not_certified = certificate(on, ends, must_beat.before, fit.covariance);
   return fit;
@@ -183,15 +189,47 @@ std::vector<std::vector<double>> starts_from(const std::vector<double>& before,
   return starts;
 }
 
+namespace {
+
+// A start with its sizes as small as fits best while all else stays: from a size far off, a wave
+// finds no way.
+std::vector<double> scaled_down(const FitProblem& on, const std::vector<double>& start,
+                                std::size_t first, std::size_t sizes) {
+  std::vector<double> best = start;
+  double least = std::numeric_limits<double>::infinity();
+  double by = 1;
+  for (int tried = 0; tried < sizes_tried; ++tried, by *= size_step) {
+    std::vector<double> scaled = start;
+    for (std::size_t i = first; i < first + sizes; ++i) scaled[i] *= by;
+    const auto residuals = on.model.residuals(on.effects, scaled, on.trained);
+    if (!residuals || !residuals->allFinite()) continue;
+    const double cost = cost_of(on, scaled, *residuals);
+    if (cost >= least) continue;
+    least = cost;
+    best = std::move(scaled);
+  }
+  return best;
+}
+
+}  // namespace
+
 Fit fit_with(const ForwardModel& model, const Fit& before, std::size_t added,
              const std::vector<bool>& trained, const MustBeat& must_beat,
              const std::vector<double>& screened) {
   std::vector<std::size_t> effects = before.effects;
   effects.push_back(added);
-  std::vector<std::vector<double>> all_own = model.library().at(added).starts;
+  const Candidate& candidate = model.library().at(added);
+  std::vector<std::vector<double>> all_own = candidate.starts;
   if (!screened.empty()) all_own.push_back(screened);
-  return fit_from(model, effects, starts_from(before.values, all_own), trained, before.scatter,
-                  before.slopes, must_beat);
+  std::vector<std::vector<double>> starts = starts_from(before.values, all_own);
+  if (model.is_quick() && candidate.vanishes_at_zero) {
+    const FitProblem on(model, effects, trained, before.scatter);
+    for (std::vector<double>& start : starts) {
+      start = scaled_down(on, start, before.values.size(), candidate.sizes);
+    }
+  }
+  return fit_from(model, effects, std::move(starts), trained, before.scatter, before.slopes,
+                  must_beat);
 }
 
 Fit polish(const ForwardModel& model, const Fit& fit, const std::vector<bool>& trained) {

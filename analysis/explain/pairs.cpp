@@ -57,7 +57,8 @@ PairTrial try_pair(const Tryout& on, const Standing& before, const Pair& pair) {
   trial.first.over_before = margin(first->held_out, before.held_out);
   trial.second = try_effect(on, *first, pair.second, least_of(on, first->fit));
   if (!trial.second.refused.empty()) return trial;
-  const Standalone partner = stands_alone(on, trial.second.fit, before.fit.effects.size());
+  const Standalone partner =
+      stands_alone(on, trial.second.fit, before.fit.effects.size(), before.fit);
   trial.first.p_value = partner.p_value;
   trial.second.refused = partner.refused;
   if (!margin(trial.second.held_out, before.held_out).is_clear()) {

@@ -217,7 +217,8 @@ class Selector {
     const Trial first_tried = pair.first, second_tried = pair.second;
     auto standing = confirm(on_, now_, pair.second);
     if (!pair.second.refused.empty()) return false;
-    if (!stands_alone(on_, pair.second.fit, now_.fit.effects.size()).refused.empty()) return false;
+    const std::size_t place = now_.fit.effects.size();
+    if (!stands_alone(on_, pair.second.fit, place, now_.fit).refused.empty()) return false;
     const auto first =
         stand(on_, polish(on_.model, pair.first.fit, on_.everything), LeftOut::refitted);
     if (!first) return false;

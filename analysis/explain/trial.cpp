@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/explain/covariance.hpp"
 #include "analysis/explain/wave.hpp"
 #include "analysis/statistics.hpp"
 
@@ -35,7 +36,12 @@ std::string bound_reached(const Fit& fit, const std::vector<ModelParameter>& par
 
 // Of the sizes of an effect being nothing: the clearest one, for as many as there are; a wave has
 // one.
-double size_p_value(const Tryout& on, const Fit& fit, std::size_t first, const Candidate& effect) {
+double size_p_value(const Tryout& on, Fit fit, std::size_t first, const Candidate& effect,
+                    const Fit& before) {
+  if (fit.slopes.cols() >= before.slopes.cols()) {
+    fit.slopes.leftCols(before.slopes.cols()) = before.slopes;
+    add_covariance(FitProblem(on.model, fit.effects, on.everything, fit.scatter), fit);
+  }
   const std::size_t sizes = effect.phasor ? 1 : effect.sizes;
   const std::vector<double> values = as_waves(fit.values, waves_among(on.model, fit.effects));
   double least = 1;
@@ -74,7 +80,7 @@ void judge_predictions(const Tryout& on, Trial& trial, const Standing& now,
 // @return what would stand with it; nothing if that cannot be said
 std::optional<Standing> judge(const Tryout& on, Trial& trial, const Standing& before,
                               LeftOut left_out) {
-  const Standalone alone = stands_alone(on, trial.fit, trial.fit.effects.size() - 1);
+  const Standalone alone = stands_alone(on, trial.fit, trial.fit.effects.size() - 1, before.fit);
   trial.p_value = alone.p_value;
   trial.refused = alone.refused;
   if (!trial.refused.empty()) return std::nullopt;
@@ -89,12 +95,12 @@ std::optional<Standing> judge(const Tryout& on, Trial& trial, const Standing& be
 
 }  // namespace
 
-Standalone stands_alone(const Tryout& on, const Fit& fit, std::size_t place) {
+Standalone stands_alone(const Tryout& on, const Fit& fit, std::size_t place, const Fit& before) {
   const Candidate& effect = on.model.library()[fit.effects.at(place)];
   const std::size_t first = first_value_of(on.model, fit.effects, place);
   Standalone result;
-  result.p_value = std::min(
-      1.0, size_p_value(on, fit, first, effect) * static_cast<double>(on.model.library().size()));
+  result.p_value = std::min(1.0, size_p_value(on, fit, first, effect, before) *
+                                     static_cast<double>(on.model.library().size()));
   if (!fit.not_certified.empty()) {
     result.refused = "not fitted: " + fit.not_certified;
   } else if (result.p_value > least_p) {

@@ -42,8 +42,12 @@ struct Standalone {
   std::string refused;  ///< not certified, not significant, at a bound; empty if none of these
 };
 
-/// @param place  of the effect in fit.effects
-Standalone stands_alone(const Tryout& on, const Fit& fit, std::size_t place);
+/// Whether its size may be nothing is asked with the slopes that `before` has without it: at its
+/// own, numbers of the base scale its mark, and how large it is stays open where that it is there
+/// does not.
+/// @param place   of the effect in fit.effects
+/// @param before  with the first effects of the fit, but not this one
+Standalone stands_alone(const Tryout& on, const Fit& fit, std::size_t place, const Fit& before);
 
 /// What a fit must come below to win what an effect must, and half of it after its first moves.
 MustBeat least_of(const Tryout& on, const Fit& before);

@@ -47,7 +47,7 @@ std::string judged(const analysis::Explanation& said, const std::vector<Hidden>&
   }
   const bool all_found = std::ranges::all_of(hidden, [&](const Hidden& h) {
     const bool may_hide = !h.shows || h.about.value("may_hide", false);
-    return (may_hide && said.effects.empty()) ||
+    return may_hide ||
            std::ranges::any_of(said.effects, [&](const auto& e) { return is_meant(e, h); });
   });
   const bool all_meant = std::ranges::all_of(said.effects, [&](const auto& e) {
@@ -87,26 +87,32 @@ double now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// What is to be hidden: the one that is named, none, or two that nothing can hide behind.
-std::vector<json> wanted_of(const std::vector<std::string>& args, sim::Draw& draw) {
-  const json all = json::parse(std::ifstream(args.at(0))).at("effects");
-  std::vector<json> wanted;
-  if (args.at(1) == "single") {
-    std::ranges::copy_if(all, std::back_inserter(wanted),
-                         [&](const json& about) { return about.at("effect") == args.at(2); });
-    if (wanted.empty()) throw std::invalid_argument(args.at(2) + " is not in " + args.at(0));
-  } else if (args.at(1) == "pair") {
-    std::vector<json> open;
-    std::ranges::copy_if(all, std::back_inserter(open), [](const json& about) {
-      return about.at("shows") == "lines" && !about.value("may_hide", false);
-    });
-    for (int i = 0; i < 2; ++i) {
-      const auto at = static_cast<std::size_t>(draw.uniform(0, double(open.size())));
-      wanted.push_back(open[at]);
-      open.erase(open.begin() + std::ptrdiff_t(at));
-    }
+// Takes one of them out.
+json drawn_from(std::vector<json>& open, sim::Draw& draw) {
+  const auto at = static_cast<std::size_t>(draw.uniform(0, double(open.size())));
+  json one = std::move(open.at(at));
+  open.erase(open.begin() + std::ptrdiff_t(at));
+  return one;
+}
+
+// Puts into the machine what is asked for: the effect that is named, none, or two that show.
+std::vector<Hidden> hide_in(sim::PlantSpec& machine, const std::vector<std::string>& args,
+                            sim::Draw& draw) {
+  std::vector<json> all = json::parse(std::ifstream(args.at(0))).at("effects");
+  const std::size_t count = args.at(1) == "single" ? 1 : args.at(1) == "pair" ? 2 : 0;
+  std::erase_if(all, [&](const json& about) {
+    if (count == 1) return about.at("effect") != args.at(2);
+    return about.at("shows") != "lines" || about.value("may_hide", false);
+  });
+  std::vector<Hidden> hidden;
+  while (hidden.size() < count) {
+    if (all.empty()) throw std::runtime_error("nothing that could be hidden");
+    auto one = test::hide(machine, drawn_from(all, draw), draw);
+    if (!one || (count == 2 && !one->shows)) continue;
+    machine = test::with(machine, *one);
+    hidden.push_back(std::move(*one));
   }
-  return wanted;
+  return hidden;
 }
 
 std::string truth_of(const std::vector<Hidden>& hidden) {
@@ -125,13 +131,7 @@ int run(std::vector<std::string> args) {
   sim::Draw draw(seed * 1000 + 17);
   const sim::PlantSpec nominal = test::with_mesh_error(sim::rv20e_bench());
   sim::PlantSpec machine = test::within_tolerance(nominal, draw.seed(), 1);
-  std::vector<Hidden> hidden;
-  for (const json& about : wanted_of(args, draw)) {
-    auto one = test::hide(machine, about, draw);
-    if (!one) throw std::runtime_error(about.at("effect").get<std::string>() + ": nowhere to hide");
-    machine = test::with(machine, *one);
-    hidden.push_back(std::move(*one));
-  }
+  const std::vector<Hidden> hidden = hide_in(machine, args, draw);
   test::RvMatrix matrix;
   matrix.torque_gain = 1 + draw.uniform(-0.02, 0.02);
   matrix.torque_delay_samples = draw.uniform(-1, 1);

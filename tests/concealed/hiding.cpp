@@ -11,11 +11,12 @@
 namespace rvbench::test {
 namespace {
 
-constexpr double below_strongest_line = 0.1;  // 20 dB
-constexpr double over_scatter = 3;            // of the torque's mean from record to record
-constexpr double most_over_friction = 1;      // of the input shaft's: more would be seen by hand
-constexpr double most_over_usual = 30;        // of what a line effect starts its fits with
-constexpr int sizings = 4;                    // each as large as the one before came out too small
+constexpr double below_strongest_line = 0.1;     // 20 dB
+constexpr double over_scatter = 3;               // of the torque's mean from record to record
+constexpr double most_over_friction = 1;         // of the input shaft's: more would be seen by hand
+constexpr double most_over_usual_in_lines = 30;  // of what an effect starts its fits with
+constexpr double most_over_usual_in_means = 3;   // likewise: it has to let the shaft start
+constexpr int sizings = 4;  // each as large as the one before came out too small
 constexpr int orders = 2200;
 constexpr Eigen::Index most_rhythms = 8;
 constexpr double tolerance_spreads = 2;
@@ -164,10 +165,12 @@ bool give_size(const sim::PlantSpec& machine, Bare& bare, Hidden& hidden) {
   for (int i = 0; i < sizings; ++i) {
     const auto shown = shown_by(with(machine, hidden));
     if (!shown) return false;
+    const double usual = over_usual(machine, hidden);
     const double wanted =
         in_lines ? bare.too_small_in_lines(*shown) : bare.too_small_in_means(*shown);
     const double most =
-        in_lines ? most_over_usual / over_usual(machine, hidden) : 1 / bare.too_large(*shown);
+        in_lines ? most_over_usual_in_lines / usual
+                 : std::min(most_over_usual_in_means / usual, 1 / bare.too_large(*shown));
     if (!std::isfinite(wanted) || !std::isfinite(most)) return false;
     hidden.shows = wanted <= most;
     size_of(hidden) *= std::min(wanted, most);

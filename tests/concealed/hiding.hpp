@@ -23,8 +23,8 @@ struct Hidden {
 /// Somewhere it may act, of random shape. Its largest line is 20 dB below the strongest of the
 /// machine's torque; or what it changes of the mean torques is, root mean square and once the base
 /// is calibrated, three times what records of one condition differ by. Where that asks for more
-/// than all of the shaft's friction, or for thirty times the usual size of such a line effect, it
-/// stays that large, and need not show.
+/// than all of the shaft's friction, or for thirty times the usual size of such a line effect,
+/// three times that of another, it stays that large, and need not show.
 /// @return nothing if it can act nowhere
 std::optional<Hidden> hide(const sim::PlantSpec& machine, const nlohmann::json& about,
                            sim::Draw& draw);
