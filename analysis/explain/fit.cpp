@@ -191,24 +191,30 @@ std::vector<std::vector<double>> starts_from(const std::vector<double>& before,
 
 namespace {
 
-// A start with its sizes as small as fits best while all else stays: from a size far off, a wave
-// finds no way.
-std::vector<double> scaled_down(const FitProblem& on, const std::vector<double>& start,
-                                std::size_t first, std::size_t sizes) {
-  std::vector<double> best = start;
-  double least = std::numeric_limits<double>::infinity();
-  double by = 1;
-  for (int tried = 0; tried < sizes_tried; ++tried, by *= size_step) {
-    std::vector<double> scaled = start;
-    for (std::size_t i = first; i < first + sizes; ++i) scaled[i] *= by;
-    const auto residuals = on.model.residuals(on.effects, scaled, on.trained);
-    if (!residuals || !residuals->allFinite()) continue;
-    const double cost = cost_of(on, scaled, *residuals);
-    if (cost >= least) continue;
-    least = cost;
-    best = std::move(scaled);
+// Starts with their sizes as small as fits best while all else stays, the best few of them: from a
+// size far off, a wave finds no way.
+std::vector<std::vector<double>> scaled_down(const FitProblem& on,
+                                             const std::vector<std::vector<double>>& starts,
+                                             std::size_t first, std::size_t sizes) {
+  std::vector<std::pair<double, std::vector<double>>> best;
+  for (const std::vector<double>& start : starts) {
+    std::pair<double, std::vector<double>> least{std::numeric_limits<double>::infinity(), start};
+    double by = 1;
+    for (int tried = 0; tried < sizes_tried; ++tried, by *= size_step) {
+      std::vector<double> scaled = start;
+      for (std::size_t i = first; i < first + sizes; ++i) scaled[i] *= by;
+      const auto residuals = on.model.residuals(on.effects, scaled, on.trained);
+      if (!residuals || !residuals->allFinite()) continue;
+      const double cost = cost_of(on, scaled, *residuals);
+      if (cost < least.first) least = {cost, std::move(scaled)};
+    }
+    best.push_back(std::move(least));
   }
-  return best;
+  std::ranges::stable_sort(best, {}, &std::pair<double, std::vector<double>>::first);
+  if (best.size() > most_finalists) best.resize(most_finalists);
+  std::vector<std::vector<double>> scaled;
+  for (auto& [cost, values] : best) scaled.push_back(std::move(values));
+  return scaled;
 }
 
 }  // namespace
@@ -224,9 +230,7 @@ Fit fit_with(const ForwardModel& model, const Fit& before, std::size_t added,
   std::vector<std::vector<double>> starts = starts_from(before.values, all_own);
   if (model.is_quick() && candidate.vanishes_at_zero) {
     const FitProblem on(model, effects, trained, before.scatter);
-    for (std::vector<double>& start : starts) {
-      start = scaled_down(on, start, before.values.size(), candidate.sizes);
-    }
+    starts = scaled_down(on, starts, before.values.size(), candidate.sizes);
   }
   return fit_from(model, effects, std::move(starts), trained, before.scatter, before.slopes,
                   must_beat);
