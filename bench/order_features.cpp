@@ -97,6 +97,12 @@ std::complex<double> predicted(const sim::SteadyState& state, const OrderFeature
       line += output.timed_lines[static_cast<Eigen::Index>(i)];
     }
   }
+  // At some speeds a line of the shaft has that frequency too.
+  const auto order = static_cast<Eigen::Index>(std::round(feature.frequency_Hz / state.period_Hz));
+  const double beside_Hz = static_cast<double>(order) * state.period_Hz - feature.frequency_Hz;
+  if (order > 0 && order < output.shaft_lines.size() && std::abs(beside_Hz) < resolution_Hz) {
+    line += output.shaft_lines[order];
+  }
   return line;
 }
 

@@ -23,6 +23,10 @@ std::string off_by(const analysis::ResidualCluster& c) {
                      std::abs(c.standard_errors));
 }
 
+std::string counted(const std::vector<analysis::ResidualCluster>& places) {
+  return places.empty() ? "none" : fmt::format("{}", places.size());
+}
+
 std::string conditions_of(const analysis::ResidualCluster& c) {
   const std::string& one = c.conditions.front();
   return c.conditions.size() == 1 ? xml_escaped(one)
@@ -50,12 +54,11 @@ std::string located_section(const Located& located) {
         std::ranges::any_of(located.before, [&](const auto& other) { return overlap(c, other); });
     if (!was_there) add(c, "within chance", off_by(c));
   }
-  std::string text = fmt::format(
-      "Of {} means and lines, one for each channel and condition, {} differ by more than chance as "
-      "the plant was, {} with what was left out; one in twenty of these may be wrong.",
-      located.cells,
-      located.before.empty() ? "none" : fmt::format("{} places", located.before.size()),
-      located.after.empty() ? "none" : fmt::format("{} places", located.after.size()));
+  const std::string text = fmt::format(
+      "Of {} means and lines, one for each channel and condition, some differ by more than chance. "
+      "Lines beside each other are one place: {} as the plant was, {} with what was left out. One "
+      "in twenty of these may be wrong.",
+      located.cells, counted(located.before), counted(located.after));
   return section(
       "Where it differs",
       paragraph(text) +

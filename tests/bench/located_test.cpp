@@ -1,0 +1,58 @@
+#include "bench/located.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "bench/explanation_json.hpp"
+#include "bench/report/explanation_sections.hpp"
+
+using namespace rvbench;
+using analysis::LockedTo;
+using analysis::ResidualCluster;
+using Catch::Matchers::Contains;
+
+namespace {
+
+const ResidualCluster pins{"input_torque", "N·m",  LockedTo::shaft,
+                           12.893,         12.893, {"605 rpm, 0 %", "605 rpm, 75 %"},
+                           0.0062,         166};
+const ResidualCluster mean{"input_torque", "N·m", LockedTo::nothing, 0, 0, {"605 rpm, 0 %"},
+                           -0.02,          -9};
+const ResidualCluster mains{"input_torque", "N·m", LockedTo::time, 50, 50, {"605 rpm, 0 %"},
+                            0.001,          7};
+
+}  // namespace
+
+TEST_CASE("a place is told by what it stays with", "[bench][explain][locate]") {
+  CHECK(bench::place_text(pins) == "input_torque order 12.893");
+  CHECK(bench::place_text(mean) == "input_torque mean");
+  CHECK(bench::place_text(mains) == "input_torque 50 Hz");
+  ResidualCluster wide = pins;
+  wide.last = 12.901;
+  CHECK(bench::place_text(wide) == "input_torque order 12.893 to 12.901");
+}
+
+TEST_CASE("the page says what was off before, and what still is", "[bench][explain][locate]") {
+  const std::string html = bench::report::located_section({240, {pins, mean}, {mean, mains}});
+  CHECK_THAT(html, Contains("Of 240 means and lines"));
+  CHECK_THAT(html, Contains("order 12.893") && Contains("2 conditions") && Contains("(166 σ)"));
+  CHECK_THAT(html, Contains("within chance"));
+  CHECK_THAT(html, Contains("50 Hz"));
+  CHECK(bench::report::located_section({}).empty());
+}
+
+TEST_CASE("explain.json tells places, or null of a plant without any", "[bench][explain][locate]") {
+  bench::ExplainFacts facts;
+  const auto told = [&] {
+    return nlohmann::json::parse(explanation_to_json({}, facts)).at("located");
+  };
+  CHECK(told().is_null());
+  facts.located = {240, {pins}, {}};
+  CHECK(told().at("cells") == 240);
+  CHECK(told().at("after").empty());
+  const auto place = told().at("before").at(0);
+  CHECK(place.at("locked_to") == "order");
+  CHECK(place.at("first") == 12.893);
+  CHECK(place.at("conditions").size() == 2);
+  CHECK(place.at("standard_errors") == 166);
+}
