@@ -37,7 +37,7 @@ struct HeldOut {
 
 /// How a fit without a fold is come by.
 enum class LeftOut {
-  forecast,  ///< from the slopes of the whole fit: nothing is evaluated
+  forecast,  ///< from the slopes of the whole fit: nothing is evaluated; of a quick model refitted
   refitted
 };
 

@@ -67,10 +67,11 @@ struct SelectionOptions {
 /// needs more parameters than another that wins three quarters as much waits until that one is
 /// accepted. Of those that are accepted and that none predicts clearly better, the one with the
 /// fewest parameters is taken; those within two standard errors of it are its equals. Candidates
-/// are ranked by what the slopes of their fits forecast for left-out conditions; what is accepted
-/// is fitted anew without each of them. After each step earlier ones are exchanged for their rivals
-/// where that predicts clearly better; where no single candidate passes, the four most promising
-/// pairs are tried; in the end each effect that the others made needless is dropped.
+/// are ranked by what the slopes of their fits forecast for left-out conditions, those of a quick
+/// model by refits; what is accepted is fitted anew without each of them. After each step earlier
+/// ones are exchanged for their rivals where that predicts clearly better; where no single candidate
+/// passes, the four most promising pairs are tried; in the end each effect that the others made
+/// needless is dropped.
 Selection select_effects(const ForwardModel& model, const SelectionOptions& options = {});
 
 }  // namespace rvbench::analysis
