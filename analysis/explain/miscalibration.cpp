@@ -2,12 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace rvbench::analysis {
 namespace {
 
-constexpr double beyond_known = 3;  // spreads: so far off nothing is known of it after all
+constexpr double beyond_known = 3;     // spreads: so far off nothing is known of it after all,
+constexpr double tolerance = 2;        // spreads; what is farther off than that
+constexpr double standard_errors = 2;  // by this much more
+
+// Off by more than is known of it, and by more than these data leave open.
+bool is_far_off(const ModelParameter& p, double value, double standard_error) {
+  const double off = std::abs(value - p.nominal);
+  return off > beyond_known * p.spread &&
+         off - tolerance * p.spread > standard_errors * standard_error;
+}
 
 }  // namespace
 
@@ -17,9 +27,12 @@ std::string miscalibration(const ForwardModel& model, const Fit& fit) {
     const bool is_known = std::isfinite(p.low) && std::isfinite(p.high);
     const bool at_low = p.nominal > p.low && fit.values[i] <= p.low + 1e-6 * p.scale;
     const bool at_high = p.nominal < p.high && fit.values[i] >= p.high - 1e-6 * p.scale;
-    if ((is_known && (at_low || at_high)) ||
-        std::abs(fit.values[i] - p.nominal) > beyond_known * p.spread) {
-      const double within = is_known ? 0.5 * (p.high - p.low) : beyond_known * p.spread;
+    const auto at = static_cast<Eigen::Index>(i);
+    const bool has_error = at < fit.covariance.rows();
+    const double error = has_error ? std::sqrt(std::max(fit.covariance(at, at), 0.0)) : 0;
+    if ((is_known && (at_low || at_high)) || is_far_off(p, fit.values[i], error)) {
+      const bool is_tolerated = std::isfinite(p.spread);
+      const double within = is_tolerated ? tolerance * p.spread : 0.5 * (p.high - p.low);
       return fmt::format("{} had to go to {:.4g} {}, known as {:.4g} within {:.2g}", p.name,
                          fit.values[i], p.unit, p.nominal, within);
     }

@@ -7,7 +7,8 @@
 
 namespace rvbench::analysis {
 
-/// Why the base of a fit cannot be trusted: a parameter that had to leave what is known of it.
+/// Why the base of a fit cannot be trusted: a parameter that had to leave what is known of it, by
+/// more than its own error leaves open.
 /// One that is bounded to one side only is bounded by physics, not by knowledge: zero says nothing
 /// against it.
 /// @return empty if it can be trusted

@@ -40,10 +40,13 @@ bool is_meant(const analysis::ExplainedEffect& said, const Hidden& hidden) {
   return std::ranges::any_of(right, [&](const std::string& name) { return all.contains(name); });
 }
 
-// right; wrong: a name that is not meant; missed: nothing named
+// right; wrong: a name that is not meant; missed: nothing named. Where nothing is hidden, a number
+// of the base that has to leave its bounds is no new physics either.
 std::string judged(const analysis::Explanation& said, const std::vector<Hidden>& hidden) {
   if (hidden.empty()) {
-    return said.verdict == analysis::ExplainVerdict::null ? "right" : "false_alarm";
+    const bool is_quiet = said.verdict == analysis::ExplainVerdict::null ||
+                          said.verdict == analysis::ExplainVerdict::miscalibrated;
+    return is_quiet && said.effects.empty() ? "right" : "false_alarm";
   }
   const bool all_found = std::ranges::all_of(hidden, [&](const Hidden& h) {
     const bool may_hide = !h.shows || h.about.value("may_hide", false);

@@ -1,6 +1,7 @@
 #include "tests/concealed/hiding.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 
 #include "sim/named.hpp"
@@ -144,7 +145,8 @@ sim::Parameters random_shape(const sim::PlantSpec& machine, const Hidden& hidden
     if (card.name == "frequency" && hidden.about.contains("frequency_Hz")) {
       value = hidden.about.at("frequency_Hz");
     }
-    parameters[card.name] = {value, std::string(unit_of(card.unit, sim::Motion::rotation)), 0};
+    parameters[card.name] = {std::clamp(value, card.min, card.max),
+                             std::string(unit_of(card.unit, sim::Motion::rotation)), 0};
   }
   return parameters;
 }
@@ -171,7 +173,7 @@ bool give_size(const sim::PlantSpec& machine, Bare& bare, Hidden& hidden) {
     const double most =
         in_lines ? most_over_usual_in_lines / usual
                  : std::min(most_over_usual_in_means / usual, 1 / bare.too_large(*shown));
-    if (!std::isfinite(wanted) || !std::isfinite(most)) return false;
+    if (!std::isfinite(most)) return false;
     hidden.shows = wanted <= most;
     size_of(hidden) *= std::min(wanted, most);
   }
