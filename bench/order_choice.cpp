@@ -9,7 +9,7 @@
 namespace rvbench::bench {
 namespace {
 
-using Kind = OrderFeature::Kind;
+using analysis::LockedTo;
 
 constexpr double worth_comparing = 0.1;  // of an effect's largest line
 constexpr std::array<int, 4> supply_harmonics{1, 2, 6, 12};
@@ -88,7 +88,7 @@ std::vector<OrderFeature> timed_lines(const sim::PlantSpec& plant,
   for (std::size_t o = 0; o < plant.outputs.size(); ++o) {
     const double highest_Hz = double(condition.orders[o]) * condition.nominal.period_Hz;
     for (const double rhythm_Hz : rhythms_Hz) {
-      if (rhythm_Hz < highest_Hz) lines.push_back({Kind::timed_line, o, 0, rhythm_Hz});
+      if (rhythm_Hz < highest_Hz) lines.push_back({LockedTo::time, o, 0, rhythm_Hz});
     }
   }
   return lines;
@@ -117,11 +117,11 @@ void choose_features(const sim::PlantSpec& plant, const std::vector<OrderRecord>
     OrderCondition& condition = conditions[c];
     const std::vector<OrderFeature> timed = timed_lines(plant, condition);
     for (std::size_t o = 0; o < plant.outputs.size(); ++o) {
-      condition.features.push_back({Kind::mean, o, 0, 0});
+      condition.features.push_back({LockedTo::nothing, o, 0, 0});
       for (int k = 1; k <= condition.orders[o]; ++k) {
         if (!shown[o][std::size_t(k)]) continue;
         if (!is_beside_timed(records, c, k, period_turns, timed)) {
-          condition.features.push_back({Kind::shaft_line, o, k, 0});
+          condition.features.push_back({LockedTo::shaft, o, k, 0});
         }
       }
     }

@@ -6,7 +6,7 @@
 namespace rvbench::bench {
 namespace {
 
-using Kind = OrderFeature::Kind;
+using analysis::LockedTo;
 
 constexpr double least_jitter = 0.01;        // of a line: what a plant's own lines are good for
 constexpr double least_mean_scatter = 5e-4;  // of a mean, likewise
@@ -21,16 +21,16 @@ void read_features(const OrderCondition& condition, OrderRecord& record) {
   for (std::size_t f = 0; f < features.size(); ++f) {
     const analysis::PeriodLines& lines = record.measured.outputs[features[f].output];
     const auto at = Eigen::Index(f);
-    switch (features[f].kind) {
-      case Kind::mean:
+    switch (features[f].locked_to) {
+      case LockedTo::nothing:
         record.values[at] = lines.mean;
         record.noise[at] = 0;
         break;
-      case Kind::shaft_line:
+      case LockedTo::shaft:
         record.values[at] = lines.amplitude[features[f].order];
         record.noise[at] = lines.noise[features[f].order];
         break;
-      case Kind::timed_line:
+      case LockedTo::time:
         record.values[at] = timed->amplitude;
         record.noise[at] = timed->noise;
         ++timed;
@@ -65,7 +65,7 @@ void find_errors(const std::vector<OrderCondition>& conditions, std::size_t outp
         squares += std::pow(record->values[at] - mean[at], 2);
         noise += 0.5 * std::pow(record->noise[at], 2) / count;
       }
-      if (features[f].kind == Kind::mean) {
+      if (features[f].locked_to == LockedTo::nothing) {
         scatter[Eigen::Index(features[f].output)] += squares;
         freedom[Eigen::Index(features[f].output)] += count - 1;
       } else if (mean[at] * mean[at] > std::pow(clearly_above_noise, 2) * noise) {
@@ -83,7 +83,7 @@ void find_errors(const std::vector<OrderCondition>& conditions, std::size_t outp
     for (std::size_t f = 0; f < features.size(); ++f) {
       const auto at = Eigen::Index(f);
       const auto o = Eigen::Index(features[f].output);
-      if (features[f].kind == Kind::mean) {
+      if (features[f].locked_to == LockedTo::nothing) {
         const double repeated = freedom[o] > 0 ? std::sqrt(scatter[o] / freedom[o]) : 0;
         record.errors[at] = std::hypot(repeated, least_mean_scatter * mean[at]);
       } else {

@@ -86,10 +86,10 @@ std::variant<OrderMeasurement, std::string> measure_orders(const sim::PlantSpec&
 std::complex<double> predicted(const sim::SteadyState& state, const OrderFeature& feature,
                                double resolution_Hz) {
   const sim::SteadyOutput& output = state.outputs[feature.output];
-  switch (feature.kind) {
-    case OrderFeature::Kind::mean: return output.mean;
-    case OrderFeature::Kind::shaft_line: return output.shaft_lines[feature.order];
-    case OrderFeature::Kind::timed_line: break;
+  switch (feature.locked_to) {
+    case analysis::LockedTo::nothing: return output.mean;
+    case analysis::LockedTo::shaft: return output.shaft_lines[feature.order];
+    case analysis::LockedTo::time: break;
   }
   std::complex<double> line = 0;
   for (std::size_t i = 0; i < state.rhythms_Hz.size(); ++i) {

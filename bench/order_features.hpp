@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/explain/period_lines.hpp"
+#include "analysis/explain/residual_cells.hpp"
 #include "hal/config_reader.hpp"
 #include "hal/types/recording.hpp"
 #include "sim/plant_spec.hpp"
@@ -15,12 +16,9 @@ namespace rvbench::bench {
 
 /// One number that a record of a steadily turning plant is compared by.
 struct OrderFeature {
-  enum class Kind {
-    mean,        ///< of the output; of the shaft's angle: its speed
-    shaft_line,  ///< amplitude of the line of this order of the period
-    timed_line   ///< amplitude of the line at this frequency
-  };
-  Kind kind = Kind::mean;
+  /// The mean of the output, and of the shaft's angle its speed; or the amplitude of the line of
+  /// this order of the period, or at this frequency.
+  analysis::LockedTo locked_to = analysis::LockedTo::nothing;
   std::size_t output = 0;
   int order = 0;
   double frequency_Hz = 0;

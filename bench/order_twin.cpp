@@ -16,7 +16,7 @@
 namespace rvbench::bench {
 namespace {
 
-using Kind = OrderFeature::Kind;
+using analysis::LockedTo;
 
 constexpr double tolerance_spreads = 2;  // standard deviations that a tolerance is wide
 constexpr double believable = 5;         // standard errors: farther off counts for little more
@@ -34,17 +34,8 @@ double pressed(double standard_errors) {
   return std::copysign(believable * std::sqrt(std::log1p(part * part)), standard_errors);
 }
 
-analysis::LockedTo locked_to(Kind kind) {
-  switch (kind) {
-    case Kind::mean: break;
-    case Kind::shaft_line: return analysis::LockedTo::shaft;
-    case Kind::timed_line: return analysis::LockedTo::time;
-  }
-  return analysis::LockedTo::nothing;
-}
-
 double place_of(const OrderFeature& feature, double period_turns) {
-  return feature.kind == Kind::shaft_line ? feature.order / period_turns : feature.frequency_Hz;
+  return feature.locked_to == LockedTo::shaft ? feature.order / period_turns : feature.frequency_Hz;
 }
 
 }  // namespace
@@ -130,9 +121,10 @@ void OrderTwin::sort_in(OrderRecord& record, const Eigen::VectorXd& inputs) {
 }
 
 std::optional<hal::ConfigFault> OrderTwin::solve_nominal(const sim::SteadyPlant& steady) {
+  const sim::PeriodOrders orders = steady.orders_up_to(highest_order(conditions_));
   std::vector<std::optional<hal::ConfigFault>> faults(conditions_.size());
   parallel_for(conditions_.size(), [&](std::size_t c) {
-    auto state = steady.under(conditions_[c].inputs, highest_order(conditions_));
+    auto state = steady.under(conditions_[c].inputs, orders);
     if (auto* fault = std::get_if<hal::ConfigFault>(&state)) {
       faults[c] = std::move(*fault);
     } else {
@@ -224,12 +216,13 @@ void OrderTwin::cut_units() {
 
 std::variant<std::vector<sim::SteadyState>, hal::ConfigFault> OrderTwin::states_of(
     const sim::PlantSpec& plant, const std::vector<std::size_t>& conditions) const {
-  const auto steady = sim::SteadyPlant::make(plant, terms_);
-  if (const auto* fault = std::get_if<hal::ConfigFault>(&steady)) return *fault;
+  const auto made = sim::SteadyPlant::make(plant, terms_);
+  if (const auto* fault = std::get_if<hal::ConfigFault>(&made)) return *fault;
+  const auto& steady = std::get<sim::SteadyPlant>(made);
+  const sim::PeriodOrders orders = steady.orders_up_to(highest_order(conditions_));
   std::vector<sim::SteadyState> states;
   for (const std::size_t c : conditions) {
-    auto state = std::get<sim::SteadyPlant>(steady).under(
-        conditions_[c].inputs, highest_order(conditions_), &conditions_[c].nominal);
+    auto state = steady.under(conditions_[c].inputs, orders, &conditions_[c].nominal);
     if (const auto* fault = std::get_if<hal::ConfigFault>(&state)) return *fault;
     states.push_back(std::get<sim::SteadyState>(std::move(state)));
   }
@@ -254,7 +247,7 @@ Eigen::VectorXd OrderTwin::features_of(const sim::SteadyState& state,
     const OrderFeature& feature = condition.features[f];
     const std::complex<double> value = predicted(state, feature, resolution_Hz);
     features[Eigen::Index(f)] =
-        feature.kind != Kind::mean ? std::abs(value)
+        feature.locked_to != LockedTo::nothing ? std::abs(value)
         : feature.output != angle_
             ? value.real()
             : std::abs(plant_.outputs[angle_].gain.value * state.speed_rad_s[turning_]);
@@ -266,7 +259,7 @@ Eigen::VectorXd OrderTwin::features_of(const sim::SteadyState& state,
 Eigen::VectorXd OrderTwin::shown_by(Eigen::VectorXd features, const OrderRecord& record) const {
   const std::vector<OrderFeature>& of = conditions_[record.condition].features;
   for (Eigen::Index f = 0; f < features.size(); ++f) {
-    if (of[std::size_t(f)].kind == Kind::mean) continue;
+    if (of[std::size_t(f)].locked_to == LockedTo::nothing) continue;
     features[f] = with_noise(features[f], record.noise[f]);
   }
   return features;
@@ -319,7 +312,7 @@ Twin::Cells OrderTwin::cells(const std::vector<std::size_t>& effects,
       const bool is_speed = feature.output == angle_;
       const auto at = Eigen::Index(f);
       cells.all.push_back({output.channel, is_speed ? "rad/s" : output.unit,
-                           records.front()->about.condition, locked_to(feature.kind),
+                           records.front()->about.condition, feature.locked_to,
                            place_of(feature, period_turns_), apart[at], std::sqrt(squares[at])});
     }
   }

@@ -127,8 +127,8 @@ class TwinComparison {
     }
     std::vector<sim::SteadyState> states;
     for (const sim::SteadyPlant& steady : steady_) {
-      auto state =
-          steady.under(condition.inputs, highest, states.empty() ? nullptr : &states.front());
+      auto state = steady.under(condition.inputs, steady.orders_up_to(highest),
+                                states.empty() ? nullptr : &states.front());
       if (const auto* fault = std::get_if<hal::ConfigFault>(&state)) return fault->message;
       states.push_back(std::get<sim::SteadyState>(std::move(state)));
     }

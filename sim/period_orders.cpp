@@ -118,7 +118,8 @@ class Samples {
 
 }  // namespace
 
-PeriodOrders::PeriodOrders(const std::vector<std::set<int>>& pushes, int highest) {
+PeriodOrders::PeriodOrders(const std::vector<std::set<int>>& pushes, int highest)
+    : highest_(highest) {
   const Parted parts = parted(pushes, highest);
   for (const int order : sums_of(parts, highest)) {
     if (order > 0 && order <= highest) orders_.push_back(order);

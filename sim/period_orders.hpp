@@ -21,10 +21,12 @@ class PeriodOrders {
   PeriodOrders(const std::vector<std::set<int>>& pushes, int highest);
 
   const std::vector<int>& orders() const { return orders_; }  ///< ascending, 1 .. highest
+  int highest() const { return highest_; }                    ///< that was asked for
   Eigen::Index samples() const { return samples_; }           ///< evenly over the period
 
  private:
   std::vector<int> orders_;
+  int highest_;
   Eigen::Index samples_;
 };
 

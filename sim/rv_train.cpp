@@ -5,8 +5,8 @@
 
 #include "hal/types/recording.hpp"
 #include "hal/types/units.hpp"
-#include "sim/named.hpp"
 #include "sim/common_motion.hpp"
+#include "sim/named.hpp"
 
 namespace rvbench::sim {
 namespace {

@@ -6,10 +6,8 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <set>
 
 #include "hal/types/units.hpp"
-#include "sim/anderson.hpp"
 #include "sim/order_lines.hpp"
 #include "sim/term_memory.hpp"
 
@@ -32,16 +30,9 @@ constexpr int most_rounds = 30;
 constexpr std::size_t steps_mixed = 5;
 constexpr double negligible_line = 1e-12;  // of the largest: not solved for
 
-// From near, always as many rounds: what is left open then is a smooth function of the plant.
+// From near it is differences between plants that count: what is left open must not show in them.
 constexpr SteadyMotion::Rest from_nowhere{1, 1e-5, 1e-7};
 constexpr SteadyMotion::Rest from_near{3, 1e-7, 1e-7};
-
-// What each of the plant's terms does while the bodies make these turns.
-std::vector<std::set<int>> pushes_of(const PlantModel& model, const Eigen::VectorXd& turns) {
-  std::vector<std::set<int>> pushes(model.terms.size());
-  for (std::size_t i = 0; i < pushes.size(); ++i) model.terms[i]->add_orders(turns, pushes[i]);
-  return pushes;
-}
 
 double largest(const Eigen::MatrixXcd& lines) {
   return lines.size() > 0 ? std::sqrt(lines.cwiseAbs2().maxCoeff()) : 0;
@@ -53,11 +44,11 @@ constexpr std::array<double, 2> half_periods{0, 0.5};
 }  // namespace
 
 SteadyMotion::SteadyMotion(const PlantModel& model, Eigen::VectorXd common,
-                           const Eigen::VectorXd& inputs, int orders)
+                           const Eigen::VectorXd& inputs, const PeriodOrders& orders)
     : model_(model),
       common_(std::move(common)),
       n_(model.inertia.size()),
-      orders_(pushes_of(model, common_), orders),
+      orders_(orders),
       count_(static_cast<Eigen::Index>(orders_.orders().size())),
       u_(static_cast<Eigen::Index>(model.pushed.size())),
       clock_rates_(Eigen::VectorXd::Zero(model.memory_size)),

@@ -26,8 +26,9 @@ class SteadyMotion {
 
   /// @param model   outlives the motion
   /// @param common  see common_motion()
+  /// @param orders  outlive the motion
   SteadyMotion(const PlantModel& model, Eigen::VectorXd common, const Eigen::VectorXd& inputs,
-               int orders);
+               const PeriodOrders& orders);
 
   /// Starts from rest lines and the fastest speed that holds itself.
   std::optional<hal::ConfigFault> solve();
@@ -65,7 +66,7 @@ class SteadyMotion {
   std::vector<const PhysicsTerm*> steady_, curved_;  // the others, and those with a remainder
   Eigen::VectorXd common_;
   Eigen::Index n_;
-  PeriodOrders orders_;
+  const PeriodOrders& orders_;
   Eigen::Index count_;  // of lines
   Eigen::VectorXd u_, clock_rates_;
   Eigen::MatrixXd linear_stiffness_, linear_damping_;  // of the terms' linear parts

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <complex>
+#include <set>
 
 #include "hal/types/recording.hpp"
 #include "hal/types/units.hpp"
@@ -68,8 +69,8 @@ class SteadySensors {
 };
 
 // Each line to the column of its order; the others are empty.
-Eigen::MatrixXcd by_orders(const Eigen::MatrixXcd& lines, const PeriodOrders& at, int highest) {
-  Eigen::MatrixXcd all = Eigen::MatrixXcd::Zero(lines.rows(), highest + 1);
+Eigen::MatrixXcd by_orders(const Eigen::MatrixXcd& lines, const PeriodOrders& at) {
+  Eigen::MatrixXcd all = Eigen::MatrixXcd::Zero(lines.rows(), at.highest() + 1);
   all.col(0) = lines.col(0);
   for (Eigen::Index k = 1; k < lines.cols(); ++k) {
     all.col(at.orders()[static_cast<std::size_t>(k - 1)]) = lines.col(k);
@@ -149,18 +150,16 @@ Eigen::VectorXcd timed_line(const SteadySensors& sensors, const SteadyMotion& mo
                 j * (shown_at(0.25) - shown_at(0.75)).cast<Complex>());
 }
 
-SteadyState shown(const PlantSpec& plant, const PlantModel& model, const SteadyMotion& motion,
-                  int orders) {
+SteadyState shown(const PlantSpec& plant, const PlantModel& model, const SteadyMotion& motion) {
   const SteadySensors sensors(plant, model);
   SteadyState result{std::abs(motion.speed_rad_s()) / units::two_pi,
                      motion.common() * motion.speed_rad_s(),
-                     by_orders(motion.lines(), motion.orders(), orders),
+                     by_orders(motion.lines(), motion.orders()),
                      motion.speed_rad_s(),
                      {},
                      {}};
   const auto outputs = static_cast<Eigen::Index>(plant.outputs.size());
-  const Eigen::MatrixXcd lines =
-      by_orders(shaft_lines(sensors, motion, outputs), motion.orders(), orders);
+  const Eigen::MatrixXcd lines = by_orders(shaft_lines(sensors, motion, outputs), motion.orders());
   std::vector<Eigen::VectorXcd> timed;
   for (const auto& term : model.terms) {
     const double rhythm_Hz = term->rhythm_Hz(motion.mean_state(0));
@@ -205,13 +204,20 @@ std::variant<SteadyPlant, ConfigFault> SteadyPlant::make(const PlantSpec& plant,
   return SteadyPlant(plant, std::move(model), std::get<Eigen::VectorXd>(std::move(common)));
 }
 
-std::variant<SteadyState, ConfigFault> SteadyPlant::under(const Eigen::VectorXd& inputs, int orders,
+PeriodOrders SteadyPlant::orders_up_to(int highest) const {
+  std::vector<std::set<int>> pushes(model_.terms.size());
+  for (std::size_t i = 0; i < pushes.size(); ++i) model_.terms[i]->add_orders(common_, pushes[i]);
+  return {pushes, highest};
+}
+
+std::variant<SteadyState, ConfigFault> SteadyPlant::under(const Eigen::VectorXd& inputs,
+                                                          const PeriodOrders& orders,
                                                           const SteadyState* near) const {
   SteadyMotion motion(model_, common_, inputs, orders);
   if (near == nullptr || !motion.solve_near(near->slowest_rad_s, near->motion)) {
     if (const auto fault = motion.solve()) return *fault;
   }
-  return shown(*plant_, model_, motion, orders);
+  return shown(*plant_, model_, motion);
 }
 
 }  // namespace rvbench::sim

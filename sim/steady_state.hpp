@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hal/config_reader.hpp"
+#include "sim/period_orders.hpp"
 #include "sim/plant_model.hpp"
 #include "sim/term_library.hpp"
 
@@ -33,14 +34,14 @@ struct SteadyState {
 /// The bodies' common motion is the one that the linear springs let pass; its speed is where the
 /// power balances. Around it, the motion x answers the terms' forces over one period of the slowest
 /// body, at the orders that PeriodOrders tells: (K + jωC − ω²M)·x = f, with f taken from the terms
-/// themselves at the motion found so far, until no force line is open by more than 1e-6 of the
-/// largest; from a state that is near, three times at least, each of which leaves about a tenth
-/// open of what the one before did. What follows time is taken as small beside the rest, one line
-/// for each such term.
+/// themselves at the motion found so far, until no force line was open by more than 1e-5 of the
+/// largest before the last round; 1e-7 from a state that is near, so that slopes can be taken by
+/// differences. What follows time is taken as small beside the rest, one line for each such term.
 ///
 /// Leaves out: what outlasts a period (memories of terms, chaos), lines at and between other
-/// orders, modulation of the timed lines by the shaft Source: Cameron & Griffin, J. Appl. Mech.
-/// 56(1), 149-154 (1989): alternating frequency and time
+/// orders, modulation of the timed lines by the shaft
+///
+/// Source  Cameron & Griffin, J. Appl. Mech. 56(1), 149-154 (1989): alternating frequency and time
 class SteadyPlant {
  public:
   /// @param plant  outlives the result
@@ -53,12 +54,16 @@ class SteadyPlant {
   /// plant's linear springs let pass. 0 of a body that is held.
   const Eigen::VectorXd& turns_per_period() const { return common_; }
 
+  /// The orders 1 .. highest that the plant's terms can bring, whatever drives it.
+  PeriodOrders orders_up_to(int highest) const;
+
   /// @param inputs  of the channels of plant.inputs, in their order; all of them force or signal
-  /// @param orders  lines 1 .. orders are solved
+  /// @param orders  see orders_up_to(): lines of these are solved
   /// @param near    a state of a plant much like this one: where to begin; nullptr: nowhere
   /// @return the steady state; a fault if there is none: nothing drives the bodies, or the lines do
   ///         not come to rest
-  std::variant<SteadyState, hal::ConfigFault> under(const Eigen::VectorXd& inputs, int orders,
+  std::variant<SteadyState, hal::ConfigFault> under(const Eigen::VectorXd& inputs,
+                                                    const PeriodOrders& orders,
                                                     const SteadyState* near = nullptr) const;
 
  private:

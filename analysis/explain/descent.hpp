@@ -18,8 +18,7 @@ struct Descent {
 
 /// Levenberg-Marquardt within the parameters' bounds.
 /// @param held  slopes of the first parameters, good enough not to be looked for anew: where they
-/// do
-///              not change much, each step costs as many evaluations as there are other parameters,
+///              hardly change, each step costs as many evaluations as there are other parameters,
 ///              and one
 Descent descend(const FitProblem& on, std::vector<double> values, int iterations,
                 const Eigen::MatrixXd& held = {});

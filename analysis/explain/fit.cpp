@@ -93,17 +93,19 @@ std::vector<Descent> first_moves(const FitProblem& on,
   return ends;
 }
 
+// Slopes that are held on after the first moves: none of a quick model.
+Eigen::MatrixXd still_held(const ForwardModel& model, const Eigen::MatrixXd& held) {
+  return model.is_quick() ? Eigen::MatrixXd() : held;
+}
+
 // The others go where the first one did, in its own steps, unless they come to rest elsewhere.
 // Where all of them do, as happens round a circle of phases, one that goes part of the way back
 // toward the first start has to return.
 void certify(const FitProblem& on, std::vector<Descent>& ends, const std::vector<double>& start,
              double before) {
-  const auto held_by = [&](const Descent& end) {
-    return on.model.is_quick() ? Eigen::MatrixXd() : end.slopes;
-  };
   for (std::size_t i = 1; i < ends.size(); ++i) {
     Descent& end = ends[i];
-    end = descend(on, end.values, most_refit_iterations, held_by(ends.front()));
+    end = descend(on, end.values, most_refit_iterations, still_held(on.model, ends.front().slopes));
     if (!same_place(on, ends.front(), end, before)) {
       end = descend(on, end.values, most_iterations);
     }
@@ -115,7 +117,8 @@ void certify(const FitProblem& on, std::vector<Descent>& ends, const std::vector
     std::vector<double> back = ends.front().values;
     const double part = std::pow(part_way_back, tried + 1);
     for (std::size_t i = 0; i < back.size(); ++i) back[i] += part * (start[i] - back[i]);
-    Descent end = descend(on, std::move(back), most_iterations, held_by(ends.front()));
+    Descent end =
+        descend(on, std::move(back), most_iterations, still_held(on.model, ends.front().slopes));
     if (!end.converged) return;
     ends.push_back(std::move(end));
     std::ranges::stable_sort(ends, {}, &Descent::cost);
@@ -169,11 +172,11 @@ Fit fit_from(const ForwardModel& model, const std::vector<std::size_t>& effects,
   const FitProblem on(model, effects, trained, scatter);
   std::vector<Descent> ends = first_moves(on, starts, held);
   if (ends.front().cost > must_beat.after_first_moves) return given_up(on, ends.front());
-  const Eigen::MatrixXd still_held = model.is_quick() ? Eigen::MatrixXd() : held;
-  ends.front() = descend(on, ends.front().values, most_iterations, still_held);
+  const Eigen::MatrixXd on_from_there = still_held(model, held);
+  ends.front() = descend(on, ends.front().values, most_iterations, on_from_there);
   if (ends.front().cost > must_beat.at_rest) return given_up(on, ends.front());
   if (ends.front().converged) certify(on, ends, starts.front(), must_beat.before);
-  Fit fit = fit_at(on, ends.front(), still_held);
+  Fit fit = fit_at(on, ends.front(), on_from_there);
   if (fit.not_certified.empty())
     fit.not_certified = certificate(on, ends, must_beat.before, fit.covariance);
   return fit;

@@ -100,7 +100,6 @@ Eigen::MatrixXd information_of(const FitProblem& on, const Eigen::MatrixXd& slop
 std::optional<Eigen::MatrixXd> jacobian(const FitProblem& on, const std::vector<double>& values,
                                         const Eigen::VectorXd& residuals,
                                         const Eigen::MatrixXd& held) {
-  if (auto own = on.model.slopes(on.effects, values, on.trained)) return own;
   Eigen::MatrixXd slopes(residuals.size(), static_cast<Eigen::Index>(values.size()));
   if (held.cols() > 0) slopes.leftCols(held.cols()) = held;
   const auto first = static_cast<std::size_t>(held.cols());

@@ -57,7 +57,7 @@ double scatter_of(const ForwardModel& model, const Eigen::VectorXd& residuals,
 std::vector<ModelParameter> parameters_of(const ForwardModel& model,
                                           const std::vector<std::size_t>& effects);
 
-/// d residuals / d parameter, one column for each value: the model's own, or by differences.
+/// d residuals / d parameter, one column for each value, by differences.
 /// @param held  of the first parameters, taken as they are
 /// @return nothing where the model cannot be evaluated
 std::optional<Eigen::MatrixXd> jacobian(const FitProblem& on, const std::vector<double>& values,

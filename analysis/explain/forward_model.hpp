@@ -87,14 +87,6 @@ class ForwardModel {
   /// record shows.
   virtual bool counts_standard_errors() const { return false; }
 
-  /// d residuals / d values, one column for each, where the model knows them itself.
-  virtual std::optional<Eigen::MatrixXd> slopes(const std::vector<std::size_t>& effects,
-                                                const std::vector<double>& values,
-                                                const std::vector<bool>& trained) const {
-    (void)effects, (void)values, (void)trained;
-    return std::nullopt;
-  }
-
   /// Whether an evaluation costs so little that left-out conditions are fitted anew where they
   /// would else be forecast.
   virtual bool is_quick() const { return false; }

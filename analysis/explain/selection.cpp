@@ -66,7 +66,12 @@ class Selector {
  private:
   void go_on_from(Standing standing) {
     now_ = std::move(standing);
-    foreseen_ = on_.model.is_quick() ? now_ : *stand(on_, now_.fit, LeftOut::forecast);
+    foreseen_ = foreseen(now_);
+  }
+
+  // The same with forecasts; of a quick model these are the refits that it has.
+  Standing foreseen(const Standing& standing) const {
+    return on_.model.is_quick() ? standing : *stand(on_, standing.fit, LeftOut::forecast);
   }
 
   void tell(const std::string& stage, double share, const std::string& doing) const {
@@ -253,7 +258,7 @@ class Selector {
   void try_exchange(std::size_t s, const Standing& rest, std::size_t effect) {
     const double now = now_.fit.cost, without = rest.fit.cost;
     const MustBeat now_stands{without * std::pow(now / without, most_of_the_way), now};
-    Trial trial = try_effect(on_, *stand(on_, rest.fit, LeftOut::forecast), effect, now_stands);
+    Trial trial = try_effect(on_, foreseen(rest), effect, now_stands);
     if (!trial.refused.empty() || !margin(trial.held_out, foreseen_.held_out).is_clear()) return;
     const Trial tried = trial;
     auto standing = confirm(on_, rest, trial);

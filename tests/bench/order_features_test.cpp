@@ -24,9 +24,7 @@ sim::SteadyState turning() {
   return state;
 }
 
-OrderFeature at_Hz(double frequency_Hz) {
-  return {OrderFeature::Kind::timed_line, 0, 0, frequency_Hz};
-}
+OrderFeature at_Hz(double frequency_Hz) { return {analysis::LockedTo::time, 0, 0, frequency_Hz}; }
 
 }  // namespace
 

@@ -32,14 +32,15 @@ struct Shown {
 std::optional<Shown> shown_by(const sim::PlantSpec& plant) {
   const auto made = sim::SteadyPlant::make(plant);
   if (!std::holds_alternative<sim::SteadyPlant>(made)) return std::nullopt;
+  const auto& steady = std::get<sim::SteadyPlant>(made);
+  const sim::PeriodOrders lines = steady.orders_up_to(orders);
   const RvMatrix matrix;
   const auto count = Eigen::Index(matrix.speeds_rpm.size() * matrix.loads_pct.size());
   Shown shown{Eigen::MatrixXcd::Zero(orders + most_rhythms, count), Eigen::VectorXd(count)};
   Eigen::Index at = 0;
   for (const double speed_rpm : matrix.speeds_rpm) {
     for (const double load_pct : matrix.loads_pct) {
-      const auto state =
-          std::get<sim::SteadyPlant>(made).under(rv_inputs(speed_rpm, load_pct), orders);
+      const auto state = steady.under(rv_inputs(speed_rpm, load_pct), lines);
       if (!std::holds_alternative<sim::SteadyState>(state)) return std::nullopt;
       const sim::SteadyOutput& torque = std::get<sim::SteadyState>(state).outputs[0];
       shown.lines.col(at).head(orders) = torque.shaft_lines.tail(orders);

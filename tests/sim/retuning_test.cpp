@@ -61,7 +61,8 @@ SCENARIO("an error of the sun's teeth shows where both planets meet it at once",
                        {{"sun_tooth_error", {10e-6, "m"}}, {"sun_tooth_phase", {1, "rad"}}});
   const auto lines = [](const PlantSpec& of) {
     const auto steady = std::get<0>(sim::SteadyPlant::make(of));
-    return std::get<0>(steady.under(Eigen::Vector2d(2 * 1210 / 60.0, 83.5), 600))
+    return std::get<0>(
+               steady.under(Eigen::Vector2d(2 * 1210 / 60.0, 83.5), steady.orders_up_to(600)))
         .outputs[0]
         .shaft_lines;
   };

@@ -74,7 +74,8 @@ std::variant<sim::SteadyState, hal::ConfigFault> solve(const std::string& text, 
   const sim::PlantSpec plant = plant_of(text, library);
   const auto made = sim::SteadyPlant::make(plant, library);
   if (const auto* fault = std::get_if<hal::ConfigFault>(&made)) return *fault;
-  return std::get<sim::SteadyPlant>(made).under(Eigen::VectorXd::Constant(1, torque_Nm), orders);
+  const auto& steady = std::get<sim::SteadyPlant>(made);
+  return steady.under(Eigen::VectorXd::Constant(1, torque_Nm), steady.orders_up_to(orders));
 }
 
 sim::SteadyState steady(const std::string& plant, double torque_Nm) {
