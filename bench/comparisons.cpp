@@ -138,7 +138,9 @@ std::vector<RecordError> record_errors(const Twin& twin, const analysis::Selecti
     errors.push_back({b.record, b.channel, b.unit, b.learned_from, b.error(), after[i].error(),
                       b.relative_error(), after[i].relative_error()});
   }
-  if (std::ranges::all_of(errors, &RecordError::learned_from)) return errors;
+  if (twin.counts_standard_errors() || std::ranges::all_of(errors, &RecordError::learned_from)) {
+    return errors;
+  }
   const analysis::PredictiveError error(twin, found.fit);
   const Eigen::MatrixXd slopes = slopes_of_means(twin, found.fit, after);
   for (std::size_t i = 0; i < errors.size(); ++i) {

@@ -27,6 +27,7 @@ ordered_json rivals(const std::vector<analysis::RivalEffect>& all) {
   ordered_json json = ordered_json::array();
   for (const analysis::RivalEffect& rival : all) {
     json.push_back({{"name", rival.name},
+                    {"where", rival.where},
                     {"delta", number(rival.behind.delta)},
                     {"se", number(rival.behind.se)}});
   }

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/quality.hpp"
 #include "analysis/shaft_angle.hpp"
+#include "bench/channel_fault.hpp"
 #include "bench/planned_inputs.hpp"
 #include "hal/did_you_mean.hpp"
 #include "hal/types/units.hpp"
@@ -15,20 +15,6 @@ namespace rvbench::bench {
 namespace {
 
 constexpr double rated_output_torque_Nm = 167;  // of the RV-20E: 100 % of a plan's load
-
-std::string channel_fault(const Recording& recording, const sim::OutputSpec& output) {
-  const std::string name = hal::in_quotes(output.channel);
-  const Channel* channel = recording.find(output.channel);
-  if (channel == nullptr) return name + " is no channel of the recording";
-  if (!channel->info.unit.empty() && channel->info.unit != output.unit) {
-    return fmt::format("{} is in {}, the plant shows {}", name, channel->info.unit, output.unit);
-  }
-  if (!channel->samples.allFinite()) return name + " has samples that are not finite";
-  for (const analysis::QualityNote& note : analysis::channel_quality(*channel, not_known)) {
-    if (note.invalidates) return name + " is " + note.what;
-  }
-  return {};
-}
 
 }  // namespace
 

@@ -18,10 +18,9 @@ namespace {
 
 using analysis::LockedTo;
 
-constexpr double tolerance_spreads = 2;  // standard deviations that a tolerance is wide
-constexpr double believable = 5;         // standard errors: farther off counts for little more
-constexpr double line_resolution = 2;    // bins: half a Hann window's main lobe
-constexpr double one_line = 1.5;         // orders of a period: neighbours show one another
+constexpr double believable = 5;       // standard errors: farther off counts for little more
+constexpr double line_resolution = 2;  // bins: half a Hann window's main lobe
+constexpr double one_line = 1.5;       // orders of a period: neighbours show one another
 
 int orders_of(const OrderMeasurement& measured, std::size_t output) {
   return std::max(0, static_cast<int>(measured.outputs[output].amplitude.size()) - 1);
@@ -48,7 +47,7 @@ TwinOrRefusal OrderTwin::make(sim::PlantSpec plant, const Campaign& campaign,
   std::unique_ptr<OrderTwin> twin(new OrderTwin(std::move(plant), library));
   if (Refusal refusal = twin->load(campaign); !refusal.faults.empty()) return refusal;
   twin->family_.emplace(twin->plant_, twin->scales(), library);
-  twin->take_tolerances_as_spreads();
+  twin->base_ = twin->family_->base_by_tolerance();
   const std::vector<CandidateProbe> probes = twin->probe();
   choose_features(twin->plant_, twin->records_, probes, twin->period_turns_, twin->conditions_);
   for (OrderRecord& record : twin->records_) {
@@ -154,19 +153,6 @@ ParameterScales OrderTwin::scales() const {
   for (const double body_rad_s : speeds) turns.push_back(body_rad_s / speeds[turning_]);
   return {
       {force, 1e-3, std::sqrt(speed / count)}, 1e-3, force, mains_rhythms_Hz(), std::move(turns)};
-}
-
-// Residuals are in standard errors, so that what is known of the plant can be weighed against them:
-// a tolerance is two standard deviations wide. What no record shows then stays where it was.
-void OrderTwin::take_tolerances_as_spreads() {
-  base_ = family_->base();
-  for (analysis::ModelParameter& p : base_) {
-    const double tolerance = 0.5 * (p.high - p.low);
-    if (!std::isfinite(tolerance)) continue;
-    p.spread = tolerance / tolerance_spreads;
-    p.low = std::max(p.nominal - 2 * tolerance, p.nominal > 0 ? p.nominal / 10 : p.low);
-    p.high = p.nominal + 2 * tolerance;
-  }
 }
 
 // What each candidate of usual size changes of the first record of each probed condition, in

@@ -54,7 +54,6 @@ class OrderTwin final : public Twin {
   void sort_in(OrderRecord& record, const Eigen::VectorXd& inputs);
   std::optional<hal::ConfigFault> solve_nominal(const sim::SteadyPlant& steady);
   ParameterScales scales() const;
-  void take_tolerances_as_spreads();
   std::vector<CandidateProbe> probe();
   Eigen::MatrixXd marks_of(const std::vector<CandidateProbe>& probes) const;
   void cut_units();

@@ -1,8 +1,15 @@
 #include "bench/plant_family.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <complex>
 
 namespace rvbench::bench {
+namespace {
+
+constexpr double tolerance_spreads = 2;  // standard deviations that a tolerance is wide
+
+}  // namespace
 
 PlantFamily::PlantFamily(sim::PlantSpec plant, const ParameterScales& scales,
                          const sim::TermLibrary& library)
@@ -20,6 +27,20 @@ PlantFamily::PlantFamily(sim::PlantSpec plant, const ParameterScales& scales,
       add_candidates(t, site, scales);
     }
   }
+}
+
+std::vector<analysis::ModelParameter> PlantFamily::base_by_tolerance() {
+  std::vector<analysis::ModelParameter> weighed = base_;
+  const std::vector<sim::PlacedQuantity> all = sim::quantities(plant_);
+  for (std::size_t i = 0; i < weighed.size(); ++i) {
+    analysis::ModelParameter& p = weighed[i];
+    if (!std::isfinite(all[moved_[i]].quantity->tolerance_pct)) continue;
+    const double tolerance = 0.5 * (p.high - p.low);
+    p.spread = tolerance / tolerance_spreads;
+    p.low = std::max(p.nominal - 2 * tolerance, p.nominal > 0 ? p.nominal / 10 : p.low);
+    p.high = p.nominal + 2 * tolerance;
+  }
+  return weighed;
 }
 
 void PlantFamily::add_candidates(std::size_t type, const sim::EffectSite& site,

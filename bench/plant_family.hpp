@@ -21,6 +21,10 @@ class PlantFamily {
   PlantFamily(sim::PlantSpec plant, const ParameterScales& scales, const sim::TermLibrary& library);
 
   const std::vector<analysis::ModelParameter>& base() const { return base_; }
+  /// The same for residuals that count standard errors, so that what is known of the plant can be
+  /// weighed against them: a tolerance is two standard deviations wide. What no record shows then
+  /// stays where it was.
+  std::vector<analysis::ModelParameter> base_by_tolerance();
   const std::vector<analysis::Candidate>& candidates() const { return candidates_; }
 
   /// Data or comparison cannot show this candidate.

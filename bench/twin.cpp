@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/envelope_twin.hpp"
 #include "bench/order_twin.hpp"
 #include "bench/time_twin.hpp"
 
@@ -46,6 +47,18 @@ Refusal told_once(Refusal refusal, const Campaign& campaign) {
   return refusal;
 }
 
+TwinOrRefusal twin_of(sim::PlantSpec plant, const Campaign& campaign,
+                      const sim::TermLibrary& library) {
+  const sim::ComparedBy by =
+      plant.outputs.empty() ? sim::ComparedBy::samples : plant.outputs.front().compared_by;
+  switch (by) {
+    case sim::ComparedBy::orders: return OrderTwin::make(std::move(plant), campaign, library);
+    case sim::ComparedBy::envelope: return EnvelopeTwin::make(std::move(plant), campaign, library);
+    case sim::ComparedBy::samples: break;
+  }
+  return TimeTwin::make(std::move(plant), campaign, library);
+}
+
 }  // namespace
 
 double Twin::Comparison::error() const {
@@ -58,10 +71,7 @@ double Twin::Comparison::relative_error() const {
 
 TwinOrRefusal make_twin(sim::PlantSpec plant, const Campaign& campaign,
                         const sim::TermLibrary& library) {
-  const bool by_orders =
-      !plant.outputs.empty() && plant.outputs.front().compared_by == sim::ComparedBy::orders;
-  TwinOrRefusal made = by_orders ? OrderTwin::make(std::move(plant), campaign, library)
-                                 : TimeTwin::make(std::move(plant), campaign, library);
+  TwinOrRefusal made = twin_of(std::move(plant), campaign, library);
   if (auto* refusal = std::get_if<Refusal>(&made)) {
     return told_once(std::move(*refusal), campaign);
   }

@@ -137,7 +137,7 @@ TwinCandidate candidate_at(const sim::PlantSpec& plant, const sim::TermType& typ
   candidate.where = sim::describe(site);
   candidate.mimics = type.card.mimics;
   candidate.experiment = type.card.experiment;
-  candidate.vanishes_at_zero = bool(type.make);
+  candidate.vanishes_at_zero = bool(type.make) || !type.gate.retunes.empty();
   candidate.sizes = sizes_of(type);
   const sim::Motion motion = plant.motion_of(site.body_a);
   for (const sim::ParameterCard& card : type.parameters) {
@@ -198,6 +198,7 @@ analysis::ModelParameter model_parameter(const sim::PlantSpec& plant,
   } else if (p.name.starts_with("/bodies")) {
     p.low = 1e-3 * quantity.value;
   }
+  p.is_known = is_delay || std::isfinite(quantity.tolerance_pct);
   if (is_delay) p.scale = 0.1 * scales.sample_s;
   bound_by_card(p, plant, scales.natural, terms);
   // An offset of a channel that is nominally none.
@@ -210,6 +211,16 @@ std::vector<TwinCandidate> candidates_at(const sim::PlantSpec& plant, const sim:
                                          const sim::EffectSite& site,
                                          const ParameterScales& scales) {
   const sim::NaturalScales natural = natural_at(site, plant, scales);
+  const auto chosen = std::ranges::find_if(
+      type.parameters, [](const sim::ParameterCard& card) { return !card.choices.empty(); });
+  if (chosen != type.parameters.end()) {
+    std::vector<TwinCandidate> all;
+    for (const auto& [value, what] : chosen->choices) {
+      all.push_back(candidate_at(plant, type, site, natural, {{chosen->name, value}}));
+      all.back().candidate.where += ", " + what;
+    }
+    return all;
+  }
   const auto frequency =
       std::ranges::find(type.parameters, sim::UnitKind::frequency, &sim::ParameterCard::unit);
   const bool keeps_its_time = !type.card.touches.empty() &&

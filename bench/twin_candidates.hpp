@@ -35,7 +35,8 @@ struct TwinCandidate {
   std::map<std::string, double> chosen;  ///< parameters that are not fitted
 };
 
-/// One candidate; of an effect that keeps its own time, one for each of the scales' rhythms.
+/// One candidate; of an effect that keeps its own time, one for each of the scales' rhythms; of one
+/// with a choice, one for each.
 std::vector<TwinCandidate> candidates_at(const sim::PlantSpec& plant, const sim::TermType& type,
                                          const sim::EffectSite& site,
                                          const ParameterScales& scales);

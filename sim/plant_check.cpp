@@ -193,6 +193,9 @@ class Check {
     if (output.compared_by != plant_.outputs.front().compared_by) {
       note(place + "/compared_by", "all outputs of a plant are compared alike");
     }
+    if (output.compared_by == ComparedBy::envelope && !(output.to_Hz > output.from_Hz)) {
+      note(place + "/to_Hz", "must be above from_Hz");
+    }
     if (output.kind == OutputKind::drive && !prescribed(output.of)) {
       note(place + "/body", "no input prescribes its motion: what drives it is known");
     }

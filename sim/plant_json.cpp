@@ -118,6 +118,10 @@ OutputSpec read_output(ConfigReader& at) {
   output.offset = quantity_at(at, "offset", {0, output.unit, 0});
   output.delay = quantity_at(at, "delay", {0, "s", 0});
   output.compared_by = choose(at, "compared_by", compared_by_words, "samples");
+  if (output.compared_by == ComparedBy::envelope) {
+    output.from_Hz = at.number("from_Hz", {0, 1e9});
+    output.to_Hz = at.number("to_Hz", {1e-6, 1e9});
+  }
   return output;
 }
 

@@ -69,9 +69,9 @@ struct InputSpec {
   double band_Hz = 0;  ///< of a prescribed motion; 0 otherwise
 };
 
-/// Whether a recording of it is compared sample by sample, or by the means and lines of a steady
-/// rotation.
-enum class ComparedBy { samples, orders };
+/// Whether a recording of it is compared sample by sample, by the means and lines of a steady
+/// rotation, or by the levels of a random vibration and the lines of its squared envelope.
+enum class ComparedBy { samples, orders, envelope };
 
 enum class OutputKind { position, speed, acceleration, effort, drive };
 
@@ -89,6 +89,7 @@ struct OutputSpec {
   Quantity offset;
   Quantity delay;                                ///< s
   ComparedBy compared_by = ComparedBy::samples;  ///< the same for all outputs of a plant
+  double from_Hz = 0, to_Hz = 0;                 ///< band that an envelope is taken of
 };
 
 /// A lumped-parameter machine as data: bodies, terms that add, what drives it and what is seen.

@@ -33,8 +33,10 @@ inline constexpr std::array<Word<OutputKind>, 5> output_words{
      {"effort", OutputKind::effort},
      {"drive", OutputKind::drive}}};
 
-inline constexpr std::array<Word<ComparedBy>, 2> compared_by_words{
-    {{"samples", ComparedBy::samples}, {"orders", ComparedBy::orders}}};
+inline constexpr std::array<Word<ComparedBy>, 3> compared_by_words{
+    {{"samples", ComparedBy::samples},
+     {"orders", ComparedBy::orders},
+     {"envelope", ComparedBy::envelope}}};
 
 template <typename T, std::size_t n>
 std::string_view word_of(const std::array<Word<T>, n>& words, T value) {

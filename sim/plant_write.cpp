@@ -59,14 +59,19 @@ ordered_json json_of(const InputSpec& input) {
 }
 
 ordered_json json_of(const OutputSpec& output) {
-  return {{"channel", output.channel},
-          {"unit", output.unit},
-          {"is", word_of(output_words, output.kind)},
-          {output.kind == OutputKind::effort ? "term" : "body", output.of},
-          {"gain", json_of(output.gain)},
-          {"offset", json_of(output.offset)},
-          {"delay", json_of(output.delay)},
-          {"compared_by", word_of(compared_by_words, output.compared_by)}};
+  ordered_json json{{"channel", output.channel},
+                    {"unit", output.unit},
+                    {"is", word_of(output_words, output.kind)},
+                    {output.kind == OutputKind::effort ? "term" : "body", output.of},
+                    {"gain", json_of(output.gain)},
+                    {"offset", json_of(output.offset)},
+                    {"delay", json_of(output.delay)},
+                    {"compared_by", word_of(compared_by_words, output.compared_by)}};
+  if (output.compared_by == ComparedBy::envelope) {
+    json["from_Hz"] = output.from_Hz;
+    json["to_Hz"] = output.to_Hz;
+  }
+  return json;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "sim/effect_edits.hpp"
 #include "sim/terms/asymmetric_friction.hpp"
 #include "sim/terms/backlash.hpp"
+#include "sim/terms/bearing_defect.hpp"
 #include "sim/terms/cascade_controller.hpp"
 #include "sim/terms/coulomb_friction.hpp"
 #include "sim/terms/crank_eccentricity.hpp"
@@ -27,6 +28,7 @@
 #include "sim/terms/pin_ripple.hpp"
 #include "sim/terms/planet_mesh.hpp"
 #include "sim/terms/quadratic_stiffness.hpp"
+#include "sim/terms/rolling_bearing.hpp"
 #include "sim/terms/saturation.hpp"
 #include "sim/terms/series_compliance.hpp"
 #include "sim/terms/shaft_torsion.hpp"
@@ -83,10 +85,12 @@ TermLibrary make_standard_terms() {
                            sun_tooth_error,
                            pin_ripple,
                            crank_eccentricity,
+                           bearing_defect,
                            shaft_torsion,
                            induction_motor,
                            planet_mesh,
                            cycloid_stage,
+                           rolling_bearing,
                            synchronous_drive,
                            slip}) {
     library.add(make());

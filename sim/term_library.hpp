@@ -25,6 +25,11 @@ struct ParameterCard {
   std::optional<double> fallback = {};  ///< of a plant file that says nothing; required if empty
   bool fitted = true;                   ///< false: chosen beforehand, not part of the effect
   bool is_phase = false;                ///< of a wave whose size is the parameter before it
+  struct Choice {
+    double value;
+    std::string what;  ///< "inner race"
+  };
+  std::vector<Choice> choices = {};  ///< no number to fit: the effect is tried with each of them
 };
 
 /// Where a residual shows: the ledgers of a campaign.

@@ -12,7 +12,7 @@ struct Row {
   int force, coordinate, time;  // powers
 };
 
-constexpr std::array<Row, 23> rows{{
+constexpr std::array<Row, 24> rows{{
     {UnitKind::ratio, "1", "1", 0, 0, 0},
     {UnitKind::inertia, "kg·m²", "kg", 1, -1, 2},
     {UnitKind::force, "N·m", "N", 1, 0, 0},
@@ -33,6 +33,7 @@ constexpr std::array<Row, 23> rows{{
     {UnitKind::mass_offset, "kg·m", "kg·m", 1, 0, 2},
     {UnitKind::motor_constant, "N·m/A", "N/A", 0, 0, 0},
     {UnitKind::resistance, "Ω", "Ω", 0, 0, 0},
+    {UnitKind::impulse, "N·m·s", "N·s", 1, 0, 1},
     {UnitKind::length, "m", "m", 0, 0, 0},
     {UnitKind::contact_stiffness, "N/m", "N/m", 0, 0, 0},
     {UnitKind::contact_damping, "N·s/m", "N·s/m", 0, 0, 0},

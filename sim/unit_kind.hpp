@@ -28,6 +28,7 @@ enum class UnitKind {
   mass_offset,
   motor_constant,
   resistance,
+  impulse,
   length,             ///< of a gear, whatever its body does
   contact_stiffness,  ///< of teeth along their line of action
   contact_damping

@@ -24,7 +24,8 @@ std::vector<RivalEffect> rivals_of(const ForwardModel& model, const Step& step) 
   for (const Trial& trial : step.tried) {
     if (trial.effect() == step.effect || trial.held_out.log_density.size() == 0) continue;
     if (rivals.size() == most_rivals) break;
-    rivals.push_back({model.library()[trial.effect()].name, margin(own->held_out, trial.held_out)});
+    const Candidate& rival = model.library()[trial.effect()];
+    rivals.push_back({rival.name, margin(own->held_out, trial.held_out), rival.where});
   }
   return rivals;
 }
@@ -163,7 +164,8 @@ void conclude(const ForwardModel& model, Explanation& e) {
   }
   for (const Trial& trial : e.selection.last_tried) {
     if (e.cannot_exclude.size() == most_rivals || trial.held_out.log_density.size() == 0) continue;
-    e.cannot_exclude.push_back({model.library()[trial.effect()].name, trial.over_before});
+    const Candidate& other = model.library()[trial.effect()];
+    e.cannot_exclude.push_back({other.name, trial.over_before, other.where});
   }
   e.reason = sentence(e);
 }

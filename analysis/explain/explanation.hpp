@@ -24,6 +24,7 @@ const char* to_string(ExplainVerdict verdict) noexcept;  ///< "NULL", "NAMED", "
 struct RivalEffect {
   std::string name;
   Margin behind;
+  std::string where = {};
 };
 
 struct ExplainedEffect {

@@ -21,6 +21,7 @@ struct ModelParameter {
   double spread = std::numeric_limits<double>::infinity();
   double scale = 1;       ///< > 0; a noticeable change of it: steps and differences are told by it
   bool nuisance = false;  ///< of the measurement (delay, gain, offset, path), not of the machine
+  bool is_known = true;   ///< low and high say what is known of it, not only what its law allows
 };
 
 /// Size and phase of a wave, fitted as its cosine part a·cos φ and its sine part a·sin φ: in these
@@ -86,6 +87,10 @@ class ForwardModel {
   /// Whether residuals count standard errors of the measurement; else they are relative to what a
   /// record shows.
   virtual bool counts_standard_errors() const { return false; }
+
+  /// What residuals scatter by at least, squared, however well a model fits them: of errors that
+  /// repeat from unit to unit and count for each of them.
+  virtual double least_mean_square() const { return 0; }
 
   /// Whether an evaluation costs so little that left-out conditions are fitted anew where they
   /// would else be forecast.

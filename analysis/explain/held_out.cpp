@@ -83,7 +83,8 @@ std::optional<HeldOut> predict_held_out(const ForwardModel& model, const Fit& fi
   for (std::size_t i = 0; i < folds.size(); ++i) {
     const Eigen::VectorXd& all = without[i].residuals;
     if (all.size() == 0) return std::nullopt;
-    const double scatter = mean_square_of(model, all, folds[i].trained());
+    const double scatter =
+        std::max(mean_square_of(model, all, folds[i].trained()), model.least_mean_square());
     for (std::size_t u = 0; u < folds[i].held_out.size(); ++u) {
       if (!folds[i].held_out[u]) continue;
       const ObservedUnit& unit = model.units()[u];

@@ -24,7 +24,7 @@ bool is_far_off(const ModelParameter& p, double value, double standard_error) {
 std::string miscalibration(const ForwardModel& model, const Fit& fit) {
   for (std::size_t i = 0; i < model.base().size(); ++i) {
     const ModelParameter& p = model.base()[i];
-    const bool is_known = std::isfinite(p.low) && std::isfinite(p.high);
+    const bool is_known = p.is_known && std::isfinite(p.low) && std::isfinite(p.high);
     const bool at_low = p.nominal > p.low && fit.values[i] <= p.low + 1e-6 * p.scale;
     const bool at_high = p.nominal < p.high && fit.values[i] >= p.high - 1e-6 * p.scale;
     const auto at = static_cast<Eigen::Index>(i);

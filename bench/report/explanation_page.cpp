@@ -29,16 +29,17 @@ std::string estimates_table(const std::vector<analysis::Estimate>& all) {
 }
 
 // Log densities apart, in nats.
-std::string apart_text(const std::string& name, const char* how, const analysis::Margin& by) {
-  return fmt::format("{} ({} by {} ± {})", report::spoken(name), how, number(std::abs(by.delta)),
-                     number(by.se));
+std::string apart_text(const analysis::RivalEffect& of, const char* how) {
+  const std::string place = of.where.empty() ? "" : ", " + xml_escaped(of.where);
+  return fmt::format("{}{} ({} by {} ± {})", report::spoken(of.name), place, how,
+                     number(std::abs(of.behind.delta)), number(of.behind.se));
 }
 
 std::string rivals_text(const std::vector<analysis::RivalEffect>& rivals) {
   std::string text;
   for (const analysis::RivalEffect& rival : rivals) {
-    text += (text.empty() ? "" : ", ") +
-            apart_text(rival.name, rival.behind.delta < 0 ? "better" : "worse", rival.behind);
+    text +=
+        (text.empty() ? "" : ", ") + apart_text(rival, rival.behind.delta < 0 ? "better" : "worse");
   }
   return text.empty() ? "none came near" : text;
 }
@@ -46,10 +47,8 @@ std::string rivals_text(const std::vector<analysis::RivalEffect>& rivals) {
 std::string refused_text(const std::vector<analysis::RivalEffect>& refused) {
   std::string text;
   for (const analysis::RivalEffect& one : refused) {
-    text +=
-        (text.empty() ? "" : ", ") +
-        apart_text(one.name, one.behind.delta < 0 ? "worse than without" : "better than without",
-                   one.behind);
+    text += (text.empty() ? "" : ", ") +
+            apart_text(one, one.behind.delta < 0 ? "worse than without" : "better than without");
   }
   return text;
 }

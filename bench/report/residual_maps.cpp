@@ -91,6 +91,10 @@ ResidualMap map_of(const Comparisons& comparisons, const std::string& channel, b
     const Twin::Comparison &b = comparisons.before[i], &a = comparisons.after[i];
     if (b.channel != channel) continue;
     map.unit = b.unit;
+    if (!b.over.starts_with("time")) {
+      map.over = fmt::format("{}: {:.4g} to {:.4g}", b.over, b.first,
+                             b.first + b.step * static_cast<double>(b.measured.size()));
+    }
     const Eigen::VectorXd before = (b.measured - b.simulated).cwiseAbs();
     const Eigen::VectorXd after = (a.measured - a.simulated).cwiseAbs();
     map.rows.push_back(

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "analysis/spectrum.hpp"
+
+namespace rvbench::analysis {
+
+/// What a random vibration shows between two frequencies.
+struct BandVibration {
+  Eigen::VectorXd mean_square;  ///< of equal parts of the band, unit²
+  Spectrum depth;               ///< lines of the squared envelope over its mean, 0-to-peak, over Hz
+};
+
+/// Levels of a band, and how its power comes and goes.
+///
+/// @param parts  that the band is cut into, >= 1
+/// Limits  a line between two lines of `depth` reads up to 1.42 dB low; lines above half the width
+///         of the band are not held
+/// Errors  throws std::invalid_argument: band not within half the rate, fewer than 4 samples, a
+///         sample not finite
+/// Source  Antoni, Mech. Syst. Signal Process. 21, 597-630 (2007): squared envelope spectrum
+BandVibration band_vibration(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz,
+                             double from_Hz, double to_Hz, Eigen::Index parts);
+
+/// The largest depth near a frequency, and what noise alone shows there.
+struct DepthNear {
+  double depth = 0;
+  double noise = 0;        ///< the largest that noise would show, as a root mean square
+  double noise_sigma = 0;  ///< of one line's real and imaginary parts
+};
+
+/// @param within_Hz  to both sides, one line at least
+DepthNear depth_near(const Spectrum& depth, double frequency_Hz, double within_Hz);
+
+}  // namespace rvbench::analysis

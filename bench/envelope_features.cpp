@@ -1,0 +1,64 @@
+#include "bench/envelope_features.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rvbench::bench {
+namespace {
+
+constexpr Eigen::Index solved_lines = 600;
+constexpr double most_slip = 0.02;       // of rolling elements: their lines stray that far
+constexpr double worth_comparing = 0.1;  // of the deepest swell that an effect brings
+constexpr double least_power = 1e-30;    // of a band that holds nothing
+
+}  // namespace
+
+sim::FrequencyBand solved_band(const sim::OutputSpec& output) {
+  const double step_Hz = (output.to_Hz - output.from_Hz) / double(solved_lines);
+  return {output.from_Hz + step_Hz / 2, output.to_Hz - step_Hz / 4, step_Hz};
+}
+
+Eigen::VectorXd levels_dB(const Eigen::VectorXd& mean_square) {
+  return 10 * mean_square.cwiseMax(least_power).array().log10();
+}
+
+Eigen::VectorXd mean_square_of(const sim::Vibration& vibration, const sim::FrequencyBand& band) {
+  const Eigen::Index each = band.size() / level_parts;
+  Eigen::VectorXd parts(level_parts);
+  for (Eigen::Index p = 0; p < level_parts; ++p) {
+    parts[p] = vibration.density.segment(p * each, each).sum() * band.step_Hz;
+  }
+  return parts;
+}
+
+double slip_width_Hz(double frequency_Hz) { return most_slip * frequency_Hz; }
+
+double depth_of(const sim::Vibration& vibration, double frequency_Hz, double within_Hz) {
+  double squares = 0;
+  for (const sim::RandomForce::Swell& swell : vibration.swells) {
+    if (std::abs(swell.frequency_Hz - frequency_Hz) <= within_Hz) {
+      squares += swell.depth * swell.depth;
+    }
+  }
+  return std::sqrt(squares);
+}
+
+std::vector<double> orders_of_swells(const std::vector<sim::Vibration>& shown, double shaft_Hz) {
+  std::vector<double> orders;
+  for (const sim::Vibration& vibration : shown) {
+    double deepest = 0;
+    for (const auto& swell : vibration.swells) deepest = std::max(deepest, std::abs(swell.depth));
+    for (const auto& swell : vibration.swells) {
+      if (swell.depth == 0 || std::abs(swell.depth) < worth_comparing * deepest) continue;
+      const double order = swell.frequency_Hz / shaft_Hz;
+      const bool known = std::ranges::any_of(orders, [&](double other) {
+        return std::abs(order - other) <= slip_width_Hz(std::max(order, other));
+      });
+      if (!known) orders.push_back(order);
+    }
+  }
+  std::ranges::sort(orders);
+  return orders;
+}
+
+}  // namespace rvbench::bench

@@ -1,0 +1,335 @@
+#include "bench/envelope_twin.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/channel_fault.hpp"
+#include "bench/order_features.hpp"
+#include "hal/did_you_mean.hpp"
+#include "sim/named.hpp"
+#include "sim/plant_check.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+constexpr double turns_per_block = 10;
+constexpr double most_blocks = 8;  // of a record
+constexpr double level_error_dB = 3;
+constexpr double depth_error = 0.25;  // of the depth
+constexpr double most_shaft_Hz = 1000;
+
+// A solved squared envelope over the lines of a measured one: its swells where the highest lines
+// within their slip are, each as wide as a Hann window makes it, among what noise shows.
+Eigen::VectorXd drawn_depth(const sim::Vibration& shown, const analysis::Spectrum& measured) {
+  const Eigen::Index size = measured.amplitude.size();
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(size);
+  for (Eigen::Index k = 1; k < size; ++k) {
+    const auto near = analysis::depth_near(measured, measured.axis(k), measured.resolution);
+    squares[k] = 2 * near.noise_sigma * near.noise_sigma;
+  }
+  for (const sim::RandomForce::Swell& swell : shown.swells) {
+    const double slip_Hz = slip_width_Hz(swell.frequency_Hz);
+    const auto at = std::lround(swell.frequency_Hz / measured.resolution);
+    const auto reach = std::max(1L, std::lround(slip_Hz / measured.resolution));
+    if (at - reach < 1 || at + reach + 1 >= size) continue;
+    Eigen::Index highest = 0;
+    measured.amplitude.segment(at - reach, 2 * reach + 1).maxCoeff(&highest);
+    highest += at - reach;
+    for (const auto& [line, part] :
+         {std::pair(highest - 1, 0.5), {highest, 1.0}, {highest + 1, 0.5}}) {
+      squares[line] += std::pow(part * swell.depth, 2);
+    }
+  }
+  return squares.cwiseSqrt();
+}
+
+// What is seen of a depth among noise.
+double among_noise(double depth, const analysis::DepthNear& measured) {
+  return std::hypot(depth, measured.noise);
+}
+
+}  // namespace
+
+struct EnvelopeTwin::Record {
+  RecordLabels about;
+  Eigen::VectorXd inputs;
+  double shaft_Hz = 0;
+  std::vector<VibrationBlock> blocks;
+  std::vector<std::vector<analysis::DepthNear>> depths;  // per block: of each output's lines
+  std::vector<Eigen::VectorXd> values;                   // per block
+  Eigen::VectorXd errors;                                // of each block's values
+};
+
+EnvelopeTwin::EnvelopeTwin(sim::PlantSpec plant, const sim::TermLibrary& library)
+    : plant_(std::move(plant)), terms_(library) {}
+
+TwinOrRefusal EnvelopeTwin::make(sim::PlantSpec plant, const Campaign& campaign,
+                                 const sim::TermLibrary& library) {
+  if (auto faults = sim::check_plant(plant, library); !faults.empty()) {
+    return Refusal{std::move(faults), false};
+  }
+  std::unique_ptr<EnvelopeTwin> twin(new EnvelopeTwin(std::move(plant), library));
+  if (Refusal refusal = twin->load(campaign); !refusal.faults.empty()) return refusal;
+  twin->family_.emplace(twin->plant_, twin->scales(), library);
+  twin->base_ = twin->family_->base_by_tolerance();
+  if (Refusal refusal = twin->choose_lines(); !refusal.faults.empty()) return refusal;
+  twin->read_features();
+  twin->cut_units();
+  return std::unique_ptr<Twin>(std::move(twin));
+}
+
+Refusal EnvelopeTwin::load(const Campaign& campaign) {
+  const auto vibration = sim::RandomVibration::make(plant_, terms_);
+  if (const auto* fault = std::get_if<hal::ConfigFault>(&vibration)) return {{*fault}, false};
+  Refusal refusal{{}, true};
+  for (const CampaignRecord& of : campaign.records) {
+    for (hal::ConfigFault& fault : load_record(of)) {
+      fault.message = of.name + ": " + fault.message;
+      refusal.faults.push_back(std::move(fault));
+    }
+  }
+  if (!refusal.faults.empty()) return refusal;
+  if (std::ranges::none_of(records_, [](const auto& r) { return r->about.learned_from; })) {
+    return {{{0, "", "there is no recording to learn from"}}, true};
+  }
+  return {};
+}
+
+std::vector<hal::ConfigFault> EnvelopeTwin::load_record(const CampaignRecord& of) {
+  auto inputs = steady_inputs(plant_, of.recording);
+  if (auto* fault = std::get_if<hal::ConfigFault>(&inputs)) return {*fault};
+  auto record = std::make_shared<Record>();
+  record->about = of;
+  record->inputs = std::get<Eigen::VectorXd>(std::move(inputs));
+  const auto shaft = std::ranges::find(plant_.inputs, "Hz", &sim::InputSpec::unit);
+  if (shaft == plant_.inputs.end()) {
+    return {{0, "/inputs", "a plant that is compared by envelope is told its shaft's speed in Hz"}};
+  }
+  record->shaft_Hz = std::abs(record->inputs[shaft - plant_.inputs.begin()]);
+  if (!(record->shaft_Hz > 0 && record->shaft_Hz < most_shaft_Hz)) {
+    return {{0, fmt::format("/inputs/{}", shaft - plant_.inputs.begin()),
+             fmt::format("a shaft does not turn {:g} times a second", record->shaft_Hz)}};
+  }
+  std::vector<hal::ConfigFault> faults;
+  for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
+    const sim::OutputSpec& output = plant_.outputs[o];
+    const std::string place = fmt::format("/outputs/{}", o);
+    if (std::string fault = channel_fault(of.recording, output); !fault.empty()) {
+      faults.push_back({0, place + "/channel", std::move(fault)});
+      continue;
+    }
+    const Channel& channel = *of.recording.find(output.channel);
+    if (output.to_Hz > channel.rate_Hz / 2) {
+      faults.push_back(
+          {0, place + "/to_Hz",
+           fmt::format("{} is sampled at {:g} Hz: it holds nothing above {:g} Hz",
+                       hal::in_quotes(output.channel), channel.rate_Hz, channel.rate_Hz / 2)});
+      continue;
+    }
+    const double turns = double(channel.samples.size()) / channel.rate_Hz * record->shaft_Hz;
+    const auto blocks = static_cast<std::size_t>(std::min(turns / turns_per_block, most_blocks));
+    if (blocks == 0) {
+      faults.push_back({0, "",
+                        fmt::format("{:.1f} turns of the shaft are too few: {:g} at least", turns,
+                                    turns_per_block)});
+      continue;
+    }
+    record->blocks.resize(blocks);
+    const auto length = channel.samples.size() / static_cast<Eigen::Index>(blocks);
+    for (std::size_t b = 0; b < blocks; ++b) {
+      record->blocks[b].push_back(analysis::band_vibration(
+          channel.samples.segment(static_cast<Eigen::Index>(b) * length, length), channel.rate_Hz,
+          output.from_Hz, output.to_Hz, level_parts));
+    }
+  }
+  records_.push_back(std::move(record));
+  return faults;
+}
+
+// What the first output's body weighs, shaken as much as it was.
+ParameterScales EnvelopeTwin::scales() const {
+  double mean_square = 0, count = 0;
+  for (const auto& record : records_) {
+    if (!record->about.learned_from) continue;
+    for (const VibrationBlock& block : record->blocks) {
+      mean_square += block.front().mean_square.sum();
+      ++count;
+    }
+  }
+  const sim::OutputSpec& output = plant_.outputs.front();
+  const double shown = std::sqrt(mean_square / count) / std::abs(output.gain.value);
+  const double mass = plant_.find_body(output.of)->inertia.value;
+  return {{mass * shown, 1, 1}, 1e-4, shown, {}, {}};
+}
+
+Refusal EnvelopeTwin::choose_lines() {
+  const Record& record = *records_.front();
+  std::vector<double> nominal;
+  for (const analysis::ModelParameter& p : base()) nominal.push_back(p.nominal);
+  const auto as_it_is = solved(plant_, record);
+  if (!as_it_is) return {{{0, "/terms", "the plant's vibration cannot be solved"}}, false};
+  std::vector<std::vector<sim::Vibration>> shown(plant_.outputs.size());
+  for (std::size_t o = 0; o < shown.size(); ++o) shown[o].push_back((*as_it_is)[o]);
+  for (std::size_t i = 0; i < library().size(); ++i) {
+    std::vector<double> values = nominal;
+    const std::vector<double>& own = library()[i].starts.front();
+    values.insert(values.end(), own.begin(), own.end());
+    const auto with = solved(family_->with({i}, values), record);
+    if (!with) {
+      family_->cannot_show(i, "what it makes of a random vibration is not known");
+      continue;
+    }
+    for (std::size_t o = 0; o < shown.size(); ++o) shown[o].push_back((*with)[o]);
+  }
+  for (const auto& of_output : shown) {
+    orders_.push_back(orders_of_swells(of_output, record.shaft_Hz));
+  }
+  return {};
+}
+
+void EnvelopeTwin::read_features() {
+  for (const auto& record : records_) {
+    const auto blocks = static_cast<double>(record->blocks.size());
+    Eigen::VectorXd mean, squares;
+    Eigen::VectorXd chance, good_for;
+    for (const VibrationBlock& block : record->blocks) {
+      std::vector<double> values, by_chance, lines;
+      std::vector<analysis::DepthNear> depths;
+      for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
+        for (const double level_dB : levels_dB(block[o].mean_square)) values.push_back(level_dB);
+        by_chance.resize(values.size(), 0);
+        for (const double order : orders_[o]) {
+          const double frequency_Hz = order * record->shaft_Hz;
+          depths.push_back(
+              analysis::depth_near(block[o].depth, frequency_Hz, slip_width_Hz(frequency_Hz)));
+          values.push_back(depths.back().depth);
+          by_chance.push_back(depths.back().noise_sigma);
+        }
+      }
+      record->values.push_back(
+          Eigen::Map<Eigen::VectorXd>(values.data(), Eigen::Index(values.size())));
+      const Eigen::Map<Eigen::VectorXd> sigma(by_chance.data(), Eigen::Index(by_chance.size()));
+      record->depths.push_back(std::move(depths));
+      if (mean.size() == 0) mean = squares = chance = Eigen::VectorXd::Zero(sigma.size());
+      mean += record->values.back() / blocks;
+      chance += sigma.cwiseAbs2() / blocks;
+    }
+    for (const Eigen::VectorXd& values : record->values) {
+      squares += (values - mean).cwiseAbs2() / std::max(blocks - 1, 1.0);
+    }
+    good_for = depth_error * mean;
+    Eigen::Index at = 0;
+    for (const auto& orders : orders_) {
+      good_for.segment(at, level_parts).setConstant(level_error_dB);
+      at += level_parts + static_cast<Eigen::Index>(orders.size());
+    }
+    record->errors = (squares.cwiseMax(chance) + blocks * good_for.cwiseAbs2()).cwiseSqrt();
+  }
+}
+
+void EnvelopeTwin::cut_units() {
+  Eigen::Index at = 0;
+  for (const auto& record : records_) {
+    if (!record->about.learned_from) continue;
+    for (const Eigen::VectorXd& values : record->values) {
+      units_.push_back({record->about.name, record->about.condition, record->about.speed,
+                        record->about.load, at, values.size(), record->about.programme});
+      at += values.size();
+    }
+  }
+}
+
+std::optional<std::vector<sim::Vibration>> EnvelopeTwin::solved(const sim::PlantSpec& plant,
+                                                                const Record& record) const {
+  const auto made = sim::RandomVibration::make(plant, terms_);
+  if (std::holds_alternative<hal::ConfigFault>(made)) return std::nullopt;
+  const auto& vibration = std::get<sim::RandomVibration>(made);
+  std::vector<sim::Vibration> shown;
+  for (std::size_t o = 0; o < plant.outputs.size(); ++o) {
+    shown.push_back(std::move(vibration.under(record.inputs, solved_band(plant.outputs[o]))[o]));
+  }
+  return shown;
+}
+
+Eigen::VectorXd EnvelopeTwin::features_of(const std::vector<sim::Vibration>& shown,
+                                          const Record& record, std::size_t block) const {
+  Eigen::VectorXd features(record.values[block].size());
+  Eigen::Index at = 0;
+  auto depth = record.depths[block].begin();
+  for (std::size_t o = 0; o < shown.size(); ++o) {
+    features.segment(at, level_parts) =
+        levels_dB(mean_square_of(shown[o], solved_band(plant_.outputs[o])));
+    at += level_parts;
+    for (const double order : orders_[o]) {
+      const double frequency_Hz = order * record.shaft_Hz;
+      features[at++] =
+          among_noise(depth_of(shown[o], frequency_Hz, slip_width_Hz(frequency_Hz)), *depth++);
+    }
+  }
+  return features;
+}
+
+std::optional<Eigen::VectorXd> EnvelopeTwin::residuals(const std::vector<std::size_t>& effects,
+                                                       const std::vector<double>& values,
+                                                       const std::vector<bool>&) const {
+  stop_if_asked();
+  const sim::PlantSpec plant = plant_with(effects, values);
+  Eigen::VectorXd apart(units_.back().first + units_.back().size);
+  Eigen::Index at = 0;
+  const Record* before = nullptr;
+  std::optional<std::vector<sim::Vibration>> shown;
+  for (const auto& record : records_) {
+    if (!record->about.learned_from) continue;
+    if (before == nullptr || before->inputs != record->inputs) shown = solved(plant, *record);
+    if (!shown) return std::nullopt;
+    before = record.get();
+    for (std::size_t b = 0; b < record->values.size(); ++b) {
+      const Eigen::VectorXd& measured = record->values[b];
+      apart.segment(at, measured.size()) =
+          (measured - features_of(*shown, *record, b)).cwiseQuotient(record->errors);
+      at += measured.size();
+    }
+  }
+  return apart;
+}
+
+// Per record and output: levels over frequency, and the squared envelope's spectrum.
+std::vector<Twin::Comparison> EnvelopeTwin::compare(const std::vector<std::size_t>& effects,
+                                                    const std::vector<double>& values) const {
+  const sim::PlantSpec plant = plant_with(effects, values);
+  std::vector<Comparison> all;
+  for (const auto& record : records_) {
+    const auto shown = solved(plant, *record);
+    if (!shown) return {};
+    const auto blocks = static_cast<double>(record->blocks.size());
+    for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
+      const sim::OutputSpec& output = plant_.outputs[o];
+      Eigen::VectorXd power = Eigen::VectorXd::Zero(level_parts);
+      const analysis::Spectrum& first = record->blocks.front()[o].depth;
+      const double highest_Hz = 1.1 * orders_[o].back() * record->shaft_Hz;
+      const auto lines = std::min(static_cast<Eigen::Index>(highest_Hz / first.resolution) + 1,
+                                  first.amplitude.size());
+      Eigen::VectorXd squares = Eigen::VectorXd::Zero(lines);
+      for (const VibrationBlock& block : record->blocks) {
+        power += block[o].mean_square / blocks;
+        squares += block[o].depth.amplitude.head(lines).cwiseAbs2() / blocks;
+      }
+      squares[0] = 0;
+      squares = squares.cwiseSqrt().eval();
+      const Eigen::VectorXd depth = drawn_depth((*shown)[o], {first.resolution, squares});
+      const double part_Hz = (output.to_Hz - output.from_Hz) / double(level_parts);
+      all.push_back({record->about.name, output.channel + ", levels", output.unit,
+                     record->about.learned_from, 1, "frequency [Hz]", output.from_Hz + part_Hz / 2,
+                     part_Hz, power.cwiseSqrt(),
+                     mean_square_of((*shown)[o], solved_band(output)).cwiseSqrt()});
+      all.push_back({record->about.name, output.channel + ", envelope²", "1",
+                     record->about.learned_from, 1, "envelope frequency [Hz]", 0, first.resolution,
+                     squares, depth});
+    }
+  }
+  return all;
+}
+
+}  // namespace rvbench::bench

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "bench/envelope_features.hpp"
+#include "bench/plant_family.hpp"
+#include "bench/twin.hpp"
+
+namespace rvbench::bench {
+
+/// A plant that vibrates at random beside recordings of it: levels, and the lines of the squared
+/// envelope, which tell what comes and goes in step with the machine.
+///
+/// Values  (measured − predicted) of the level of each part of an output's band [dB], and of each
+///         swell's depth, over their standard errors. Chance gives the one part of these; the
+///         other is what a plant of few modes is good for: 3 dB of a level and a quarter of a
+///         depth, once for a record, not once for each of its stretches
+/// Lines   orders of the shaft that the plant swells at, or some effect would; each is the highest
+///         within 2 % of its place, for rolling elements slip
+/// Units   stretches of ten turns of the shaft, at most eight of a record
+/// Leaves out: phases
+class EnvelopeTwin final : public Twin {
+ public:
+  /// @param library  outlives the twin
+  static TwinOrRefusal make(sim::PlantSpec plant, const Campaign& campaign,
+                            const sim::TermLibrary& library = sim::standard_terms());
+
+  const std::vector<analysis::ObservedUnit>& units() const override { return units_; }
+  const std::vector<analysis::ModelParameter>& base() const override { return base_; }
+  const std::vector<analysis::Candidate>& library() const override { return family_->candidates(); }
+  bool counts_standard_errors() const override { return true; }
+  bool is_quick() const override { return true; }
+  double least_mean_square() const override { return 1; }
+  std::optional<Eigen::VectorXd> residuals(const std::vector<std::size_t>& effects,
+                                           const std::vector<double>& values,
+                                           const std::vector<bool>& trained) const override;
+
+  sim::PlantSpec plant_with(const std::vector<std::size_t>& effects,
+                            const std::vector<double>& values) const override {
+    return family_->with(effects, values);
+  }
+  std::vector<Comparison> compare(const std::vector<std::size_t>& effects,
+                                  const std::vector<double>& values) const override;
+
+ private:
+  struct Record;
+  EnvelopeTwin(sim::PlantSpec plant, const sim::TermLibrary& library);
+
+  Refusal load(const Campaign& campaign);
+  std::vector<hal::ConfigFault> load_record(const CampaignRecord& of);
+  ParameterScales scales() const;
+  Refusal choose_lines();
+  void read_features();
+  void cut_units();
+  std::optional<std::vector<sim::Vibration>> solved(const sim::PlantSpec& plant,
+                                                    const Record& record) const;
+  Eigen::VectorXd features_of(const std::vector<sim::Vibration>& shown, const Record& record,
+                              std::size_t block) const;
+
+  sim::PlantSpec plant_;
+  const sim::TermLibrary& terms_;
+  std::vector<std::shared_ptr<Record>> records_;
+  std::vector<std::vector<double>> orders_;  ///< per output: lines that are compared
+  std::optional<PlantFamily> family_;
+  std::vector<analysis::ModelParameter> base_;
+  std::vector<analysis::ObservedUnit> units_;
+};
+
+}  // namespace rvbench::bench
