@@ -11,7 +11,7 @@ namespace {
 
 using analysis::LockedTo;
 
-constexpr std::size_t most_sites = 3;
+constexpr std::size_t most_sites = 6;
 constexpr std::size_t most_lines = 3;
 
 bool mean_differs(const std::vector<analysis::ResidualCluster>& located) {

@@ -24,7 +24,7 @@ struct MissingForce {
 MissingForce find_missing_force(const PushedFeatures& features,
                                 const std::vector<analysis::ResidualCluster>& located);
 
-/// "orders 12.893, 25.785: a force in stage_1 (or in stage_2) explains 97 ± 1 %; 0.02 N·m on
+/// "order 12.893, order 25.785: a force in stage_1 (or in stage_2) explains 97 ± 1 %; 0.02 N·m on
 /// planet_1": share and size are of the first line.
 std::string source_text(const MissingForce& missing, const analysis::PushSource& source);
 

@@ -63,21 +63,18 @@ SCENARIO("where the bench differs from its plant, the missing force is located",
          "[bench][orders][locate]") {
   if (test::too_long_under_sanitizer()) return;
   const sim::PlantSpec plant = test::with_mesh_error(sim::rv20e_bench());
-  GIVEN("pins of uneven height: an error of a stage") {
+  GIVEN("pins of uneven height: which stage they shake, a torque at the input cannot tell") {
     const auto missing =
         missing_of(sim::with_effect(plant, "pin_ripple", {"planet_1", "carrier"},
                                     {{"pin_error", {0.3e-6, "m"}}, {"pin_phase", {2.2, "rad"}}}));
     REQUIRE(missing.pushes.sources.size() == 1);
     const analysis::PushSource& source = missing.pushes.sources[0];
-    THEN("it acts in a stage; which one, a torque at the input cannot tell") {
-      CHECK(names_of(missing, source) == std::vector<std::string>{"stage_1", "stage_2"});
-    }
-    THEN("it is as large as the stages' stiffness makes it of the pins' error, on the planet") {
-      const double error_rad = 0.3e-6 / 52e-3;  // on the pins' circle
-      const analysis::SitePush& best = missing.pushes.lines[source.lines[0]].sites[0];
-      CHECK(best.size == Approx(2 * 84e3 * error_rad / 40).epsilon(0.02));
-    }
-    THEN("no mean is off") { CHECK(missing.balances.empty()); }
+    CHECK(names_of(missing, source) == std::vector<std::string>{"stage_1", "stage_2"});
+    // As large as the stages' stiffness makes it of the pins' error, on the planet.
+    const double error_rad = 0.3e-6 / 52e-3;
+    const analysis::SitePush& best = missing.pushes.lines[source.lines[0]].sites[0];
+    CHECK(best.size == Approx(2 * 84e3 * error_rad / 40).epsilon(0.02));
+    CHECK(missing.balances.empty());
   }
   GIVEN("a tenth more friction than the plant's 0.15 N·m") {
     sim::PlantSpec machine = plant;
