@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "bench/missing_force_json.hpp"
+
 namespace rvbench::bench {
 namespace {
 
@@ -88,7 +90,10 @@ ordered_json located_json(const Located& located) {
   if (located.cells == 0) return nullptr;
   return {{"cells", located.cells},
           {"before", clusters_json(located.before)},
-          {"after", clusters_json(located.after)}};
+          {"after", clusters_json(located.after)},
+          {"missing_force",
+           {{"before", missing_force_to_json(located.missing_before)},
+            {"after", missing_force_to_json(located.missing_after)}}}};
 }
 
 ordered_json effect_json(const analysis::ExplainedEffect& effect, const ordered_json& floor,

@@ -9,6 +9,7 @@ namespace rvbench::bench {
 namespace {
 
 constexpr std::size_t most_places = 5;
+constexpr std::size_t most_sources = 2;
 
 std::string estimate_text(const analysis::Estimate& e) {
   return fmt::format("{} {:.4g} {} (90 %: {:.4g} to {:.4g})", e.name, e.value, e.unit, e.low,
@@ -75,6 +76,12 @@ void print_located(Console& console, const Located& located) {
   if (shown < located.before.size()) {
     console.out << fmt::format("    and {} more: see explain.json\n",
                                located.before.size() - shown);
+  }
+  for (const std::string& line : told(located.missing_before, most_sources)) {
+    console.out << "    " << line << '\n';
+  }
+  for (const std::string& line : told(located.missing_after, most_sources)) {
+    console.out << "    left over: " << line << '\n';
   }
 }
 

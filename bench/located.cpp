@@ -19,8 +19,14 @@ Located locate(const Twin& twin, const analysis::Selection& found) {
   if (found.base.residuals.size() == 0) return {};
   const Twin::Cells before = twin.cells(found.base.effects, found.base.values);
   const Twin::Cells after = twin.cells(found.fit.effects, found.fit.values);
-  return {before.all.size(), analysis::locate(before.all, before.beside),
-          analysis::locate(after.all, after.beside)};
+  Located located{before.all.size(), analysis::locate(before.all, before.beside),
+                  analysis::locate(after.all, after.beside)};
+  const auto missing = [&](const analysis::Fit& fit, const auto& places) {
+    return find_missing_force(twin.pushed_features(fit.effects, fit.values), places);
+  };
+  located.missing_before = missing(found.base, located.before);
+  located.missing_after = missing(found.fit, located.after);
+  return located;
 }
 
 }  // namespace rvbench::bench

@@ -6,6 +6,7 @@
 
 #include "analysis/explain/residual_cells.hpp"
 #include "analysis/explain/selection.hpp"
+#include "bench/missing_force.hpp"
 #include "bench/twin.hpp"
 
 namespace rvbench::bench {
@@ -15,6 +16,7 @@ namespace rvbench::bench {
 struct Located {
   std::size_t cells = 0;  ///< means and lines looked at; 0: the comparison has none
   std::vector<analysis::ResidualCluster> before, after;
+  MissingForce missing_before = {}, missing_after = {};
 };
 
 /// @param found  with a base that was fitted, or nothing is located

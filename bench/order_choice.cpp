@@ -87,8 +87,9 @@ std::vector<OrderFeature> timed_lines(const sim::PlantSpec& plant,
   std::vector<OrderFeature> lines;
   for (std::size_t o = 0; o < plant.outputs.size(); ++o) {
     const double highest_Hz = double(condition.orders[o]) * condition.nominal.period_Hz;
-    for (const double rhythm_Hz : rhythms_Hz) {
-      if (rhythm_Hz < highest_Hz) lines.push_back({LockedTo::time, o, 0, rhythm_Hz});
+    for (std::size_t i = 0; i < rhythms_Hz.size(); ++i) {
+      if (rhythms_Hz[i] >= highest_Hz) continue;
+      lines.push_back({LockedTo::time, o, static_cast<int>(i), rhythms_Hz[i]});
     }
   }
   return lines;

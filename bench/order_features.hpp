@@ -20,7 +20,7 @@ struct OrderFeature {
   /// this order of the period, or at this frequency.
   analysis::LockedTo locked_to = analysis::LockedTo::nothing;
   std::size_t output = 0;
-  int order = 0;
+  int order = 0;  ///< of what follows time its number, the same under all conditions
   double frequency_Hz = 0;
 };
 

@@ -9,6 +9,7 @@
 
 #include "bench/order_choice.hpp"
 #include "bench/order_errors.hpp"
+#include "bench/order_pushes.hpp"
 #include "hal/types/parallel_for.hpp"
 #include "sim/named.hpp"
 #include "sim/plant_check.hpp"
@@ -303,6 +304,14 @@ Twin::Cells OrderTwin::cells(const std::vector<std::size_t>& effects,
     }
   }
   return cells;
+}
+
+PushedFeatures OrderTwin::pushed_features(const std::vector<std::size_t>& effects,
+                                          const std::vector<double>& values) const {
+  const auto states = solved(effects, values);
+  if (!states) return {};
+  return order_pushes(plant_with(effects, values), terms_, conditions_, records_, *states,
+                      {angle_, turning_, period_turns_});
 }
 
 std::vector<Twin::Comparison> OrderTwin::compare(const std::vector<std::size_t>& effects,

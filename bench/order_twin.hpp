@@ -45,6 +45,8 @@ class OrderTwin final : public Twin {
                                   const std::vector<double>& values) const override;
   Cells cells(const std::vector<std::size_t>& effects,
               const std::vector<double>& values) const override;
+  PushedFeatures pushed_features(const std::vector<std::size_t>& effects,
+                                 const std::vector<double>& values) const override;
 
  private:
   OrderTwin(sim::PlantSpec plant, const sim::TermLibrary& library)

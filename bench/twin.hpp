@@ -11,6 +11,7 @@
 #include "analysis/explain/forward_model.hpp"
 #include "analysis/explain/residual_cells.hpp"
 #include "bench/campaign.hpp"
+#include "bench/pushed_features.hpp"
 #include "sim/plant_spec.hpp"
 #include "sim/term_library.hpp"
 
@@ -52,6 +53,14 @@ class Twin : public analysis::ForwardModel {
   };
   virtual Cells cells(const std::vector<std::size_t>& effects,
                       const std::vector<double>& values) const {
+    (void)effects, (void)values;
+    return {};
+  }
+
+  /// These means and lines, with what forces on the plant's bodies would add. Empty if this twin
+  /// compares nothing of the kind.
+  virtual PushedFeatures pushed_features(const std::vector<std::size_t>& effects,
+                                         const std::vector<double>& values) const {
     (void)effects, (void)values;
     return {};
   }

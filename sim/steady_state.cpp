@@ -4,13 +4,11 @@
 #include <complex>
 #include <set>
 
-#include "hal/types/recording.hpp"
 #include "hal/types/units.hpp"
 #include "sim/common_motion.hpp"
-#include "sim/joint.hpp"
-#include "sim/named.hpp"
 #include "sim/order_lines.hpp"
 #include "sim/steady_motion.hpp"
+#include "sim/steady_sensors.hpp"
 #include "sim/term_memory.hpp"
 
 namespace rvbench::sim {
@@ -18,55 +16,6 @@ namespace {
 
 using Complex = std::complex<double>;
 using hal::ConfigFault;
-
-// What the plant's sensors make of a motion.
-class SteadySensors {
- public:
-  SteadySensors(const PlantSpec& plant, const PlantModel& model) : plant_(plant) {
-    for (const OutputSpec& output : plant.outputs) {
-      const bool of_term = output.kind == OutputKind::effort;
-      places_.push_back(of_term ? index_of(plant.terms, output.of)
-                                : index_of(plant.bodies, output.of));
-      joints_.push_back(of_term ? Joint::at(model.terms, std::size_t(places_.back())) : Joint());
-    }
-  }
-
-  /// Efforts of curved terms alone are not.
-  bool is_linear(Eigen::Index output) const {
-    const auto o = static_cast<std::size_t>(output);
-    return plant_.outputs[o].kind != OutputKind::effort || joints_[o].is_linear();
-  }
-
-  double value(Eigen::Index output, const PlantState& s,
-               const Eigen::VectorXd& acceleration) const {
-    const auto o = static_cast<std::size_t>(output);
-    return plant_.outputs[o].gain.value * unscaled(o, s, acceleration);
-  }
-
-  Eigen::VectorXd values(const PlantState& s, const Eigen::VectorXd& acceleration) const {
-    Eigen::VectorXd values(static_cast<Eigen::Index>(places_.size()));
-    for (Eigen::Index o = 0; o < values.size(); ++o) values[o] = value(o, s, acceleration);
-    return values;
-  }
-
- private:
-  double unscaled(std::size_t output, const PlantState& s,
-                  const Eigen::VectorXd& acceleration) const {
-    const int body = places_[output];
-    switch (plant_.outputs[output].kind) {
-      case OutputKind::position: return s.q[body];
-      case OutputKind::speed: return s.v[body];
-      case OutputKind::acceleration: return acceleration[body];
-      case OutputKind::effort: return joints_[output].passed(s);
-      case OutputKind::drive: break;
-    }
-    return not_known;
-  }
-
-  const PlantSpec& plant_;
-  std::vector<int> places_;
-  std::vector<Joint> joints_;
-};
 
 // Each line to the column of its order; the others are empty.
 Eigen::MatrixXcd by_orders(const Eigen::MatrixXcd& lines, const PeriodOrders& at) {
@@ -218,6 +167,15 @@ std::variant<SteadyState, ConfigFault> SteadyPlant::under(const Eigen::VectorXd&
     if (const auto fault = motion.solve()) return *fault;
   }
   return shown(*plant_, model_, motion);
+}
+
+std::optional<PushResponse> SteadyPlant::response(const SteadyState& state,
+                                                  const Eigen::VectorXd& inputs,
+                                                  const PeriodOrders& orders,
+                                                  const std::vector<double>& frequencies_Hz) const {
+  SteadyMotion motion(model_, common_, inputs, orders);
+  if (!motion.solve_near(state.slowest_rad_s, state.motion)) return std::nullopt;
+  return push_response(*plant_, model_, motion, frequencies_Hz);
 }
 
 }  // namespace rvbench::sim

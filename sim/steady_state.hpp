@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "hal/config_reader.hpp"
 #include "sim/period_orders.hpp"
 #include "sim/plant_model.hpp"
+#include "sim/push_response.hpp"
 #include "sim/term_library.hpp"
 
 namespace rvbench::sim {
@@ -65,6 +67,13 @@ class SteadyPlant {
   std::variant<SteadyState, hal::ConfigFault> under(const Eigen::VectorXd& inputs,
                                                     const PeriodOrders& orders,
                                                     const SteadyState* near = nullptr) const;
+
+  /// What small forces on its bodies do to the outputs of the plant in a state that was found.
+  /// @param inputs, orders  it was found with
+  /// @return empty if the state is none of this plant's
+  std::optional<PushResponse> response(const SteadyState& state, const Eigen::VectorXd& inputs,
+                                       const PeriodOrders& orders,
+                                       const std::vector<double>& frequencies_Hz) const;
 
  private:
   SteadyPlant(const PlantSpec& plant, PlantModel model, Eigen::VectorXd common)

@@ -12,6 +12,7 @@ namespace rvbench::bench::report {
 namespace {
 
 constexpr std::size_t most_places = 20;
+constexpr std::size_t most_sources = 5;
 
 bool overlap(const analysis::ResidualCluster& a, const analysis::ResidualCluster& b) {
   return a.channel == b.channel && a.locked_to == b.locked_to && a.first <= b.last &&
@@ -25,6 +26,14 @@ std::string off_by(const analysis::ResidualCluster& c) {
 
 std::string counted(const std::vector<analysis::ResidualCluster>& places) {
   return places.empty() ? "none" : fmt::format("{}", places.size());
+}
+
+std::string missing_paragraphs(const MissingForce& missing, const std::string& when) {
+  const std::vector<std::string> lines = told(missing, most_sources);
+  if (lines.empty()) return {};
+  std::string html = paragraph(when);
+  for (const std::string& line : lines) html += paragraph(line);
+  return html;
 }
 
 std::string conditions_of(const analysis::ResidualCluster& c) {
@@ -62,7 +71,9 @@ std::string located_section(const Located& located) {
   return section(
       "Where it differs",
       paragraph(text) +
-          (rows.empty() ? "" : table({"where", "under", "farthest off before", "after"}, rows)));
+          (rows.empty() ? "" : table({"where", "under", "farthest off before", "after"}, rows)) +
+          missing_paragraphs(located.missing_before, "Where what was left out acts:") +
+          missing_paragraphs(located.missing_after, "Where what is left over acts:"));
 }
 
 }  // namespace rvbench::bench::report
