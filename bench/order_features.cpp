@@ -15,6 +15,18 @@ namespace rvbench::bench {
 namespace {
 
 constexpr double rated_output_torque_Nm = 167;  // of the RV-20E: 100 % of a plan's load
+constexpr double main_lobe = 2;                 // lines, to each side of a Hann window's
+constexpr double on_a_line = 1e-6;
+
+// The part of a line that a Hann window passes so many lines beside it.
+// Source  Harris, Proc. IEEE 66(1), 51-83 (1978)
+double passed(double lines_beside) {
+  const double x = std::abs(lines_beside);
+  if (x >= main_lobe) return 0;
+  if (x < on_a_line) return 1;
+  if (std::abs(x - 1) < on_a_line) return 0.5;
+  return std::sin(std::numbers::pi * x) / (std::numbers::pi * x * (1 - x * x));
+}
 
 }  // namespace
 
@@ -26,6 +38,13 @@ std::variant<Eigen::VectorXd, hal::ConfigFault> steady_inputs(const sim::PlantSp
     const Channel* channel = recording.find(plant.inputs[i].channel);
     if (channel == nullptr && planned) {
       channel = find_channel(planned->channels, plant.inputs[i].channel);
+    }
+    if (channel != nullptr && !channel->info.unit.empty() &&
+        channel->info.unit != plant.inputs[i].unit) {
+      return hal::ConfigFault{
+          0, fmt::format("/inputs/{}/channel", i),
+          fmt::format("{} is in {}, the plant takes {}", hal::in_quotes(plant.inputs[i].channel),
+                      channel->info.unit, plant.inputs[i].unit)};
     }
     const double value = channel == nullptr ? not_known : channel->samples.mean();
     if (!std::isfinite(value)) {
@@ -70,7 +89,7 @@ std::variant<OrderMeasurement, std::string> measure_orders(const sim::PlantSpec&
 }
 
 std::complex<double> predicted(const sim::SteadyState& state, const OrderFeature& feature,
-                               double resolution_Hz) {
+                               double length_s) {
   const sim::SteadyOutput& output = state.outputs[feature.output];
   switch (feature.locked_to) {
     case analysis::LockedTo::nothing: return output.mean;
@@ -79,15 +98,14 @@ std::complex<double> predicted(const sim::SteadyState& state, const OrderFeature
   }
   std::complex<double> line = 0;
   for (std::size_t i = 0; i < state.rhythms_Hz.size(); ++i) {
-    if (std::abs(state.rhythms_Hz[i] - feature.frequency_Hz) < resolution_Hz) {
-      line += output.timed_lines[static_cast<Eigen::Index>(i)];
-    }
+    line += passed((state.rhythms_Hz[i] - feature.frequency_Hz) * length_s) *
+            output.timed_lines[static_cast<Eigen::Index>(i)];
   }
   // At some speeds a line of the shaft has that frequency too.
   const auto order = static_cast<Eigen::Index>(std::round(feature.frequency_Hz / state.period_Hz));
   const double beside_Hz = static_cast<double>(order) * state.period_Hz - feature.frequency_Hz;
-  if (order > 0 && order < output.shaft_lines.size() && std::abs(beside_Hz) < resolution_Hz) {
-    line += output.shaft_lines[order];
+  if (order > 0 && order < output.shaft_lines.size()) {
+    line += passed(beside_Hz * length_s) * output.shaft_lines[order];
   }
   return line;
 }

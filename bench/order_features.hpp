@@ -45,10 +45,10 @@ std::variant<OrderMeasurement, std::string> measure_orders(const sim::PlantSpec&
                                                            const Recording& recording,
                                                            std::size_t angle, double period_turns);
 
-/// What the plant shows of a feature: the mean, or the complex line.
-/// @param resolution_Hz  within which lines that follow time are one
+/// What a record shows of a feature of the plant: the mean, or the complex line. Of a line that
+/// follows time, what a Hann window over the record passes of all that lie beside it.
 std::complex<double> predicted(const sim::SteadyState& state, const OrderFeature& feature,
-                               double resolution_Hz);
+                               double length_s);
 
 /// What a measurement shows on average of this amplitude among noise of this rms amplitude.
 /// Source  Rice, Bell Syst. Tech. J. 24, 46-156 (1945): its ends are exact, 2 % off between

@@ -15,7 +15,6 @@ namespace {
 using analysis::LockedTo;
 
 constexpr double one_side = 1e-3;  // of what the two sides differ by
-constexpr double resolution_bins = 2;
 
 // What a condition's records show on average.
 struct Shown {
@@ -73,12 +72,11 @@ class Features {
       if (feature.locked_to == LockedTo::nothing) continue;
       const bool is_order = feature.locked_to == LockedTo::shaft;
       const auto at = Eigen::Index(f);
-      all_.lines.push_back({plant_.outputs[feature.output].channel, condition, feature.locked_to,
-                            feature.order,
-                            is_order ? feature.order / shaft_.period_turns : feature.frequency_Hz,
-                            load, shown.value[at], shown.error[at], shown.floor[at],
-                            predicted(state, feature, resolution_bins / under.length_s),
-                            answer->row(Eigen::Index(feature.output))});
+      all_.lines.push_back(
+          {plant_.outputs[feature.output].channel, condition, feature.locked_to, feature.order,
+           is_order ? feature.order / shaft_.period_turns : feature.frequency_Hz, load,
+           shown.value[at], shown.error[at], shown.floor[at],
+           predicted(state, feature, under.length_s), answer->row(Eigen::Index(feature.output))});
       ++answer;
     }
     if (transducer_ && transducer_->parts_sides) add_means(under, shown, state, response);

@@ -19,9 +19,8 @@ namespace {
 
 using analysis::LockedTo;
 
-constexpr double believable = 5;       // standard errors: farther off counts for little more
-constexpr double line_resolution = 2;  // bins: half a Hann window's main lobe
-constexpr double one_line = 1.5;       // orders of a period: neighbours show one another
+constexpr double believable = 5;  // standard errors: farther off counts for little more
+constexpr double one_line = 1.5;  // orders of a period: neighbours show one another
 
 int orders_of(const OrderMeasurement& measured, std::size_t output) {
   return std::max(0, static_cast<int>(measured.outputs[output].amplitude.size()) - 1);
@@ -228,11 +227,10 @@ std::optional<std::vector<sim::SteadyState>> OrderTwin::solved(
 // Means, and amplitudes of lines.
 Eigen::VectorXd OrderTwin::features_of(const sim::SteadyState& state,
                                        const OrderCondition& condition) const {
-  const double resolution_Hz = line_resolution / condition.length_s;
   Eigen::VectorXd features(static_cast<Eigen::Index>(condition.features.size()));
   for (std::size_t f = 0; f < condition.features.size(); ++f) {
     const OrderFeature& feature = condition.features[f];
-    const std::complex<double> value = predicted(state, feature, resolution_Hz);
+    const std::complex<double> value = predicted(state, feature, condition.length_s);
     features[Eigen::Index(f)] =
         feature.locked_to != LockedTo::nothing ? std::abs(value)
         : feature.output != angle_

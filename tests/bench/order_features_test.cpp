@@ -10,6 +10,8 @@ using Complex = std::complex<double>;
 
 namespace {
 
+constexpr double record_s = 50;
+
 // A reducer of 121 whose input turns at 1815 rpm: order 240 of its period is at 60 Hz.
 sim::SteadyState turning() {
   sim::SteadyState state;
@@ -28,14 +30,22 @@ OrderFeature at_Hz(double frequency_Hz) { return {analysis::LockedTo::time, 0, 0
 
 }  // namespace
 
-TEST_CASE("a line that follows time is what keeps its frequency", "[bench][orders]") {
-  CHECK(predicted(turning(), at_Hz(50), 0.04) == Complex(0, 0.1));
-  CHECK(predicted(turning(), at_Hz(50.03), 0.04) == Complex(0, 0.1));
-  CHECK(predicted(turning(), at_Hz(50.1), 0.04) == Complex(0, 0));
+// A Hann window's main lobe: 1 on the line, 0.849 half a line beside it, 0.5 on the next, then
+// none.
+TEST_CASE("a line that follows time is what keeps its frequency, as a Hann window shows it",
+          "[bench][orders]") {
+  const auto shown = [](double frequency_Hz) {
+    return std::abs(predicted(turning(), at_Hz(frequency_Hz), record_s));
+  };
+  CHECK(predicted(turning(), at_Hz(50), record_s) == Complex(0, 0.1));
+  CHECK(shown(50.01) == Approx(0.1 * 0.8488).epsilon(1e-3));
+  CHECK(shown(49.98) == Approx(0.05));
+  CHECK(shown(50.041) == 0);
 }
 
 TEST_CASE("a line of the shaft that has the mains frequency is seen there", "[bench][orders]") {
-  CHECK(std::abs(predicted(turning(), at_Hz(60), 0.04)) == Approx(0.5));
-  CHECK(std::abs(predicted(turning(), at_Hz(60.1), 0.04)) == 0);
-  CHECK(std::abs(predicted(turning(), at_Hz(1000), 0.04)) == 0);  // above what is solved
+  CHECK(std::abs(predicted(turning(), at_Hz(60), record_s)) == Approx(0.5));
+  CHECK(std::abs(predicted(turning(), at_Hz(60.02), record_s)) == Approx(0.25));
+  CHECK(std::abs(predicted(turning(), at_Hz(60.1), record_s)) == 0);
+  CHECK(std::abs(predicted(turning(), at_Hz(1000), record_s)) == 0);  // above what is solved
 }
