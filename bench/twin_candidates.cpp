@@ -137,7 +137,10 @@ TwinCandidate candidate_at(const sim::PlantSpec& plant, const sim::TermType& typ
   candidate.where = sim::describe(site);
   candidate.mimics = type.card.mimics;
   candidate.experiment = type.card.experiment;
-  candidate.vanishes_at_zero = bool(type.make) || !type.gate.retunes.empty();
+  using WhenSmall = analysis::Candidate::WhenSmall;
+  candidate.when_small = type.make                    ? WhenSmall::in_proportion
+                         : !type.gate.retunes.empty() ? WhenSmall::drowns
+                                                      : WhenSmall::structural;
   candidate.sizes = sizes_of(type);
   const sim::Motion motion = plant.motion_of(site.body_a);
   for (const sim::ParameterCard& card : type.parameters) {

@@ -231,7 +231,7 @@ Fit fit_with(const ForwardModel& model, const Fit& before, std::size_t added,
   std::vector<std::vector<double>> all_own = candidate.starts;
   if (!screened.empty()) all_own.push_back(screened);
   std::vector<std::vector<double>> starts = starts_from(before.values, all_own);
-  if (model.is_quick() && candidate.vanishes_at_zero) {
+  if (model.is_quick() && candidate.when_small != Candidate::WhenSmall::structural) {
     const FitProblem on(model, effects, trained, before.scatter);
     starts = scaled_down(on, starts, before.values.size(), candidate.sizes);
   }

@@ -38,7 +38,10 @@ struct Candidate {
   std::vector<ModelParameter> parameters;
   std::size_t sizes = 1;              ///< parameters that measure it; the others are its shape
   std::optional<Phasor> phasor = {};  ///< what the first two are, if they are the parts of one
-  bool vanishes_at_zero = true;  ///< false: it changes the structure, and its size is no small one
+  /// What a small one does: changes values in proportion to its size; drowns, for it shows in
+  /// amplitudes that stand alone in noise; or there is none, for it changes the structure.
+  enum class WhenSmall { in_proportion, drowns, structural };
+  WhenSmall when_small = WhenSmall::in_proportion;
   std::vector<std::vector<double>> starts;  ///< values to start fits from, at least two
   std::vector<std::string> mimics;          ///< names that can look alike
   std::string experiment;                   ///< what would tell it from them

@@ -67,7 +67,7 @@ Eigen::VectorXd only_trained(const ForwardModel& model, Eigen::VectorXd x,
 
 // A small wave leaves no trace in amplitudes where it stands alone in noise.
 bool is_small_when_screened(const Candidate& candidate) {
-  return candidate.vanishes_at_zero && !candidate.phasor;
+  return candidate.when_small == Candidate::WhenSmall::in_proportion && !candidate.phasor;
 }
 
 // How the residuals change with the candidate's size, from nothing, at one start's shape.
@@ -172,7 +172,9 @@ std::vector<double> done_by_others(const ForwardModel& model, const Fit& fit) {
                                  Eigen::Index(count));
   };
   const std::size_t last = fit.effects.size() - 1;
-  if (!model.library()[fit.effects[last]].vanishes_at_zero) return std::vector<double>(last, 0.0);
+  if (model.library()[fit.effects[last]].when_small != Candidate::WhenSmall::in_proportion) {
+    return std::vector<double>(last, 0.0);
+  }
   const auto sizes = Eigen::Index(model.library()[fit.effects[last]].sizes);
   const Eigen::Map<const Eigen::VectorXd> values(
       fit.values.data() + first_value_of(model, fit.effects, last), sizes);
