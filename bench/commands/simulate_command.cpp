@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <system_error>
 
 #include "bench/commands/commands.hpp"
@@ -50,8 +51,22 @@ class SimulateCommand final : public Command {
   std::optional<double> rate_Hz_;
 };
 
+// Why a file must not be written; empty if it may.
+std::string why_not_written(const std::string& out, const std::vector<std::string>& made_from) {
+  std::error_code none;
+  if (!std::filesystem::exists(out, none)) return {};
+  if (!std::filesystem::is_regular_file(out, none)) return out + " is no regular file";
+  for (const std::string& from : made_from) {
+    if (std::filesystem::equivalent(out, from, none)) return out + " is what it would be made from";
+  }
+  return {};
+}
+
 int SimulateCommand::run(Console& console) {
   if (!is_positive(console, "--rate", rate_Hz_)) return exit_codes::usage;
+  if (const std::string why = why_not_written(out_, {like_, plant_}); !why.empty()) {
+    return refuse_usage(console, "simulate: --out: " + why);
+  }
   const auto plant = sim::read_plant(plant_);
   if (plant.index() == 1) return refuse_file(console, plant_, std::get<1>(plant));
   const sim::PlantSpec& spec = std::get<0>(plant);
