@@ -142,7 +142,8 @@ int run(std::vector<std::string> args) {
   const double start_s = now_s();
   const auto made = bench::OrderTwin::make(nominal, campaign);
   if (const auto* refusal = std::get_if<bench::Refusal>(&made)) {
-    throw std::runtime_error(refusal->faults.front().message);
+    throw std::runtime_error(
+        fmt::format("{} | hidden:{}", refusal->faults.front().message, truth_of(hidden)));
   }
   const analysis::Explanation said = analysis::explain(*std::get<0>(made));
   args.erase(args.begin());

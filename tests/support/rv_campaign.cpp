@@ -17,6 +17,7 @@ constexpr double daq_rate_Hz = 4960;
 constexpr int steps_per_sample = 4;
 constexpr int daq_samples_per_sample = 5;
 constexpr double settling_s = 3;
+constexpr double run_up_share = 0.4;  // of that
 constexpr double gear_ratio = 121;
 constexpr double rated_torque_Nm = 167;
 constexpr double pole_pairs = 2;
@@ -70,14 +71,17 @@ Recording record_of(const sim::PlantSpec& machine, double speed_rpm, double load
   unit.friction_factor = 1 + matrix.friction_scatter * draw.uniform(-1.7, 1.7);
   sim::RvTrain train(machine, unit, 1 / (daq_rate_Hz * steps_per_sample));
   const Eigen::Vector2d inputs = rv_inputs(speed_rpm, load_pct);
-  train.set_supply(inputs[0], true);
   train.set_brake_torque(inputs[1]);
   const auto run = [&](int steps) {
     for (int i = 0; i < steps; ++i) train.step();
     train.wrap();
   };
   const double settle = settling_s * draw.uniform(1, 1.3) * daq_rate_Hz;
-  for (int i = 0; i < static_cast<int>(settle); ++i) run(steps_per_sample);
+  for (int i = 0; i < static_cast<int>(settle); ++i) {
+    // As an inverter does: a motor that is switched on at full frequency has little torque.
+    train.set_supply(inputs[0] * std::min(1.0, i / (run_up_share * settle)), true);
+    run(steps_per_sample);
+  }
   const Thinner thin(daq_samples_per_sample);
   const double length_s = matrix.periods * gear_ratio * 60 / speed_rpm;
   const auto late =
