@@ -30,7 +30,7 @@ BandVibration band_vibration(const Eigen::Ref<const Eigen::VectorXd>& x, double 
   BandVibration vibration{Eigen::VectorXd::Zero(parts), {}};
   for (Eigen::Index k = 0; k < lines.size(); ++k) {
     const double f_Hz = double(k) * rate_Hz / n;
-    if (f_Hz < from_Hz || f_Hz >= to_Hz) {
+    if (k == 0 || f_Hz < from_Hz || f_Hz >= to_Hz) {
       lines[k] = 0;
       continue;
     }

@@ -15,8 +15,8 @@ struct BandVibration {
 /// Levels of a band, and how its power comes and goes.
 ///
 /// @param parts  that the band is cut into, >= 1
-/// Limits  a line between two lines of `depth` reads up to 1.42 dB low; lines above half the width
-///         of the band are not held
+/// Limits  the mean is left out; a line between two lines of `depth` reads up to 1.42 dB low; the
+///         closer a line of `depth` is to the width of the band, the less of it is held
 /// Errors  throws std::invalid_argument: band not within half the rate, fewer than 4 samples, a
 ///         sample not finite
 /// Source  Antoni, Mech. Syst. Signal Process. 21, 597-630 (2007): squared envelope spectrum
@@ -30,7 +30,9 @@ struct DepthNear {
   double noise_sigma = 0;  ///< of one line's real and imaginary parts
 };
 
-/// @param within_Hz  to both sides, one line at least
+/// @param frequency_Hz  in (0, the highest of `depth`)
+/// @param within_Hz     to both sides, one line at least
+/// @return no noise if there is no line beside to tell it
 DepthNear depth_near(const Spectrum& depth, double frequency_Hz, double within_Hz);
 
 }  // namespace rvbench::analysis

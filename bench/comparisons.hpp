@@ -23,7 +23,8 @@ struct RecordError {
   bool learned_from = true;
   double before = 0, after = 0;                    ///< RMS, in the channel's unit
   double relative_before = 0, relative_after = 0;  ///< of the RMS of what was measured
-  std::optional<PredictedMean> mean = {};          ///< of one that is not learned from
+  /// Of one that is not learned from, where residuals are relative to what a channel shows.
+  std::optional<PredictedMean> mean = {};
 };
 
 /// A record beside what the plant makes of it, as it was and with what was left out, by fits that

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bench/channel_fault.hpp"
 #include "bench/order_features.hpp"
@@ -17,8 +18,9 @@ namespace {
 constexpr double turns_per_block = 10;
 constexpr double most_blocks = 8;  // of a record
 constexpr double level_error_dB = 3;
-constexpr double depth_error = 0.25;  // of the depth
-constexpr double most_shaft_Hz = 1000;
+constexpr double depth_error = 0.25;        // of the depth
+constexpr double most_shaft_Hz = 1000;      // 60 000 rpm: of a number that is larger, another unit
+constexpr double least_lines_per_part = 2;  // of a stretch's spectrum, to tell a level by
 
 // A solved squared envelope over the lines of a measured one: its swells where the highest lines
 // within their slip are, each as wide as a Hann window makes it, among what noise shows.
@@ -83,6 +85,13 @@ TwinOrRefusal EnvelopeTwin::make(sim::PlantSpec plant, const Campaign& campaign,
 Refusal EnvelopeTwin::load(const Campaign& campaign) {
   const auto vibration = sim::RandomVibration::make(plant_, terms_);
   if (const auto* fault = std::get_if<hal::ConfigFault>(&vibration)) return {{*fault}, false};
+  const auto shaft = std::ranges::find(plant_.inputs, "Hz", &sim::InputSpec::unit);
+  if (shaft == plant_.inputs.end()) {
+    return {
+        {{0, "/inputs", "a plant that is compared by envelope is told its shaft's speed in Hz"}},
+        false};
+  }
+  shaft_ = shaft - plant_.inputs.begin();
   Refusal refusal{{}, true};
   for (const CampaignRecord& of : campaign.records) {
     for (hal::ConfigFault& fault : load_record(of)) {
@@ -103,49 +112,80 @@ std::vector<hal::ConfigFault> EnvelopeTwin::load_record(const CampaignRecord& of
   auto record = std::make_shared<Record>();
   record->about = of;
   record->inputs = std::get<Eigen::VectorXd>(std::move(inputs));
-  const auto shaft = std::ranges::find(plant_.inputs, "Hz", &sim::InputSpec::unit);
-  if (shaft == plant_.inputs.end()) {
-    return {{0, "/inputs", "a plant that is compared by envelope is told its shaft's speed in Hz"}};
-  }
-  record->shaft_Hz = std::abs(record->inputs[shaft - plant_.inputs.begin()]);
-  if (!(record->shaft_Hz > 0 && record->shaft_Hz < most_shaft_Hz)) {
-    return {{0, fmt::format("/inputs/{}", shaft - plant_.inputs.begin()),
-             fmt::format("a shaft does not turn {:g} times a second", record->shaft_Hz)}};
-  }
+  record->shaft_Hz = std::abs(record->inputs[shaft_]);
+  if (auto fault = speed_fault(of, record->shaft_Hz)) return {*std::move(fault)};
   std::vector<hal::ConfigFault> faults;
+  double turns = std::numeric_limits<double>::infinity();
   for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
-    const sim::OutputSpec& output = plant_.outputs[o];
-    const std::string place = fmt::format("/outputs/{}", o);
-    if (std::string fault = channel_fault(of.recording, output); !fault.empty()) {
-      faults.push_back({0, place + "/channel", std::move(fault)});
+    if (auto fault = output_fault(o, of)) {
+      faults.push_back(*std::move(fault));
       continue;
     }
-    const Channel& channel = *of.recording.find(output.channel);
-    if (output.to_Hz > channel.rate_Hz / 2) {
-      faults.push_back(
-          {0, place + "/to_Hz",
-           fmt::format("{} is sampled at {:g} Hz: it holds nothing above {:g} Hz",
-                       hal::in_quotes(output.channel), channel.rate_Hz, channel.rate_Hz / 2)});
-      continue;
-    }
-    const double turns = double(channel.samples.size()) / channel.rate_Hz * record->shaft_Hz;
-    const auto blocks = static_cast<std::size_t>(std::min(turns / turns_per_block, most_blocks));
-    if (blocks == 0) {
-      faults.push_back({0, "",
-                        fmt::format("{:.1f} turns of the shaft are too few: {:g} at least", turns,
-                                    turns_per_block)});
-      continue;
-    }
-    record->blocks.resize(blocks);
-    const auto length = channel.samples.size() / static_cast<Eigen::Index>(blocks);
-    for (std::size_t b = 0; b < blocks; ++b) {
-      record->blocks[b].push_back(analysis::band_vibration(
-          channel.samples.segment(static_cast<Eigen::Index>(b) * length, length), channel.rate_Hz,
-          output.from_Hz, output.to_Hz, level_parts));
-    }
+    const Channel& channel = *of.recording.find(plant_.outputs[o].channel);
+    turns = std::min(
+        turns, double(channel.samples.size() - of.lead_in) / channel.rate_Hz * record->shaft_Hz);
+  }
+  if (!faults.empty()) return faults;
+  const auto blocks = static_cast<std::size_t>(std::min(turns / turns_per_block, most_blocks));
+  if (blocks == 0) {
+    return {{0, "",
+             fmt::format("{:.1f} turns of the shaft are too few: {:g} at least", turns,
+                         turns_per_block)}};
+  }
+  const double block_s = turns / record->shaft_Hz / static_cast<double>(blocks);
+  for (std::size_t b = 0; b < blocks; ++b) {
+    record->blocks.push_back(block_of(of, static_cast<double>(b) * block_s, block_s));
   }
   records_.push_back(std::move(record));
-  return faults;
+  return {};
+}
+
+std::optional<hal::ConfigFault> EnvelopeTwin::speed_fault(const CampaignRecord& of,
+                                                          double shaft_Hz) const {
+  const std::string place = fmt::format("/inputs/{}", shaft_);
+  if (!(shaft_Hz > 0 && shaft_Hz < most_shaft_Hz)) {
+    return hal::ConfigFault{0, place,
+                            fmt::format("a shaft does not turn {:g} times a second", shaft_Hz)};
+  }
+  const Channel& speed = *of.recording.find(plant_.inputs[std::size_t(shaft_)].channel);
+  const double low = speed.samples.minCoeff(), high = speed.samples.maxCoeff();
+  if (high - low > slip_width_Hz(shaft_Hz)) {
+    return hal::ConfigFault{
+        0, place,
+        fmt::format("the shaft turns between {:g} and {:g} times a second: its lines smear", low,
+                    high)};
+  }
+  return std::nullopt;
+}
+
+std::optional<hal::ConfigFault> EnvelopeTwin::output_fault(std::size_t o,
+                                                           const CampaignRecord& of) const {
+  const sim::OutputSpec& output = plant_.outputs[o];
+  const std::string place = fmt::format("/outputs/{}", o);
+  if (std::string fault = channel_fault(of.recording, output); !fault.empty()) {
+    return hal::ConfigFault{0, place + "/channel", std::move(fault)};
+  }
+  const double rate_Hz = of.recording.find(output.channel)->rate_Hz;
+  if (output.to_Hz > rate_Hz / 2) {
+    return hal::ConfigFault{0, place + "/to_Hz",
+                            fmt::format("{} is sampled at {:g} Hz: it holds nothing above {:g} Hz",
+                                        hal::in_quotes(output.channel), rate_Hz, rate_Hz / 2)};
+  }
+  return std::nullopt;
+}
+
+VibrationBlock EnvelopeTwin::block_of(const CampaignRecord& of, double from_s,
+                                      double length_s) const {
+  VibrationBlock block;
+  for (const sim::OutputSpec& output : plant_.outputs) {
+    const Channel& channel = *of.recording.find(output.channel);
+    const auto first = of.lead_in + static_cast<Eigen::Index>(from_s * channel.rate_Hz);
+    const auto size = std::min(static_cast<Eigen::Index>(length_s * channel.rate_Hz),
+                               channel.samples.size() - first);
+    block.push_back(analysis::band_vibration(channel.samples.segment(first, size), channel.rate_Hz,
+                                             output.from_Hz, output.to_Hz, level_parts));
+  }
+  return block;
 }
 
 // What the first output's body weighs, shaken as much as it was.
@@ -171,7 +211,20 @@ Refusal EnvelopeTwin::choose_lines() {
   const auto as_it_is = solved(plant_, record);
   if (!as_it_is) return {{{0, "/terms", "the plant's vibration cannot be solved"}}, false};
   std::vector<std::vector<sim::Vibration>> shown(plant_.outputs.size());
-  for (std::size_t o = 0; o < shown.size(); ++o) shown[o].push_back((*as_it_is)[o]);
+  for (std::size_t o = 0; o < shown.size(); ++o) {
+    const sim::OutputSpec& output = plant_.outputs[o];
+    if (!((*as_it_is)[o].density.sum() > 0)) {
+      return {{{0, "/terms", "no random force reaches " + hal::in_quotes(output.channel)}}, false};
+    }
+    const double least_Hz = least_lines_per_part * level_parts * record.shaft_Hz / turns_per_block;
+    if (output.to_Hz - output.from_Hz < least_Hz) {
+      return {{{0, fmt::format("/outputs/{}/to_Hz", o),
+                fmt::format("a band of {:g} Hz is too narrow at this speed: {:g} Hz at least",
+                            output.to_Hz - output.from_Hz, least_Hz)}},
+              false};
+    }
+    shown[o].push_back((*as_it_is)[o]);
+  }
   for (std::size_t i = 0; i < library().size(); ++i) {
     std::vector<double> values = nominal;
     const std::vector<double>& own = library()[i].starts.front();
@@ -308,7 +361,8 @@ std::vector<Twin::Comparison> EnvelopeTwin::compare(const std::vector<std::size_
       const sim::OutputSpec& output = plant_.outputs[o];
       Eigen::VectorXd power = Eigen::VectorXd::Zero(level_parts);
       const analysis::Spectrum& first = record->blocks.front()[o].depth;
-      const double highest_Hz = 1.1 * orders_[o].back() * record->shaft_Hz;
+      const double highest_Hz =
+          1.1 * (orders_[o].empty() ? 1 : orders_[o].back()) * record->shaft_Hz;
       const auto lines = std::min(static_cast<Eigen::Index>(highest_Hz / first.resolution) + 1,
                                   first.amplitude.size());
       Eigen::VectorXd squares = Eigen::VectorXd::Zero(lines);

@@ -20,7 +20,7 @@ namespace rvbench::bench {
 /// Lines   orders of the shaft that the plant swells at, or some effect would; each is the highest
 ///         within 2 % of its place, for rolling elements slip
 /// Units   stretches of ten turns of the shaft, at most eight of a record
-/// Leaves out: phases
+/// Leaves out: phases; a shaft that runs up or down
 class EnvelopeTwin final : public Twin {
  public:
   /// @param library  outlives the twin
@@ -50,6 +50,9 @@ class EnvelopeTwin final : public Twin {
 
   Refusal load(const Campaign& campaign);
   std::vector<hal::ConfigFault> load_record(const CampaignRecord& of);
+  std::optional<hal::ConfigFault> speed_fault(const CampaignRecord& of, double shaft_Hz) const;
+  std::optional<hal::ConfigFault> output_fault(std::size_t o, const CampaignRecord& of) const;
+  VibrationBlock block_of(const CampaignRecord& of, double from_s, double length_s) const;
   ParameterScales scales() const;
   Refusal choose_lines();
   void read_features();
@@ -61,6 +64,7 @@ class EnvelopeTwin final : public Twin {
 
   sim::PlantSpec plant_;
   const sim::TermLibrary& terms_;
+  Eigen::Index shaft_ = 0;  ///< input that is its speed
   std::vector<std::shared_ptr<Record>> records_;
   std::vector<std::vector<double>> orders_;  ///< per output: lines that are compared
   std::optional<PlantFamily> family_;

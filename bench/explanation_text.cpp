@@ -42,8 +42,9 @@ void print_answer(Console& console, const analysis::Explanation& e) {
         analysis::error_text(effect.error_after, e.in_standard_errors), effect.over_before.delta,
         effect.over_before.se, 100 * effect.share_won);
     for (const analysis::RivalEffect& rival : effect.rivals) {
-      console.out << fmt::format("    rival {} ({}): worse by {:.1f} ± {:.1f}\n", rival.name,
-                                 rival.where, rival.behind.delta, rival.behind.se);
+      console.out << fmt::format("    rival {} ({}): {} by {:.1f} ± {:.1f}\n", rival.name,
+                                 rival.where, rival.behind.delta < 0 ? "better" : "worse",
+                                 std::abs(rival.behind.delta), rival.behind.se);
     }
     if (!effect.next_experiment.empty()) {
       console.out << "    would decide: " << effect.next_experiment << '\n';

@@ -162,6 +162,7 @@ std::vector<Vibration> RandomVibration::under(const Eigen::VectorXd& inputs,
   }
   for (Vibration& vibration : all) {
     const double power = vibration.density.sum();
+    if (!(power > 0)) vibration.swells.clear();
     for (RandomForce::Swell& swell : vibration.swells) swell.depth /= power;
   }
   return all;

@@ -87,7 +87,7 @@ std::vector<SideBalance> torque_balances(const std::vector<TransducerMeans>& con
       error_Nm[Eigen::Index(i)] = of_side.transpose().cwiseProduct(c.standard_error).norm();
     }
     const Regression law = without_chance(laws, torque_Nm, error_Nm, columns);
-    if (law.columns.size() == 1 && law.p_value(0) > chance) continue;
+    if (law.columns.size() == 1 && !(law.p_value(0) <= chance)) continue;
     const Eigen::VectorXd told = laws(Eigen::all, law.columns) * law.value;
     SideBalance balance{side, law.value[0], law.standard_error[0], told.minCoeff(),
                         told.maxCoeff()};

@@ -10,7 +10,8 @@ TermType bearing_defect() {
   TermType type = retuning(
       {.name = "bearing_defect",
        .equation =
-           "F = −Σ P(t − t_i), P half a sine of impulse J over τ, t_i each pass of the spall",
+           "F = −√(1 + a₁·cos νφ + a₂·cos 2νφ)·Σ P(t − t_i), P half a sine of impulse J over "
+           "τ, t_i each pass of the spall, νφ its way through the load zone",
        .sign = "J >= 0 strikes towards growing ways",
        .leaves_out = "a second spall on the same bearing, slip",
        .source = "McFadden & Smith, J. Sound Vib. 96(1), 69-82 (1984)",
@@ -18,7 +19,9 @@ TermType bearing_defect() {
        .must_not_touch = {{Ledger::shaft, "lines that stay after averaging over turns"},
                           {Ledger::quasi_static, "means"}},
        .mimics = {"tooth_damage", "looseness"},
-       .experiment = "average over the period of the teeth: gears stay, bearings go"},
+       .experiment =
+           "envelope over a longer record: passes of the races and of the rolling elements part; "
+           "average over the period of the teeth: gears stay, bearings go"},
       "rolling_bearing", true,
       {{.name = "impact_impulse",
         .unit = UnitKind::impulse,

@@ -20,7 +20,8 @@ Eigen::VectorXd noise(Eigen::Index size, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("a carrier that swells by m shows 2m at its swell's frequency and m²/2 at twice that") {
+TEST_CASE("a carrier that swells by m shows 2m at its swell's frequency and m²/2 at twice that",
+          "[analysis]") {
   constexpr double m = 0.3;
   Eigen::VectorXd x(8000);
   for (Eigen::Index i = 0; i < x.size(); ++i) {
@@ -34,12 +35,13 @@ TEST_CASE("a carrier that swells by m shows 2m at its swell's frequency and m²/
   CHECK(shown.mean_square.sum() == Approx(mean / 2).epsilon(1e-9));
 }
 
-TEST_CASE("levels of white noise are its power by the width of each part") {
+TEST_CASE("levels of white noise are its power by the width of each part", "[analysis]") {
   const BandVibration shown = band_vibration(noise(400000, 1), rate_Hz, 1000, 3000, 5);
   for (const double power : shown.mean_square) CHECK(power == Approx(0.1).epsilon(0.02));
 }
 
-TEST_CASE("of noise alone the largest depth near a frequency is what noise would show") {
+TEST_CASE("of noise alone the largest depth near a frequency is what noise would show",
+          "[analysis]") {
   double seen = 0, told = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
     const BandVibration shown = band_vibration(noise(16000, seed), rate_Hz, 500, 3500, 1);
@@ -50,7 +52,7 @@ TEST_CASE("of noise alone the largest depth near a frequency is what noise would
   CHECK(std::sqrt(seen / told) == Approx(1).margin(0.15));
 }
 
-TEST_CASE("a band that the rate does not hold throws, as do samples that are none") {
+TEST_CASE("a band that the rate does not hold throws, as do samples that are none", "[analysis]") {
   CHECK_THROWS_AS(band_vibration(noise(100, 1), rate_Hz, 500, 5000, 1), std::invalid_argument);
   CHECK_THROWS_AS(band_vibration(noise(3, 1), rate_Hz, 500, 1000, 1), std::invalid_argument);
   Eigen::VectorXd gap = noise(100, 1);
