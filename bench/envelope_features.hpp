@@ -26,8 +26,13 @@ Eigen::VectorXd mean_square_of(const sim::Vibration& vibration, const sim::Frequ
 /// How deep the squared envelope swells near a frequency, of all swells there.
 double depth_of(const sim::Vibration& vibration, double frequency_Hz, double within_Hz);
 
-/// How far beside a frequency its line may lie: rolling elements slip.
+inline constexpr double turns_per_block = 10;  ///< of the shaft
+
+/// How far a line may stray from its frequency: rolling elements slip.
 double slip_width_Hz(double frequency_Hz);
+/// Within how much of a frequency a stretch shows one line only: its slip, or two lines of the
+/// stretch's spectrum.
+double line_width_Hz(double frequency_Hz, double shaft_Hz);
 
 /// Frequencies of a plant's swells and of those that its candidates would bring, over the shaft's:
 /// one for lines that cannot be told apart.

@@ -4,10 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "bench/channel_fault.hpp"
-#include "bench/order_features.hpp"
 #include "hal/did_you_mean.hpp"
 #include "sim/named.hpp"
 #include "sim/plant_check.hpp"
@@ -15,11 +12,6 @@
 namespace rvbench::bench {
 namespace {
 
-constexpr double turns_per_block = 10;
-constexpr double most_blocks = 8;  // of a record
-constexpr double level_error_dB = 3;
-constexpr double depth_error = 0.25;        // of the depth
-constexpr double most_shaft_Hz = 1000;      // 60 000 rpm: of a number that is larger, another unit
 constexpr double least_lines_per_part = 2;  // of a stretch's spectrum, to tell a level by
 
 // A solved squared envelope over the lines of a measured one: its swells where the highest lines
@@ -32,9 +24,10 @@ Eigen::VectorXd drawn_depth(const sim::Vibration& shown, const analysis::Spectru
     squares[k] = 2 * near.noise_sigma * near.noise_sigma;
   }
   for (const sim::RandomForce::Swell& swell : shown.swells) {
-    const double slip_Hz = slip_width_Hz(swell.frequency_Hz);
     const auto at = std::lround(swell.frequency_Hz / measured.resolution);
-    const auto reach = std::max(1L, std::lround(slip_Hz / measured.resolution));
+    const auto reach =
+        std::lround(line_width_Hz(swell.frequency_Hz, turns_per_block * measured.resolution) /
+                    measured.resolution);
     if (at - reach < 1 || at + reach + 1 >= size) continue;
     Eigen::Index highest = 0;
     measured.amplitude.segment(at - reach, 2 * reach + 1).maxCoeff(&highest);
@@ -54,16 +47,6 @@ double among_noise(double depth, const analysis::DepthNear& measured) {
 
 }  // namespace
 
-struct EnvelopeTwin::Record {
-  RecordLabels about;
-  Eigen::VectorXd inputs;
-  double shaft_Hz = 0;
-  std::vector<VibrationBlock> blocks;
-  std::vector<std::vector<analysis::DepthNear>> depths;  // per block: of each output's lines
-  std::vector<Eigen::VectorXd> values;                   // per block
-  Eigen::VectorXd errors;                                // of each block's values
-};
-
 EnvelopeTwin::EnvelopeTwin(sim::PlantSpec plant, const sim::TermLibrary& library)
     : plant_(std::move(plant)), terms_(library) {}
 
@@ -77,7 +60,7 @@ TwinOrRefusal EnvelopeTwin::make(sim::PlantSpec plant, const Campaign& campaign,
   twin->family_.emplace(twin->plant_, twin->scales(), library);
   twin->base_ = twin->family_->base_by_tolerance();
   if (Refusal refusal = twin->choose_lines(); !refusal.faults.empty()) return refusal;
-  twin->read_features();
+  for (EnvelopeRecord& record : twin->records_) read_features(twin->orders_, record);
   twin->cut_units();
   return std::unique_ptr<Twin>(std::move(twin));
 }
@@ -85,115 +68,39 @@ TwinOrRefusal EnvelopeTwin::make(sim::PlantSpec plant, const Campaign& campaign,
 Refusal EnvelopeTwin::load(const Campaign& campaign) {
   const auto vibration = sim::RandomVibration::make(plant_, terms_);
   if (const auto* fault = std::get_if<hal::ConfigFault>(&vibration)) return {{*fault}, false};
-  const auto shaft = std::ranges::find(plant_.inputs, "Hz", &sim::InputSpec::unit);
-  if (shaft == plant_.inputs.end()) {
+  const auto of_shaft = std::ranges::find(plant_.inputs, "Hz", &sim::InputSpec::unit);
+  if (of_shaft == plant_.inputs.end()) {
     return {
         {{0, "/inputs", "a plant that is compared by envelope is told its shaft's speed in Hz"}},
         false};
   }
-  shaft_ = shaft - plant_.inputs.begin();
+  const auto shaft = static_cast<std::size_t>(of_shaft - plant_.inputs.begin());
   Refusal refusal{{}, true};
   for (const CampaignRecord& of : campaign.records) {
-    for (hal::ConfigFault& fault : load_record(of)) {
+    auto measured = measure_envelopes(plant_, shaft, of);
+    if (auto* record = std::get_if<EnvelopeRecord>(&measured)) {
+      records_.push_back(std::move(*record));
+      continue;
+    }
+    for (hal::ConfigFault& fault : std::get<1>(measured)) {
       fault.message = of.name + ": " + fault.message;
       refusal.faults.push_back(std::move(fault));
     }
   }
   if (!refusal.faults.empty()) return refusal;
-  if (std::ranges::none_of(records_, [](const auto& r) { return r->about.learned_from; })) {
+  if (std::ranges::none_of(records_,
+                           [](const EnvelopeRecord& r) { return r.about.learned_from; })) {
     return {{{0, "", "there is no recording to learn from"}}, true};
   }
   return {};
 }
 
-std::vector<hal::ConfigFault> EnvelopeTwin::load_record(const CampaignRecord& of) {
-  auto inputs = steady_inputs(plant_, of.recording);
-  if (auto* fault = std::get_if<hal::ConfigFault>(&inputs)) return {*fault};
-  auto record = std::make_shared<Record>();
-  record->about = of;
-  record->inputs = std::get<Eigen::VectorXd>(std::move(inputs));
-  record->shaft_Hz = std::abs(record->inputs[shaft_]);
-  if (auto fault = speed_fault(of, record->shaft_Hz)) return {*std::move(fault)};
-  std::vector<hal::ConfigFault> faults;
-  double turns = std::numeric_limits<double>::infinity();
-  for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
-    if (auto fault = output_fault(o, of)) {
-      faults.push_back(*std::move(fault));
-      continue;
-    }
-    const Channel& channel = *of.recording.find(plant_.outputs[o].channel);
-    turns = std::min(
-        turns, double(channel.samples.size() - of.lead_in) / channel.rate_Hz * record->shaft_Hz);
-  }
-  if (!faults.empty()) return faults;
-  const auto blocks = static_cast<std::size_t>(std::min(turns / turns_per_block, most_blocks));
-  if (blocks == 0) {
-    return {{0, "",
-             fmt::format("{:.1f} turns of the shaft are too few: {:g} at least", turns,
-                         turns_per_block)}};
-  }
-  const double block_s = turns / record->shaft_Hz / static_cast<double>(blocks);
-  for (std::size_t b = 0; b < blocks; ++b) {
-    record->blocks.push_back(block_of(of, static_cast<double>(b) * block_s, block_s));
-  }
-  records_.push_back(std::move(record));
-  return {};
-}
-
-std::optional<hal::ConfigFault> EnvelopeTwin::speed_fault(const CampaignRecord& of,
-                                                          double shaft_Hz) const {
-  const std::string place = fmt::format("/inputs/{}", shaft_);
-  if (!(shaft_Hz > 0 && shaft_Hz < most_shaft_Hz)) {
-    return hal::ConfigFault{0, place,
-                            fmt::format("a shaft does not turn {:g} times a second", shaft_Hz)};
-  }
-  const Channel& speed = *of.recording.find(plant_.inputs[std::size_t(shaft_)].channel);
-  const double low = speed.samples.minCoeff(), high = speed.samples.maxCoeff();
-  if (high - low > slip_width_Hz(shaft_Hz)) {
-    return hal::ConfigFault{
-        0, place,
-        fmt::format("the shaft turns between {:g} and {:g} times a second: its lines smear", low,
-                    high)};
-  }
-  return std::nullopt;
-}
-
-std::optional<hal::ConfigFault> EnvelopeTwin::output_fault(std::size_t o,
-                                                           const CampaignRecord& of) const {
-  const sim::OutputSpec& output = plant_.outputs[o];
-  const std::string place = fmt::format("/outputs/{}", o);
-  if (std::string fault = channel_fault(of.recording, output); !fault.empty()) {
-    return hal::ConfigFault{0, place + "/channel", std::move(fault)};
-  }
-  const double rate_Hz = of.recording.find(output.channel)->rate_Hz;
-  if (output.to_Hz > rate_Hz / 2) {
-    return hal::ConfigFault{0, place + "/to_Hz",
-                            fmt::format("{} is sampled at {:g} Hz: it holds nothing above {:g} Hz",
-                                        hal::in_quotes(output.channel), rate_Hz, rate_Hz / 2)};
-  }
-  return std::nullopt;
-}
-
-VibrationBlock EnvelopeTwin::block_of(const CampaignRecord& of, double from_s,
-                                      double length_s) const {
-  VibrationBlock block;
-  for (const sim::OutputSpec& output : plant_.outputs) {
-    const Channel& channel = *of.recording.find(output.channel);
-    const auto first = of.lead_in + static_cast<Eigen::Index>(from_s * channel.rate_Hz);
-    const auto size = std::min(static_cast<Eigen::Index>(length_s * channel.rate_Hz),
-                               channel.samples.size() - first);
-    block.push_back(analysis::band_vibration(channel.samples.segment(first, size), channel.rate_Hz,
-                                             output.from_Hz, output.to_Hz, level_parts));
-  }
-  return block;
-}
-
 // What the first output's body weighs, shaken as much as it was.
 ParameterScales EnvelopeTwin::scales() const {
   double mean_square = 0, count = 0;
-  for (const auto& record : records_) {
-    if (!record->about.learned_from) continue;
-    for (const VibrationBlock& block : record->blocks) {
+  for (const EnvelopeRecord& record : records_) {
+    if (!record.about.learned_from) continue;
+    for (const VibrationBlock& block : record.blocks) {
       mean_square += block.front().mean_square.sum();
       ++count;
     }
@@ -205,7 +112,7 @@ ParameterScales EnvelopeTwin::scales() const {
 }
 
 Refusal EnvelopeTwin::choose_lines() {
-  const Record& record = *records_.front();
+  const EnvelopeRecord& record = records_.front();
   std::vector<double> nominal;
   for (const analysis::ModelParameter& p : base()) nominal.push_back(p.nominal);
   const auto as_it_is = solved(plant_, record);
@@ -242,60 +149,20 @@ Refusal EnvelopeTwin::choose_lines() {
   return {};
 }
 
-void EnvelopeTwin::read_features() {
-  for (const auto& record : records_) {
-    const auto blocks = static_cast<double>(record->blocks.size());
-    Eigen::VectorXd mean, squares;
-    Eigen::VectorXd chance, good_for;
-    for (const VibrationBlock& block : record->blocks) {
-      std::vector<double> values, by_chance, lines;
-      std::vector<analysis::DepthNear> depths;
-      for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
-        for (const double level_dB : levels_dB(block[o].mean_square)) values.push_back(level_dB);
-        by_chance.resize(values.size(), 0);
-        for (const double order : orders_[o]) {
-          const double frequency_Hz = order * record->shaft_Hz;
-          depths.push_back(
-              analysis::depth_near(block[o].depth, frequency_Hz, slip_width_Hz(frequency_Hz)));
-          values.push_back(depths.back().depth);
-          by_chance.push_back(depths.back().noise_sigma);
-        }
-      }
-      record->values.push_back(
-          Eigen::Map<Eigen::VectorXd>(values.data(), Eigen::Index(values.size())));
-      const Eigen::Map<Eigen::VectorXd> sigma(by_chance.data(), Eigen::Index(by_chance.size()));
-      record->depths.push_back(std::move(depths));
-      if (mean.size() == 0) mean = squares = chance = Eigen::VectorXd::Zero(sigma.size());
-      mean += record->values.back() / blocks;
-      chance += sigma.cwiseAbs2() / blocks;
-    }
-    for (const Eigen::VectorXd& values : record->values) {
-      squares += (values - mean).cwiseAbs2() / std::max(blocks - 1, 1.0);
-    }
-    good_for = depth_error * mean;
-    Eigen::Index at = 0;
-    for (const auto& orders : orders_) {
-      good_for.segment(at, level_parts).setConstant(level_error_dB);
-      at += level_parts + static_cast<Eigen::Index>(orders.size());
-    }
-    record->errors = (squares.cwiseMax(chance) + blocks * good_for.cwiseAbs2()).cwiseSqrt();
-  }
-}
-
 void EnvelopeTwin::cut_units() {
   Eigen::Index at = 0;
-  for (const auto& record : records_) {
-    if (!record->about.learned_from) continue;
-    for (const Eigen::VectorXd& values : record->values) {
-      units_.push_back({record->about.name, record->about.condition, record->about.speed,
-                        record->about.load, at, values.size(), record->about.programme});
+  for (const EnvelopeRecord& record : records_) {
+    if (!record.about.learned_from) continue;
+    for (const Eigen::VectorXd& values : record.values) {
+      units_.push_back({record.about.name, record.about.condition, record.about.speed,
+                        record.about.load, at, values.size(), record.about.programme});
       at += values.size();
     }
   }
 }
 
-std::optional<std::vector<sim::Vibration>> EnvelopeTwin::solved(const sim::PlantSpec& plant,
-                                                                const Record& record) const {
+std::optional<std::vector<sim::Vibration>> EnvelopeTwin::solved(
+    const sim::PlantSpec& plant, const EnvelopeRecord& record) const {
   const auto made = sim::RandomVibration::make(plant, terms_);
   if (std::holds_alternative<hal::ConfigFault>(made)) return std::nullopt;
   const auto& vibration = std::get<sim::RandomVibration>(made);
@@ -307,7 +174,7 @@ std::optional<std::vector<sim::Vibration>> EnvelopeTwin::solved(const sim::Plant
 }
 
 Eigen::VectorXd EnvelopeTwin::features_of(const std::vector<sim::Vibration>& shown,
-                                          const Record& record, std::size_t block) const {
+                                          const EnvelopeRecord& record, std::size_t block) const {
   Eigen::VectorXd features(record.values[block].size());
   Eigen::Index at = 0;
   auto depth = record.depths[block].begin();
@@ -317,8 +184,8 @@ Eigen::VectorXd EnvelopeTwin::features_of(const std::vector<sim::Vibration>& sho
     at += level_parts;
     for (const double order : orders_[o]) {
       const double frequency_Hz = order * record.shaft_Hz;
-      features[at++] =
-          among_noise(depth_of(shown[o], frequency_Hz, slip_width_Hz(frequency_Hz)), *depth++);
+      const double width_Hz = line_width_Hz(frequency_Hz, record.shaft_Hz);
+      features[at++] = among_noise(depth_of(shown[o], frequency_Hz, width_Hz), *depth++);
     }
   }
   return features;
@@ -331,17 +198,17 @@ std::optional<Eigen::VectorXd> EnvelopeTwin::residuals(const std::vector<std::si
   const sim::PlantSpec plant = plant_with(effects, values);
   Eigen::VectorXd apart(units_.back().first + units_.back().size);
   Eigen::Index at = 0;
-  const Record* before = nullptr;
+  const EnvelopeRecord* before = nullptr;
   std::optional<std::vector<sim::Vibration>> shown;
-  for (const auto& record : records_) {
-    if (!record->about.learned_from) continue;
-    if (before == nullptr || before->inputs != record->inputs) shown = solved(plant, *record);
+  for (const EnvelopeRecord& record : records_) {
+    if (!record.about.learned_from) continue;
+    if (before == nullptr || before->inputs != record.inputs) shown = solved(plant, record);
     if (!shown) return std::nullopt;
-    before = record.get();
-    for (std::size_t b = 0; b < record->values.size(); ++b) {
-      const Eigen::VectorXd& measured = record->values[b];
+    before = &record;
+    for (std::size_t b = 0; b < record.values.size(); ++b) {
+      const Eigen::VectorXd& measured = record.values[b];
       apart.segment(at, measured.size()) =
-          (measured - features_of(*shown, *record, b)).cwiseQuotient(record->errors);
+          (measured - features_of(*shown, record, b)).cwiseQuotient(record.errors);
       at += measured.size();
     }
   }
@@ -353,20 +220,20 @@ std::vector<Twin::Comparison> EnvelopeTwin::compare(const std::vector<std::size_
                                                     const std::vector<double>& values) const {
   const sim::PlantSpec plant = plant_with(effects, values);
   std::vector<Comparison> all;
-  for (const auto& record : records_) {
-    const auto shown = solved(plant, *record);
+  for (const EnvelopeRecord& record : records_) {
+    const auto shown = solved(plant, record);
     if (!shown) return {};
-    const auto blocks = static_cast<double>(record->blocks.size());
+    const auto blocks = static_cast<double>(record.blocks.size());
     for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
       const sim::OutputSpec& output = plant_.outputs[o];
       Eigen::VectorXd power = Eigen::VectorXd::Zero(level_parts);
-      const analysis::Spectrum& first = record->blocks.front()[o].depth;
+      const analysis::Spectrum& first = record.blocks.front()[o].depth;
       const double highest_Hz =
-          1.1 * (orders_[o].empty() ? 1 : orders_[o].back()) * record->shaft_Hz;
+          1.1 * (orders_[o].empty() ? 1 : orders_[o].back()) * record.shaft_Hz;
       const auto lines = std::min(static_cast<Eigen::Index>(highest_Hz / first.resolution) + 1,
                                   first.amplitude.size());
       Eigen::VectorXd squares = Eigen::VectorXd::Zero(lines);
-      for (const VibrationBlock& block : record->blocks) {
+      for (const VibrationBlock& block : record.blocks) {
         power += block[o].mean_square / blocks;
         squares += block[o].depth.amplitude.head(lines).cwiseAbs2() / blocks;
       }
@@ -374,12 +241,12 @@ std::vector<Twin::Comparison> EnvelopeTwin::compare(const std::vector<std::size_
       squares = squares.cwiseSqrt().eval();
       const Eigen::VectorXd depth = drawn_depth((*shown)[o], {first.resolution, squares});
       const double part_Hz = (output.to_Hz - output.from_Hz) / double(level_parts);
-      all.push_back({record->about.name, output.channel + ", levels", output.unit,
-                     record->about.learned_from, 1, "frequency [Hz]", output.from_Hz + part_Hz / 2,
+      all.push_back({record.about.name, output.channel + ", levels", output.unit,
+                     record.about.learned_from, 1, "frequency [Hz]", output.from_Hz + part_Hz / 2,
                      part_Hz, power.cwiseSqrt(),
                      mean_square_of((*shown)[o], solved_band(output)).cwiseSqrt()});
-      all.push_back({record->about.name, output.channel + ", envelope²", "1",
-                     record->about.learned_from, 1, "envelope frequency [Hz]", 0, first.resolution,
+      all.push_back({record.about.name, output.channel + ", envelope²", "1",
+                     record.about.learned_from, 1, "envelope frequency [Hz]", 0, first.resolution,
                      squares, depth});
     }
   }

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "bench/envelope_features.hpp"
+#include "bench/envelope_records.hpp"
 #include "bench/plant_family.hpp"
 #include "bench/twin.hpp"
 
@@ -45,27 +45,20 @@ class EnvelopeTwin final : public Twin {
                                   const std::vector<double>& values) const override;
 
  private:
-  struct Record;
   EnvelopeTwin(sim::PlantSpec plant, const sim::TermLibrary& library);
 
   Refusal load(const Campaign& campaign);
-  std::vector<hal::ConfigFault> load_record(const CampaignRecord& of);
-  std::optional<hal::ConfigFault> speed_fault(const CampaignRecord& of, double shaft_Hz) const;
-  std::optional<hal::ConfigFault> output_fault(std::size_t o, const CampaignRecord& of) const;
-  VibrationBlock block_of(const CampaignRecord& of, double from_s, double length_s) const;
   ParameterScales scales() const;
   Refusal choose_lines();
-  void read_features();
   void cut_units();
   std::optional<std::vector<sim::Vibration>> solved(const sim::PlantSpec& plant,
-                                                    const Record& record) const;
-  Eigen::VectorXd features_of(const std::vector<sim::Vibration>& shown, const Record& record,
-                              std::size_t block) const;
+                                                    const EnvelopeRecord& record) const;
+  Eigen::VectorXd features_of(const std::vector<sim::Vibration>& shown,
+                              const EnvelopeRecord& record, std::size_t block) const;
 
   sim::PlantSpec plant_;
   const sim::TermLibrary& terms_;
-  Eigen::Index shaft_ = 0;  ///< input that is its speed
-  std::vector<std::shared_ptr<Record>> records_;
+  std::vector<EnvelopeRecord> records_;
   std::vector<std::vector<double>> orders_;  ///< per output: lines that are compared
   std::optional<PlantFamily> family_;
   std::vector<analysis::ModelParameter> base_;

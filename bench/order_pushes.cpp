@@ -49,9 +49,11 @@ std::optional<Transducer> find_transducer(const sim::PlantSpec& plant,
     const bool is_torque = plant.outputs[o].unit == "N·m";
     if (plant.outputs[o].kind != sim::OutputKind::effort || !is_torque) continue;
     const sim::TermSpec& term = *plant.find_term(plant.outputs[o].of);
-    const int a = sim::index_of(plant.bodies, term.body_a);
-    const int b = sim::index_of(plant.bodies, term.body_b);
+    int a = sim::index_of(plant.bodies, term.body_a);
+    int b = sim::index_of(plant.bodies, term.body_b);
     if (a < 0 || b < 0 || state.speed_rad_s[a] != state.speed_rad_s[b]) continue;
+    const double taken_from_a = state.outputs[o].mean * plant.outputs[o].gain.value;
+    if (taken_from_a * state.speed_rad_s[a] < 0) std::swap(a, b);  // left is what drives
     return Transducer{o, a, b};
   }
   return std::nullopt;
@@ -111,14 +113,17 @@ class Features {
       transducer_->parts_sides = false;
       return;
     }
+    const double torque_Nm = state.outputs[transducer_->output].mean;
+    const double forward = torque_Nm < 0 ? -1 : 1;  // a load is what is carried, whichever way
     Eigen::Matrix2d sides;
     sides << gains.col(transducer_->left), -gains.col(transducer_->right);
-    const double torque_Nm = state.outputs[transducer_->output].mean;
-    all_.means.push_back({{shown.value[torque] - torque_Nm, shown.value[speed] - speed_rad_s},
-                          {shown.error[torque], shown.error[speed]},
-                          sides,
-                          torque_Nm,
-                          speed_rad_s});
+    sides.row(0) *= forward;
+    all_.means.push_back(
+        {{forward * (shown.value[torque] - torque_Nm), shown.value[speed] - speed_rad_s},
+         {shown.error[torque], shown.error[speed]},
+         sides,
+         std::abs(torque_Nm),
+         speed_rad_s});
   }
 
   // Where torque and speed answer a constant force alike, it acts on one side.

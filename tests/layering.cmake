@@ -7,7 +7,7 @@ set(may_sim       sim hal)
 set(may_bench     bench sequences analysis hal)
 foreach(file IN ITEMS  # the only users of sim
     candidate_probes.cpp candidate_probes.hpp channel_fault.cpp channel_fault.hpp
-    envelope_features.cpp envelope_features.hpp envelope_twin.cpp envelope_twin.hpp
+    envelope_features.cpp envelope_features.hpp envelope_records.cpp envelope_records.hpp envelope_twin.cpp envelope_twin.hpp
     order_choice.cpp order_choice.hpp order_features.cpp order_features.hpp order_pushes.cpp
     order_pushes.hpp order_records.hpp order_twin.cpp
     order_twin.hpp planned_inputs.cpp planned_inputs.hpp plant_family.cpp plant_family.hpp

@@ -227,7 +227,8 @@ std::vector<PushSource> sources_of(const std::vector<LinePushes>& lines) {
 
 bool LinePushes::are_explained() const {
   const SitePush& best = sites.front();
-  return best.share > most_of_it && best.p_value < chance;
+  const auto chosen_among = static_cast<double>(sites.size());
+  return best.share > most_of_it && best.p_value * chosen_among < chance;
 }
 
 Pushes find_pushes(const std::vector<PushedLine>& lines,
