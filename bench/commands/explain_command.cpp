@@ -204,6 +204,11 @@ int ExplainCommand::run(Console& console) {
     unusable.assign(errno, std::generic_category());
   }
   if (unusable) return refuse_usage(console, "explain: --out " + out_ + ": " + unusable.message());
+  const std::filesystem::path updated = std::filesystem::path(out_) / "plant_updated.json";
+  if (std::error_code none; !out_.empty() && std::filesystem::equivalent(updated, plant_, none)) {
+    return refuse_usage(console,
+                        "explain: --out " + out_ + ": would replace the plant it is given");
+  }
   try {
     return tell(console, campaign, twin, explained(console, twin));
   } catch (const Twin::Interrupted&) {

@@ -94,6 +94,22 @@ TEST_CASE("explain says what was left out, models it, and the model runs", "[spe
   INFO(simulated.err);
   REQUIRE(simulated.code == 0);
   CHECK_THAT(text_of(scratch / "sim.csv"), Catch::Matchers::StartsWith("time_s,way,force\n"));
+
+  // Nothing is written over what it would be made from.
+  const std::string plant = text_of(scratch / "explained/plant_updated.json");
+  const std::string record = text_of(scratch / files[0]);
+  const Answer again = test::rvbench(
+      scratch.path(), {"explain", "--plant", "explained/plant_updated.json", "--rate", "500",
+                       "--rec", files[0], files[1], files[2], "--out", "explained"});
+  CHECK(again.code == 2);
+  CHECK_THAT(again.err, Contains("would replace the plant"));
+  CHECK(text_of(scratch / "explained/plant_updated.json") == plant);
+  const Answer over =
+      test::rvbench(scratch.path(), {"simulate", "--plant", "explained/plant_updated.json",
+                                     "--like", files[0], "--rate", "500", "--out", files[0]});
+  CHECK(over.code == 2);
+  CHECK_THAT(over.err, Contains("is what it would be made from"));
+  CHECK(text_of(scratch / files[0]) == record);
 }
 
 TEST_CASE("an interrupted explain ends ABORTED, and writes nothing", "[spec][explain]") {
