@@ -17,14 +17,9 @@ std::vector<CandidateProbe> probe_candidates(
     const PlantFamily& family,
     const std::function<std::variant<std::vector<sim::SteadyState>, hal::ConfigFault>(
         const sim::PlantSpec&)>& solve) {
-  std::vector<double> nominal;
-  for (const analysis::ModelParameter& p : family.base()) nominal.push_back(p.nominal);
   std::vector<CandidateProbe> probes(family.candidates().size());
   parallel_for(probes.size(), [&](std::size_t i) {
-    std::vector<double> values = nominal;
-    const std::vector<double>& own = family.candidates()[i].starts.front();
-    values.insert(values.end(), own.begin(), own.end());
-    auto states = solve(family.with({i}, values));
+    auto states = solve(family.with_usual(i));
     if (const auto* fault = std::get_if<hal::ConfigFault>(&states)) {
       probes[i].fault = fault->message;
       return;

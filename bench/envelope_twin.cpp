@@ -40,15 +40,10 @@ Eigen::VectorXd drawn_depth(const sim::Vibration& shown, const analysis::Spectru
   return squares.cwiseSqrt();
 }
 
-// What is seen of a depth among noise.
-double among_noise(double depth, const analysis::DepthNear& measured) {
-  return std::hypot(depth, measured.noise);
-}
-
 }  // namespace
 
 EnvelopeTwin::EnvelopeTwin(sim::PlantSpec plant, const sim::TermLibrary& library)
-    : plant_(std::move(plant)), terms_(library) {}
+    : Twin(std::move(plant), library) {}
 
 TwinOrRefusal EnvelopeTwin::make(sim::PlantSpec plant, const Campaign& campaign,
                                  const sim::TermLibrary& library) {
@@ -113,8 +108,6 @@ ParameterScales EnvelopeTwin::scales() const {
 
 Refusal EnvelopeTwin::choose_lines() {
   const EnvelopeRecord& record = records_.front();
-  std::vector<double> nominal;
-  for (const analysis::ModelParameter& p : base()) nominal.push_back(p.nominal);
   const auto as_it_is = solved(plant_, record);
   if (!as_it_is) return {{{0, "/terms", "the plant's vibration cannot be solved"}}, false};
   std::vector<std::vector<sim::Vibration>> shown(plant_.outputs.size());
@@ -133,10 +126,7 @@ Refusal EnvelopeTwin::choose_lines() {
     shown[o].push_back((*as_it_is)[o]);
   }
   for (std::size_t i = 0; i < library().size(); ++i) {
-    std::vector<double> values = nominal;
-    const std::vector<double>& own = library()[i].starts.front();
-    values.insert(values.end(), own.begin(), own.end());
-    const auto with = solved(family_->with({i}, values), record);
+    const auto with = solved(family_->with_usual(i), record);
     if (!with) {
       family_->cannot_show(i, "what it makes of a random vibration is not known");
       continue;
@@ -168,16 +158,15 @@ std::optional<std::vector<sim::Vibration>> EnvelopeTwin::solved(
   const auto& vibration = std::get<sim::RandomVibration>(made);
   std::vector<sim::Vibration> shown;
   for (std::size_t o = 0; o < plant.outputs.size(); ++o) {
-    shown.push_back(std::move(vibration.under(record.inputs, solved_band(plant.outputs[o]))[o]));
+    shown.push_back(vibration.under(record.inputs, o, solved_band(plant.outputs[o])));
   }
   return shown;
 }
 
-Eigen::VectorXd EnvelopeTwin::features_of(const std::vector<sim::Vibration>& shown,
-                                          const EnvelopeRecord& record, std::size_t block) const {
-  Eigen::VectorXd features(record.values[block].size());
+Eigen::VectorXd EnvelopeTwin::without_noise(const std::vector<sim::Vibration>& shown,
+                                            const EnvelopeRecord& record) const {
+  Eigen::VectorXd features(record.errors.size());
   Eigen::Index at = 0;
-  auto depth = record.depths[block].begin();
   for (std::size_t o = 0; o < shown.size(); ++o) {
     features.segment(at, level_parts) =
         levels_dB(mean_square_of(shown[o], solved_band(plant_.outputs[o])));
@@ -185,7 +174,21 @@ Eigen::VectorXd EnvelopeTwin::features_of(const std::vector<sim::Vibration>& sho
     for (const double order : orders_[o]) {
       const double frequency_Hz = order * record.shaft_Hz;
       const double width_Hz = line_width_Hz(frequency_Hz, record.shaft_Hz);
-      features[at++] = among_noise(depth_of(shown[o], frequency_Hz, width_Hz), *depth++);
+      features[at++] = depth_of(shown[o], frequency_Hz, width_Hz);
+    }
+  }
+  return features;
+}
+
+// What a stretch of the record would show of them: depths among its noise.
+Eigen::VectorXd EnvelopeTwin::shown_by(Eigen::VectorXd features, const EnvelopeRecord& record,
+                                       std::size_t block) const {
+  auto depth = record.depths[block].begin();
+  Eigen::Index at = 0;
+  for (const std::vector<double>& orders : orders_) {
+    at += level_parts;
+    for (std::size_t line = 0; line < orders.size(); ++line, ++at, ++depth) {
+      features[at] = std::hypot(features[at], depth->noise);
     }
   }
   return features;
@@ -199,16 +202,19 @@ std::optional<Eigen::VectorXd> EnvelopeTwin::residuals(const std::vector<std::si
   Eigen::VectorXd apart(units_.back().first + units_.back().size);
   Eigen::Index at = 0;
   const EnvelopeRecord* before = nullptr;
-  std::optional<std::vector<sim::Vibration>> shown;
+  Eigen::VectorXd features;
   for (const EnvelopeRecord& record : records_) {
     if (!record.about.learned_from) continue;
-    if (before == nullptr || before->inputs != record.inputs) shown = solved(plant, record);
-    if (!shown) return std::nullopt;
+    if (before == nullptr || before->inputs != record.inputs) {
+      const auto shown = solved(plant, record);
+      if (!shown) return std::nullopt;
+      features = without_noise(*shown, record);
+    }
     before = &record;
     for (std::size_t b = 0; b < record.values.size(); ++b) {
       const Eigen::VectorXd& measured = record.values[b];
       apart.segment(at, measured.size()) =
-          (measured - features_of(*shown, record, b)).cwiseQuotient(record.errors);
+          (measured - shown_by(features, record, b)).cwiseQuotient(record.errors);
       at += measured.size();
     }
   }

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "bench/envelope_records.hpp"
-#include "bench/plant_family.hpp"
 #include "bench/twin.hpp"
 
 namespace rvbench::bench {
@@ -27,9 +26,6 @@ class EnvelopeTwin final : public Twin {
   static TwinOrRefusal make(sim::PlantSpec plant, const Campaign& campaign,
                             const sim::TermLibrary& library = sim::standard_terms());
 
-  const std::vector<analysis::ObservedUnit>& units() const override { return units_; }
-  const std::vector<analysis::ModelParameter>& base() const override { return base_; }
-  const std::vector<analysis::Candidate>& library() const override { return family_->candidates(); }
   bool counts_standard_errors() const override { return true; }
   bool is_quick() const override { return true; }
   double least_mean_square() const override { return 1; }
@@ -37,10 +33,6 @@ class EnvelopeTwin final : public Twin {
                                            const std::vector<double>& values,
                                            const std::vector<bool>& trained) const override;
 
-  sim::PlantSpec plant_with(const std::vector<std::size_t>& effects,
-                            const std::vector<double>& values) const override {
-    return family_->with(effects, values);
-  }
   std::vector<Comparison> compare(const std::vector<std::size_t>& effects,
                                   const std::vector<double>& values) const override;
 
@@ -53,16 +45,13 @@ class EnvelopeTwin final : public Twin {
   void cut_units();
   std::optional<std::vector<sim::Vibration>> solved(const sim::PlantSpec& plant,
                                                     const EnvelopeRecord& record) const;
-  Eigen::VectorXd features_of(const std::vector<sim::Vibration>& shown,
-                              const EnvelopeRecord& record, std::size_t block) const;
+  Eigen::VectorXd without_noise(const std::vector<sim::Vibration>& shown,
+                                const EnvelopeRecord& record) const;
+  Eigen::VectorXd shown_by(Eigen::VectorXd features, const EnvelopeRecord& record,
+                           std::size_t block) const;
 
-  sim::PlantSpec plant_;
-  const sim::TermLibrary& terms_;
   std::vector<EnvelopeRecord> records_;
   std::vector<std::vector<double>> orders_;  ///< per output: lines that are compared
-  std::optional<PlantFamily> family_;
-  std::vector<analysis::ModelParameter> base_;
-  std::vector<analysis::ObservedUnit> units_;
 };
 
 }  // namespace rvbench::bench

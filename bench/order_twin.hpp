@@ -7,7 +7,6 @@
 
 #include "bench/candidate_probes.hpp"
 #include "bench/order_records.hpp"
-#include "bench/plant_family.hpp"
 #include "bench/twin.hpp"
 #include "sim/steady_state.hpp"
 
@@ -28,19 +27,12 @@ class OrderTwin final : public Twin {
   static TwinOrRefusal make(sim::PlantSpec plant, const Campaign& campaign,
                             const sim::TermLibrary& library = sim::standard_terms());
 
-  const std::vector<analysis::ObservedUnit>& units() const override { return units_; }
-  const std::vector<analysis::ModelParameter>& base() const override { return base_; }
-  const std::vector<analysis::Candidate>& library() const override { return family_->candidates(); }
   bool counts_standard_errors() const override { return true; }
   std::optional<Eigen::VectorXd> residuals(const std::vector<std::size_t>& effects,
                                            const std::vector<double>& values,
                                            const std::vector<bool>& trained) const override;
   bool is_quick() const override { return true; }
 
-  sim::PlantSpec plant_with(const std::vector<std::size_t>& effects,
-                            const std::vector<double>& values) const override {
-    return family_->with(effects, values);
-  }
   std::vector<Comparison> compare(const std::vector<std::size_t>& effects,
                                   const std::vector<double>& values) const override;
   Cells cells(const std::vector<std::size_t>& effects,
@@ -50,7 +42,7 @@ class OrderTwin final : public Twin {
 
  private:
   OrderTwin(sim::PlantSpec plant, const sim::TermLibrary& library)
-      : plant_(std::move(plant)), terms_(library) {}
+      : Twin(std::move(plant), library) {}
 
   Refusal load(const Campaign& campaign);
   void sort_in(OrderRecord& record, const Eigen::VectorXd& inputs);
@@ -66,16 +58,11 @@ class OrderTwin final : public Twin {
   Eigen::VectorXd features_of(const sim::SteadyState& state, const OrderCondition& condition) const;
   Eigen::VectorXd shown_by(Eigen::VectorXd features, const OrderRecord& record) const;
 
-  sim::PlantSpec plant_;
-  const sim::TermLibrary& terms_;
   std::size_t angle_ = 0;    ///< output that is the reference shaft's angle
   int turning_ = 0;          ///< body that it is the angle of
   double period_turns_ = 0;  ///< of that body
   std::vector<OrderCondition> conditions_;
   std::vector<OrderRecord> records_;
-  std::optional<PlantFamily> family_;
-  std::vector<analysis::ModelParameter> base_;
-  std::vector<analysis::ObservedUnit> units_;
 };
 
 }  // namespace rvbench::bench

@@ -29,9 +29,10 @@ PlantFamily::PlantFamily(sim::PlantSpec plant, const ParameterScales& scales,
   }
 }
 
-std::vector<analysis::ModelParameter> PlantFamily::base_by_tolerance() {
+std::vector<analysis::ModelParameter> PlantFamily::base_by_tolerance() const {
   std::vector<analysis::ModelParameter> weighed = base_;
-  const std::vector<sim::PlacedQuantity> all = sim::quantities(plant_);
+  sim::PlantSpec plant = plant_;
+  const std::vector<sim::PlacedQuantity> all = sim::quantities(plant);
   for (std::size_t i = 0; i < weighed.size(); ++i) {
     analysis::ModelParameter& p = weighed[i];
     if (!std::isfinite(all[moved_[i]].quantity->tolerance_pct)) continue;
@@ -57,6 +58,14 @@ void PlantFamily::stands_for(std::size_t candidate, std::size_t other) {
   analysis::Candidate& tried = candidates_.at(candidate);
   tried.alike.push_back({candidates_.at(other).name, candidates_.at(other).where});
   cannot_show(other, "looks like " + tried.name + " (" + tried.where + ")");
+}
+
+sim::PlantSpec PlantFamily::with_usual(std::size_t candidate) const {
+  std::vector<double> values;
+  for (const analysis::ModelParameter& p : base_) values.push_back(p.nominal);
+  const std::vector<double>& own = candidates_.at(candidate).starts.front();
+  values.insert(values.end(), own.begin(), own.end());
+  return with({candidate}, values);
 }
 
 sim::PlantSpec PlantFamily::with(const std::vector<std::size_t>& effects,

@@ -24,7 +24,7 @@ class PlantFamily {
   /// The same for residuals that count standard errors, so that what is known of the plant can be
   /// weighed against them: a tolerance is two standard deviations wide. What no record shows then
   /// stays where it was.
-  std::vector<analysis::ModelParameter> base_by_tolerance();
+  std::vector<analysis::ModelParameter> base_by_tolerance() const;
   const std::vector<analysis::Candidate>& candidates() const { return candidates_; }
 
   /// Data or comparison cannot show this candidate.
@@ -34,6 +34,9 @@ class PlantFamily {
 
   /// In all that is compared, the one looks like the other: only the first is tried.
   void stands_for(std::size_t candidate, std::size_t other);
+
+  /// The plant as it is, with one candidate of usual size.
+  sim::PlantSpec with_usual(std::size_t candidate) const;
 
   /// @param effects  indices into candidates()
   /// @param values   of base(), then of each effect's parameters

@@ -65,7 +65,7 @@ struct TimeTwin::Record {
 };
 
 TimeTwin::TimeTwin(sim::PlantSpec plant, const sim::TermLibrary& library)
-    : plant_(std::move(plant)), terms_(library) {
+    : Twin(std::move(plant), library) {
   for (const sim::InputSpec& input : plant_.inputs) band_Hz_ = std::max(band_Hz_, input.band_Hz);
 }
 
@@ -81,6 +81,7 @@ TwinOrRefusal TimeTwin::make(sim::PlantSpec plant, const Campaign& campaign,
                                1 / twin->first_learned().excitation.rate_Hz(),
                                twin->largest_deviation()};
   twin->family_.emplace(twin->plant_, scales, library);
+  twin->base_ = twin->family_->base();
   twin->cut_units();
   return std::unique_ptr<Twin>(std::move(twin));
 }

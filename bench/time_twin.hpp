@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "bench/plant_family.hpp"
 #include "bench/twin.hpp"
 #include "hal/config_reader.hpp"
 #include "sim/excitation.hpp"
@@ -24,19 +23,12 @@ class TimeTwin final : public Twin {
   static TwinOrRefusal make(sim::PlantSpec plant, const Campaign& campaign,
                             const sim::TermLibrary& library = sim::standard_terms());
 
-  const std::vector<analysis::ObservedUnit>& units() const override { return units_; }
-  const std::vector<analysis::ModelParameter>& base() const override { return family_->base(); }
-  const std::vector<analysis::Candidate>& library() const override { return family_->candidates(); }
   std::optional<Eigen::VectorXd> residuals(const std::vector<std::size_t>& effects,
                                            const std::vector<double>& values,
                                            const std::vector<bool>& trained) const override;
   /// Position and speed of the body that the first output is about, as the base moves it.
   Eigen::MatrixXd states() const override;
 
-  sim::PlantSpec plant_with(const std::vector<std::size_t>& effects,
-                            const std::vector<double>& values) const override {
-    return family_->with(effects, values);
-  }
   std::vector<Comparison> compare(const std::vector<std::size_t>& effects,
                                   const std::vector<double>& values) const override;
 
@@ -57,13 +49,9 @@ class TimeTwin final : public Twin {
   std::optional<Eigen::VectorXd> by_units(
       const std::function<std::optional<std::vector<Eigen::VectorXd>>(const Record&)>& show) const;
 
-  sim::PlantSpec plant_;
-  const sim::TermLibrary& terms_;
   double band_Hz_ = 0;  ///< 0: no limit
   std::vector<std::shared_ptr<Record>> records_;
   std::vector<double> spread_;  ///< per output: of what was measured
-  std::vector<analysis::ObservedUnit> units_;
-  std::optional<PlantFamily> family_;  ///< made once the recordings tell what is much
 };
 
 }  // namespace rvbench::bench

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <stop_token>
 #include <string>
@@ -11,6 +12,7 @@
 #include "analysis/explain/forward_model.hpp"
 #include "analysis/explain/residual_cells.hpp"
 #include "bench/campaign.hpp"
+#include "bench/plant_family.hpp"
 #include "bench/pushed_features.hpp"
 #include "sim/plant_spec.hpp"
 #include "sim/term_library.hpp"
@@ -26,9 +28,15 @@ class Twin : public analysis::ForwardModel {
     Interrupted() : std::runtime_error("interrupted") {}
   };
 
+  const std::vector<analysis::ObservedUnit>& units() const final { return units_; }
+  const std::vector<analysis::ModelParameter>& base() const final { return base_; }
+  const std::vector<analysis::Candidate>& library() const final { return family_->candidates(); }
+
   /// The plant with these effects and values: what an accepted explanation makes of it.
-  virtual sim::PlantSpec plant_with(const std::vector<std::size_t>& effects,
-                                    const std::vector<double>& values) const = 0;
+  sim::PlantSpec plant_with(const std::vector<std::size_t>& effects,
+                            const std::vector<double>& values) const {
+    return family_->with(effects, values);
+  }
 
   /// What was measured and what a model makes of it, for one record and output.
   struct Comparison {
@@ -66,10 +74,20 @@ class Twin : public analysis::ForwardModel {
   }
 
  protected:
+  /// @param library  outlives the twin
+  Twin(sim::PlantSpec plant, const sim::TermLibrary& library)
+      : plant_(std::move(plant)), terms_(library) {}
+
   /// @throws Interrupted if a stop is requested
   void stop_if_asked() const {
     if (stop_.stop_requested()) throw Interrupted();
   }
+
+  sim::PlantSpec plant_;
+  const sim::TermLibrary& terms_;
+  std::vector<analysis::ObservedUnit> units_;
+  std::optional<PlantFamily> family_;  ///< made once the recordings tell what is much
+  std::vector<analysis::ModelParameter> base_;
 
  private:
   std::stop_token stop_;

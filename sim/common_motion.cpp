@@ -22,10 +22,7 @@ constexpr double rounding = 1e-6;
 
 std::variant<Eigen::VectorXd, ConfigFault> common_motion(const PlantModel& model) {
   const Eigen::Index n = model.inertia.size();
-  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
-  Eigen::MatrixXd damping = stiffness;
-  for (const auto& term : model.terms) term->add_linear(stiffness, damping);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(stiffness, Eigen::ComputeFullV);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(linear_parts(model).stiffness, Eigen::ComputeFullV);
   const Eigen::VectorXd& held = svd.singularValues();
   const Eigen::Index free = (held.array() <= held_together * held[0]).count();
   if (free != 1) {

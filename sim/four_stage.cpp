@@ -85,11 +85,7 @@ FourStage::FourStage(const PlantModel& model, double step_s)
 }
 
 void FourStage::split_linear_part() {
-  const Eigen::Index bodies = model_.inertia.size();
-  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(bodies, bodies);
-  Eigen::MatrixXd damping = stiffness;
-  for (const auto& term : model_.terms) term->add_linear(stiffness, damping);
-
+  const auto [stiffness, damping] = linear_parts(model_);
   const auto n = static_cast<Eigen::Index>(free_.size());
   const auto given = static_cast<Eigen::Index>(model_.prescribed.size());
   const Eigen::Index m = model_.memory_size;

@@ -78,9 +78,7 @@ void Plant::sort_terms() {
 
 void Plant::set_flow() {
   const Eigen::Index n = model_.inertia.size(), m = model_.memory_size;
-  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
-  Eigen::MatrixXd damping = Eigen::MatrixXd::Zero(n, n);
-  for (const auto& term : model_.terms) term->add_linear(stiffness, damping);
+  const auto [stiffness, damping] = linear_parts(model_);
   const LinearBodies bodies(model_.inertia, stiffness, damping);
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(states_, states_);
   Eigen::MatrixXd b = Eigen::MatrixXd::Zero(states_, rates_);

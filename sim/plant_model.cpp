@@ -116,10 +116,7 @@ void wire_inputs(const PlantSpec& plant, PlantModel& model) {
 
 // rad/s of the fastest mode that bodies, springs and dampers have.
 double fastest_mode_rad_s(const PlantModel& model) {
-  const Eigen::Index n = model.inertia.size();
-  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
-  Eigen::MatrixXd damping = stiffness;
-  for (const auto& term : model.terms) term->add_linear(stiffness, damping);
+  auto [stiffness, damping] = linear_parts(model);
   for (const int body : model.prescribed) {
     stiffness.row(body).setZero();
     damping.row(body).setZero();
@@ -132,6 +129,22 @@ double fastest_mode_rad_s(const PlantModel& model) {
 
 int columns_of(InputKind kind) {
   return kind == InputKind::position || kind == InputKind::speed ? 3 : 1;
+}
+
+LinearParts linear_parts(const PlantModel& model) {
+  const Eigen::Index n = model.inertia.size();
+  LinearParts parts{Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n)};
+  for (const auto& term : model.terms) term->add_linear(parts.stiffness, parts.damping);
+  return parts;
+}
+
+Eigen::VectorXd si_inputs(const PlantModel& model, const Eigen::VectorXd& inputs) {
+  Eigen::VectorXd u(static_cast<Eigen::Index>(model.pushed.size()));
+  for (Eigen::Index i = 0; i < u.size(); ++i) {
+    const SignalTap& tap = model.taps[static_cast<std::size_t>(i)];
+    u[i] = tap.gain * inputs[tap.column] + tap.offset;
+  }
+  return u;
 }
 
 std::variant<PlantModel, hal::ConfigFault> make_model(const PlantSpec& plant,

@@ -38,6 +38,16 @@ int columns_of(InputKind kind);
 std::variant<PlantModel, hal::ConfigFault> make_model(
     const PlantSpec& plant, const TermLibrary& library = standard_terms());
 
+/// K and C of all terms' linear parts, n x n.
+struct LinearParts {
+  Eigen::MatrixXd stiffness, damping;
+};
+LinearParts linear_parts(const PlantModel& model);
+
+/// PlantState::u of a plant under constant inputs.
+/// @param inputs  of the channels of plant.inputs, in their order; none of them a motion
+Eigen::VectorXd si_inputs(const PlantModel& model, const Eigen::VectorXd& inputs);
+
 /// Steps per sample that resolve what the plant's nonlinear terms see: a 24th of its fastest
 /// period or less, where a hardening spring's swing keeps time to 5e-6.
 /// @return >= 1; 1 if every body's motion is prescribed, or the plant is linear

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "hal/types/units.hpp"
+#include "sim/linear_flow.hpp"
 #include "sim/named.hpp"
 
 namespace rvbench::sim {
@@ -79,14 +80,9 @@ std::variant<RandomVibration, hal::ConfigFault> RandomVibration::make(const Plan
     vibration.seen_.push_back(index_of(plant.bodies, output.of));
   }
   const Eigen::Index n = model.inertia.size();
-  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n), damping = stiffness;
-  for (const auto& term : model.terms) term->add_linear(stiffness, damping);
-  const Eigen::VectorXd mobility = model.inertia.cwiseInverse();
-  Eigen::MatrixXd flow = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-  flow.topRightCorner(n, n).setIdentity();
-  flow.bottomLeftCorner(n, n) = -(mobility.asDiagonal() * stiffness);
-  flow.bottomRightCorner(n, n) = -(mobility.asDiagonal() * damping);
-  const Eigen::EigenSolver<Eigen::MatrixXd> modes(flow);
+  const auto [stiffness, damping] = linear_parts(model);
+  const LinearBodies bodies(model.inertia, stiffness, damping);
+  const Eigen::EigenSolver<Eigen::MatrixXd> modes(bodies.a);
   vibration.poles_rad_s_ = modes.eigenvalues();
   const double fastest_rad_s = vibration.poles_rad_s_.cwiseAbs().maxCoeff();
   if (!(vibration.poles_rad_s_.real().maxCoeff() < told_apart * fastest_rad_s)) {
@@ -98,74 +94,60 @@ std::variant<RandomVibration, hal::ConfigFault> RandomVibration::make(const Plan
     return hal::ConfigFault{0, "/terms", "two modes are one and the same: they have no shapes"};
   }
   vibration.shapes_ = vectors.topRows(n);
-  Eigen::MatrixXcd pushes = Eigen::MatrixXcd::Zero(2 * n, n);
-  pushes.bottomRows(n).diagonal() = mobility.cast<Complex>();
-  vibration.participation_ = inverse.solve(pushes);
+  vibration.participation_ = inverse.solve(bodies.b.cast<Complex>());
   return vibration;
 }
 
-// What each output shows of a push with each frequency, one row for each output.
-Eigen::MatrixXcd RandomVibration::responses(const Eigen::VectorXd& push,
-                                            const Eigen::VectorXd& frequency_Hz) const {
-  const Eigen::VectorXcd excited = participation_ * push.cast<Complex>();
-  Eigen::MatrixXcd shown = Eigen::MatrixXcd::Zero(Eigen::Index(seen_.size()), frequency_Hz.size());
-  for (std::size_t o = 0; o < seen_.size(); ++o) {
-    const Eigen::VectorXcd residue = shapes_.row(seen_[o]).transpose().cwiseProduct(excited);
-    for (Eigen::Index i = 0; i < frequency_Hz.size(); ++i) {
-      const double omega_rad_s = units::two_pi * frequency_Hz[i];
-      Complex way = 0;
-      for (Eigen::Index p = 0; p < residue.size(); ++p) {
-        way += residue[p] / (Complex(0, omega_rad_s) - poles_rad_s_[p]);
-      }
-      shown(Eigen::Index(o), i) = way * sensed(plant_->outputs[o], omega_rad_s);
+// What an output shows of a push with each frequency.
+Eigen::VectorXcd RandomVibration::response(std::size_t output, const Eigen::VectorXd& push,
+                                           const Eigen::VectorXd& frequency_Hz) const {
+  const Eigen::VectorXcd residue =
+      shapes_.row(seen_[output]).transpose().cwiseProduct(participation_ * push.cast<Complex>());
+  return frequency_Hz.cast<Complex>().unaryExpr([&](const Complex& f_Hz) {
+    const double omega_rad_s = units::two_pi * f_Hz.real();
+    Complex way = 0;
+    for (Eigen::Index p = 0; p < residue.size(); ++p) {
+      way += residue[p] / (Complex(0, omega_rad_s) - poles_rad_s_[p]);
     }
-  }
-  return shown;
+    return way * sensed(plant_->outputs[output], omega_rad_s);
+  });
 }
 
-std::vector<Vibration> RandomVibration::under(const Eigen::VectorXd& inputs,
-                                              const FrequencyBand& band) const {
-  Eigen::VectorXd u(inputs.size());
-  for (Eigen::Index i = 0; i < u.size(); ++i) {
-    const SignalTap& tap = model_.taps[static_cast<std::size_t>(i)];
-    u[i] = tap.gain * inputs[i] + tap.offset;
-  }
+Vibration RandomVibration::under(const Eigen::VectorXd& inputs, std::size_t output,
+                                 const FrequencyBand& band) const {
+  const Eigen::VectorXd u = si_inputs(model_, inputs);
   std::vector<RandomForce> forces;
   for (const auto& term : model_.terms) {
     if (const auto* source = dynamic_cast<const RandomSource*>(term.get())) {
       source->add_random(u, model_.inertia.size(), forces);
     }
   }
-  Eigen::VectorXd frequency_Hz(band.size());
-  for (Eigen::Index i = 0; i < band.size(); ++i) frequency_Hz[i] = band.frequency_Hz(i);
-  std::vector<Vibration> all(seen_.size(), {Eigen::VectorXd::Zero(band.size()), {}});
+  const auto frequency_Hz = Eigen::VectorXd::NullaryExpr(band.size(), [&](Eigen::Index i) {
+                              return band.frequency_Hz(i);
+                            }).eval();
+  Vibration vibration{Eigen::VectorXd::Zero(band.size()), {}};
   for (const RandomForce& force : forces) {
-    const Eigen::MatrixXcd excited =
-        responses(force.push, frequency_Hz) * roots_of_density(force, frequency_Hz).asDiagonal();
-    for (std::size_t o = 0; o < all.size(); ++o) {
-      all[o].density += excited.row(Eigen::Index(o)).cwiseAbs2().transpose();
-    }
+    const auto excited_at = [&](const Eigen::VectorXd& at_Hz) {
+      return response(output, force.push, at_Hz)
+          .cwiseProduct(roots_of_density(force, at_Hz).cast<Complex>())
+          .eval();
+    };
+    const Eigen::VectorXcd excited = excited_at(frequency_Hz);
+    vibration.density += excited.cwiseAbs2();
     for (const RandomForce::Swell& swell : force.swells) {
       const auto within = static_cast<Eigen::Index>(
           std::max(0.0, (band.high_Hz - swell.frequency_Hz - band.low_Hz) / band.step_Hz + 1));
       if (within == 0 || swell.depth == 0) continue;
-      const Eigen::VectorXd beside_Hz = frequency_Hz.head(within).array() + swell.frequency_Hz;
-      const Eigen::MatrixXcd beside =
-          responses(force.push, beside_Hz) * roots_of_density(force, beside_Hz).asDiagonal();
-      for (std::size_t o = 0; o < all.size(); ++o) {
-        const auto row = static_cast<Eigen::Index>(o);
-        const Complex together =
-            (beside.row(row).array() * excited.row(row).head(within).array().conjugate()).sum();
-        add_swell(all[o].swells, {swell.frequency_Hz, swell.depth * std::abs(together)});
-      }
+      const Eigen::VectorXcd beside =
+          excited_at(frequency_Hz.head(within).array() + swell.frequency_Hz);
+      const Complex together = excited.head(within).dot(beside);
+      add_swell(vibration.swells, {swell.frequency_Hz, swell.depth * std::abs(together)});
     }
   }
-  for (Vibration& vibration : all) {
-    const double power = vibration.density.sum();
-    if (!(power > 0)) vibration.swells.clear();
-    for (RandomForce::Swell& swell : vibration.swells) swell.depth /= power;
-  }
-  return all;
+  const double power = vibration.density.sum();
+  if (!(power > 0)) vibration.swells.clear();
+  for (RandomForce::Swell& swell : vibration.swells) swell.depth /= power;
+  return vibration;
 }
 
 }  // namespace rvbench::sim

@@ -47,15 +47,16 @@ class RandomVibration {
       const PlantSpec& plant, const TermLibrary& library = standard_terms());
 
   /// @param inputs  of the channels of plant.inputs, in their order
-  /// @return one for each of the plant's outputs
-  std::vector<Vibration> under(const Eigen::VectorXd& inputs, const FrequencyBand& band) const;
+  /// @param output  of the plant's
+  Vibration under(const Eigen::VectorXd& inputs, std::size_t output,
+                  const FrequencyBand& band) const;
 
  private:
   RandomVibration(const PlantSpec& plant, PlantModel model)
       : plant_(&plant), model_(std::move(model)) {}
 
-  Eigen::MatrixXcd responses(const Eigen::VectorXd& push,
-                             const Eigen::VectorXd& frequency_Hz) const;
+  Eigen::VectorXcd response(std::size_t output, const Eigen::VectorXd& push,
+                            const Eigen::VectorXd& frequency_Hz) const;
 
   const PlantSpec* plant_;
   PlantModel model_;

@@ -50,16 +50,10 @@ SteadyMotion::SteadyMotion(const PlantModel& model, Eigen::VectorXd common,
       n_(model.inertia.size()),
       orders_(orders),
       count_(static_cast<Eigen::Index>(orders_.orders().size())),
-      u_(static_cast<Eigen::Index>(model.pushed.size())),
+      u_(si_inputs(model, inputs)),
       clock_rates_(Eigen::VectorXd::Zero(model.memory_size)),
-      linear_stiffness_(Eigen::MatrixXd::Zero(n_, n_)),
-      linear_damping_(Eigen::MatrixXd::Zero(n_, n_)),
+      linear_(linear_parts(model)),
       lines_(Eigen::MatrixXcd::Zero(n_, count_ + 1)) {
-  for (Eigen::Index i = 0; i < u_.size(); ++i) {
-    const SignalTap& tap = model.taps[static_cast<std::size_t>(i)];
-    u_[i] = tap.gain * inputs[tap.column] + tap.offset;
-  }
-  for (const auto& term : model.terms) term->add_linear(linear_stiffness_, linear_damping_);
   const PlantState still = mean_state(0);
   for (const auto& term : model.terms) {
     const double rhythm_Hz = term->rhythm_Hz(still);
@@ -244,17 +238,17 @@ bool SteadyMotion::come_to_rest(const Rest& rest) {
     });
     if (!pushes.allFinite()) return false;
     const Eigen::MatrixXcd remainder = lines_of(pushes, orders_);
-    Eigen::VectorXd mean = remainder.col(0).real() - linear_stiffness_ * lines_.col(0).real() -
-                           linear_damping_ * common_ * speed_rad_s_;
+    Eigen::VectorXd mean = remainder.col(0).real() - linear_.stiffness * lines_.col(0).real() -
+                           linear_.damping * common_ * speed_rad_s_;
     Eigen::MatrixXcd open =
-        remainder - linear_stiffness_ * lines_ - linear_damping_ * differentiated(lines_);
+        remainder - linear_.stiffness * lines_ - linear_.damping * differentiated(lines_);
     for (Eigen::Index k = 1; k <= count_; ++k) {
       open.col(k) += omega_rad_s(k) * omega_rad_s(k) *
                      model_.inertia.cast<Complex>().cwiseProduct(lines_.col(k));
     }
     const double largest_push =
         std::max(pushes.cwiseAbs().maxCoeff(),
-                 (linear_damping_ * common_ * speed_rad_s_).cwiseAbs().maxCoeff());
+                 (linear_.damping * common_ * speed_rad_s_).cwiseAbs().maxCoeff());
     const bool at_rest = largest(open.rightCols(count_)) <=
                              std::max(rest.lines * largest(remainder.rightCols(count_)),
                                       negligible_line * largest_push) &&

@@ -69,8 +69,8 @@ class SteadyMotion {
   const PeriodOrders& orders_;
   Eigen::Index count_;  // of lines
   Eigen::VectorXd u_, clock_rates_;
-  Eigen::MatrixXd linear_stiffness_, linear_damping_;  // of the terms' linear parts
-  Eigen::MatrixXd stiffness_, damping_;                // mean slopes of all forces
+  LinearParts linear_;
+  Eigen::MatrixXd stiffness_, damping_;  // mean slopes of all forces
   double speed_rad_s_ = 0;
   Eigen::MatrixXcd lines_;
 };

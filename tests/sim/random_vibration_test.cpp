@@ -98,7 +98,7 @@ Eigen::VectorXd recorded(const sim::PlantSpec& plant, double length_s, double ra
 
 TEST_CASE("one mass shows its own resonance curve times the force's density", "[sim]") {
   const sim::PlantSpec plant = seat_with({});
-  const sim::Vibration shown = vibration_of(plant).under(turning, band).at(0);
+  const sim::Vibration shown = vibration_of(plant).under(turning, 0, band);
   for (const double f_Hz : {300.0, 1000.0, 2010.0, 4000.0}) {
     const double w = 2 * pi * f_Hz;
     const double compliance = 1 / (std::pow(1.6e8 - w * w, 2) + std::pow(2000 * w, 2));
@@ -115,7 +115,7 @@ TEST_CASE("a spall on each part strikes at the orders that the rig's makers publ
     double part, order;
   };
   for (const auto& [part, order] : {Published{1, 3.5848}, {2, 5.4152}, {3, 4.7135}}) {
-    const sim::Vibration shown = vibration_of(seat_with(spall_on(part))).under(turning, band).at(0);
+    const sim::Vibration shown = vibration_of(seat_with(spall_on(part))).under(turning, 0, band);
     REQUIRE_FALSE(shown.swells.empty());
     CHECK(shown.swells.front().frequency_Hz / shaft_Hz == Approx(order).epsilon(2e-4));
     CHECK(shown.swells.front().depth > 1);
@@ -130,7 +130,7 @@ TEST_CASE("blows swell as their part goes through the load zone", "[sim]") {
        {Part{1, 3.58483, 0}, {2, 5.41517, 1}, {3, 4.71344, 0.39831}}) {
     sim::Parameters bearing = spall_on(part);
     bearing["load_zone_once"] = {0.6, "1"};
-    const sim::Vibration shown = vibration_of(seat_with(bearing)).under(turning, band).at(0);
+    const sim::Vibration shown = vibration_of(seat_with(bearing)).under(turning, 0, band);
     INFO("part " << part);
     for (const auto& swell : shown.swells) {
       const double beside = std::abs(swell.frequency_Hz / shaft_Hz - passes);
@@ -149,16 +149,16 @@ TEST_CASE("two bearings shake twice as much as one, in a simulation too", "[sim]
     return analysis::band_vibration(recorded(plant, 10, 48000), 48000, 300, 5100, 1).mean_square[0];
   };
   CHECK(power(two) / power(one) == Approx(2).epsilon(0.1));
-  CHECK(vibration_of(two).under(turning, band).at(0).density.sum() ==
-        Approx(2 * vibration_of(one).under(turning, band).at(0).density.sum()));
+  CHECK(vibration_of(two).under(turning, 0, band).density.sum() ==
+        Approx(2 * vibration_of(one).under(turning, 0, band).density.sum()));
 }
 
 TEST_CASE("of a swell that is faster than the structure rings, less is left", "[sim]") {
   sim::Parameters swelling{{"load_zone_once", {0.5, "1"}}};
   sim::PlantSpec plant = seat_with(swelling);
-  const double damped = depth_at(vibration_of(plant).under(turning, band).at(0), 1);
+  const double damped = depth_at(vibration_of(plant).under(turning, 0, band), 1);
   plant.terms[1].parameters["damping"].value = 100;  // rings for 20 ms, a shaft turns in 33
-  const double ringing = depth_at(vibration_of(plant).under(turning, band).at(0), 1);
+  const double ringing = depth_at(vibration_of(plant).under(turning, 0, band), 1);
   CHECK(damped == Approx(0.5).epsilon(0.05));
   CHECK(ringing < 0.5 * damped);
 }
@@ -168,7 +168,7 @@ TEST_CASE("what is solved is what a long simulation shows", "[sim]") {
   bearing["load_zone_twice"] = {0.3, "1"};
   bearing["impact_scatter"] = {0.04, "1"};
   const sim::PlantSpec plant = seat_with(bearing);
-  const sim::Vibration solved = vibration_of(plant).under(turning, band).at(0);
+  const sim::Vibration solved = vibration_of(plant).under(turning, 0, band);
   const Eigen::VectorXd x = recorded(plant, 26, 48000);
   const auto shown = analysis::band_vibration(x, 48000, 300, 5100, 4);
   const Eigen::Index part = band.size() / 4;
