@@ -18,7 +18,9 @@ using Complex = std::complex<double>;
 using hal::ConfigFault;
 using units::two_pi;
 
-constexpr int slopes_at = 11;  // angles of the period: few pushes come so often, or twice so often
+// Angles of the period, of which no push may come a multiple of times: it would look like a mean
+// slope. What goes round with the input shaft of a reducer of 121 comes a multiple of 11 times.
+constexpr int mean_angles = 7;
 constexpr double slope_step_rad = 1e-7;
 constexpr double slope_step_of_speed = 1e-6;
 constexpr double slopes_known_to = 1e-6;  // of the largest
@@ -155,6 +157,12 @@ bool SteadyMotion::find_speed() {
   return false;
 }
 
+std::vector<double> SteadyMotion::mean_angles_rad() {
+  std::vector<double> angles_rad;
+  for (int i = 0; i < mean_angles; ++i) angles_rad.push_back(two_pi * (i + 0.5) / mean_angles);
+  return angles_rad;
+}
+
 // Mean slopes of the forces over the period: what the oscillation pulls at.
 void SteadyMotion::find_slopes() {
   stiffness_ = damping_ = Eigen::MatrixXd::Zero(n_, n_);
@@ -162,8 +170,7 @@ void SteadyMotion::find_slopes() {
   PlantState s = mean_state(0);
   const Eigen::VectorXd v = s.v;
   Eigen::VectorXd above(n_), below(n_);
-  for (int angle = 0; angle < slopes_at; ++angle) {
-    const double turned_rad = two_pi * (angle + 0.5) / slopes_at;
+  for (const double turned_rad : mean_angles_rad()) {
     const Eigen::VectorXd q = lines_.col(0).real() + common_ * turned_rad;
     const auto add_slope = [&](double& value, double step, auto column) {
       const double middle = value;
@@ -172,7 +179,7 @@ void SteadyMotion::find_slopes() {
       value = middle - step;
       add_forces(s, false, below);
       value = middle;
-      column -= (above - below) / (2 * step * slopes_at);
+      column -= (above - below) / (2 * step * mean_angles);
     };
     s.q = q;
     s.v = v;

@@ -48,6 +48,9 @@ class SteadyMotion {
 
   /// Angles at zero, mean deflections, mean speeds, at this time.
   PlantState mean_state(double t_s) const;
+  /// Angles of the slowest body, evenly over the period: what a force does on average over these
+  /// counts as what it does to the mean motion.
+  static std::vector<double> mean_angles_rad();
   Eigen::Index samples() const { return orders_.samples(); }
   /// Calls see(sample, state) around one period.
   void go_round(const std::function<void(Eigen::Index, PlantState&)>& see) const;

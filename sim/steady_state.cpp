@@ -74,9 +74,10 @@ Eigen::MatrixXcd shaft_lines(const SteadySensors& sensors, const SteadyMotion& m
 }
 
 // What a term's own rhythm does to the outputs: forces at quarter periods give its line, the
-// bodies answer it about their mean motion, and the sensors are taken as linear there.
+// bodies answer it about their mean motion, and the sensors are taken as linear there, at all
+// angles alike: what goes round makes lines beside this one, and none of it.
 Eigen::VectorXcd timed_line(const SteadySensors& sensors, const SteadyMotion& motion,
-                            const PhysicsTerm& term, double rhythm_Hz) {
+                            Eigen::Index outputs, const PhysicsTerm& term, double rhythm_Hz) {
   const Eigen::Index n = motion.common().size();
   const auto push_at = [&](double part) {
     Eigen::VectorXd f = Eigen::VectorXd::Zero(n);
@@ -91,9 +92,16 @@ Eigen::VectorXcd timed_line(const SteadySensors& sensors, const SteadyMotion& mo
   const auto shown_at = [&](double part) {
     const Complex turn = std::polar(1.0, units::two_pi * part);
     PlantState s = motion.mean_state(part / rhythm_Hz);
-    s.q += (turn * way).real();
+    const Eigen::VectorXd q = s.q + (turn * way).real();
     s.v += (j * omega_rad_s * turn * way).real();
-    return sensors.values(s, (-omega_rad_s * omega_rad_s * turn * way).real());
+    const Eigen::VectorXd acceleration = (-omega_rad_s * omega_rad_s * turn * way).real();
+    const std::vector<double> angles_rad = SteadyMotion::mean_angles_rad();
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(outputs);
+    for (const double turned_rad : angles_rad) {
+      s.q = q + motion.common() * turned_rad;
+      sum += sensors.values(s, acceleration);
+    }
+    return (sum / double(angles_rad.size())).eval();
   };
   return 0.5 * ((shown_at(0) - shown_at(0.5)).cast<Complex>() -
                 j * (shown_at(0.25) - shown_at(0.75)).cast<Complex>());
@@ -114,7 +122,7 @@ SteadyState shown(const PlantSpec& plant, const PlantModel& model, const SteadyM
     const double rhythm_Hz = term->rhythm_Hz(motion.mean_state(0));
     if (rhythm_Hz == 0) continue;
     result.rhythms_Hz.push_back(rhythm_Hz);
-    timed.push_back(timed_line(sensors, motion, *term, rhythm_Hz));
+    timed.push_back(timed_line(sensors, motion, outputs, *term, rhythm_Hz));
   }
   for (Eigen::Index o = 0; o < outputs; ++o) {
     SteadyOutput output;

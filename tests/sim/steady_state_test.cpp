@@ -135,6 +135,23 @@ SCENARIO("what follows time keeps its frequency at every speed", "[sim][steady]"
   CHECK(state.outputs[1].shaft_lines.tail(8).cwiseAbs().maxCoeff() < 1e-9);
 }
 
+SCENARIO("a stiffness that goes round is none on average", "[sim][steady]") {
+  const std::string push = R"(, {"type": "external_force", "body_a": "rotor",
+    "parameters": {"amplitude": {"value": 0.05, "unit": "N·m"},
+                   "phase": {"value": 0, "unit": "rad"},
+                   "frequency": {"value": 50, "unit": "Hz"}}})";
+  const std::string goes_round = R"(, {"type": "lobes", "body_a": "rotor", "body_b": "wheel",
+    "parameters": {"stiffness": {"value": 3, "unit": "N·m/rad"},
+                   "lobes": {"value": )" +
+                                 std::to_string(GENERATE(3, 11, 22)) + R"(, "unit": "1"}}})";
+  const auto without = steady(two_wheels(push), 0.5);
+  const auto with = steady(two_wheels(push + goes_round), 0.5);
+  const double expected = std::abs(without.outputs[1].timed_lines[0]);
+  THEN("what follows time passes as if it were not there") {
+    CHECK(std::abs(with.outputs[1].timed_lines[0]) == Approx(expected).epsilon(1e-3));
+  }
+}
+
 SCENARIO("what cannot turn steadily is refused with its reason", "[sim][steady]") {
   const auto refused = [](const std::string& text, double torque_Nm) {
     auto result = solve(text, torque_Nm);
