@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "bench/campaign_points.hpp"
 #include "bench/simulated_recording.hpp"
@@ -18,13 +20,6 @@ constexpr double rated_rv20e_Nm = 167;
 const sim::TermSpec* motor_of(const sim::PlantSpec& plant) {
   const auto motor = std::ranges::find(plant.terms, "induction_motor", &sim::TermSpec::type);
   return motor == plant.terms.end() ? nullptr : &*motor;
-}
-
-double rated_torque_beside(const std::filesystem::path& file) {
-  const std::filesystem::path plan_file = file.parent_path() / "plan.json";
-  if (!std::filesystem::exists(plan_file)) return rated_rv20e_Nm;
-  const auto plan = sequences::read_plan(plan_file.string());
-  return plan.index() == 0 ? std::get<0>(plan).specimen.rated_output_torque_Nm : rated_rv20e_Nm;
 }
 
 }  // namespace
@@ -55,16 +50,48 @@ std::optional<DrivenBy> planned_inputs(const sim::PlantSpec& plant, const Record
   return driven;
 }
 
+double rated_torque_beside_Nm(const std::filesystem::path& file) {
+  const std::filesystem::path plan_file = file.parent_path() / "plan.json";
+  if (!std::filesystem::exists(plan_file)) return rated_rv20e_Nm;
+  const auto plan = sequences::read_plan(plan_file.string());
+  return plan.index() == 0 ? std::get<0>(plan).specimen.rated_output_torque_Nm : rated_rv20e_Nm;
+}
+
 DrivenBy what_drove(const sim::PlantSpec& plant, const Recording& recording,
-                    const std::filesystem::path& file) {
+                    double rated_output_torque_Nm) {
   const bool recorded = std::ranges::any_of(plant.inputs, [&](const sim::InputSpec& input) {
     return recording.find(input.channel) != nullptr;
   });
   if (!recorded) {
-    auto planned = planned_inputs(plant, recording, rated_torque_beside(file));
+    auto planned = planned_inputs(plant, recording, rated_output_torque_Nm);
     if (planned) return *std::move(planned);
   }
   return {recording.channels};
+}
+
+std::vector<Recording> points_of(const sequences::TestPlan& plan, double rate_Hz) {
+  std::vector<Recording> points;
+  for (const auto& phase : plan.main) {
+    const std::vector<hal::PlannedPoint> planned = phase->points();
+    auto point = planned.begin();
+    for (const sequences::Segment& segment : phase->timeline(plan.specimen)) {
+      if (!segment.recorded || point == planned.end()) continue;
+      Recording recording;
+      recording.source = plan.name;
+      recording.status = "ok";
+      recording.planned_speed_rpm = point->speed_rpm;
+      recording.load_pct = point->load_pct;
+      recording.repeat = point->repeat;
+      const auto samples = static_cast<Eigen::Index>(std::lround(segment.duration_s * rate_Hz));
+      recording.channels.push_back({{std::string(channel_names::input_torque), "", "", not_known},
+                                    rate_Hz,
+                                    0,
+                                    Eigen::VectorXd::Zero(samples)});
+      points.push_back(std::move(recording));
+      ++point;
+    }
+  }
+  return points;
 }
 
 std::vector<std::string> channels_of(const sim::PlantSpec& plant) {
@@ -75,9 +102,13 @@ std::vector<std::string> channels_of(const sim::PlantSpec& plant) {
 }
 
 void add_planned_inputs(const sim::PlantSpec& plant, Campaign& campaign) {
+  std::map<std::filesystem::path, double> rated_Nm;  // by the folder of the recording
   for (CampaignRecord& record : campaign.records) {
     if (!is_point(record.recording)) continue;
-    DrivenBy driven = what_drove(plant, record.recording, record.recording.source);
+    const std::filesystem::path source = record.recording.source;
+    const auto [rated, is_new] = rated_Nm.try_emplace(source.parent_path(), 0);
+    if (is_new) rated->second = rated_torque_beside_Nm(source);
+    DrivenBy driven = what_drove(plant, record.recording, rated->second);
     if (driven.lead_in == 0) continue;  // its own channels
     const double start_s = record.recording.find(channel_names::input_torque)->start_s;
     record.lead_in = driven.lead_in;

@@ -7,6 +7,7 @@
 
 #include "bench/campaign.hpp"
 #include "hal/types/recording.hpp"
+#include "sequences/plan.hpp"
 #include "sim/plant_spec.hpp"
 
 namespace rvbench::bench {
@@ -26,10 +27,16 @@ struct DrivenBy {
 std::optional<DrivenBy> planned_inputs(const sim::PlantSpec& plant, const Recording& point,
                                        double rated_output_torque_Nm);
 
-/// The recording's own channels if it holds an input of the plant, else planned_inputs() with the
-/// rated torque of plan.json beside `file`, 167 N·m without one.
+/// What 100 % load meant by plan.json beside a recording; 167 N·m without one.
+double rated_torque_beside_Nm(const std::filesystem::path& file);
+
+/// The recording's own channels if it holds an input of the plant, else planned_inputs().
 DrivenBy what_drove(const sim::PlantSpec& plant, const Recording& recording,
-                    const std::filesystem::path& file);
+                    double rated_output_torque_Nm);
+
+/// The points that a plan will record, in their order and as long, with nothing measured yet: an
+/// input_torque of zeros.
+std::vector<Recording> points_of(const sequences::TestPlan& plan, double rate_Hz);
 
 /// Names of the channels that drive a plant or that it shows.
 std::vector<std::string> channels_of(const sim::PlantSpec& plant);

@@ -1,7 +1,9 @@
 #include "sim/plant_json.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
+#include "hal/did_you_mean.hpp"
 #include "sim/plant_check.hpp"
 #include "sim/plant_files.hpp"
 #include "sim/plant_model.hpp"
@@ -149,6 +151,17 @@ bool noted_around(const std::vector<hal::ConfigFault>& faults, const std::string
   });
 }
 
+// What there is instead of a plant that is not.
+std::string shipped(const std::string& wrong) {
+  std::vector<std::string> names;
+  std::string list;
+  for (const EmbeddedFile& file : plant_files()) {
+    names.push_back(file.name);
+    list += (list.empty() ? "" : ", ") + file.name;
+  }
+  return " (there are: " + list + ')' + hal::did_you_mean(wrong, names);
+}
+
 }  // namespace
 
 PlantOrFaults parse_plant(ConfigReader root, const TermLibrary& library) {
@@ -182,6 +195,11 @@ PlantOrFaults read_plant(const std::string& name_or_path, const TermLibrary& lib
   for (const EmbeddedFile& file : plant_files()) {
     if (file.name != name_or_path) continue;
     return parse_plant(ConfigReader::from_text(file.text, file.name + ".json"), library);
+  }
+  std::error_code unknown;
+  if (!std::filesystem::exists(name_or_path, unknown) && !unknown) {
+    return std::vector<hal::ConfigFault>{
+        {0, "", "no such file or shipped plant" + shipped(name_or_path)}};
   }
   return parse_plant(ConfigReader::from_file(name_or_path), library);
 }

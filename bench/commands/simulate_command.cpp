@@ -1,14 +1,23 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <mutex>
 #include <system_error>
 
+#include "bench/campaign_source.hpp"
 #include "bench/commands/commands.hpp"
 #include "bench/file_kind.hpp"
+#include "bench/find_plan.hpp"
+#include "bench/plan_files.hpp"
 #include "bench/planned_inputs.hpp"
+#include "bench/progress_bar.hpp"
 #include "bench/run_folder.hpp"
+#include "bench/run_recordings.hpp"
 #include "bench/simulated_recording.hpp"
-#include "hal/formats/read_recordings.hpp"
+#include "bench/stop_on_signal.hpp"
+#include "hal/types/parallel_for.hpp"
 #include "sim/plant_files.hpp"
 #include "sim/plant_json.hpp"
 #include "sim/simulate.hpp"
@@ -16,38 +25,63 @@
 namespace rvbench::bench {
 namespace {
 
+constexpr double rate_of_plans_Hz = 1000;
+
+// What a plant is run along: a recording, or a point that a plan has.
+struct Course {
+  Recording like;
+  DrivenBy driven;
+};
+
+using Courses = std::vector<Course>;
+
+struct Run {
+  std::vector<Recording> recordings;
+  int substeps = 1;  ///< per sample, at most
+};
+
 class SimulateCommand final : public Command {
  public:
   std::string name() const override { return "simulate"; }
   std::string summary() const override {
-    return "runs a plant along the inputs of a recording, and writes what its sensors show";
+    return "runs a plant along a recording or a plan, and writes what its sensors show";
   }
   std::string examples() const override {
     return "  rvbench simulate --plant silverbox --like SNLS80mV.csv --rate 610.35 --out sim.csv\n"
            "  rvbench simulate --plant explained/plant_updated.json --like run1.csv --out "
            "sim.csv\n"
-           "  rvbench simulate --plant rv20e_bench --like runs/A17/20260102T030405Z/recording.h5 "
-           "--out sim.h5\n";
+           "  rvbench simulate --plant rv20e_bench --like runs/A17/20260102T030405Z --out sim.h5\n"
+           "  rvbench simulate --plant rv20e_bench --plan quick --out sim.h5\n";
   }
   std::vector<Option> options() override {
-    return {{"--plant", "plant: " + listed(names_of(sim::plant_files())) + ", or a plant file",
-             &plant_, true},
-            {"--like", "recording that holds the plant's inputs, or a run whose plan says them",
-             &like_, true},
-            {"--rate", "sample rate [Hz]; default: what the file states", &rate_Hz_},
-            {"--out",
-             "file to write: .csv with time, inputs and outputs, or .h5 with torque and angle of "
-             "every point",
-             &out_, true}};
+    return {
+        {"--plant", "plant: " + listed(names_of(sim::plant_files())) + ", or a plant file", &plant_,
+         true},
+        {"--like", "recording that holds the plant's inputs, or a run whose plan says them",
+         &like_},
+        {"--plan",
+         "instead: all points of a plan: " + listed(names_of(plan_files())) + ", or a plan file",
+         &plan_},
+        {"--rate",
+         fmt::format("sample rate [Hz]; default: what the file states, {:g} of a plan",
+                     rate_of_plans_Hz),
+         &rate_Hz_},
+        {"--out",
+         "file to write: .csv with time, inputs and outputs, or .h5 with torque and angle of "
+         "every point",
+         &out_, true}};
   }
   int run(Console& console) override;
 
  private:
-  int simulate(Console& console, const sim::PlantSpec& plant, const Recording& recording,
-               std::vector<Recording>& simulated, int& substeps) const;
-  void tell(Console& console, const std::vector<Recording>& simulated, int substeps) const;
+  std::variant<Courses, int> courses(Console& console, const sim::PlantSpec& plant) const;
+  std::variant<Courses, int> courses_of_plan(Console& console, const sim::PlantSpec& plant) const;
+  std::variant<Courses, int> courses_like(Console& console, const sim::PlantSpec& plant) const;
+  std::variant<Run, int> simulated(Console& console, const sim::PlantSpec& plant,
+                                   const Courses& along) const;
+  int write(Console& console, const Run& run) const;
 
-  std::string plant_, like_, out_;
+  std::string plant_, like_, plan_, out_;
   std::optional<double> rate_Hz_;
 };
 
@@ -62,73 +96,156 @@ std::string why_not_written(const std::string& out, const std::vector<std::strin
   return {};
 }
 
-int SimulateCommand::run(Console& console) {
-  if (!is_positive(console, "--rate", rate_Hz_)) return exit_codes::usage;
-  if (const std::string why = why_not_written(out_, {like_, plant_}); !why.empty()) {
-    return refuse_usage(console, "simulate: --out: " + why);
-  }
-  const auto plant = sim::read_plant(plant_);
-  if (plant.index() == 1) return refuse_file(console, plant_, std::get<1>(plant));
-  const sim::PlantSpec& spec = std::get<0>(plant);
-  auto read = hal::read_recordings(like_, {rate_Hz_.value_or(not_known), not_known});
-  if (!read) return refuse_data(console, read.error().where);
-  const bool as_hdf5 = out_.ends_with(".h5");
-  if (read.value().size() > 1 && !as_hdf5) {
-    return refuse_data(console, fmt::format("{} holds {} recordings; a CSV file takes one", like_,
-                                            read.value().size()));
-  }
-  std::vector<Recording> simulated;
-  int substeps = 0;
-  for (const Recording& recording : read.value()) {
-    const int code = simulate(console, spec, recording, simulated, substeps);
-    if (code != exit_codes::done) return code;
-  }
-  try {
-    if (as_hdf5) {
-      const Status written = write_hdf5(out_, simulated);
-      if (!written) return refuse_usage(console, "simulate: " + describe(written.error()));
-    } else {
-      write_file(out_, csv_of(simulated.front()));
-    }
-  } catch (const std::system_error& error) {
-    return refuse_usage(console, "simulate: " + std::string(error.what()));
-  }
-  tell(console, simulated, substeps);
-  return exit_codes::done;
+std::string name_of(const Recording& recording) {
+  return std::isnan(recording.load_pct)
+             ? recording.source
+             : fmt::format("{:g} rpm, {:g} %", recording.planned_speed_rpm, recording.load_pct);
 }
 
-// Adds the inputs of one recording and what the plant makes of them.
-int SimulateCommand::simulate(Console& console, const sim::PlantSpec& plant,
-                              const Recording& recording, std::vector<Recording>& simulated,
-                              int& substeps) const {
-  const DrivenBy driven = what_drove(plant, recording, like_);
-  auto run = sim::simulate(plant, driven.channels);
-  if (const auto* fault = std::get_if<hal::ConfigFault>(&run)) {
+// A course, and what the plant's sensors show along it.
+Recording simulated_along(const Course& course, const sim::PlantSpec& plant,
+                          std::vector<Channel> shown) {
+  Recording made = course.like;
+  made.channels.clear();
+  for (const sim::InputSpec& input : plant.inputs) {
+    made.channels.push_back(*find_channel(course.driven.channels, input.channel));
+  }
+  for (Channel& channel : shown) made.channels.push_back(std::move(channel));
+  for (Channel& channel : made.channels) drop_lead_in(channel, course.driven.lead_in);
+  return made;
+}
+
+std::variant<Courses, int> SimulateCommand::courses_of_plan(Console& console,
+                                                            const sim::PlantSpec& plant) const {
+  const auto read = find_plan(plan_);
+  if (read.index() == 1) return refuse_file(console, plan_, std::get<1>(read));
+  const sequences::TestPlan& plan = std::get<0>(read);
+  Courses all;
+  for (Recording& point : points_of(plan, rate_Hz_.value_or(rate_of_plans_Hz))) {
+    auto driven = planned_inputs(plant, point, plan.specimen.rated_output_torque_Nm);
+    if (!driven) {
+      return refuse_file(console, plant_,
+                         {{0, "/inputs",
+                           "a plan drives an induction_motor by the input supply, and a brake by "
+                           "brake_torque: this plant lacks them"}});
+    }
+    all.push_back({std::move(point), *std::move(driven)});
+  }
+  return all;
+}
+
+std::variant<Courses, int> SimulateCommand::courses_like(Console& console,
+                                                         const sim::PlantSpec& plant) const {
+  std::vector<std::filesystem::path> files{like_};
+  if (std::filesystem::is_directory(like_)) {
+    files.clear();
+    for (const std::string& name : recording_names(like_)) {
+      files.push_back(std::filesystem::path(like_) / name);
+    }
+    if (files.empty())
+      return refuse_data(console, like_ + ": no run folder: it holds no recording");
+  }
+  std::vector<std::string> wanted{std::string(channel_names::input_torque)};
+  for (const sim::InputSpec& input : plant.inputs) wanted.push_back(input.channel);
+  Courses all;
+  for (const std::filesystem::path& file : files) {
+    std::vector<std::string> notes;
+    auto read = read_source({file.string(), rate_Hz_.value_or(not_known)}, wanted, notes);
+    if (const auto* why = std::get_if<std::string>(&read)) return refuse_data(console, *why);
+    for (const std::string& note : notes) console.err << "note: " << note << '\n';
+    const double rated_Nm = rated_torque_beside_Nm(file);
+    for (Recording& recording : std::get<0>(read)) {
+      DrivenBy driven = what_drove(plant, recording, rated_Nm);
+      all.push_back({std::move(recording), std::move(driven)});
+    }
+  }
+  return all;
+}
+
+std::variant<Courses, int> SimulateCommand::courses(Console& console,
+                                                    const sim::PlantSpec& plant) const {
+  return plan_.empty() ? courses_like(console, plant) : courses_of_plan(console, plant);
+}
+
+int SimulateCommand::run(Console& console) {
+  if (!is_positive(console, "--rate", rate_Hz_)) return exit_codes::usage;
+  if (like_.empty() == plan_.empty()) {
+    return refuse_usage(console, "simulate: either --like or --plan is required");
+  }
+  if (const std::string why = why_not_written(out_, {like_, plan_, plant_}); !why.empty()) {
+    return refuse_usage(console, "simulate: --out: " + why);
+  }
+  const auto read = sim::read_plant(plant_);
+  if (read.index() == 1) return refuse_file(console, plant_, std::get<1>(read));
+  const sim::PlantSpec& plant = std::get<0>(read);
+  auto made = courses(console, plant);
+  if (const int* refused = std::get_if<int>(&made)) return *refused;
+  const Courses& along = std::get<Courses>(made);
+  if (along.size() > 1 && !out_.ends_with(".h5")) {
+    return refuse_data(console, fmt::format("{} holds {} recordings; a CSV file takes one",
+                                            like_ + plan_, along.size()));
+  }
+  auto done = simulated(console, plant, along);
+  if (const int* refused = std::get_if<int>(&done)) return *refused;
+  return write(console, std::get<Run>(done));
+}
+
+std::variant<Run, int> SimulateCommand::simulated(Console& console, const sim::PlantSpec& plant,
+                                                  const Courses& along) const {
+  const StopOnSignal signals;
+  ProgressBar bar(console, progress_style(console, false));
+  std::mutex one_at_a_time;
+  std::size_t done = 0;
+  Run run{std::vector<Recording>(along.size())};
+  std::vector<std::optional<hal::ConfigFault>> faults(along.size());
+  parallel_for(along.size(), [&](std::size_t i) {
+    if (signals.token().stop_requested()) return;
+    auto shown = sim::simulate(plant, along[i].driven.channels);
+    const std::scoped_lock locked(one_at_a_time);
+    if (auto* fault = std::get_if<hal::ConfigFault>(&shown)) {
+      faults[i] = std::move(*fault);
+      return;
+    }
+    run.substeps = std::max(run.substeps, std::get<0>(shown).substeps);
+    run.recordings[i] = simulated_along(along[i], plant, std::move(std::get<0>(shown).channels));
+    if (along.size() > 1) {
+      bar.show("simulate", double(++done) / double(along.size()), name_of(along[i].like));
+    }
+  });
+  bar.clear();
+  if (signals.token().stop_requested()) {
+    complain(console, "rvbench: simulate: interrupted; nothing was written");
+    return exit_codes::aborted;
+  }
+  for (const auto& fault : faults) {
+    if (!fault) continue;
     refuse_file(console, plant_, {*fault});
     const bool of_recording = fault->pointer.starts_with("/inputs");
     return of_recording ? exit_codes::data_refused : exit_codes::bad_file;
   }
-  auto& shown = std::get<sim::Simulated>(run);
-  substeps = shown.substeps;
-  Recording made = recording;
-  made.channels.clear();
-  for (const sim::InputSpec& input : plant.inputs) {
-    made.channels.push_back(*find_channel(driven.channels, input.channel));
-  }
-  for (Channel& channel : shown.channels) made.channels.push_back(std::move(channel));
-  for (Channel& channel : made.channels) drop_lead_in(channel, driven.lead_in);
-  simulated.push_back(std::move(made));
-  return exit_codes::done;
+  return run;
 }
 
-void SimulateCommand::tell(Console& console, const std::vector<Recording>& simulated,
-                           int substeps) const {
+int SimulateCommand::write(Console& console, const Run& run) const {
+  try {
+    if (out_.ends_with(".h5")) {
+      const Status written = write_hdf5(out_, run.recordings);
+      if (!written) return refuse_usage(console, "simulate: " + describe(written.error()));
+    } else {
+      write_file(out_, csv_of(run.recordings.front()));
+    }
+  } catch (const std::system_error& error) {
+    return refuse_usage(console, "simulate: " + std::string(error.what()));
+  }
   Eigen::Index samples = 0;
-  for (const Recording& recording : simulated) samples += recording.channels.front().samples.size();
+  for (const Recording& recording : run.recordings)
+    samples += recording.channels.front().samples.size();
   const std::string of_points =
-      simulated.size() > 1 ? fmt::format(" of {} points", simulated.size()) : "";
+      run.recordings.size() > 1 ? fmt::format(" of {} points", run.recordings.size()) : "";
   console.out << fmt::format("{}: {} samples{} at {:g} Hz, {} steps each\n", out_, samples,
-                             of_points, simulated.front().channels.front().rate_Hz, substeps);
+                             of_points, run.recordings.front().channels.front().rate_Hz,
+                             run.substeps);
+  return exit_codes::done;
 }
 
 }  // namespace

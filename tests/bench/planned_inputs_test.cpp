@@ -63,7 +63,7 @@ TEST_CASE("a channel that was recorded goes before the plan", "[bench]") {
   Recording recording = point(605, 50);
   recording.channels.push_back(recording.channels.front());
   recording.channels.back().info.name = "supply";
-  const DrivenBy driven = what_drove(sim::rv20e_bench(), recording, "recording.h5");
+  const DrivenBy driven = what_drove(sim::rv20e_bench(), recording, 167);
   CHECK(driven.lead_in == 0);
   CHECK(driven.channels.size() == 3);
 }
@@ -94,7 +94,8 @@ TEST_CASE("records of a run are driven by its plan, in step with what was record
 TEST_CASE("100 % load is what the plan beside the recording says", "[bench]") {
   const rvbench::test::ScratchFolder scratch;
   const auto brake_Nm = [&] {
-    const auto driven = what_drove(sim::rv20e_bench(), point(605, 50), scratch / "recording.h5");
+    const double rated_Nm = rated_torque_beside_Nm(scratch / "recording.h5");
+    const auto driven = what_drove(sim::rv20e_bench(), point(605, 50), rated_Nm);
     return find_channel(driven.channels, "brake_torque")->samples[0];
   };
   CHECK(brake_Nm() == Approx(83.5));

@@ -57,6 +57,32 @@ TEST_CASE("simulate shows what the shipped bench makes of a run's points", "[spe
   CHECK_THAT(csv.err, Contains("holds 2 recordings"));
 }
 
+TEST_CASE("simulate runs a plant along a plan, before anything is measured", "[spec][simulate]") {
+  const ScratchFolder scratch;
+  const auto along = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"simulate", "--plan", "quick", "--out", "sim.h5", "--plant"});
+    return test::rvbench(scratch.path(), words);
+  };
+  const Answer answer = along({"rv20e_bench", "--rate", "200"});
+  INFO(answer.err);
+  REQUIRE(answer.code == 0);
+  CHECK_THAT(answer.err, Contains("simulate") && Contains("100 %"));
+  const auto simulated = hal::read_recordings(scratch / "sim.h5");
+  REQUIRE(simulated);
+  for (const Recording& point : simulated.value()) {
+    // The motor slips by 2 to 3 % at rated load: the article.
+    CHECK(point.speed_rpm < point.planned_speed_rpm);
+    CHECK(point.speed_rpm > 0.95 * point.planned_speed_rpm);
+    // Four turns of the output, at the planned speed.
+    CHECK(point.find("input_torque")->samples.size() ==
+          Approx(4 * 121 * 60 / point.planned_speed_rpm * 200).margin(1));
+  }
+  const Answer other = along({"emps"});
+  CHECK(other.code == 3);
+  CHECK_THAT(other.err, Contains("emps: /inputs: ") && Contains("supply"));
+  CHECK(along({"rv20e_bench", "--like", "sim.h5"}).code == 2);
+}
+
 TEST_CASE("a run on a plant that is none ends with the pointer", "[spec][simulate]") {
   const ScratchFolder scratch;
   bench::write_file(scratch / "plant.json", R"({"plant": "stub",
