@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bench/campaign_points.hpp"
 #include "bench/uniform_time.hpp"
@@ -13,6 +14,7 @@ namespace rvbench::bench {
 namespace {
 
 constexpr hal::Bounds any{-1e300, 1e300};
+constexpr std::string_view own_time_column = "time_s";
 
 auto read_file(const std::string& path, const CampaignSource& as) {
   return hal::read_recordings(path, {as.time_column.empty() ? as.rate_Hz : not_known, not_known});
@@ -29,18 +31,29 @@ std::string name_columns(Recording& recording, const std::vector<std::string>& c
   return {};
 }
 
+// The column of time stamps: the one that is named, or, where nobody states a rate, time_s, which
+// is what rvbench calls it.
+std::string time_column_of(const Recording& recording, const CampaignSource& source) {
+  const bool states_rate =
+      !std::isnan(source.rate_Hz) ||
+      std::ranges::all_of(recording.channels, [](const Channel& c) { return c.rate_Hz > 0; });
+  if (!source.time_column.empty() || states_rate) return source.time_column;
+  return recording.find(own_time_column) == nullptr ? "" : std::string(own_time_column);
+}
+
 // Takes the time column out and puts the others on uniform times.
 std::string use_time_column(Recording& recording, const CampaignSource& source,
                             std::vector<std::string>& notes) {
-  if (source.time_column.empty()) return {};
-  const Channel* stamps = recording.find(source.time_column);
-  if (stamps == nullptr) return "there is no column " + hal::in_quotes(source.time_column);
+  const std::string name = time_column_of(recording, source);
+  if (name.empty()) return {};
+  const Channel* stamps = recording.find(name);
+  if (stamps == nullptr) return "there is no column " + hal::in_quotes(name);
   const Eigen::VectorXd time_s = stamps->samples;
   const auto made = uniform_time(time_s, source.rate_Hz);
   if (const auto* fault = std::get_if<std::string>(&made)) return *fault;
   const UniformTime& time = std::get<UniformTime>(made);
   std::erase_if(recording.channels, [&](const Channel& channel) {
-    return channel.info.name == source.time_column || channel.samples.size() != time_s.size();
+    return channel.info.name == name || channel.samples.size() != time_s.size();
   });
   for (Channel& channel : recording.channels) {
     channel.rate_Hz = time.rate_Hz;

@@ -150,6 +150,18 @@ TEST_CASE("columns without names get theirs from the campaign", "[bench][explain
   CHECK(campaign.notes.empty());
 }
 
+TEST_CASE("a column time_s says the rate where nobody else does", "[bench][explain]") {
+  const test::ScratchFolder scratch;
+  std::ofstream(scratch / "own.csv") << "time_s,way\n0,1\n0.01,2\n0.02,3\n0.03,4\n";
+  const auto read = [&](double rate_Hz) {
+    return std::get<Campaign>(campaign_of({scratch / "own.csv"}, rate_Hz)).records[0].recording;
+  };
+  const Recording stamped = read(not_known);
+  REQUIRE(stamped.channels.size() == 1);
+  CHECK(stamped.channels[0].rate_Hz == Approx(100));
+  CHECK(read(50).find("way")->rate_Hz == 50);
+}
+
 TEST_CASE("what a campaign does not say right is told with its place", "[bench][explain]") {
   const test::ScratchFolder scratch;
   write_ramp(scratch / "ramp.csv", 100);
