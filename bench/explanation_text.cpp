@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rvbench::bench {
 namespace {
 
 constexpr std::size_t most_places = 5;
 constexpr std::size_t most_sources = 2;
+constexpr std::size_t most_records = 12;
 
 std::string estimate_text(const analysis::Estimate& e) {
   return fmt::format("{} {:.4g} {} (90 %: {:.4g} to {:.4g})", e.name, e.value, e.unit, e.low,
@@ -86,15 +88,26 @@ void print_located(Console& console, const Located& located) {
   }
 }
 
-void print_records(Console& console, const std::vector<RecordError>& records) {
+// Those that were only predicted, then the worst.
+void print_records(Console& console, std::vector<RecordError> records) {
   if (records.empty()) return;
   console.out << "\n  error by record, as the plant was -> with what was left out\n";
+  const std::size_t all = records.size();
+  if (all > most_records) {
+    std::ranges::stable_sort(records, {}, [](const RecordError& r) {
+      return std::pair(r.learned_from, std::isfinite(r.relative_after) ? -r.relative_after : 0.0);
+    });
+    records.resize(most_records);
+  }
   for (const RecordError& r : records) {
     console.out << fmt::format("    {:31} {:9} {:.4g} -> {:.4g} {} ({:.3g} -> {:.3g} %){}\n",
                                r.record, r.channel, r.before, r.after, r.unit,
                                100 * r.relative_before, 100 * r.relative_after,
                                r.learned_from ? "" : ", only predicted");
     if (r.mean) console.out << predicted_text(*r.mean, r.unit);
+  }
+  if (all > most_records) {
+    console.out << fmt::format("    and {} more: see explain.json\n", all - most_records);
   }
 }
 

@@ -187,15 +187,19 @@ int ExplainCommand::run(Console& console) {
   auto read = campaign(std::get<0>(plant));
   if (const auto* refusal = std::get_if<Refusal>(&read)) {
     if (!refusal->of_recordings) return refuse_file(console, files_.front(), refusal->faults);
-    for (const hal::ConfigFault& fault : refusal->faults) complain(console, fault.message);
+    for (const hal::ConfigFault& fault : refusal->faults) refuse_data(console, fault.message);
     return exit_codes::data_refused;
   }
   const Campaign& campaign = std::get<0>(read);
   auto made = make_twin(std::get<0>(std::move(plant)), campaign);
   if (const auto* refusal = std::get_if<Refusal>(&made)) {
-    refuse_file(console, plant_, refusal->faults);
+    if (!refusal->of_recordings) return refuse_file(console, plant_, refusal->faults);
+    for (const hal::ConfigFault& fault : refusal->faults) {
+      const std::string at = fault.pointer.empty() ? "" : plant_ + ": " + fault.pointer + ": ";
+      refuse_data(console, at + fault.message);
+    }
     tell_notes(console, campaign);
-    return refusal->of_recordings ? exit_codes::data_refused : exit_codes::bad_file;
+    return exit_codes::data_refused;
   }
   Twin& twin = *std::get<0>(made);
   std::error_code unusable;
