@@ -184,7 +184,7 @@ PushedFeatures order_pushes(const sim::PlantSpec& plant, const sim::TermLibrary&
     if (!shown) continue;
     const auto response = steady->response(states[c], conditions[c].inputs, orders,
                                            frequencies_of(conditions[c], states[c]));
-    if (!response) return {};
+    if (!response) continue;  // nothing can be said of it
     features.add(c, conditions[c], *shown, states[c], *response);
   }
   return std::move(features).told();

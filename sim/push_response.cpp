@@ -96,8 +96,9 @@ std::vector<PushSite> push_sites(const PlantSpec& plant, const PlantModel& model
   return sites;
 }
 
-PushResponse push_response(const PlantSpec& plant, const PlantModel& model,
-                           const SteadyMotion& motion, const std::vector<double>& frequencies_Hz) {
+std::optional<PushResponse> push_response(const PlantSpec& plant, const PlantModel& model,
+                                          const SteadyMotion& motion,
+                                          const std::vector<double>& frequencies_Hz) {
   const Slopes slopes = slopes_of(SteadySensors(plant, model), motion);
   const Eigen::Index n = motion.common().size();
   PushResponse response;
@@ -117,7 +118,9 @@ PushResponse push_response(const PlantSpec& plant, const PlantModel& model,
   balance.topLeftCorner(n, n) = motion.impedance(0).real();
   balance.topRightCorner(n, 1) = drag;
   balance.bottomLeftCorner(1, n) = motion.common().transpose();
-  const Eigen::MatrixXd answer = balance.fullPivLu().inverse().leftCols(n);
+  const Eigen::FullPivLU<Eigen::MatrixXd> parts(balance);
+  if (!parts.isInvertible()) return std::nullopt;
+  const Eigen::MatrixXd answer = parts.inverse().leftCols(n);
   response.slowest_rad_s = answer.row(n);
   response.means =
       slopes.of_way * answer.topRows(n) + slopes.of_speed * motion.common() * answer.row(n);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,7 +40,9 @@ struct PushResponse {
 ///
 /// @param motion  of the plant, solved
 /// @param frequencies_Hz  > 0
-PushResponse push_response(const PlantSpec& plant, const PlantModel& model,
-                           const SteadyMotion& motion, const std::vector<double>& frequencies_Hz);
+/// @return nothing if a constant force finds no balance
+std::optional<PushResponse> push_response(const PlantSpec& plant, const PlantModel& model,
+                                          const SteadyMotion& motion,
+                                          const std::vector<double>& frequencies_Hz);
 
 }  // namespace rvbench::sim

@@ -198,27 +198,41 @@ std::vector<std::size_t> as_good_sites(const LinePushes& line) {
   return sites;
 }
 
-// Each line goes to the first source that has a site for it too.
+// The site that the most of these lines may come from; of several, the first that is met.
+std::size_t commonest_site(const std::vector<LinePushes>& lines,
+                           const std::vector<std::size_t>& open) {
+  std::vector<std::size_t> met;
+  for (const std::size_t line : open) {
+    const std::vector<std::size_t> sites = as_good_sites(lines[line]);
+    met.insert(met.end(), sites.begin(), sites.end());
+  }
+  return *std::ranges::max_element(met, {},
+                                   [&](std::size_t site) { return std::ranges::count(met, site); });
+}
+
+// As few sources as explain all lines: each time the site that most of those left may come from,
+// and with it all sites that each of these may come from as well.
 std::vector<PushSource> sources_of(const std::vector<LinePushes>& lines) {
-  std::vector<PushSource> sources;
+  std::vector<std::size_t> open;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (!lines[i].are_explained()) continue;
-    const std::vector<std::size_t> sites = as_good_sites(lines[i]);
-    if (sites.size() == lines[i].sites.size()) continue;
-    const auto in_common = [&](PushSource source) {
-      std::erase_if(source.sites, [&](std::size_t site) {
-        return std::ranges::find(sites, site) == sites.end();
+    const bool may_be_anywhere = as_good_sites(lines[i]).size() == lines[i].sites.size();
+    if (lines[i].are_explained() && !may_be_anywhere) open.push_back(i);
+  }
+  std::vector<PushSource> sources;
+  while (!open.empty()) {
+    const std::size_t site = commonest_site(lines, open);
+    PushSource source;
+    std::erase_if(open, [&](std::size_t line) {
+      const std::vector<std::size_t> sites = as_good_sites(lines[line]);
+      if (std::ranges::find(sites, site) == sites.end()) return false;
+      if (source.lines.empty()) source.sites = sites;
+      std::erase_if(source.sites, [&](std::size_t known) {
+        return std::ranges::find(sites, known) == sites.end();
       });
-      return source.sites;
-    };
-    const auto source = std::ranges::find_if(
-        sources, [&](const PushSource& known) { return !in_common(known).empty(); });
-    if (source == sources.end()) {
-      sources.push_back({{i}, sites});
-    } else {
-      source->sites = in_common(*source);
-      source->lines.push_back(i);
-    }
+      source.lines.push_back(line);
+      return true;
+    });
+    sources.push_back(std::move(source));
   }
   return sources;
 }

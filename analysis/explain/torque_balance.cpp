@@ -11,6 +11,7 @@ namespace rvbench::analysis {
 namespace {
 
 constexpr double chance = 0.01;
+constexpr double least_apart = 1e-9;          // sine of the angle between two answers
 constexpr std::size_t fewest_conditions = 5;  // two more than a law has numbers
 constexpr Eigen::Index constant = 0, of_load = 1, of_speed = 2;
 
@@ -70,10 +71,18 @@ Regression without_chance(const Eigen::MatrixXd& laws, const Eigen::VectorXd& to
   }
 }
 
+// Whether torque and speed answer a torque on the left otherwise than one on the right.
+bool parts_sides(const Eigen::Matrix2d& response) {
+  const double largest = response.col(0).norm() * response.col(1).norm();
+  return largest > 0 && std::abs(response.determinant()) > least_apart * largest;
+}
+
 }  // namespace
 
 std::vector<SideBalance> torque_balances(const std::vector<TransducerMeans>& conditions) {
-  if (conditions.size() < fewest_conditions) return {};
+  const bool are_parted = std::ranges::all_of(
+      conditions, [](const TransducerMeans& c) { return parts_sides(c.response); });
+  if (conditions.size() < fewest_conditions || !are_parted) return {};
   std::vector<Eigen::Index> columns;
   const Eigen::MatrixXd laws = centred_laws(conditions, columns);
   std::vector<SideBalance> all;

@@ -41,7 +41,8 @@ struct SideBalance {
 /// law over load and speed is a weighted regression over conditions. What may be chance in it
 /// (p > 0.01) is left out, and standard errors grow where conditions scatter by more than theirs.
 ///
-/// @return of each side that differs by more than chance; empty for fewer than five conditions
+/// @return of each side that differs by more than chance; empty for fewer than five conditions, and
+///         where torque and speed answer both sides alike
 /// Source  Draper & Smith, Applied Regression Analysis (1998), ch. 15: backward elimination
 std::vector<SideBalance> torque_balances(const std::vector<TransducerMeans>& conditions);
 

@@ -116,6 +116,35 @@ SCENARIO("lines that one site may have brought are one source, others another",
   }
 }
 
+SCENARIO("two sources stay two where a third site might have brought a line of each",
+         "[analysis][explain][locate]") {
+  // Of the largest line of either, the third site cannot be told from the one that acts.
+  constexpr std::size_t first = 0, second = 1, third = 2;
+  Campaign campaign(6);
+  const auto add = [&](int order, std::size_t acts, bool is_ambiguous, double size) {
+    const std::size_t before = campaign.lines.size();
+    campaign.add(order, 0, acts, 0, 0);
+    for (std::size_t i = before; i < campaign.lines.size(); ++i) {
+      PushedLine& line = campaign.lines[i];
+      line.response = Eigen::RowVectorXcd::Constant(3, 0.1);
+      line.response[Eigen::Index(i % 9 / 3)] = 1;  // each resounds at a speed of its own
+      if (is_ambiguous) line.response[Eigen::Index(third)] = line.response[Eigen::Index(acts)];
+      line.measured += size * std::abs(line.response[Eigen::Index(acts)]);
+    }
+  };
+  add(1, first, true, 0.5);
+  add(2, second, true, 0.4);
+  for (const int order : {3, 5}) add(order, first, false, 0.1);
+  for (const int order : {4, 6}) add(order, second, false, 0.1);
+  const Pushes pushes = find_pushes(campaign.lines, campaign.found);
+  REQUIRE(pushes.sources.size() == 2);
+  for (const PushSource& source : pushes.sources) {
+    REQUIRE(source.sites.size() == 1);
+    CHECK(source.sites[0] != third);
+    CHECK(source.lines.size() == 3);
+  }
+}
+
 TEST_CASE("a force that no site of the model has explains nothing", "[analysis][explain][locate]") {
   Campaign campaign(4);
   campaign.add(2, 0, drive, 0, 0);

@@ -89,6 +89,12 @@ TEST_CASE("too few conditions tell no law", "[analysis][explain][locate]") {
   CHECK(torque_balances(few).empty());
 }
 
+TEST_CASE("where both sides answer alike neither is told", "[analysis][explain][locate]") {
+  auto all = campaign(7, nothing, [](double, double) { return 0.5; });
+  all[3].response.col(1) = -2 * all[3].response.col(0);
+  CHECK(torque_balances(all).empty());
+}
+
 TEST_CASE("speed alone, at one load, is no law of load", "[analysis][explain][locate]") {
   std::vector<TransducerMeans> unloaded;
   for (const double speed_rad_s : {20.0, 40.0, 63.0, 90.0, 127.0, 190.0}) {
