@@ -12,7 +12,8 @@
 namespace rvbench::bench {
 namespace {
 
-constexpr double least_lines_per_part = 2;  // of a stretch's spectrum, to tell a level by
+constexpr double least_lines_per_part = 2;          // of a stretch's spectrum, to tell a level by
+constexpr double one_line = 1.5 / turns_per_block;  // orders: neighbours show one another
 
 // A solved squared envelope over the lines of a measured one: its swells where the highest lines
 // within their slip are, each as wide as a Hann window makes it, among what noise shows.
@@ -219,6 +220,48 @@ std::optional<Eigen::VectorXd> EnvelopeTwin::residuals(const std::vector<std::si
     }
   }
   return apart;
+}
+
+Twin::Cells EnvelopeTwin::cells(const std::vector<std::size_t>& effects,
+                                const std::vector<double>& values) const {
+  const sim::PlantSpec plant = plant_with(effects, values);
+  Cells cells{{}, one_line};
+  for (const EnvelopeRecord& record : records_) {
+    if (!record.about.learned_from) continue;
+    const auto shown = solved(plant, record);
+    if (!shown) return {};
+    const Eigen::VectorXd features = without_noise(*shown, record);
+    const auto blocks = static_cast<double>(record.values.size());
+    Eigen::VectorXd apart = Eigen::VectorXd::Zero(features.size());
+    for (std::size_t b = 0; b < record.values.size(); ++b) {
+      apart += (record.values[b] - shown_by(features, record, b)) / blocks;
+    }
+    add_cells(record, apart, cells);
+  }
+  return cells;
+}
+
+void EnvelopeTwin::add_cells(const EnvelopeRecord& record, const Eigen::VectorXd& apart,
+                             Cells& cells) const {
+  const double root = std::sqrt(static_cast<double>(record.values.size()));
+  Eigen::Index at = 0;
+  const auto add = [&](const std::string& channel, const char* unit, analysis::LockedTo locked_to,
+                       double place) {
+    cells.all.push_back({channel, unit, record.about.condition, locked_to, place, apart[at],
+                         record.errors[at] / root});
+    ++at;
+  };
+  for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
+    const sim::OutputSpec& output = plant_.outputs[o];
+    const double part_Hz = (output.to_Hz - output.from_Hz) / double(level_parts);
+    for (int part = 0; part < level_parts; ++part) {
+      add(output.channel + ", level", "dB", analysis::LockedTo::time,
+          output.from_Hz + (part + 0.5) * part_Hz);
+    }
+    for (const double order : orders_[o]) {
+      add(output.channel + ", envelope²", "1", analysis::LockedTo::shaft, order);
+    }
+  }
 }
 
 // Per record and output: levels over frequency, and the squared envelope's spectrum.

@@ -36,6 +36,10 @@ class EnvelopeTwin final : public Twin {
   std::vector<Comparison> compare(const std::vector<std::size_t>& effects,
                                   const std::vector<double>& values) const override;
 
+  /// Of each record the level of each part of a band, at its middle, and each swell's depth.
+  Cells cells(const std::vector<std::size_t>& effects,
+              const std::vector<double>& values) const override;
+
  private:
   EnvelopeTwin(sim::PlantSpec plant, const sim::TermLibrary& library);
 
@@ -47,6 +51,7 @@ class EnvelopeTwin final : public Twin {
                                                     const EnvelopeRecord& record) const;
   Eigen::VectorXd without_noise(const std::vector<sim::Vibration>& shown,
                                 const EnvelopeRecord& record) const;
+  void add_cells(const EnvelopeRecord& record, const Eigen::VectorXd& apart, Cells& cells) const;
   Eigen::VectorXd shown_by(Eigen::VectorXd features, const EnvelopeRecord& record,
                            std::size_t block) const;
 

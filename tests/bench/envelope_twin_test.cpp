@@ -1,11 +1,13 @@
 #include "bench/envelope_twin.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 #include <random>
 
 #include "analysis/explain/explanation.hpp"
+#include "bench/located.hpp"
 #include "tests/support/under_sanitizer.hpp"
 
 using namespace rvbench;
@@ -126,10 +128,17 @@ sim::PlantSpec seat() {
   return plant;
 }
 
-analysis::Explanation explained(const ShakenSeat& machine) {
+struct Explained : analysis::Explanation {
+  Located located;
+};
+
+Explained explained(const ShakenSeat& machine) {
   auto made = make_twin(seat(), machine.campaign());
   if (auto* refusal = std::get_if<Refusal>(&made)) FAIL(refusal->faults.front().message);
-  return analysis::explain(*std::get<0>(made));
+  const Twin& twin = *std::get<0>(made);
+  Explained said{analysis::explain(twin), {}};
+  said.located = locate(twin, said.selection);
+  return said;
 }
 
 std::string refused(const sim::PlantSpec& plant, const Campaign& campaign) {
@@ -161,6 +170,13 @@ SCENARIO("a spall is named by the part that is struck, with its impulse", "[benc
       CHECK(said.effects[0].name == "bearing_defect");
       CHECK(said.effects[0].where.ends_with(part));
       CHECK(said.effects[0].parameters[0].value == Approx(machine.blow_Ns).epsilon(0.2));
+      AND_THEN("it is located at the order of its blows, and is gone once it is modelled") {
+        const auto is_of_blows = [&](const analysis::ResidualCluster& c) {
+          return c.channel == "vibration, envelope²" && std::abs(c.first - order) < 0.01;
+        };
+        CHECK(std::ranges::any_of(said.located.before, is_of_blows));
+        CHECK(std::ranges::none_of(said.located.after, is_of_blows));
+      }
     }
   }
 }
@@ -169,7 +185,10 @@ SCENARIO("no spall is named where none strikes a part of the bearing", "[bench][
   if (test::too_long_under_sanitizer()) return;
   GIVEN("a sound bearing") {
     for (const unsigned seed : {1U, 2U, 3U}) {
-      CHECK(explained({.seed = seed}).verdict == analysis::ExplainVerdict::null);
+      const auto said = explained({.seed = seed});
+      CHECK(said.verdict == analysis::ExplainVerdict::null);
+      CHECK(said.located.cells > 0);
+      CHECK(said.located.after.empty());
     }
   }
   GIVEN("a load zone that swells much") {
