@@ -7,6 +7,7 @@
 
 #include "analysis/explain/covariance.hpp"
 #include "analysis/explain/wave.hpp"
+#include "hal/types/parallel_for.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -80,15 +81,15 @@ std::string certificate(const FitProblem& on, const std::vector<Descent>& ends, 
 std::vector<Descent> first_moves(const FitProblem& on,
                                  const std::vector<std::vector<double>>& starts,
                                  const Eigen::MatrixXd& held) {
-  std::vector<Descent> ends;
-  for (const std::vector<double>& start : starts) {
-    ends.push_back(descend(on, start, opening_iterations, held));
-  }
+  std::vector<Descent> ends(starts.size());
+  parallel_for(starts.size(), [&](std::size_t i) {
+    ends[i] = descend(on, starts[i], opening_iterations, held);
+  });
   std::ranges::stable_sort(ends, {}, &Descent::cost);
   if (ends.size() > most_finalists) ends.resize(most_finalists);
-  for (Descent& end : ends) {
-    if (!end.converged) end = descend(on, end.values, middle_iterations, held);
-  }
+  parallel_for(ends.size(), [&](std::size_t i) {
+    if (!ends[i].converged) ends[i] = descend(on, ends[i].values, middle_iterations, held);
+  });
   std::ranges::stable_sort(ends, {}, &Descent::cost);
   return ends;
 }
