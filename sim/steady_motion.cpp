@@ -63,8 +63,23 @@ SteadyMotion::SteadyMotion(const PlantModel& model, Eigen::VectorXd common,
       steady_.push_back(term.get());
       if (!term->is_linear()) curved_.push_back(term.get());
     }
+  }
+  keep_time(1);
+  const auto rhythms = rhythmic_;
+  const Eigen::VectorXd rates = clock_rates_;
+  keep_time(0);
+  time_follows_speed_ = rhythms != rhythmic_ || rates != clock_rates_;
+}
+
+// Sets clocks and rhythms as they go at this speed of the slowest body.
+void SteadyMotion::keep_time(double speed_rad_s) {
+  PlantState s = mean_state(0);
+  s.v = common_ * speed_rad_s;
+  for (auto& [term, rhythm_Hz] : rhythmic_) rhythm_Hz = term->rhythm_Hz(s);
+  clock_rates_.setZero();
+  for (const auto& term : model_.terms) {
     const auto* memory = dynamic_cast<const TermMemory*>(term.get());
-    if (memory != nullptr) memory->add_rates(still, clock_rates_);
+    if (memory != nullptr) memory->add_rates(s, clock_rates_);
   }
 }
 
@@ -103,7 +118,7 @@ void SteadyMotion::add_forces(PlantState& s, bool remainder_only, Eigen::VectorX
   f.setZero();
   for (const auto& [term, rhythm_Hz] : rhythmic_) {
     for (const double half : half_periods) {
-      set_clocks(s, half / rhythm_Hz);
+      set_clocks(s, rhythm_Hz == 0 ? 0 : half / rhythm_Hz);
       add(*term);
     }
   }
@@ -127,7 +142,8 @@ void SteadyMotion::go_round(const std::function<void(Eigen::Index, PlantState&)>
   }
 }
 
-double SteadyMotion::drive_at(double speed_rad_s) const {
+double SteadyMotion::drive_at(double speed_rad_s) {
+  if (time_follows_speed_) keep_time(speed_rad_s);
   PlantState s = mean_state(0);
   s.v = common_ * speed_rad_s;
   Eigen::VectorXd f(n_);
@@ -149,6 +165,7 @@ bool SteadyMotion::find_speed() {
         (way * drive_at(middle) < 0 ? fast : slow) = middle;
       }
       speed_rad_s_ = 0.5 * (fast + slow);
+      if (time_follows_speed_) keep_time(speed_rad_s_);
       return true;
     }
   }
@@ -194,6 +211,7 @@ std::optional<ConfigFault> SteadyMotion::solve() {
 bool SteadyMotion::solve_near(double speed_rad_s, const Eigen::MatrixXcd& by_orders) {
   if (by_orders.rows() > n_) return false;
   speed_rad_s_ = speed_rad_s;
+  if (time_follows_speed_) keep_time(speed_rad_s_);
   lines_.col(0).head(by_orders.rows()) = by_orders.col(0);
   for (Eigen::Index k = 1; k <= count_; ++k) {
     const int order = orders_.orders()[std::size_t(k - 1)];
@@ -219,6 +237,7 @@ void SteadyMotion::move(AndersonMixing& mixing, const Eigen::MatrixXcd& step,
   lines_.real() += all.head(size).reshaped(step.rows(), step.cols());
   lines_.imag() += all.segment(size, size).reshaped(step.rows(), step.cols());
   speed_rad_s_ += all[2 * size];
+  if (time_follows_speed_) keep_time(speed_rad_s_);
 }
 
 bool SteadyMotion::come_to_rest(const Rest& rest) {
