@@ -28,6 +28,7 @@ struct SteadyState {
   Eigen::MatrixXcd motion;            ///< bodies x orders: oscillation; column 0 is the mean
   double slowest_rad_s = 0;           ///< speed of the slowest body, with its sign
   std::vector<double> rhythms_Hz;     ///< of terms that follow time, not motion
+  std::vector<bool> by_slip;          ///< of these: which are other ones at another speed
   std::vector<SteadyOutput> outputs;  ///< in order of the plant's
 };
 
