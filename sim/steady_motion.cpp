@@ -26,6 +26,7 @@ constexpr double slowest_rad_s = 1e-3;    // of the fastest body: what counts as
 constexpr double fastest_rad_s = 1e4;
 constexpr int speeds_tried = 400;
 constexpr int halvings = 60;
+constexpr int slow_orders = 4;  // of the slowest body: slower than what the gears bring
 constexpr int most_rounds = 30;
 constexpr std::size_t steps_mixed = 5;
 constexpr double negligible_line = 1e-12;  // of the largest: not solved for
@@ -65,10 +66,9 @@ SteadyMotion::SteadyMotion(const PlantModel& model, Eigen::VectorXd common,
     }
   }
   keep_time(1);
-  const auto rhythms = rhythmic_;
-  const Eigen::VectorXd rates = clock_rates_;
+  const auto at_speed = std::pair(rhythmic_, clock_rates_);
   keep_time(0);
-  time_follows_speed_ = rhythms != rhythmic_ || rates != clock_rates_;
+  time_follows_speed_ = at_speed != std::pair(rhythmic_, clock_rates_);
 }
 
 // Sets clocks and rhythms as they go at this speed of the slowest body.
@@ -130,8 +130,19 @@ void SteadyMotion::add_forces(PlantState& s, bool remainder_only, Eigen::VectorX
   }
 }
 
+// Without the slow swings of all bodies together: lines are those over the angle, at which gears
+// meet. By time, what swings the speed would give them sidebands.
+Eigen::MatrixXcd SteadyMotion::without_slow_swing() const {
+  Eigen::MatrixXcd lines = lines_;
+  const auto slow = std::ranges::count_if(orders_.orders(), [](int k) { return k <= slow_orders; });
+  const Eigen::VectorXcd all_together = common_.normalized().cast<Complex>();
+  auto swing = lines.middleCols(1, slow);
+  swing -= all_together * (all_together.transpose() * swing).eval();
+  return lines;
+}
+
 void SteadyMotion::go_round(const std::function<void(Eigen::Index, PlantState&)>& see) const {
-  const Signals ways = over_period(lines_, orders_);
+  const Signals ways = over_period(without_slow_swing(), orders_);
   const Signals speeds = over_period(differentiated(lines_), orders_);
   const double step_rad = (speed_rad_s_ > 0 ? two_pi : -two_pi) / static_cast<double>(samples());
   PlantState s = mean_state(0);

@@ -56,6 +56,7 @@ class SteadyMotion {
   void keep_time(double speed_rad_s);
   void set_clocks(PlantState& s, double t_s) const;
   void add_forces(PlantState& s, bool remainder_only, Eigen::VectorXd& f) const;
+  Eigen::MatrixXcd without_slow_swing() const;
   double drive_at(double speed_rad_s);
   bool find_speed();
   void find_slopes();

@@ -41,6 +41,10 @@ struct SteadyState {
 /// largest before the last round; 1e-7 from a state that is near, so that slopes can be taken by
 /// differences. What follows time is taken as small beside the rest, one line for each such term.
 ///
+/// What swings all bodies together, up to four times a period, is left out of the angles that terms
+/// see: the fast lines are those over the angle, as order tracking shows them. Over time they would
+/// have sidebands.
+///
 /// Leaves out: what outlasts a period (memories of terms, chaos), lines at and between other
 /// orders, modulation of the timed lines by the shaft
 ///
