@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "bench/order_errors.hpp"
+#include "hal/types/units.hpp"
+#include "sim/named.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -12,6 +14,7 @@ namespace {
 using analysis::LockedTo;
 
 constexpr double worth_comparing = 0.1;  // of an effect's largest line
+constexpr double fewest_periods = 3;     // of a line in a record: else its mean is in the way
 constexpr std::array<int, 4> supply_harmonics{1, 2, 6, 12};
 
 // Which orders of each output to compare: those that a recording shows, and those that the plant or
@@ -70,6 +73,28 @@ bool is_beside_timed(const std::vector<OrderRecord>& records, std::size_t condit
   });
 }
 
+double supplied_Hz(const sim::PlantSpec& plant, const OrderCondition& condition,
+                   std::size_t input) {
+  const sim::InputSpec& supply = plant.inputs[input];
+  return supply.gain.value * condition.inputs[Eigen::Index(input)] + supply.offset.value;
+}
+
+// Twice the slip frequency of each motor, from its speed as measured.
+std::vector<double> slip_rhythms_Hz(const sim::PlantSpec& plant, const OrderCondition& condition) {
+  std::vector<double> rhythms_Hz;
+  for (const sim::TermSpec& term : plant.terms) {
+    const int supply = sim::index_of(plant.inputs, term.reference);
+    if (term.type != "induction_motor" || supply < 0) continue;
+    const double turns_Hz = condition.speed_share / units::two_pi *
+                            condition.nominal.speed_rad_s[sim::index_of(plant.bodies, term.body_a)];
+    const double pole_pairs = term.parameters.at("pole_pairs").value;
+    const double slip_Hz =
+        supplied_Hz(plant, condition, std::size_t(supply)) - pole_pairs * turns_Hz;
+    rhythms_Hz.push_back(2 * std::abs(slip_Hz));
+  }
+  return rhythms_Hz;
+}
+
 }  // namespace
 
 std::vector<double> mains_rhythms_Hz() { return {50, 60, 100, 120}; }
@@ -78,18 +103,20 @@ std::vector<OrderFeature> timed_lines(const sim::PlantSpec& plant,
                                       const OrderCondition& condition) {
   std::vector<double> rhythms_Hz = mains_rhythms_Hz();
   for (std::size_t i = 0; i < plant.inputs.size(); ++i) {
-    const sim::InputSpec& input = plant.inputs[i];
-    if (input.kind != sim::InputKind::signal) continue;
-    const double supply_Hz =
-        input.gain.value * condition.inputs[Eigen::Index(i)] + input.offset.value;
+    if (plant.inputs[i].kind != sim::InputKind::signal) continue;
+    const double supply_Hz = supplied_Hz(plant, condition, i);
     for (const int harmonic : supply_harmonics) rhythms_Hz.push_back(harmonic * supply_Hz);
   }
+  const std::size_t fixed = rhythms_Hz.size();
+  const std::vector<double> slips_Hz = slip_rhythms_Hz(plant, condition);
+  rhythms_Hz.insert(rhythms_Hz.end(), slips_Hz.begin(), slips_Hz.end());
   std::vector<OrderFeature> lines;
   for (std::size_t o = 0; o < plant.outputs.size(); ++o) {
     const double highest_Hz = double(condition.orders[o]) * condition.nominal.period_Hz;
     for (std::size_t i = 0; i < rhythms_Hz.size(); ++i) {
       if (rhythms_Hz[i] >= highest_Hz) continue;
-      lines.push_back({LockedTo::time, o, static_cast<int>(i), rhythms_Hz[i]});
+      if (rhythms_Hz[i] * condition.length_s < fewest_periods) continue;
+      lines.push_back({LockedTo::time, o, static_cast<int>(i), rhythms_Hz[i], i >= fixed});
     }
   }
   return lines;

@@ -98,8 +98,9 @@ std::complex<double> predicted(const sim::SteadyState& state, const OrderFeature
   }
   std::complex<double> line = 0;
   for (std::size_t i = 0; i < state.rhythms_Hz.size(); ++i) {
-    line += passed((state.rhythms_Hz[i] - feature.frequency_Hz) * length_s) *
-            output.timed_lines[static_cast<Eigen::Index>(i)];
+    const bool is_same = feature.by_slip && state.by_slip[i];
+    const double beside_Hz = is_same ? 0 : state.rhythms_Hz[i] - feature.frequency_Hz;
+    line += passed(beside_Hz * length_s) * output.timed_lines[static_cast<Eigen::Index>(i)];
   }
   // At some speeds a line of the shaft has that frequency too.
   const auto order = static_cast<Eigen::Index>(std::round(feature.frequency_Hz / state.period_Hz));

@@ -18,7 +18,8 @@ struct OrderCondition {
   sim::SteadyState nominal;
   std::vector<int> orders;  ///< highest that each output shows in all of its records
   std::vector<OrderFeature> features;
-  double length_s = 0;  ///< of its first record
+  double length_s = 0;     ///< of its first record
+  double speed_share = 1;  ///< of the nominal state's: what its records show on average
 };
 
 struct OrderRecord {

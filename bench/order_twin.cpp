@@ -11,6 +11,7 @@
 #include "bench/order_errors.hpp"
 #include "bench/order_pushes.hpp"
 #include "hal/types/parallel_for.hpp"
+#include "hal/types/units.hpp"
 #include "sim/named.hpp"
 #include "sim/plant_check.hpp"
 
@@ -92,6 +93,7 @@ Refusal OrderTwin::load(const Campaign& campaign) {
   for (std::size_t i = 0; i < records_.size(); ++i) sort_in(records_[i], under[i]);
   if (auto fault = solve_nominal(std::get<sim::SteadyPlant>(steady)))
     return {{*std::move(fault)}, false};
+  compare_speeds();
   for (std::size_t i = 0; i < records_.size(); ++i) {
     const Recording& recording = campaign.records[i].recording;
     for (const OrderFeature& line : timed_lines(plant_, conditions_[records_[i].condition])) {
@@ -134,6 +136,19 @@ std::optional<hal::ConfigFault> OrderTwin::solve_nominal(const sim::SteadyPlant&
     if (fault) return std::move(fault);
   }
   return std::nullopt;
+}
+
+void OrderTwin::compare_speeds() {
+  for (std::size_t c = 0; c < conditions_.size(); ++c) {
+    double sum_Hz = 0, count = 0;
+    for (const OrderRecord& record : records_) {
+      if (record.condition != c) continue;
+      sum_Hz += record.measured.speed_Hz;
+      ++count;
+    }
+    conditions_[c].speed_share =
+        units::two_pi * sum_Hz / count / std::abs(conditions_[c].nominal.speed_rad_s[turning_]);
+  }
 }
 
 ParameterScales OrderTwin::scales() const {

@@ -47,6 +47,7 @@ class OrderTwin final : public Twin {
   Refusal load(const Campaign& campaign);
   void sort_in(OrderRecord& record, const Eigen::VectorXd& inputs);
   std::optional<hal::ConfigFault> solve_nominal(const sim::SteadyPlant& steady);
+  void compare_speeds();
   ParameterScales scales() const;
   std::vector<CandidateProbe> probe();
   Eigen::MatrixXd marks_of(const std::vector<CandidateProbe>& probes) const;

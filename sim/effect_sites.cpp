@@ -26,17 +26,26 @@ std::vector<EffectSite> axes_of(const PlantSpec& plant, const TermGate& gate) {
   return axes;
 }
 
-std::vector<std::string> references_of(const PlantSpec& plant, ReferenceKind kind) {
+std::vector<std::string> references_of(const PlantSpec& plant, const TermGate& gate) {
   std::vector<std::string> names;
-  switch (kind) {
+  switch (gate.reference) {
     case ReferenceKind::none: names.emplace_back(); break;
     case ReferenceKind::input:
       for (const InputSpec& input : plant.inputs) {
         if (input.kind == InputKind::signal) names.push_back(input.name);
       }
       break;
+    case ReferenceKind::push:
+      for (const InputSpec& input : plant.inputs) {
+        if (input.kind == InputKind::force) names.push_back(input.name);
+      }
+      break;
     case ReferenceKind::term:
-      for (const TermSpec& term : plant.terms) names.push_back(term.name);
+      for (const TermSpec& term : plant.terms) {
+        if (gate.reference_type.empty() || term.type == gate.reference_type) {
+          names.push_back(term.name);
+        }
+      }
       break;
     case ReferenceKind::body:
       for (const BodySpec& body : plant.bodies) {  // by whose angle something goes round
@@ -47,8 +56,11 @@ std::vector<std::string> references_of(const PlantSpec& plant, ReferenceKind kin
   return names;
 }
 
-// What a term carries is known to the bodies that it joins only.
+// What a term carries is known to the bodies that it joins only, a push to the body that it pushes.
 bool joins(const PlantSpec& plant, const TermType& type, const EffectSite& site) {
+  if (type.gate.reference == ReferenceKind::push) {
+    return plant.find_input(site.reference)->body == site.body_a;
+  }
   if (type.gate.reference != ReferenceKind::term) return true;
   const TermSpec* term = plant.find_term(site.reference);
   const auto is_end = [&](const std::string& body) {
@@ -102,7 +114,7 @@ std::vector<EffectSite> sites_of(const PlantSpec& plant, const TermType& type) {
   if (!type.gate.in_place_of.empty()) return places_of(plant, type.gate.in_place_of);
   std::vector<EffectSite> sites;
   for (const EffectSite& axis : axes_of(plant, type.gate)) {
-    for (const std::string& reference : references_of(plant, type.gate.reference)) {
+    for (const std::string& reference : references_of(plant, type.gate)) {
       EffectSite site = axis;
       site.reference = reference;
       if (joins(plant, type, site) && !acts_already(plant, type, site)) {

@@ -123,23 +123,38 @@ class Check {
     switch (type.gate.reference) {
       case ReferenceKind::none: break;
       case ReferenceKind::body: known_body(at, name); break;
-      case ReferenceKind::input: {
-        const InputSpec* input = plant_.find_input(name);
-        if (input == nullptr) {
-          note(at, "no input is called " + in_quotes(name) +
-                       did_you_mean(name, names_of(plant_.inputs)));
-        } else if (input->kind != InputKind::force && input->kind != InputKind::signal) {
-          note(at, in_quotes(name) + " prescribes a motion: a term cannot read it");
-        }
-        break;
-      }
-      case ReferenceKind::term:
-        if (const TermSpec* other = plant_.find_term(name); other == nullptr) {
-          note(at,
-               "no term is called " + in_quotes(name) + did_you_mean(name, names_of(plant_.terms)));
-        } else if (other >= &term) {
-          note(at, in_quotes(name) + " must stand before the term that asks for it");
-        }
+      case ReferenceKind::input:
+      case ReferenceKind::push: check_input_reference(at, term, type); break;
+      case ReferenceKind::term: check_term_reference(at, term, type); break;
+    }
+  }
+
+  void check_input_reference(const std::string& at, const TermSpec& term, const TermType& type) {
+    const std::string& name = term.reference;
+    const InputSpec* input = plant_.find_input(name);
+    if (input == nullptr) {
+      note(at,
+           "no input is called " + in_quotes(name) + did_you_mean(name, names_of(plant_.inputs)));
+    } else if (input->kind != InputKind::force && input->kind != InputKind::signal) {
+      note(at, in_quotes(name) + " prescribes a motion: a term cannot read it");
+    } else if (type.gate.reference == ReferenceKind::push && input->body != term.body_a) {
+      note(at, in_quotes(name) + " does not push " + in_quotes(term.body_a));
+    }
+  }
+
+  void check_term_reference(const std::string& at, const TermSpec& term, const TermType& type) {
+    const std::string& name = term.reference;
+    const std::string& only = type.gate.reference_type;
+    const TermSpec* other = plant_.find_term(name);
+    if (other == nullptr) {
+      note(at, "no term is called " + in_quotes(name) + did_you_mean(name, names_of(plant_.terms)));
+    } else if (other >= &term) {
+      note(at, in_quotes(name) + " must stand before the term that asks for it");
+    } else if (!only.empty() && other->type != only) {
+      note(at, fmt::format("{} is a {}, {} asks for a {}", in_quotes(name), other->type, term.type,
+                           only));
+    } else if (!only.empty() && other->body_a != term.body_a) {
+      note(at, in_quotes(name) + " does not act on " + in_quotes(term.body_a));
     }
   }
 

@@ -36,7 +36,8 @@ std::unique_ptr<PhysicsTerm> make_term(const PlantSpec& plant, const TermSpec& s
   site.parameters = &spec.parameters;
   switch (type.gate.reference) {
     case ReferenceKind::none: break;
-    case ReferenceKind::input: site.input = input_index(plant, spec.reference); break;
+    case ReferenceKind::input:
+    case ReferenceKind::push: site.input = input_index(plant, spec.reference); break;
     case ReferenceKind::body: site.body = index_of(plant.bodies, spec.reference); break;
     case ReferenceKind::term:
       site.term =

@@ -28,6 +28,7 @@ constexpr double slowest_rad_s = 1e-3;    // of the fastest body: what counts as
 constexpr double fastest_rad_s = 1e4;
 constexpr int speeds_tried = 400;
 constexpr int halvings = 60;
+constexpr int slow_orders = 4;  // of the slowest body: slower than what the gears bring
 constexpr int most_rounds = 30;
 constexpr std::size_t steps_mixed = 5;
 constexpr double negligible_line = 1e-12;  // of the largest: not solved for
@@ -65,8 +66,22 @@ SteadyMotion::SteadyMotion(const PlantModel& model, Eigen::VectorXd common,
       steady_.push_back(term.get());
       if (!term->is_linear()) curved_.push_back(term.get());
     }
+  }
+  keep_time(1);
+  const auto at_speed = std::pair(rhythmic_, clock_rates_);
+  keep_time(0);
+  time_follows_speed_ = at_speed != std::pair(rhythmic_, clock_rates_);
+}
+
+// Sets clocks and rhythms as they go at this speed of the slowest body.
+void SteadyMotion::keep_time(double speed_rad_s) {
+  PlantState s = mean_state(0);
+  s.v = common_ * speed_rad_s;
+  for (auto& [term, rhythm_Hz] : rhythmic_) rhythm_Hz = term->rhythm_Hz(s);
+  clock_rates_.setZero();
+  for (const auto& term : model_.terms) {
     const auto* memory = dynamic_cast<const TermMemory*>(term.get());
-    if (memory != nullptr) memory->add_rates(still, clock_rates_);
+    if (memory != nullptr) memory->add_rates(s, clock_rates_);
   }
 }
 
@@ -105,7 +120,7 @@ void SteadyMotion::add_forces(PlantState& s, bool remainder_only, Eigen::VectorX
   f.setZero();
   for (const auto& [term, rhythm_Hz] : rhythmic_) {
     for (const double half : half_periods) {
-      set_clocks(s, half / rhythm_Hz);
+      set_clocks(s, rhythm_Hz == 0 ? 0 : half / rhythm_Hz);
       add(*term);
     }
   }
@@ -117,8 +132,19 @@ void SteadyMotion::add_forces(PlantState& s, bool remainder_only, Eigen::VectorX
   }
 }
 
+// Without the slow swings of all bodies together: lines are those over the angle, at which gears
+// meet. By time, what swings the speed would give them sidebands.
+Eigen::MatrixXcd SteadyMotion::without_slow_swing() const {
+  Eigen::MatrixXcd lines = lines_;
+  const auto slow = std::ranges::count_if(orders_.orders(), [](int k) { return k <= slow_orders; });
+  const Eigen::VectorXcd all_together = common_.normalized().cast<Complex>();
+  auto swing = lines.middleCols(1, slow);
+  swing -= all_together * (all_together.transpose() * swing).eval();
+  return lines;
+}
+
 void SteadyMotion::go_round(const std::function<void(Eigen::Index, PlantState&)>& see) const {
-  const Signals ways = over_period(lines_, orders_);
+  const Signals ways = over_period(without_slow_swing(), orders_);
   const Signals speeds = over_period(differentiated(lines_), orders_);
   const double step_rad = (speed_rad_s_ > 0 ? two_pi : -two_pi) / static_cast<double>(samples());
   PlantState s = mean_state(0);
@@ -129,7 +155,8 @@ void SteadyMotion::go_round(const std::function<void(Eigen::Index, PlantState&)>
   }
 }
 
-double SteadyMotion::drive_at(double speed_rad_s) const {
+double SteadyMotion::drive_at(double speed_rad_s) {
+  if (time_follows_speed_) keep_time(speed_rad_s);
   PlantState s = mean_state(0);
   s.v = common_ * speed_rad_s;
   Eigen::VectorXd f(n_);
@@ -151,6 +178,7 @@ bool SteadyMotion::find_speed() {
         (way * drive_at(middle) < 0 ? fast : slow) = middle;
       }
       speed_rad_s_ = 0.5 * (fast + slow);
+      if (time_follows_speed_) keep_time(speed_rad_s_);
       return true;
     }
   }
@@ -201,6 +229,7 @@ std::optional<ConfigFault> SteadyMotion::solve() {
 bool SteadyMotion::solve_near(double speed_rad_s, const Eigen::MatrixXcd& by_orders) {
   if (by_orders.rows() > n_) return false;
   speed_rad_s_ = speed_rad_s;
+  if (time_follows_speed_) keep_time(speed_rad_s_);
   lines_.col(0).head(by_orders.rows()) = by_orders.col(0);
   for (Eigen::Index k = 1; k <= count_; ++k) {
     const int order = orders_.orders()[std::size_t(k - 1)];
@@ -226,6 +255,7 @@ void SteadyMotion::move(AndersonMixing& mixing, const Eigen::MatrixXcd& step,
   lines_.real() += all.head(size).reshaped(step.rows(), step.cols());
   lines_.imag() += all.segment(size, size).reshaped(step.rows(), step.cols());
   speed_rad_s_ += all[2 * size];
+  if (time_follows_speed_) keep_time(speed_rad_s_);
 }
 
 bool SteadyMotion::come_to_rest(const Rest& rest) {

@@ -56,9 +56,11 @@ class SteadyMotion {
   void go_round(const std::function<void(Eigen::Index, PlantState&)>& see) const;
 
  private:
+  void keep_time(double speed_rad_s);
   void set_clocks(PlantState& s, double t_s) const;
   void add_forces(PlantState& s, bool remainder_only, Eigen::VectorXd& f) const;
-  double drive_at(double speed_rad_s) const;
+  Eigen::MatrixXcd without_slow_swing() const;
+  double drive_at(double speed_rad_s);
   bool find_speed();
   void find_slopes();
   bool come_to_rest(const Rest& rest);
@@ -72,6 +74,7 @@ class SteadyMotion {
   const PeriodOrders& orders_;
   Eigen::Index count_;  // of lines
   Eigen::VectorXd u_, clock_rates_;
+  bool time_follows_speed_ = false;  // of some clock or rhythm
   LinearParts linear_;
   Eigen::MatrixXd stiffness_, damping_;  // mean slopes of all forces
   double speed_rad_s_ = 0;

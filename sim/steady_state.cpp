@@ -17,6 +17,8 @@ namespace {
 using Complex = std::complex<double>;
 using hal::ConfigFault;
 
+constexpr double other_speed = 0.9;  // of the present one: whether a rhythm is the same at both
+
 // Each line to the column of its order; the others are empty.
 Eigen::MatrixXcd by_orders(const Eigen::MatrixXcd& lines, const PeriodOrders& at) {
   Eigen::MatrixXcd all = Eigen::MatrixXcd::Zero(lines.rows(), at.highest() + 1);
@@ -114,14 +116,18 @@ SteadyState shown(const PlantSpec& plant, const PlantModel& model, const SteadyM
                      by_orders(motion.lines(), motion.orders()),
                      motion.speed_rad_s(),
                      {},
+                     {},
                      {}};
   const auto outputs = static_cast<Eigen::Index>(plant.outputs.size());
   const Eigen::MatrixXcd lines = by_orders(shaft_lines(sensors, motion, outputs), motion.orders());
   std::vector<Eigen::VectorXcd> timed;
   for (const auto& term : model.terms) {
-    const double rhythm_Hz = term->rhythm_Hz(motion.mean_state(0));
+    PlantState s = motion.mean_state(0);
+    const double rhythm_Hz = term->rhythm_Hz(s);
     if (rhythm_Hz == 0) continue;
+    s.v *= other_speed;
     result.rhythms_Hz.push_back(rhythm_Hz);
+    result.by_slip.push_back(term->rhythm_Hz(s) != rhythm_Hz);
     timed.push_back(timed_line(sensors, motion, outputs, *term, rhythm_Hz));
   }
   for (Eigen::Index o = 0; o < outputs; ++o) {

@@ -28,6 +28,7 @@ struct SteadyState {
   Eigen::MatrixXcd motion;            ///< bodies x orders: oscillation; column 0 is the mean
   double slowest_rad_s = 0;           ///< speed of the slowest body, with its sign
   std::vector<double> rhythms_Hz;     ///< of terms that follow time, not motion
+  std::vector<bool> by_slip;          ///< of these: which are other ones at another speed
   std::vector<SteadyOutput> outputs;  ///< in order of the plant's
 };
 
@@ -39,6 +40,10 @@ struct SteadyState {
 /// themselves at the motion found so far, until no force line was open by more than 1e-5 of the
 /// largest before the last round; 1e-7 from a state that is near, so that slopes can be taken by
 /// differences. What follows time is taken as small beside the rest, one line for each such term.
+///
+/// What swings all bodies together, up to four times a period, is left out of the angles that terms
+/// see: the fast lines are those over the angle, as order tracking shows them. Over time they would
+/// have sidebands.
 ///
 /// Leaves out: what outlasts a period (memories of terms, chaos), lines at and between other
 /// orders, modulation of the timed lines by the shaft

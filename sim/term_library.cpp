@@ -7,6 +7,7 @@
 #include "sim/terms/asymmetric_friction.hpp"
 #include "sim/terms/backlash.hpp"
 #include "sim/terms/bearing_defect.hpp"
+#include "sim/terms/brake_ripple.hpp"
 #include "sim/terms/cascade_controller.hpp"
 #include "sim/terms/coulomb_friction.hpp"
 #include "sim/terms/crank_eccentricity.hpp"
@@ -29,11 +30,13 @@
 #include "sim/terms/planet_mesh.hpp"
 #include "sim/terms/quadratic_stiffness.hpp"
 #include "sim/terms/rolling_bearing.hpp"
+#include "sim/terms/rotor_bar.hpp"
 #include "sim/terms/saturation.hpp"
 #include "sim/terms/series_compliance.hpp"
 #include "sim/terms/shaft_torsion.hpp"
 #include "sim/terms/shear_thinning.hpp"
 #include "sim/terms/slip.hpp"
+#include "sim/terms/speed_modulation.hpp"
 #include "sim/terms/spring.hpp"
 #include "sim/terms/stiffness_hysteresis.hpp"
 #include "sim/terms/stribeck_friction.hpp"
@@ -77,6 +80,9 @@ TermLibrary make_standard_terms() {
                            saturation,
                            unbalance,
                            inverter_ripple,
+                           rotor_bar,
+                           speed_modulation,
+                           brake_ripple,
                            misalignment,
                            transmission_error,
                            mesh_stiffness_variation,

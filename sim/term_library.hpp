@@ -55,23 +55,25 @@ struct TermCard {
   std::string experiment = {};           ///< tells it from its mimics
 };
 
-enum class ReferenceKind { none, input, term, body };
+/// `push` is an input that pushes the term's body.
+enum class ReferenceKind { none, input, push, term, body };
 
 /// Where it may act, and what it must be told besides its bodies.
 struct TermGate {
   bool rotation = true, translation = true;
   bool on_one = true, between_two = true;
   ReferenceKind reference = ReferenceKind::none;
-  std::string reference_key = {};  ///< in the plant file: "load", "set_point"
-  std::string retunes = {};        ///< the type of terms that it deviates, instead of adding one
-  bool each = false;               ///< one of them at a time
-  std::string in_place_of = {};    ///< as an effect it only ever replaces a term of this type
+  std::string reference_key = {};   ///< in the plant file: "load", "set_point"
+  std::string reference_type = {};  ///< the only type of term that it may refer to; "": any
+  std::string retunes = {};         ///< the type of terms that it deviates, instead of adding one
+  bool each = false;                ///< one of them at a time
+  std::string in_place_of = {};     ///< as an effect it only ever replaces a term of this type
 };
 
 /// What a type gets to make a term from: names resolved, values checked against the card.
 struct TermSite {
   Axis axis;
-  int input = -1;                     ///< index in PlantState::u, if the gate asks for an input
+  int input = -1;  ///< index in PlantState::u, if the gate asks for an input or a push
   const PhysicsTerm* term = nullptr;  ///< lives as long as the plant, if it asks for a term
   int body = -1;                      ///< if it asks for a body
   const Parameters* parameters = nullptr;

@@ -14,7 +14,7 @@ class TermMemory {
   virtual Eigen::Index size() const = 0;
   virtual void place(Eigen::Index first) = 0;  ///< its part is z[first .. first + size())
 
-  /// Whether its part grows at rates that only the inputs decide: a phase, no past.
+  /// Whether its part grows at rates that only inputs and steady speeds decide: a phase, no past.
   virtual bool is_clock() const { return false; }
 
   /// Adds dz/dt of its part.

@@ -24,10 +24,19 @@ InductionMotor::InductionMotor(const Params& p)
 
 double InductionMotor::torque_Nm(const PlantState& s) const {
   if (!on_) return 0;
-  const double sync_rad_s = two_pi * s.u[p_.supply] / p_.pole_pairs;
+  return smooth_torque_Nm(s) * (1 + p_.ripple * std::cos(6 * s.z[place_]));
+}
+
+double InductionMotor::smooth_torque_Nm(double frequency_Hz, const PlantState& s) const {
+  if (!on_) return 0;
+  const double sync_rad_s = two_pi * frequency_Hz / p_.pole_pairs;
   const double nominal_rad_s = two_pi * p_.nominal_frequency_Hz / p_.pole_pairs;
   const double x = (sync_rad_s - speed(s)) / nominal_rad_s / p_.pull_out_slip;
-  return 2 * p_.pull_out_torque_Nm * x / (1 + x * x) * (1 + p_.ripple * std::cos(6 * s.z[place_]));
+  return 2 * p_.pull_out_torque_Nm * x / (1 + x * x);
+}
+
+double InductionMotor::slip_rad_s(const PlantState& s) const {
+  return two_pi * supply_Hz(s) - p_.pole_pairs * speed(s);
 }
 
 double InductionMotor::fastest_rad_s(const Eigen::VectorXd& inertia) const {
@@ -38,6 +47,12 @@ double InductionMotor::fastest_rad_s(const Eigen::VectorXd& inertia) const {
 
 void InductionMotor::add_rates(const PlantState& s, Eigen::Ref<Eigen::VectorXd> rates) const {
   rates[place_] += two_pi * s.u[p_.supply];
+}
+
+const InductionMotor& motor_of(const TermSite& site) {
+  const auto* motor = dynamic_cast<const InductionMotor*>(site.term);
+  if (motor == nullptr) throw std::invalid_argument("motor: must be an induction_motor");
+  return *motor;
 }
 
 TermType induction_motor() {

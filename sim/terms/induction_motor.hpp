@@ -34,6 +34,13 @@ class InductionMotor final : public OneAxisTerm, public TermMemory {
   void switch_on(bool on) { on_ = on; }  ///< the inverter's output; without it the motor coasts
   double torque_Nm(const PlantState& s) const;
 
+  /// Without the inverter's ripple, at another output frequency than the present one.
+  double smooth_torque_Nm(double frequency_Hz, const PlantState& s) const;
+  double smooth_torque_Nm(const PlantState& s) const { return smooth_torque_Nm(supply_Hz(s), s); }
+  double supply_Hz(const PlantState& s) const { return s.u[p_.supply]; }
+  /// How fast the field runs past the rotor, in electrical rad/s: 2π·f − p·ω.
+  double slip_rad_s(const PlantState& s) const;
+
   double effort(const PlantState& s) const override { return -torque_Nm(s); }
   double supplied_power_W(const PlantState& s) const override { return torque_Nm(s) * speed(s); }
   double fastest_rad_s(const Eigen::VectorXd& inertia) const override;
@@ -53,5 +60,9 @@ class InductionMotor final : public OneAxisTerm, public TermMemory {
 };
 
 TermType induction_motor();
+
+/// The motor that a term's site refers to.
+/// @throws std::invalid_argument if it is none
+const InductionMotor& motor_of(const TermSite& site);
 
 }  // namespace rvbench::sim

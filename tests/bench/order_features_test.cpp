@@ -17,6 +17,7 @@ sim::SteadyState turning() {
   sim::SteadyState state;
   state.period_Hz = 1815.0 / 60 / 121;
   state.rhythms_Hz = {50};
+  state.by_slip = {false};
   sim::SteadyOutput torque;
   torque.mean = 1.5;
   torque.shaft_lines = Eigen::VectorXcd::Zero(300);
@@ -41,6 +42,19 @@ TEST_CASE("a line that follows time is what keeps its frequency, as a Hann windo
   CHECK(shown(50.01) == Approx(0.1 * 0.8488).epsilon(1e-3));
   CHECK(shown(49.98) == Approx(0.05));
   CHECK(shown(50.041) == 0);
+}
+
+TEST_CASE("a line of a motor's slip is compared with the plant's own, whose slip is another",
+          "[bench][orders]") {
+  sim::SteadyState state = turning();
+  state.rhythms_Hz = {1.9};
+  state.by_slip = {true};
+  OrderFeature measured = at_Hz(1.6);
+  CHECK(predicted(state, measured, record_s) == Complex(0));
+  measured.by_slip = true;
+  CHECK(predicted(state, measured, record_s) == Complex(0, 0.1));
+  state.by_slip = {false};
+  CHECK(predicted(state, measured, record_s) == Complex(0));
 }
 
 TEST_CASE("a line of the shaft that has the mains frequency is seen there", "[bench][orders]") {

@@ -77,6 +77,76 @@ TEST_CASE("a record of fewer than four output turns is refused with its reason",
         std::string::npos);
 }
 
+SCENARIO("faults of motor, drive and brake are tried where these act", "[bench][orders]") {
+  if (test::too_long_under_sanitizer()) return;
+  const sim::PlantSpec barred =
+      sim::with_effect(nominal(), "rotor_bar", {.body_a = "motor", .reference = "motor_torque"},
+                       {{"depth", {0.2, "1"}}, {"phase", {0.4, "rad"}}});
+  const test::RvMatrix matrix = two_records();
+  const auto twin = twin_of(nominal(), test::rv_campaign(barred, 2, matrix));
+  THEN("each has the places that its gate allows") {
+    const auto places = [&](const std::string& name) {
+      std::vector<std::string> where;
+      for (const analysis::Candidate& c : twin->library()) {
+        if (c.name != name) continue;
+        where.push_back(c.where);
+        CHECK(c.phasor);
+        CHECK(c.parameters.size() == 2);
+      }
+      return where;
+    };
+    CHECK(places("rotor_bar") ==
+          std::vector<std::string>{"motor against the housing, by motor_torque"});
+    CHECK(places("brake_ripple") ==
+          std::vector<std::string>{"brake against the housing, by brake_torque, once a turn",
+                                   "brake against the housing, by brake_torque, twice a turn"});
+    const auto hunting = places("speed_modulation");
+    REQUIRE(hunting.size() == 4);
+    CHECK(hunting[0] == "motor against the housing, by motor_torque, at 50 Hz");
+  }
+  THEN("a broken bar stands out at twice the slip frequency, and nowhere in its own plant") {
+    const auto most = [](const Twin& of) {
+      double farthest = 0;
+      for (const auto& cell : of.cells({}, nominal_values(of)).all) {
+        if (cell.locked_to != analysis::LockedTo::time || cell.place > 5) continue;
+        farthest = std::max(farthest, std::abs(cell.apart) / cell.standard_error);
+      }
+      return farthest;
+    };
+    CHECK(most(*twin) > 5);
+    CHECK(most(*twin_of(barred, test::rv_campaign(barred, 2, matrix))) < 3);
+  }
+}
+
+SCENARIO("teeth keep single lines over the angle where a brake's ripple swings the speed",
+         "[bench][orders]") {
+  if (test::too_long_under_sanitizer()) return;
+  // At 150 % the input shaft swings by 0.08 rad about its mean angle, the second harmonic of the
+  // mesh by 1.5 rad and the fourth by 3 rad: over time they would fall into sidebands.
+  const sim::PlantSpec rippled =
+      sim::with_effect(nominal(), "brake_ripple", {.body_a = "brake", .reference = "brake_torque"},
+                       {{"depth", {0.02, "1"}}, {"phase", {0.4, "rad"}}, {"per_turn", {1, "1"}}});
+  const auto campaign = test::rv_campaign(rippled, 13, two_records());
+  const auto farthest = [](const Twin& of, double first, double last) {
+    double most = 0;
+    for (const auto& cell : of.cells({}, nominal_values(of)).all) {
+      if (cell.locked_to != analysis::LockedTo::shaft) continue;
+      if (cell.place < first || cell.place > last) continue;
+      most = std::max(most, std::abs(cell.apart) / cell.standard_error);
+    }
+    return most;
+  };
+  const auto without = twin_of(nominal(), campaign), with = twin_of(rippled, campaign);
+  THEN("its own line is off without it only") {
+    CHECK(farthest(*without, 0, 1.5 / 121) > 20);
+    CHECK(farthest(*with, 0, 1.5 / 121) < 4);
+  }
+  THEN("lines of the mesh are as without it") {
+    CHECK(farthest(*with, 17.8, 17.9) < 4);
+    CHECK(farthest(*with, 35.6, 35.8) < 4);
+  }
+}
+
 SCENARIO("what a steadily turning bench lacks is named; a bench that lacks nothing is left alone",
          "[bench][orders]") {
   if (test::too_long_under_sanitizer()) return;

@@ -19,8 +19,20 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
+// Every parameter at the size that a fit begins with.
+sim::Parameters usual(const sim::TermType& type, Motion motion) {
+  const sim::NaturalScales scales{.force = 10, .coordinate = 0.5, .speed = 3};
+  sim::Parameters parameters;
+  for (const ParameterCard& card : type.parameters) {
+    const double value = card.start * natural_scale(card.unit, scales);
+    parameters[card.name] = {std::clamp(value, card.min, card.max),
+                             std::string(unit_of(card.unit, motion)), 0};
+  }
+  return parameters;
+}
+
 // Two bodies a, b and a rotor; the term under test between a and b, or on a; a spring of 100 on a
-// for terms that want a load; an input for terms that want one.
+// for terms that want a load; an input, or another term, for terms that want one.
 sim::PlantSpec bench_for(const sim::TermType& type, Motion motion, bool between_two) {
   const std::string kg(unit_of(sim::UnitKind::inertia, motion));
   const std::string stiffness(unit_of(sim::UnitKind::stiffness, motion));
@@ -44,18 +56,24 @@ sim::PlantSpec bench_for(const sim::TermType& type, Motion motion, bool between_
                     .offset = {0, si},
                     .delay = {0, "s"}}};
   sim::TermSpec term{"term", type.card.name, "a", between_two ? "b" : "housing", "", {}};
+  if (!type.gate.reference_type.empty()) {
+    const sim::TermType& other = *sim::standard_terms().find(type.gate.reference_type);
+    plant.terms = {{"load", other.card.name, "a", "housing", "u", usual(other, motion)}};
+  }
   switch (type.gate.reference) {
     case sim::ReferenceKind::none: break;
     case sim::ReferenceKind::input: term.reference = "u"; break;
+    case sim::ReferenceKind::push:
+      term.reference = "u";
+      plant.inputs.front().kind = sim::InputKind::force;
+      plant.inputs.front().body = "a";
+      plant.inputs.front().unit = std::string(unit_of(sim::UnitKind::force, motion));
+      plant.inputs.front().offset.unit = plant.inputs.front().unit;
+      break;
     case sim::ReferenceKind::term: term.reference = "load"; break;
     case sim::ReferenceKind::body: term.reference = "rotor"; break;
   }
-  const sim::NaturalScales scales{.force = 10, .coordinate = 0.5, .speed = 3};
-  for (const ParameterCard& card : type.parameters) {
-    const double value = card.start * natural_scale(card.unit, scales);
-    term.parameters[card.name] = {std::clamp(value, card.min, card.max),
-                                  std::string(unit_of(card.unit, motion)), 0};
-  }
+  term.parameters = usual(type, motion);
   plant.terms.push_back(term);
   return plant;
 }

@@ -1,0 +1,255 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "sim/effect_edits.hpp"
+#include "sim/effect_sites.hpp"
+#include "sim/plant_check.hpp"
+#include "sim/plant_files.hpp"
+#include "sim/plant_json.hpp"
+#include "sim/plant_model.hpp"
+#include "sim/rv_plant.hpp"
+#include "sim/steady_state.hpp"
+#include "sim/term_memory.hpp"
+#include "tests/sim/plant_texts.hpp"
+#include "tests/support/under_sanitizer.hpp"
+
+// What motor, inverter and brake of the RV-20E's bench add to what its gears do.
+
+using namespace rvbench;
+using Complex = std::complex<double>;
+
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+constexpr double supply_Hz = 60, brake_Nm = 100;
+
+std::vector<sim::EffectSite> sites(const sim::PlantSpec& plant, const std::string& effect) {
+  return sim::sites_of(plant, *sim::standard_terms().find(effect));
+}
+
+sim::PlantSpec shipped(const std::string& name) { return std::get<0>(sim::read_plant(name)); }
+
+sim::PlantSpec bench_with(const std::string& effect, const sim::Parameters& parameters) {
+  const sim::PlantSpec bench = sim::rv20e_bench();
+  return sim::with_effect(bench, effect, sites(bench, effect).at(0), parameters);
+}
+
+sim::PlantSpec with_rotor_bar(double depth) {
+  return bench_with("rotor_bar", {{"depth", {depth, "1"}}, {"phase", {0.7, "rad"}}});
+}
+
+sim::PlantSpec with_brake_ripple(double depth, double per_turn) {
+  return bench_with(
+      "brake_ripple",
+      {{"depth", {depth, "1"}}, {"phase", {0.7, "rad"}}, {"per_turn", {per_turn, "1"}}});
+}
+
+sim::PlantSpec with_speed_modulation(double depth) {
+  return bench_with("speed_modulation",
+                    {{"depth", {depth, "1"}}, {"phase", {0.7, "rad"}}, {"frequency", {3, "Hz"}}});
+}
+
+sim::SteadyState steady(const sim::PlantSpec& plant, double load_Nm = brake_Nm) {
+  const auto made = std::get<0>(sim::SteadyPlant::make(plant));
+  return std::get<0>(made.under(Eigen::Vector2d(supply_Hz, load_Nm), made.orders_up_to(1100)));
+}
+
+// The amplitude of the first output at the frequency of a term that keeps its own time.
+double timed_line(const sim::SteadyState& state, double frequency_Hz) {
+  for (std::size_t i = 0; i < state.rhythms_Hz.size(); ++i) {
+    if (std::abs(state.rhythms_Hz[i] - frequency_Hz) < 1e-6) {
+      return std::abs(state.outputs[0].timed_lines[Eigen::Index(i)]);
+    }
+  }
+  return 0;
+}
+
+// Twice the frequency of what the rotor's bars carry, from the motor's speed: two pole pairs.
+double twice_slip_Hz(const sim::SteadyState& state) {
+  return 2 * (supply_Hz - 2 * state.speed_rad_s[0] / two_pi);
+}
+
+// The first output as the plant is integrated in time, settled.
+class InTime {
+ public:
+  InTime(sim::PlantSpec plant, double length_s) {
+    const sim::SteadyState state = steady(plant);
+    for (std::size_t i = 0; i < plant.bodies.size(); ++i) {
+      plant.bodies[i].start_speed = state.speed_rad_s[Eigen::Index(i)];
+    }
+    const auto held = [&](double value) {
+      return Eigen::VectorXd::Constant(Eigen::Index((settling_s + length_s) * rate_Hz), value);
+    };
+    const auto shown =
+        test::run_of(plant, {test::channel_of("supply", "Hz", rate_Hz, held(supply_Hz)),
+                             test::channel_of("brake_torque", "N·m", rate_Hz, held(brake_Nm))});
+    samples_ = shown[0].samples.tail(Eigen::Index(length_s * rate_Hz));
+  }
+
+  double line(double frequency_Hz) const {  // with a Hann window
+    Complex sum = 0;
+    const Eigen::Index n = samples_.size();
+    const double mean = samples_.mean();
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double window = 1 - std::cos(two_pi * double(i) / double(n));
+      const double turns = frequency_Hz * double(i) / rate_Hz;
+      sum += window * (samples_[i] - mean) * std::polar(1.0, -two_pi * turns);
+    }
+    return 2.0 / double(n) * std::abs(sum);
+  }
+
+ private:
+  static constexpr double rate_Hz = 1000, settling_s = 2;
+  Eigen::VectorXd samples_;
+};
+
+}  // namespace
+
+TEST_CASE("each has its one place on the bench, and none on a slide or an oscillator",
+          "[sim][effects]") {
+  const sim::PlantSpec bench = sim::rv20e_bench();
+  const auto place = [&](const std::string& effect) {
+    REQUIRE(sites(bench, effect).size() == 1);
+    return describe(sites(bench, effect)[0]);
+  };
+  CHECK(place("rotor_bar") == "motor against the housing, by motor_torque");
+  CHECK(place("speed_modulation") == "motor against the housing, by motor_torque");
+  CHECK(place("brake_ripple") == "brake against the housing, by brake_torque");
+  for (const std::string effect : {"rotor_bar", "speed_modulation", "brake_ripple"}) {
+    CHECK(sites(shipped("emps"), effect).empty());
+    CHECK(sites(shipped("silverbox"), effect).empty());
+  }
+  CHECK(sites(with_rotor_bar(0.02), "rotor_bar").empty());  // not twice
+}
+
+TEST_CASE("what they refer to is a motor that acts there, or an input that pushes there",
+          "[sim][effects]") {
+  const auto fault_of = [](sim::PlantSpec plant, const std::string& reference) {
+    plant.terms.back().reference = reference;
+    const auto faults = sim::check_plant(plant);
+    return faults.empty() ? "" : faults.front().pointer + ": " + faults.front().message;
+  };
+  CHECK(fault_of(with_rotor_bar(0.02), "motor_torque").empty());
+  CHECK(fault_of(with_rotor_bar(0.02), "coupling") ==
+        "/terms/10/motor: \"coupling\" is a shaft_torsion, rotor_bar asks for a induction_motor");
+  CHECK(fault_of(with_brake_ripple(0.02, 1), "supply") ==
+        "/terms/10/brake: \"supply\" does not push \"brake\"");
+}
+
+SCENARIO("a broken bar modulates the torque once for each of its poles that the field passes",
+         "[sim][effects]") {
+  const auto model = std::get<0>(sim::make_model(with_rotor_bar(0.03)));
+  const sim::PhysicsTerm& bar = *model.terms.back();
+  // 1770 rpm at 60 Hz: the field runs past the rotor at 1 Hz, electrically.
+  sim::PlantState s{Eigen::VectorXd::Zero(6), Eigen::VectorXd::Zero(6),
+                    Eigen::VectorXd::Zero(model.memory_size), Eigen::Vector2d(supply_Hz, -brake_Nm),
+                    0};
+  s.v[0] = 1770 * two_pi / 60;
+  const double x = (two_pi * 30 - s.v[0]) / (two_pi * 25 * 0.15);
+  const double kloss_Nm = 2 * 12 * x / (1 + x * x);
+  Eigen::VectorXd rates = Eigen::VectorXd::Zero(model.memory_size);
+  dynamic_cast<const sim::TermMemory&>(bar).add_rates(s, rates);
+  constexpr int n = 200;  // of one second
+  const auto line = [&](int frequency_Hz) {
+    Complex sum = 0;
+    for (int i = 0; i < n; ++i) {
+      s.z = rates * i / n;
+      sum -= bar.effort(s) * std::polar(2.0 / n, -two_pi * frequency_Hz * i / n);
+    }
+    return sum;
+  };
+  THEN("it is a line of its share of the torque at twice the slip frequency, and no other") {
+    CHECK(bar.rhythm_Hz(s) == Approx(2));
+    CHECK(std::abs(line(2) - std::polar(0.03 * kloss_Nm, 0.7)) < 1e-9);
+    for (const int other : {0, 1, 3, 4, 6, 60, 62}) CHECK(std::abs(line(other)) < 1e-9);
+  }
+  THEN("a rotor as fast as the field feels nothing") {
+    s.v[0] = two_pi * 30;
+    CHECK(bar.rhythm_Hz(s) == Approx(0).margin(1e-9));
+    CHECK(bar.effort(s) == Approx(0).margin(1e-9));
+  }
+}
+
+// A constant load holds nothing against a slow swing: the bodies turn with it all together, held by
+// the motor's own slip, and hardly any of it is passed on through the transducer.
+SCENARIO("a broken bar swings the speed, in time as by orders", "[sim][effects][steady]") {
+  if (test::too_long_under_sanitizer()) return;
+  const sim::PlantSpec plant =
+      sim::with_probes(with_rotor_bar(0.03), "motor", {sim::OutputKind::speed});
+  const sim::SteadyState state = steady(plant);
+  const double at_Hz = twice_slip_Hz(state);
+  const double nominal_rad_s = two_pi * 25 * 0.15;
+  const double x = two_pi * at_Hz / 4 / nominal_rad_s;  // pull-out at x = 1
+  const double torque_Nm = 24 * x / (1 + x * x);
+  const double slope_Nms = 24 / nominal_rad_s * (1 - x * x) / std::pow(1 + x * x, 2);
+  // The planets turn at a third of the sun's speed, the output at its 121st part.
+  const double inertia_kgm2 = 2.05e-3 + 2 * 2e-5 / 9 + 0.33 / 121 / 121;
+  const double drag_Nms = 5e-4 + 0.5 / 121 / 121;
+  const Complex held(slope_Nms + drag_Nms, two_pi * at_Hz * inertia_kgm2);
+  CHECK(timed_line(state, at_Hz) == Approx(0.03 * torque_Nm / std::abs(held)).epsilon(0.01));
+  const InTime speed(plant, 8);
+  CHECK(speed.line(at_Hz) == Approx(timed_line(state, at_Hz)).epsilon(0.03));
+}
+
+SCENARIO("a brake's ripple shows in time as it does by orders", "[sim][effects][steady]") {
+  if (test::too_long_under_sanitizer()) return;
+  const int per_turn = GENERATE(1, 2);
+  const sim::PlantSpec plant = with_brake_ripple(0.03, per_turn);
+  const sim::SteadyState state = steady(plant);
+  const Eigen::VectorXd lines = state.outputs[0].shaft_lines.cwiseAbs();
+  // The brake turns every four seconds: its torque is passed on through the gears as it is.
+  CHECK(lines[per_turn] == Approx(0.03 * brake_Nm / 121).epsilon(0.1));
+  CHECK(lines[3 - per_turn] < 0.05 * lines[per_turn]);
+  const InTime torque(plant, 16.4);
+  CHECK(torque.line(per_turn * state.period_Hz) == Approx(lines[per_turn]).epsilon(0.03));
+}
+
+SCENARIO("a hunting drive shows in time as it does by orders", "[sim][effects][steady]") {
+  if (test::too_long_under_sanitizer()) return;
+  const sim::PlantSpec plant = with_speed_modulation(0.005);
+  const sim::SteadyState state = steady(plant);
+  const InTime torque(plant, 8);
+  CHECK(torque.line(3) == Approx(timed_line(state, 3)).epsilon(0.03));
+  CHECK(torque.line(4.5) < 0.02 * torque.line(3));
+}
+
+SCENARIO("a broken bar and a brake's ripple grow with the load, a hunting drive hardly",
+         "[sim][effects][steady]") {
+  const auto bar = [](double load_Nm) {
+    const sim::PlantSpec plant =
+        sim::with_probes(with_rotor_bar(0.03), "motor", {sim::OutputKind::speed});
+    const sim::SteadyState state = steady(plant, load_Nm);
+    return timed_line(state, twice_slip_Hz(state));
+  };
+  const double torque_ratio = steady(sim::rv20e_bench(), 150).outputs[0].mean /
+                              steady(sim::rv20e_bench(), 75).outputs[0].mean;
+  CHECK(torque_ratio > 1.6);
+  CHECK(bar(150) == Approx(torque_ratio * bar(75)).epsilon(0.05));
+  const auto ripple = [](double load_Nm) {
+    return std::abs(steady(with_brake_ripple(0.03, 1), load_Nm).outputs[0].shaft_lines[1]);
+  };
+  CHECK(ripple(150) == Approx(2 * ripple(75)).epsilon(0.02));
+  CHECK(ripple(0) < 1e-9);
+  const auto hunting = [](double load_Nm) {
+    return timed_line(steady(with_speed_modulation(0.005), load_Nm), 3);
+  };
+  CHECK(hunting(150) == Approx(hunting(75)).epsilon(0.1));
+}
+
+SCENARIO("of no size they change nothing", "[sim][effects][steady]") {
+  const sim::SteadyState bare = steady(sim::rv20e_bench());
+  for (const sim::PlantSpec& plant :
+       {with_rotor_bar(0), with_brake_ripple(0, 1), with_speed_modulation(0)}) {
+    INFO(plant.terms.back().name);
+    const sim::SteadyState state = steady(plant);
+    CHECK(state.outputs[0].mean == Approx(bare.outputs[0].mean).epsilon(1e-9));
+    for (const int order : {1, 2, 1080}) {
+      CHECK(std::abs(std::abs(state.outputs[0].shaft_lines[order]) -
+                     std::abs(bare.outputs[0].shaft_lines[order])) < 1e-8);
+    }
+    CHECK(timed_line(state, twice_slip_Hz(state)) < 1e-12);
+    CHECK(timed_line(state, 3) < 1e-12);
+  }
+}
