@@ -75,6 +75,14 @@ PlantSpec split_body(PlantSpec plant, const EffectSite& site, const BodySplit& s
   return plant;
 }
 
+OutputSpec& output_of(PlantSpec& plant, const std::string& effect, const std::string& channel) {
+  const auto output = std::ranges::find(plant.outputs, channel, &OutputSpec::channel);
+  if (output == plant.outputs.end()) {
+    throw std::invalid_argument(effect + ": the plant has no output \"" + channel + '"');
+  }
+  return *output;
+}
+
 PlantSpec with_probes(PlantSpec plant, const std::string& body,
                       const std::vector<OutputKind>& kinds) {
   plant.outputs.clear();

@@ -27,6 +27,10 @@ struct BodySplit {
 /// @throws std::invalid_argument if there is no such body or term, or the share is out of range
 PlantSpec split_body(PlantSpec plant, const EffectSite& site, const BodySplit& split);
 
+/// The output of that channel.
+/// @throws std::invalid_argument if there is none
+OutputSpec& output_of(PlantSpec& plant, const std::string& effect, const std::string& channel);
+
 /// The plant with other sensors: on one body, in SI, without gain, offset or delay.
 PlantSpec with_probes(PlantSpec plant, const std::string& body,
                       const std::vector<OutputKind>& kinds);

@@ -21,6 +21,7 @@
 #include "sim/terms/inverter_ripple.hpp"
 #include "sim/terms/load_friction.hpp"
 #include "sim/terms/looseness.hpp"
+#include "sim/terms/mains_hum.hpp"
 #include "sim/terms/mesh_stiffness_variation.hpp"
 #include "sim/terms/misalignment.hpp"
 #include "sim/terms/motor.hpp"
@@ -92,7 +93,8 @@ TermLibrary make_standard_terms() {
                            cycloid_stage,
                            rolling_bearing,
                            synchronous_drive,
-                           slip}) {
+                           slip,
+                           mains_hum}) {
     library.add(make());
   }
   return library;
@@ -140,7 +142,8 @@ PlantSpec with_effect(const PlantSpec& plant, std::string_view effect, const Eff
                       const Parameters& parameters, const TermLibrary& library) {
   const TermType* type = library.find(effect);
   if (type == nullptr) refuse(effect, "the library has no such effect");
-  if (site.reference.empty() && plant.find_body(site.body_a) == nullptr) {
+  const bool on_body = site.reference.empty() && site.channel.empty();
+  if (on_body && plant.find_body(site.body_a) == nullptr) {
     refuse(effect, "the plant has no body \"" + site.body_a + '"');
   }
   Parameters complete = parameters;
