@@ -17,6 +17,7 @@
 #include "sim/terms/external_force.hpp"
 #include "sim/terms/gear_eccentricity.hpp"
 #include "sim/terms/gravity.hpp"
+#include "sim/terms/housing_mode.hpp"
 #include "sim/terms/induction_motor.hpp"
 #include "sim/terms/inverter_ripple.hpp"
 #include "sim/terms/load_friction.hpp"
@@ -31,6 +32,7 @@
 #include "sim/terms/quadratic_stiffness.hpp"
 #include "sim/terms/rolling_bearing.hpp"
 #include "sim/terms/saturation.hpp"
+#include "sim/terms/sensor_mount.hpp"
 #include "sim/terms/series_compliance.hpp"
 #include "sim/terms/shaft_torsion.hpp"
 #include "sim/terms/shear_thinning.hpp"
@@ -94,6 +96,8 @@ TermLibrary make_standard_terms() {
                            rolling_bearing,
                            synchronous_drive,
                            slip,
+                           housing_mode,
+                           sensor_mount,
                            mains_hum}) {
     library.add(make());
   }

@@ -110,6 +110,11 @@ TEST_CASE("a hum is tried in each channel at each frequency of the mains",
     CHECK(hums.back().parameters[0].unit == "m/s");
     CHECK(hums.back().parameters[0].scale == Approx(0.02 * 1));
   }
+  THEN("a resonance of the housing has no frequency of the mains") {
+    const PlantFamily family(mass_on_spring(), {{10, 1e-3, 1}, 1e-3, 10, {50, 100}},
+                             sim::standard_terms());
+    CHECK(std::ranges::count(family.candidates(), "housing_mode", &analysis::Candidate::name) == 1);
+  }
 }
 
 TEST_CASE("a hum on one channel is named with its channel, frequency and size",
