@@ -7,6 +7,8 @@
 namespace rvbench::sim {
 namespace {
 
+constexpr double within_reach = 0.5;  // of speed over way: three times what the body rings at
+
 // What acts on one body only, as weight does, does not push the frame.
 bool pushes_back(const TermSpec& term) {
   const TermType* type = standard_terms().find(term.type);
@@ -60,7 +62,7 @@ TermType housing_mode() {
             .unit = UnitKind::frequency,
             .min = smallest,
             .max = 1e6,
-            .start = 3},
+            .start = within_reach},
            {.name = "damping_ratio", .unit = UnitKind::ratio, .min = 0, .max = 1, .start = 0.02},
            {.name = "mass_ratio", .unit = UnitKind::ratio, .min = 0.01, .max = 1000, .start = 5}},
       .gate = {.rotation = false, .between_two = false, .stands = true},

@@ -8,6 +8,7 @@
 namespace rvbench::sim {
 namespace {
 
+constexpr double within_reach = 0.5;   // of speed over way: three times what the body rings at
 constexpr double part_of_body = 1e-4;  // moves the body's own resonances by 5e-5
 
 PlantSpec loosen(PlantSpec plant, const EffectSite& site, const Parameters& parameters) {
@@ -47,7 +48,7 @@ TermType sensor_mount() {
             .unit = UnitKind::frequency,
             .min = smallest,
             .max = 1e6,
-            .start = 10},
+            .start = within_reach},
            {.name = "damping_ratio", .unit = UnitKind::ratio, .min = 0, .max = 1, .start = 0.03}},
       .gate = {.rotation = false, .in_channel = InChannel::of_a_motion},
       .edit = loosen};
