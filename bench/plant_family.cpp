@@ -77,7 +77,6 @@ sim::PlantSpec PlantFamily::with(const std::vector<std::size_t>& effects,
   for (const std::size_t effect : effects) {
     const auto& [t, site] = acts_[effect];
     const sim::TermType& type = terms_.types()[t];
-    const sim::Motion motion = plant_.motion_of(site.body_a);
     sim::Parameters parameters;
     const auto& phasor = candidates_[effect].phasor;
     const std::complex<double> wave =
@@ -87,7 +86,7 @@ sim::PlantSpec PlantFamily::with(const std::vector<std::size_t>& effects,
       double value = chosen != chosen_[effect].end() ? chosen->second : values[at++];
       if (phasor && card.name == phasor->size) value = std::abs(wave);
       if (phasor && card.name == phasor->phase) value = std::arg(wave);
-      parameters[card.name] = {value, std::string(sim::unit_of(card.unit, motion)), 0};
+      parameters[card.name] = {value, sim::unit_at(plant_, site, card.unit), 0};
     }
     plant = sim::with_effect(plant, type.card.name, site, parameters, terms_);
   }

@@ -138,14 +138,13 @@ TwinCandidate candidate_at(const sim::PlantSpec& plant, const sim::TermType& typ
   candidate.mimics = type.card.mimics;
   candidate.experiment = type.card.experiment;
   using WhenSmall = analysis::Candidate::WhenSmall;
-  candidate.when_small = type.make                    ? WhenSmall::in_proportion
+  candidate.when_small = type.make || type.adds       ? WhenSmall::in_proportion
                          : !type.gate.retunes.empty() ? WhenSmall::drowns
                                                       : WhenSmall::structural;
   candidate.sizes = sizes_of(type);
-  const sim::Motion motion = plant.motion_of(site.body_a);
   for (const sim::ParameterCard& card : type.parameters) {
     if (given.contains(card.name)) continue;
-    const double size = sim::natural_scale(card.unit, natural) * card.start;
+    const double size = sim::natural_scale_at(plant, site, card.unit, natural) * card.start;
     if (!card.fitted) {
       made.chosen[card.name] = size;
       continue;
@@ -156,7 +155,7 @@ TwinCandidate candidate_at(const sim::PlantSpec& plant, const sim::TermType& typ
     }
     analysis::ModelParameter p;
     p.name = card.name;
-    p.unit = std::string(sim::unit_of(card.unit, motion));
+    p.unit = sim::unit_at(plant, site, card.unit);
     p.low = bound(card.min);
     p.high = bound(card.max);
     p.scale = size != 0 ? std::abs(size) : 1;
@@ -191,6 +190,8 @@ analysis::ModelParameter model_parameter(const sim::PlantSpec& plant,
   p.scale = part_of_value * std::abs(quantity.value);
   p.nuisance = p.name.starts_with("/outputs") || p.name.starts_with("/inputs");
   const bool is_delay = p.name.ends_with("/delay");
+  const bool of_hum = p.name.find("/hums/") != std::string::npos;
+  const bool is_phase = p.name.ends_with("/phase");
   if (std::isfinite(quantity.tolerance_pct)) {
     const double width = std::abs(quantity.value) * quantity.tolerance_pct / 100;
     p.low = quantity.value - width;
@@ -198,11 +199,12 @@ analysis::ModelParameter model_parameter(const sim::PlantSpec& plant,
   } else if (is_delay) {
     p.low = -most_delay_samples * scales.sample_s;
     p.high = most_delay_samples * scales.sample_s;
-  } else if (p.name.starts_with("/bodies")) {
+  } else if (p.name.starts_with("/bodies") || (of_hum && !is_phase)) {
     p.low = 1e-3 * quantity.value;
   }
   p.is_known = is_delay || std::isfinite(quantity.tolerance_pct);
   if (is_delay) p.scale = 0.1 * scales.sample_s;
+  if (of_hum && is_phase) p.scale = part_of_value;
   bound_by_card(p, plant, scales.natural, terms);
   // An offset of a channel that is nominally none.
   if (p.scale == 0) p.scale = part_of_value * scales.deviation;
@@ -226,7 +228,9 @@ std::vector<TwinCandidate> candidates_at(const sim::PlantSpec& plant, const sim:
   }
   const auto frequency =
       std::ranges::find(type.parameters, sim::UnitKind::frequency, &sim::ParameterCard::unit);
-  const bool keeps_its_time = !type.card.touches.empty() &&
+  // A resonance has a frequency, too, but only a wave has a phase.
+  const bool is_wave = std::ranges::any_of(type.parameters, &sim::ParameterCard::is_phase);
+  const bool keeps_its_time = is_wave && !type.card.touches.empty() &&
                               type.card.touches.front().ledger == sim::Ledger::fixed_frequency;
   if (frequency == type.parameters.end() || !keeps_its_time || scales.rhythms_Hz.empty()) {
     return {candidate_at(plant, type, site, natural, {})};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "hal/types/units.hpp"
+
 namespace rvbench::sim {
 namespace {
 
@@ -13,20 +15,27 @@ TermSpec& term_of(PlantSpec& plant, const std::string& effect, const std::string
   throw std::invalid_argument(effect + ": the plant has no term \"" + name + '"');
 }
 
-TermSpec between(const PlantSpec& plant, const std::string& type, const BodySplit& split,
-                 const std::string& near, const std::string& far) {
-  const Motion motion = plant.motion_of(near);
-  const bool is_spring = type == "spring";
-  const UnitKind unit = is_spring ? UnitKind::stiffness : UnitKind::damping;
-  TermSpec term;
-  term.name = free_name(plant, split.effect + '_' + type);
-  term.type = type;
-  term.body_a = near;
-  term.body_b = far;
-  term.parameters[is_spring ? "stiffness" : "damping"] = {
-      is_spring ? split.stiffness : split.damping, std::string(unit_of(unit, motion)),
-      Quantity::free_pct};
-  return term;
+struct SpringAndDamper {
+  std::string effect;  // names its terms
+  double stiffness = 0;
+  double damping = 0;
+};
+
+void join(PlantSpec& plant, const std::string& body_a, const std::string& body_b,
+          const SpringAndDamper& by) {
+  const Motion motion = plant.motion_of(body_a);
+  const auto add = [&](const std::string& type, const char* parameter, double value,
+                       UnitKind kind) {
+    TermSpec term;
+    term.name = free_name(plant, by.effect + '_' + type);
+    term.type = type;
+    term.body_a = body_a;
+    term.body_b = body_b;
+    term.parameters[parameter] = {value, std::string(unit_of(kind, motion)), Quantity::free_pct};
+    plant.terms.push_back(std::move(term));
+  };
+  add("spring", "stiffness", by.stiffness, UnitKind::stiffness);
+  add("damper", "damping", by.damping, UnitKind::damping);
 }
 
 }  // namespace
@@ -70,9 +79,24 @@ PlantSpec split_body(PlantSpec plant, const EffectSite& site, const BodySplit& s
     if (term.body_b == site.body_a) term.body_b = far.name;
   }
   plant.bodies.push_back(far);
-  plant.terms.push_back(between(plant, "spring", split, site.body_a, far.name));
-  plant.terms.push_back(between(plant, "damper", split, site.body_a, far.name));
+  join(plant, site.body_a, far.name, {split.effect, split.stiffness, split.damping});
   return plant;
+}
+
+void hang(PlantSpec& plant, const BodySpec& body, std::string_view on, const Resonance& resonance) {
+  const double omega_rad_s = units::two_pi * resonance.frequency_Hz;
+  plant.bodies.push_back(body);
+  join(plant, body.name, std::string(on),
+       {resonance.effect, omega_rad_s * omega_rad_s * body.inertia.value,
+        2 * resonance.damping_ratio * omega_rad_s * body.inertia.value});
+}
+
+OutputSpec& output_of(PlantSpec& plant, const std::string& effect, const std::string& channel) {
+  const auto output = std::ranges::find(plant.outputs, channel, &OutputSpec::channel);
+  if (output == plant.outputs.end()) {
+    throw std::invalid_argument(effect + ": the plant has no output \"" + channel + '"');
+  }
+  return *output;
 }
 
 PlantSpec with_probes(PlantSpec plant, const std::string& body,

@@ -27,6 +27,20 @@ struct BodySplit {
 /// @throws std::invalid_argument if there is no such body or term, or the share is out of range
 PlantSpec split_body(PlantSpec plant, const EffectSite& site, const BodySplit& split);
 
+struct Resonance {
+  std::string effect;  ///< names the spring and the damper
+  double frequency_Hz = 0;
+  double damping_ratio = 0;
+};
+
+/// Adds a body that a spring and a damper hold on another one, or on the housing, tuned to ring
+/// there alone as the resonance says: k = (2πf)²·M, c = 2ζ·2πf·M.
+void hang(PlantSpec& plant, const BodySpec& body, std::string_view on, const Resonance& resonance);
+
+/// The output of that channel.
+/// @throws std::invalid_argument if there is none
+OutputSpec& output_of(PlantSpec& plant, const std::string& effect, const std::string& channel);
+
 /// The plant with other sensors: on one body, in SI, without gain, offset or delay.
 PlantSpec with_probes(PlantSpec plant, const std::string& body,
                       const std::vector<OutputKind>& kinds);

@@ -1,6 +1,7 @@
 #include "sim/effect_sites.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rvbench::sim {
 namespace {
@@ -9,11 +10,21 @@ bool may_move(const TermGate& gate, Motion motion) {
   return motion == Motion::rotation ? gate.rotation : gate.translation;
 }
 
+bool stands_on_housing(const PlantSpec& plant, const BodySpec& body) {
+  return std::ranges::any_of(
+      plant.terms, [&](const TermSpec& term) { return term.is_between(body.name, housing_name); });
+}
+
+bool may_act_on(const PlantSpec& plant, const TermGate& gate, const BodySpec& body) {
+  return gate.on_one && may_move(gate, body.motion) &&
+         (!gate.stands || stands_on_housing(plant, body));
+}
+
 // Each body against the housing, each pair that a term joins.
 std::vector<EffectSite> axes_of(const PlantSpec& plant, const TermGate& gate) {
   std::vector<EffectSite> axes;
   for (const BodySpec& body : plant.bodies) {
-    if (gate.on_one && may_move(gate, body.motion)) axes.push_back({body.name});
+    if (may_act_on(plant, gate, body)) axes.push_back({body.name});
   }
   for (const TermSpec& term : plant.terms) {
     if (!gate.between_two || term.body_b == housing_name) continue;
@@ -104,6 +115,24 @@ std::vector<EffectSite> retuned_sites(const PlantSpec& plant, const TermType& ty
   return sites;
 }
 
+// Each sensor that may have it, with the bodies that it looks at.
+std::vector<EffectSite> channels_of(const PlantSpec& plant, const TermGate& gate) {
+  std::vector<EffectSite> channels;
+  for (const OutputSpec& output : plant.outputs) {
+    const bool of_motion = output.kind <= OutputKind::acceleration;
+    if (gate.in_channel == InChannel::of_a_motion && !of_motion) continue;
+    if (!may_move(gate, plant.motion_of(output.of))) continue;
+    EffectSite site{output.of};
+    if (output.kind == OutputKind::effort) {
+      const TermSpec& term = *plant.find_term(output.of);
+      site = {term.body_a, term.body_b};
+    }
+    site.channel = output.channel;
+    channels.push_back(std::move(site));
+  }
+  return channels;
+}
+
 }  // namespace
 
 std::vector<EffectSite> sites_of(const PlantSpec& plant, const TermType& type) {
@@ -112,6 +141,7 @@ std::vector<EffectSite> sites_of(const PlantSpec& plant, const TermType& type) {
   if (std::ranges::find(type.shows_in, compared) == type.shows_in.end()) return {};
   if (!type.gate.retunes.empty()) return retuned_sites(plant, type);
   if (!type.gate.in_place_of.empty()) return places_of(plant, type.gate.in_place_of);
+  if (type.gate.in_channel != InChannel::no) return channels_of(plant, type.gate);
   std::vector<EffectSite> sites;
   for (const EffectSite& axis : axes_of(plant, type.gate)) {
     for (const std::string& reference : references_of(plant, type.gate)) {
@@ -126,10 +156,24 @@ std::vector<EffectSite> sites_of(const PlantSpec& plant, const TermType& type) {
 }
 
 std::string describe(const EffectSite& site) {
+  if (!site.channel.empty()) return site.channel + " channel";
   std::string text = site.body_b == housing_name ? site.body_a + " against the housing"
                                                  : site.body_a + " and " + site.body_b;
   if (!site.reference.empty()) text += ", by " + site.reference;
   return text;
+}
+
+std::string unit_at(const PlantSpec& plant, const EffectSite& site, UnitKind kind) {
+  const OutputSpec* output = plant.find_output(site.channel);
+  if (kind == UnitKind::channel && output != nullptr) return output->unit;
+  return std::string(unit_of(kind, plant.motion_of(site.body_a)));
+}
+
+double natural_scale_at(const PlantSpec& plant, const EffectSite& site, UnitKind kind,
+                        const NaturalScales& scales) {
+  const OutputSpec* output = plant.find_output(site.channel);
+  if (kind != UnitKind::channel || output == nullptr) return natural_scale(kind, scales);
+  return std::abs(output->gain.value) * natural_scale(unit_kind(output->kind), scales);
 }
 
 }  // namespace rvbench::sim

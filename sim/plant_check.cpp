@@ -211,9 +211,21 @@ class Check {
     if (output.compared_by == ComparedBy::envelope && !(output.to_Hz > output.from_Hz)) {
       note(place + "/to_Hz", "must be above from_Hz");
     }
+    for (std::size_t h = 0; h < output.hums.size(); ++h) {
+      check_hum(fmt::format("{}/hums/{}", place, h), output.hums[h], output.unit);
+    }
+    if (output.compared_by == ComparedBy::envelope && !output.hums.empty()) {
+      note(place + "/hums", "levels of a random vibration leave out what hums");
+    }
     if (output.kind == OutputKind::drive && !prescribed(output.of)) {
       note(place + "/body", "no input prescribes its motion: what drives it is known");
     }
+  }
+
+  void check_hum(const std::string& place, const Hum& hum, const std::string& channel_unit) {
+    check_quantity(place + "/amplitude", hum.amplitude, channel_unit, 0);
+    check_quantity(place + "/phase", hum.phase, "rad");
+    check_quantity(place + "/frequency", hum.frequency, "Hz", smallest, 1e6);
   }
 
   bool prescribed(const std::string& body) const {

@@ -110,6 +110,12 @@ InputSpec read_input(ConfigReader& at, const PlantSpec& plant) {
   return input;
 }
 
+Hum read_hum(ConfigReader& at) {
+  ConfigReader amplitude = at.object("amplitude"), frequency = at.object("frequency");
+  return {read_quantity(amplitude), quantity_at(at, "phase", {0, "rad", 0}),
+          read_quantity(frequency)};
+}
+
 OutputSpec read_output(ConfigReader& at) {
   OutputSpec output;
   output.channel = at.text("channel");
@@ -124,6 +130,7 @@ OutputSpec read_output(ConfigReader& at) {
     output.from_Hz = at.number("from_Hz", {0, 1e9});
     output.to_Hz = at.number("to_Hz", {1e-6, 1e9});
   }
+  for (ConfigReader& hum : at.objects("hums", false)) output.hums.push_back(read_hum(hum));
   return output;
 }
 

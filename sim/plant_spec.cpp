@@ -1,5 +1,7 @@
 #include "sim/plant_spec.hpp"
 
+#include <algorithm>
+
 #include "sim/named.hpp"
 
 namespace rvbench::sim {
@@ -12,6 +14,10 @@ const TermSpec* PlantSpec::find_term(std::string_view term) const {
 }
 const InputSpec* PlantSpec::find_input(std::string_view input) const {
   return find_named(inputs, input);
+}
+const OutputSpec* PlantSpec::find_output(std::string_view channel) const {
+  const auto found = std::ranges::find(outputs, channel, &OutputSpec::channel);
+  return found == outputs.end() ? nullptr : &*found;
 }
 
 Motion PlantSpec::motion_of(std::string_view body_or_term) const {
@@ -43,6 +49,13 @@ std::vector<PlacedQuantity> quantities(PlantSpec& plant) {
     add("outputs", i, "gain", plant.outputs[i].gain);
     add("outputs", i, "offset", plant.outputs[i].offset);
     add("outputs", i, "delay", plant.outputs[i].delay);
+    std::vector<Hum>& hums = plant.outputs[i].hums;
+    for (std::size_t h = 0; h < hums.size(); ++h) {
+      const std::string hum = "hums/" + std::to_string(h) + "/";
+      add("outputs", i, hum + "amplitude", hums[h].amplitude);
+      add("outputs", i, hum + "phase", hums[h].phase);
+      add("outputs", i, hum + "frequency", hums[h].frequency);
+    }
   }
   return all;
 }
@@ -58,15 +71,19 @@ std::string_view si_unit(InputKind kind, Motion motion) {
   return {};
 }
 
-std::string_view si_unit(OutputKind kind, Motion motion) {
+UnitKind unit_kind(OutputKind kind) {
   switch (kind) {
-    case OutputKind::position: return unit_of(UnitKind::coordinate, motion);
-    case OutputKind::speed: return unit_of(UnitKind::speed, motion);
-    case OutputKind::acceleration: return unit_of(UnitKind::acceleration, motion);
+    case OutputKind::position: return UnitKind::coordinate;
+    case OutputKind::speed: return UnitKind::speed;
+    case OutputKind::acceleration: return UnitKind::acceleration;
     case OutputKind::effort:
-    case OutputKind::drive: return unit_of(UnitKind::force, motion);
+    case OutputKind::drive: break;
   }
-  return {};
+  return UnitKind::force;
+}
+
+std::string_view si_unit(OutputKind kind, Motion motion) {
+  return unit_of(unit_kind(kind), motion);
 }
 
 }  // namespace rvbench::sim

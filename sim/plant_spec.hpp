@@ -75,7 +75,14 @@ enum class ComparedBy { samples, orders, envelope };
 
 enum class OutputKind { position, speed, acceleration, effort, drive };
 
-/// What a sensor would show: channel(t) = gain·SI value(t − delay) + offset.
+/// What the mains induce in a channel's wire: A·cos(2πft + φ), t from the start of the record.
+struct Hum {
+  Quantity amplitude;  ///< in the channel's unit
+  Quantity phase;      ///< rad
+  Quantity frequency;  ///< Hz
+};
+
+/// What a sensor would show: channel(t) = gain·SI value(t − delay) + offset + its hums.
 ///
 /// `effort` is what a term takes from its body, with all that acts between the same two bodies:
 /// what a transducer in series with it is passed; `drive` what must push a body for it to move as
@@ -90,6 +97,7 @@ struct OutputSpec {
   Quantity delay;                                ///< s
   ComparedBy compared_by = ComparedBy::samples;  ///< the same for all outputs of a plant
   double from_Hz = 0, to_Hz = 0;                 ///< band that an envelope is taken of
+  std::vector<Hum> hums = {};                    ///< none moves a body
 };
 
 /// A lumped-parameter machine as data: bodies, terms that add, what drives it and what is seen.
@@ -101,9 +109,10 @@ struct PlantSpec {
   std::vector<InputSpec> inputs;
   std::vector<OutputSpec> outputs;
 
-  const BodySpec* find_body(std::string_view body) const;     ///< nullptr if there is none
-  const TermSpec* find_term(std::string_view term) const;     ///< nullptr if there is none
-  const InputSpec* find_input(std::string_view input) const;  ///< nullptr if there is none
+  const BodySpec* find_body(std::string_view body) const;         ///< nullptr if there is none
+  const TermSpec* find_term(std::string_view term) const;         ///< nullptr if there is none
+  const InputSpec* find_input(std::string_view input) const;      ///< nullptr if there is none
+  const OutputSpec* find_output(std::string_view channel) const;  ///< nullptr if there is none
 
   /// Of the body, or term's body_a, that an output or input is about; translation if unknown.
   Motion motion_of(std::string_view body_or_term) const;
@@ -116,6 +125,9 @@ struct PlacedQuantity {
 
 /// Every quantity of the plant, in order of the file: what a fit may move by its tolerance.
 std::vector<PlacedQuantity> quantities(PlantSpec& plant);
+
+/// What an output shows before gain and offset.
+UnitKind unit_kind(OutputKind kind);
 
 /// Unit of what an input brings, or an output shows, before gain and offset.
 std::string_view si_unit(InputKind kind, Motion motion);

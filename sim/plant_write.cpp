@@ -58,6 +58,12 @@ ordered_json json_of(const InputSpec& input) {
   return json;
 }
 
+ordered_json json_of(const Hum& hum) {
+  return {{"amplitude", json_of(hum.amplitude)},
+          {"phase", json_of(hum.phase)},
+          {"frequency", json_of(hum.frequency)}};
+}
+
 ordered_json json_of(const OutputSpec& output) {
   ordered_json json{{"channel", output.channel},
                     {"unit", output.unit},
@@ -71,6 +77,7 @@ ordered_json json_of(const OutputSpec& output) {
     json["from_Hz"] = output.from_Hz;
     json["to_Hz"] = output.to_Hz;
   }
+  for (const Hum& hum : output.hums) json["hums"].push_back(json_of(hum));
   return json;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "hal/types/units.hpp"
 #include "sim/four_stage.hpp"
 #include "sim/interpolation.hpp"
 #include "sim/joint.hpp"
@@ -126,6 +127,14 @@ class Run {
   std::vector<Channel> channels_;
 };
 
+void add_hum(const Hum& hum, Channel& channel) {
+  const double radians_per_sample = units::two_pi * hum.frequency.value / channel.rate_Hz;
+  for (Eigen::Index i = 0; i < channel.samples.size(); ++i) {
+    const double turned_rad = radians_per_sample * static_cast<double>(i);
+    channel.samples[i] += hum.amplitude.value * std::cos(turned_rad + hum.phase.value);
+  }
+}
+
 // channel(t) = gain·x(t − delay) + offset
 void scale_and_delay(const OutputSpec& output, Channel& channel) {
   if (output.delay.value != 0) {
@@ -177,6 +186,7 @@ SimulatedOrFault simulate(const PlantSpec& plant, const Excitation& excitation,
       return hal::ConfigFault{0, fmt::format("/outputs/{}", i), "does not stay finite"};
     }
     scale_and_delay(plant.outputs[i], channel);
+    for (const Hum& hum : plant.outputs[i].hums) add_hum(hum, channel);
   }
   return result;
 }

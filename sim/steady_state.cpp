@@ -109,6 +109,19 @@ Eigen::VectorXcd timed_line(const SteadySensors& sensors, const SteadyMotion& mo
                 j * (shown_at(0.25) - shown_at(0.75)).cast<Complex>());
 }
 
+// Lines that outputs show and no body moves by, each in one output alone.
+void add_hums(const PlantSpec& plant, std::vector<double>& rhythms_Hz,
+              std::vector<Eigen::VectorXcd>& timed) {
+  const auto outputs = static_cast<Eigen::Index>(plant.outputs.size());
+  for (Eigen::Index o = 0; o < outputs; ++o) {
+    for (const Hum& hum : plant.outputs[static_cast<std::size_t>(o)].hums) {
+      rhythms_Hz.push_back(hum.frequency.value);
+      timed.emplace_back(Eigen::VectorXcd::Zero(outputs));
+      timed.back()[o] = hum.amplitude.value * std::polar(1.0, hum.phase.value);
+    }
+  }
+}
+
 SteadyState shown(const PlantSpec& plant, const PlantModel& model, const SteadyMotion& motion) {
   const SteadySensors sensors(plant, model);
   SteadyState result{std::abs(motion.speed_rad_s()) / units::two_pi,
@@ -130,6 +143,7 @@ SteadyState shown(const PlantSpec& plant, const PlantModel& model, const SteadyM
     result.by_slip.push_back(term->rhythm_Hz(s) != rhythm_Hz);
     timed.push_back(timed_line(sensors, motion, outputs, *term, rhythm_Hz));
   }
+  add_hums(plant, result.rhythms_Hz, timed);
   for (Eigen::Index o = 0; o < outputs; ++o) {
     SteadyOutput output;
     output.mean = lines(o, 0).real() + plant.outputs[static_cast<std::size_t>(o)].offset.value;

@@ -27,7 +27,7 @@ struct SteadyState {
   Eigen::VectorXd speed_rad_s;        ///< mean, of each body
   Eigen::MatrixXcd motion;            ///< bodies x orders: oscillation; column 0 is the mean
   double slowest_rad_s = 0;           ///< speed of the slowest body, with its sign
-  std::vector<double> rhythms_Hz;     ///< of terms that follow time, not motion
+  std::vector<double> rhythms_Hz;     ///< of terms that follow time, not motion; then of hums
   std::vector<bool> by_slip;          ///< of these: which are other ones at another speed
   std::vector<SteadyOutput> outputs;  ///< in order of the plant's
 };

@@ -18,10 +18,12 @@
 #include "sim/terms/external_force.hpp"
 #include "sim/terms/gear_eccentricity.hpp"
 #include "sim/terms/gravity.hpp"
+#include "sim/terms/housing_mode.hpp"
 #include "sim/terms/induction_motor.hpp"
 #include "sim/terms/inverter_ripple.hpp"
 #include "sim/terms/load_friction.hpp"
 #include "sim/terms/looseness.hpp"
+#include "sim/terms/mains_hum.hpp"
 #include "sim/terms/mesh_stiffness_variation.hpp"
 #include "sim/terms/misalignment.hpp"
 #include "sim/terms/motor.hpp"
@@ -32,6 +34,7 @@
 #include "sim/terms/rolling_bearing.hpp"
 #include "sim/terms/rotor_bar.hpp"
 #include "sim/terms/saturation.hpp"
+#include "sim/terms/sensor_mount.hpp"
 #include "sim/terms/series_compliance.hpp"
 #include "sim/terms/shaft_torsion.hpp"
 #include "sim/terms/shear_thinning.hpp"
@@ -98,7 +101,10 @@ TermLibrary make_standard_terms() {
                            cycloid_stage,
                            rolling_bearing,
                            synchronous_drive,
-                           slip}) {
+                           slip,
+                           housing_mode,
+                           sensor_mount,
+                           mains_hum}) {
     library.add(make());
   }
   return library;
@@ -146,7 +152,8 @@ PlantSpec with_effect(const PlantSpec& plant, std::string_view effect, const Eff
                       const Parameters& parameters, const TermLibrary& library) {
   const TermType* type = library.find(effect);
   if (type == nullptr) refuse(effect, "the library has no such effect");
-  if (site.reference.empty() && plant.find_body(site.body_a) == nullptr) {
+  const bool on_body = site.reference.empty() && site.channel.empty();
+  if (on_body && plant.find_body(site.body_a) == nullptr) {
     refuse(effect, "the plant has no body \"" + site.body_a + '"');
   }
   Parameters complete = parameters;

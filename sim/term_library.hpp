@@ -58,6 +58,9 @@ struct TermCard {
 /// `push` is an input that pushes the term's body.
 enum class ReferenceKind { none, input, push, term, body };
 
+/// Of an effect that is in one sensor and in no body: which ones may have it.
+enum class InChannel { no, of_any_sensor, of_a_motion };
+
 /// Where it may act, and what it must be told besides its bodies.
 struct TermGate {
   bool rotation = true, translation = true;
@@ -68,6 +71,8 @@ struct TermGate {
   std::string retunes = {};         ///< the type of terms that it deviates, instead of adding one
   bool each = false;                ///< one of them at a time
   std::string in_place_of = {};     ///< as an effect it only ever replaces a term of this type
+  InChannel in_channel = InChannel::no;
+  bool stands = false;  ///< only on a body that a term joins to the housing
 };
 
 /// What a type gets to make a term from: names resolved, values checked against the card.
@@ -84,10 +89,11 @@ struct TermSite {
 
 /// Where an effect is tried.
 struct EffectSite {
-  std::string body_a;
+  std::string body_a = {};
   std::string body_b = std::string(housing_name);
   std::string reference = {};            ///< as the gate asks; or the term that the effect replaces
   std::vector<std::string> beyond = {};  ///< terms that go to the far side of an inserted body
+  std::string channel = {};              ///< of the output that it is in; "" if it is in the bodies
 };
 
 struct TermType {
@@ -98,6 +104,8 @@ struct TermType {
   std::function<std::unique_ptr<PhysicsTerm>(const TermSite&)> make = {};
   /// Empty: the effect is one more term.
   std::function<PlantSpec(PlantSpec, const EffectSite&, const Parameters&)> edit = {};
+  /// Of an edit: what it changes grows in proportion to its size, as it does with one more term.
+  bool adds = false;
   /// How recordings must be compared to show it.
   std::vector<ComparedBy> shows_in = {ComparedBy::samples, ComparedBy::orders};
 };

@@ -12,7 +12,7 @@ struct Row {
   int force, coordinate, time;  // powers
 };
 
-constexpr std::array<Row, 24> rows{{
+constexpr std::array<Row, 25> rows{{
     {UnitKind::ratio, "1", "1", 0, 0, 0},
     {UnitKind::inertia, "kg·m²", "kg", 1, -1, 2},
     {UnitKind::force, "N·m", "N", 1, 0, 0},
@@ -37,6 +37,7 @@ constexpr std::array<Row, 24> rows{{
     {UnitKind::length, "m", "m", 0, 0, 0},
     {UnitKind::contact_stiffness, "N/m", "N/m", 0, 0, 0},
     {UnitKind::contact_damping, "N·s/m", "N·s/m", 0, 0, 0},
+    {UnitKind::channel, "", "", 0, 0, 0},
 }};
 
 constexpr bool in_order() {

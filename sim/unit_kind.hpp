@@ -31,7 +31,8 @@ enum class UnitKind {
   impulse,
   length,             ///< of a gear, whatever its body does
   contact_stiffness,  ///< of teeth along their line of action
-  contact_damping
+  contact_damping,
+  channel  ///< of what one channel shows, in that channel's unit: see unit_at()
 };
 
 /// "N·m/rad", "N/m", ... ; "1" for a plain ratio.

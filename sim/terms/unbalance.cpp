@@ -51,7 +51,10 @@ TermType unbalance() {
                           .start = 0,
                           .fallback = 0,
                           .is_phase = true}},
-          .gate = {.rotation = false, .reference = ReferenceKind::body, .reference_key = "rotor"},
+          .gate = {.rotation = false,
+                   .between_two = false,
+                   .reference = ReferenceKind::body,
+                   .reference_key = "rotor"},
           .make = [](const TermSite& at) { return std::make_unique<Unbalance>(at); }};
 }
 

@@ -1,5 +1,6 @@
 #include "bench/order_twin.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "analysis/explain/explanation.hpp"
@@ -144,6 +145,26 @@ SCENARIO("teeth keep single lines over the angle where a brake's ripple swings t
   THEN("lines of the mesh are as without it") {
     CHECK(farthest(*with, 17.8, 17.9) < 4);
     CHECK(farthest(*with, 35.6, 35.8) < 4);
+  }
+}
+
+TEST_CASE("a hum of the torque channel looks like a force on the shafts, but for its wire",
+          "[bench][orders][hum]") {
+  if (test::too_long_under_sanitizer()) return;
+  const auto twin = twin_of(nominal(), test::rv_campaign(nominal(), 1, two_records()));
+  const auto candidate = [&](const std::string& name, const std::string& where) {
+    const auto found = std::ranges::find_if(
+        twin->library(), [&](const auto& c) { return c.name == name && c.where == where; });
+    REQUIRE(found != twin->library().end());
+    return *found;
+  };
+  const auto force = candidate("external_force", "motor against the housing, at 50 Hz");
+  CHECK(std::ranges::any_of(force.alike, [](const auto& other) {
+    return other.name == "mains_hum" && other.where == "input_torque channel, at 50 Hz";
+  }));
+  THEN("one of the angle does not show: of the angle only the speed is compared") {
+    const auto hum = candidate("mains_hum", "input_angle channel, at 50 Hz");
+    CHECK(hum.not_exercised == "changes nothing that these recordings show");
   }
 }
 

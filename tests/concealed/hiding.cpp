@@ -141,13 +141,14 @@ sim::Parameters random_shape(const sim::PlantSpec& machine, const Hidden& hidden
   const sim::NaturalScales natural = natural_at(machine, hidden.site);
   sim::Parameters parameters;
   for (const sim::ParameterCard& card : sim::standard_terms().find(hidden.name)->parameters) {
-    double value = card.start * natural_scale(card.unit, natural) * draw.within_factor(1.3);
+    double value = card.start * natural_scale_at(machine, hidden.site, card.unit, natural) *
+                   draw.within_factor(1.3);
     if (card.unit == sim::UnitKind::angle) value = draw.phase_rad();
     if (card.name == "frequency" && hidden.about.contains("frequency_Hz")) {
       value = hidden.about.at("frequency_Hz");
     }
     parameters[card.name] = {std::clamp(value, card.min, card.max),
-                             std::string(unit_of(card.unit, sim::Motion::rotation)), 0};
+                             unit_at(machine, hidden.site, card.unit), 0};
   }
   return parameters;
 }
@@ -159,7 +160,8 @@ double& size_of(Hidden& hidden) {
 double over_usual(const sim::PlantSpec& machine, Hidden& hidden) {
   const sim::ParameterCard& card = sim::standard_terms().find(hidden.name)->parameters.front();
   return std::abs(size_of(hidden) /
-                  (card.start * natural_scale(card.unit, natural_at(machine, hidden.site))));
+                  (card.start * natural_scale_at(machine, hidden.site, card.unit,
+                                                 natural_at(machine, hidden.site))));
 }
 
 // @return false if it does nothing there

@@ -1,0 +1,93 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <complex>
+#include <numbers>
+
+#include "sim/effect_sites.hpp"
+#include "tests/sim/sine_run.hpp"
+
+using namespace rvbench;
+using Complex = std::complex<double>;
+
+namespace {
+
+// 2 kg on 800 N/m and 8 N·s/m: 3.18 Hz.
+sim::PlantSpec mass_on_spring() {
+  return test::plant_of(test::mass_on(
+      R"({"type": "spring", "body_a": "m",
+          "parameters": {"stiffness": {"value": 800, "unit": "N/m"}}},
+         {"type": "damper", "body_a": "m",
+          "parameters": {"damping": {"value": 8, "unit": "N·s/m"}}})",
+      "", "band_limited"));
+}
+
+sim::PlantSpec on_frame(const sim::PlantSpec& plant, double frequency_Hz) {
+  return sim::with_effect(plant, "housing_mode", {.body_a = "m"},
+                          {{"frequency", {frequency_Hz, "Hz"}},
+                           {"damping_ratio", {0.04, "1"}},
+                           {"mass_ratio", {3, "1"}}});
+}
+
+// Way of the mass for 1 N on it; frame of 6 kg, 5 Hz and 4 %: two equations, solved by hand.
+Complex way_per_N(double omega) {
+  const Complex j(0, 1);
+  const double frame_rad_s = 2 * std::numbers::pi * 5;
+  const Complex joint = 800.0 + j * omega * 8.0;
+  const Complex mass = joint - omega * omega * 2;
+  const Complex frame = joint + 6.0 * (frame_rad_s * frame_rad_s - omega * omega +
+                                       2.0 * j * 0.04 * frame_rad_s * omega);
+  return frame / (mass * frame - joint * joint);
+}
+
+std::size_t sites_in(const std::string& plant) {
+  return sim::sites_of(std::get<sim::PlantSpec>(sim::read_plant(plant)),
+                       *sim::standard_terms().find("housing_mode"))
+      .size();
+}
+
+}  // namespace
+
+SCENARIO("a body on a frame that gives way moves as two masses on two springs do", "[sim][modes]") {
+  const double frequency_Hz = GENERATE(1.0, 2.5, 5.0, 6.4, 20.0);
+  const auto shown = test::run_of(on_frame(mass_on_spring(), 5), test::sine_of(frequency_Hz));
+  const Complex way = test::settled_line(shown[0], frequency_Hz) / 3.0;
+  const Complex expected = way_per_N(2 * std::numbers::pi * frequency_Hz);
+  CHECK(std::abs(way - expected) < 1e-4 * std::abs(expected));
+}
+
+SCENARIO("a frame that rings far above all that happens is not there", "[sim][modes]") {
+  const auto firm = test::run_of(mass_on_spring(), test::sine_of(2.5));
+  const auto stiff = test::run_of(on_frame(mass_on_spring(), 5000), test::sine_of(2.5));
+  const Complex line = test::settled_line(firm[0], 2.5);
+  CHECK(std::abs(test::settled_line(stiff[0], 2.5) - line) < 1e-5 * std::abs(line));
+}
+
+SCENARIO("what acts on the body alone stays with the ground", "[sim][modes]") {
+  sim::PlantSpec plant = mass_on_spring();
+  plant.bodies.push_back({"rotor", sim::Motion::rotation, {1, "kg·m²"}});
+  plant = sim::with_effect(plant, "unbalance", {.body_a = "m", .reference = "rotor"},
+                           {{"amount", {1e-3, "kg·m"}}});
+  const sim::PlantSpec soft = on_frame(plant, 5);
+  CHECK(soft.find_term("spring")->body_b == "frame");
+  CHECK(soft.find_term("damper")->body_b == "frame");
+  CHECK(soft.find_term("unbalance")->body_b == sim::housing_name);
+}
+
+SCENARIO("a frame is looked for under bodies that slide on the housing", "[sim][modes]") {
+  const sim::TermType& type = *sim::standard_terms().find("housing_mode");
+  const auto sites = sim::sites_of(mass_on_spring(), type);
+  REQUIRE(sites.size() == 1);
+  CHECK(sim::describe(sites[0]) == "m against the housing");
+  CHECK(sites_in("emps") == 1);
+  CHECK(sites_in("silverbox") == 1);
+  THEN("not where all bodies turn, nor where levels of a random vibration are compared") {
+    CHECK(sites_in("rv20e_bench") == 0);
+    CHECK(sites_in("ur10e_joint") == 0);
+    CHECK(sites_in("bearing_housing") == 0);
+  }
+  THEN("not under a body that nothing joins to the housing") {
+    const sim::PlantSpec loose = test::plant_of(test::mass_on(""));
+    CHECK(sim::sites_of(loose, type).empty());
+    CHECK_THROWS_AS(on_frame(loose, 5), std::invalid_argument);
+  }
+}
