@@ -6,6 +6,7 @@
 
 #include "bench/order_errors.hpp"
 #include "hal/types/units.hpp"
+#include "sim/mains.hpp"
 #include "sim/named.hpp"
 
 namespace rvbench::bench {
@@ -97,11 +98,10 @@ std::vector<double> slip_rhythms_Hz(const sim::PlantSpec& plant, const OrderCond
 
 }  // namespace
 
-std::vector<double> mains_rhythms_Hz() { return {50, 60, 100, 120}; }
-
 std::vector<OrderFeature> timed_lines(const sim::PlantSpec& plant,
                                       const OrderCondition& condition) {
-  std::vector<double> rhythms_Hz = mains_rhythms_Hz();
+  std::vector<double> rhythms_Hz(sim::mains_frequencies_Hz.begin(),
+                                 sim::mains_frequencies_Hz.end());
   for (std::size_t i = 0; i < plant.inputs.size(); ++i) {
     if (plant.inputs[i].kind != sim::InputKind::signal) continue;
     const double supply_Hz = supplied_Hz(plant, condition, i);

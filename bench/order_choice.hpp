@@ -8,9 +8,6 @@
 
 namespace rvbench::bench {
 
-/// Of mains in Europe and America, and of what it does twice a period.
-std::vector<double> mains_rhythms_Hz();
-
 /// Lines at multiples of the supply's frequency, of the mains', and at twice the slip of motors,
 /// that a condition's records can show.
 std::vector<OrderFeature> timed_lines(const sim::PlantSpec& plant, const OrderCondition& condition);

@@ -12,6 +12,7 @@
 #include "bench/order_pushes.hpp"
 #include "hal/types/parallel_for.hpp"
 #include "hal/types/units.hpp"
+#include "sim/mains.hpp"
 #include "sim/named.hpp"
 #include "sim/plant_check.hpp"
 
@@ -166,8 +167,11 @@ ParameterScales OrderTwin::scales() const {
   const Eigen::VectorXd& speeds = conditions_.front().nominal.speed_rad_s;
   std::vector<double> turns;
   for (const double body_rad_s : speeds) turns.push_back(body_rad_s / speeds[turning_]);
-  return {
-      {force, 1e-3, std::sqrt(speed / count)}, 1e-3, force, mains_rhythms_Hz(), std::move(turns)};
+  return {{force, 1e-3, std::sqrt(speed / count)},
+          1e-3,
+          force,
+          {sim::mains_frequencies_Hz.begin(), sim::mains_frequencies_Hz.end()},
+          std::move(turns)};
 }
 
 // What each candidate of usual size changes of the first record of each probed condition, in

@@ -110,12 +110,12 @@ Eigen::VectorXcd timed_line(const SteadySensors& sensors, const SteadyMotion& mo
 }
 
 // Lines that outputs show and no body moves by, each in one output alone.
-void add_hums(const PlantSpec& plant, std::vector<double>& rhythms_Hz,
-              std::vector<Eigen::VectorXcd>& timed) {
+void add_hums(const PlantSpec& plant, SteadyState& state, std::vector<Eigen::VectorXcd>& timed) {
   const auto outputs = static_cast<Eigen::Index>(plant.outputs.size());
   for (Eigen::Index o = 0; o < outputs; ++o) {
     for (const Hum& hum : plant.outputs[static_cast<std::size_t>(o)].hums) {
-      rhythms_Hz.push_back(hum.frequency.value);
+      state.rhythms_Hz.push_back(hum.frequency.value);
+      state.by_slip.push_back(false);
       timed.emplace_back(Eigen::VectorXcd::Zero(outputs));
       timed.back()[o] = hum.amplitude.value * std::polar(1.0, hum.phase.value);
     }
@@ -143,7 +143,7 @@ SteadyState shown(const PlantSpec& plant, const PlantModel& model, const SteadyM
     result.by_slip.push_back(term->rhythm_Hz(s) != rhythm_Hz);
     timed.push_back(timed_line(sensors, motion, outputs, *term, rhythm_Hz));
   }
-  add_hums(plant, result.rhythms_Hz, timed);
+  add_hums(plant, result, timed);
   for (Eigen::Index o = 0; o < outputs; ++o) {
     SteadyOutput output;
     output.mean = lines(o, 0).real() + plant.outputs[static_cast<std::size_t>(o)].offset.value;

@@ -1,6 +1,9 @@
 #include "sim/terms/mains_hum.hpp"
 
+#include <fmt/format.h>
+
 #include "sim/effect_edits.hpp"
+#include "sim/mains.hpp"
 
 namespace rvbench::sim {
 namespace {
@@ -10,6 +13,14 @@ PlantSpec pick_up(PlantSpec plant, const EffectSite& site, const Parameters& par
       .hums.push_back(
           {parameters.at("amplitude"), parameters.at("phase"), parameters.at("frequency")});
   return plant;
+}
+
+std::vector<ParameterCard::Choice> of_mains() {
+  std::vector<ParameterCard::Choice> choices;
+  for (const double frequency_Hz : mains_frequencies_Hz) {
+    choices.push_back({frequency_Hz, fmt::format("at {:g} Hz", frequency_Hz)});
+  }
+  return choices;
 }
 
 }  // namespace
@@ -47,10 +58,7 @@ TermType mains_hum() {
                       .max = 1e6,
                       .start = 50,
                       .fitted = false,
-                      .choices = {{50, "at 50 Hz"},
-                                  {60, "at 60 Hz"},
-                                  {100, "at 100 Hz"},
-                                  {120, "at 120 Hz"}}}},
+                      .choices = of_mains()}},
       .gate = {.in_channel = InChannel::of_any_sensor},
       .edit = pick_up,
       .adds = true};
