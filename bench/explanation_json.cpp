@@ -88,7 +88,15 @@ ordered_json clusters_json(const std::vector<analysis::ResidualCluster>& cluster
 // Null if the comparison knows no means and lines.
 ordered_json located_json(const Located& located) {
   if (located.cells == 0) return nullptr;
+  ordered_json noise = ordered_json::array();
+  for (const Twin::Noise& n : located.noise) {
+    noise.push_back({{"channel", n.channel},
+                     {"of", n.of},
+                     {"standard_deviation", number(n.standard_deviation)},
+                     {"unit", n.unit}});
+  }
   return {{"cells", located.cells},
+          {"noise", noise},
           {"before", clusters_json(located.before)},
           {"after", clusters_json(located.after)},
           {"missing_force",

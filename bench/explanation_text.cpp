@@ -80,6 +80,9 @@ void print_located(Console& console, const Located& located) {
     console.out << fmt::format("    and {} more: see explain.json\n",
                                located.before.size() - shown);
   }
+  for (const Twin::Noise& noise : located.noise) {
+    console.out << "    noise of " << noise_text(noise) << '\n';
+  }
   for (const std::string& line : told(located.missing_before, most_sources)) {
     console.out << "    " << line << '\n';
   }

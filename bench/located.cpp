@@ -15,6 +15,11 @@ std::string place_text(const analysis::ResidualCluster& c) {
   return c.channel + " mean";
 }
 
+std::string noise_text(const Twin::Noise& noise) {
+  return fmt::format("{}: {} {:.2g} {}", noise.channel, noise.of, noise.standard_deviation,
+                     noise.unit);
+}
+
 Located locate(const Twin& twin, const analysis::Selection& found) {
   if (found.base.residuals.size() == 0) return {};
   const Twin::Cells before = twin.cells(found.base.effects, found.base.values);
@@ -26,6 +31,7 @@ Located locate(const Twin& twin, const analysis::Selection& found) {
   };
   located.missing_before = missing(found.base, located.before);
   located.missing_after = missing(found.fit, located.after);
+  located.noise = before.noise;
   return located;
 }
 

@@ -17,10 +17,14 @@ struct Located {
   std::size_t cells = 0;  ///< means and lines looked at; 0: the comparison has none
   std::vector<analysis::ResidualCluster> before, after;
   MissingForce missing_before = {}, missing_after = {};
+  std::vector<Twin::Noise> noise = {};  ///< what errors are made of
 };
 
 /// @param found  with a base that was fitted, or nothing is located
 Located locate(const Twin& twin, const analysis::Selection& found);
+
+/// "input_torque: mean, from record to record 0.0021 N·m"
+std::string noise_text(const Twin::Noise& noise);
 
 /// "input_torque order 8.926", "input_torque mean", "input_torque 100 Hz"
 std::string place_text(const analysis::ResidualCluster& cluster);

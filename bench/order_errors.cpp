@@ -11,6 +11,73 @@ using analysis::LockedTo;
 constexpr double least_jitter = 0.01;        // of a line: what a plant's own lines are good for
 constexpr double least_mean_scatter = 5e-4;  // of a mean, likewise
 
+std::vector<const OrderRecord*> records_of(std::size_t condition,
+                                           const std::vector<OrderRecord>& records) {
+  std::vector<const OrderRecord*> of;
+  for (const OrderRecord& record : records) {
+    if (record.condition == condition) of.push_back(&record);
+  }
+  return of;
+}
+
+Eigen::VectorXd mean_of(const std::vector<const OrderRecord*>& records) {
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(records.front()->values.size());
+  for (const OrderRecord* record : records) mean += record->values;
+  return mean / static_cast<double>(records.size());
+}
+
+// Adds up, over repeats of conditions that are learned from, what each part of the errors is told
+// by.
+class ScatterSums {
+ public:
+  explicit ScatterSums(std::size_t outputs) : of_(outputs) {}
+
+  void add(const OrderCondition& condition, const std::vector<const OrderRecord*>& repeats) {
+    const Eigen::VectorXd mean = mean_of(repeats);
+    const auto count = static_cast<double>(repeats.size());
+    for (std::size_t f = 0; f < condition.features.size(); ++f) {
+      const auto at = static_cast<Eigen::Index>(f);
+      Sums& of = of_[condition.features[f].output];
+      double squares = 0, noise = 0;
+      for (const OrderRecord* record : repeats) {
+        squares += std::pow(record->values[at] - mean[at], 2);
+        noise += 0.5 * std::pow(record->noise[at], 2) / count;
+      }
+      if (condition.features[f].locked_to == LockedTo::nothing) {
+        of.squares += squares;
+        of.freedom += count - 1;
+        continue;
+      }
+      of.noise += noise;
+      ++of.lines;
+      const bool is_clear = mean[at] * mean[at] > std::pow(clearly_above_noise, 2) * noise;
+      if (count < 2 || !is_clear) continue;
+      jitter_ += squares / (count - 1) - noise;
+      power_ += mean[at] * mean[at];
+    }
+  }
+
+  OrderScatter told() const {
+    OrderScatter scatter;
+    for (const Sums& of : of_) {
+      scatter.of_means.push_back(of.freedom > 0 ? std::sqrt(of.squares / of.freedom) : not_known);
+      scatter.beside_lines.push_back(of.lines > 0 ? std::sqrt(of.noise / of.lines) : not_known);
+    }
+    if (power_ > 0) scatter.of_lines = std::sqrt(std::max(jitter_ / power_, 0.0));
+    return scatter;
+  }
+
+ private:
+  struct Sums {
+    double squares = 0, freedom = 0;  // of means
+    double noise = 0, lines = 0;
+  };
+  std::vector<Sums> of_;  // each output
+  double jitter_ = 0, power_ = 0;
+};
+
+double or_none(double scatter) { return std::isnan(scatter) ? 0 : scatter; }
+
 }  // namespace
 
 void read_features(const OrderCondition& condition, OrderRecord& record) {
@@ -39,56 +106,33 @@ void read_features(const OrderCondition& condition, OrderRecord& record) {
   }
 }
 
-void find_errors(const std::vector<OrderCondition>& conditions, std::size_t outputs,
+OrderScatter scatter_of(const std::vector<OrderCondition>& conditions, std::size_t outputs,
+                        const std::vector<OrderRecord>& records) {
+  ScatterSums sums(outputs);
+  for (std::size_t c = 0; c < conditions.size(); ++c) {
+    const auto repeats = records_of(c, records);
+    if (repeats.front()->about.learned_from) sums.add(conditions[c], repeats);
+  }
+  return sums.told();
+}
+
+void find_errors(const std::vector<OrderCondition>& conditions, const OrderScatter& scatter,
                  std::vector<OrderRecord>& records) {
-  Eigen::VectorXd scatter = Eigen::VectorXd::Zero(Eigen::Index(outputs));
-  Eigen::VectorXd freedom = scatter;
-  double jitter = 0, power = 0;
+  const double of_lines = std::hypot(least_jitter, or_none(scatter.of_lines));
   std::vector<Eigen::VectorXd> means;
   for (std::size_t c = 0; c < conditions.size(); ++c) {
-    const std::vector<OrderFeature>& features = conditions[c].features;
-    std::vector<const OrderRecord*> repeats;
-    Eigen::VectorXd mean = Eigen::VectorXd::Zero(Eigen::Index(features.size()));
-    for (const OrderRecord& record : records) {
-      if (record.condition != c) continue;
-      repeats.push_back(&record);
-      mean += record.values;
-    }
-    const auto count = double(repeats.size());
-    mean /= count;
-    means.push_back(mean);
-    if (repeats.size() < 2 || !repeats.front()->about.learned_from) continue;
-    for (std::size_t f = 0; f < features.size(); ++f) {
-      const auto at = Eigen::Index(f);
-      double squares = 0, noise = 0;
-      for (const OrderRecord* record : repeats) {
-        squares += std::pow(record->values[at] - mean[at], 2);
-        noise += 0.5 * std::pow(record->noise[at], 2) / count;
-      }
-      if (features[f].locked_to == LockedTo::nothing) {
-        scatter[Eigen::Index(features[f].output)] += squares;
-        freedom[Eigen::Index(features[f].output)] += count - 1;
-      } else if (mean[at] * mean[at] > std::pow(clearly_above_noise, 2) * noise) {
-        jitter += squares / (count - 1) - noise;
-        power += mean[at] * mean[at];
-      }
-    }
+    means.push_back(mean_of(records_of(c, records)));
   }
-  const double jitter_share =
-      std::hypot(least_jitter, power > 0 ? std::sqrt(std::max(jitter / power, 0.0)) : 0);
   for (OrderRecord& record : records) {
     const std::vector<OrderFeature>& features = conditions[record.condition].features;
     const Eigen::VectorXd& mean = means[record.condition];
     record.errors.resize(record.values.size());
     for (std::size_t f = 0; f < features.size(); ++f) {
-      const auto at = Eigen::Index(f);
-      const auto o = Eigen::Index(features[f].output);
-      if (features[f].locked_to == LockedTo::nothing) {
-        const double repeated = freedom[o] > 0 ? std::sqrt(scatter[o] / freedom[o]) : 0;
-        record.errors[at] = std::hypot(repeated, least_mean_scatter * mean[at]);
-      } else {
-        record.errors[at] = std::hypot(std::sqrt(0.5) * record.noise[at], jitter_share * mean[at]);
-      }
+      const auto at = static_cast<Eigen::Index>(f);
+      record.errors[at] = features[f].locked_to == LockedTo::nothing
+                              ? std::hypot(or_none(scatter.of_means[features[f].output]),
+                                           least_mean_scatter * mean[at])
+                              : std::hypot(std::sqrt(0.5) * record.noise[at], of_lines * mean[at]);
     }
   }
 }

@@ -11,11 +11,22 @@ inline constexpr double clearly_above_noise = 4;  ///< rms amplitudes: by chance
 /// Values and noise of a record's features.
 void read_features(const OrderCondition& condition, OrderRecord& record);
 
-/// Standard errors of all records' values: what repeats of a condition differ by, pooled over all
-/// conditions (of means their scatter, of lines the part that grows with them), and the noise
-/// beside each line.
+/// What records of one condition differ by: the parts that their errors are made of.
+struct OrderScatter {
+  std::vector<double> of_means;      ///< per output, in its unit; NaN: nothing is repeated
+  double of_lines = not_known;       ///< share of a line, the same for all; NaN likewise
+  std::vector<double> beside_lines;  ///< per output: of a line's amplitude, by noise alone
+};
+
+/// Variance components of the records that are learned from: repeats are pooled over all
+/// conditions, and of lines the noise beside them is taken from what repeats differ by.
 /// @param outputs  how many the plant has
-void find_errors(const std::vector<OrderCondition>& conditions, std::size_t outputs,
+OrderScatter scatter_of(const std::vector<OrderCondition>& conditions, std::size_t outputs,
+                        const std::vector<OrderRecord>& records);
+
+/// Standard errors of all records' values. A mean has that of its output, a line the share that
+/// lines differ by and the noise beside it; both at least what a plant is good for.
+void find_errors(const std::vector<OrderCondition>& conditions, const OrderScatter& scatter,
                  std::vector<OrderRecord>& records);
 
 }  // namespace rvbench::bench

@@ -24,10 +24,6 @@ using analysis::LockedTo;
 constexpr double believable = 5;  // standard errors: farther off counts for little more
 constexpr double one_line = 1.5;  // orders of a period: neighbours show one another
 
-int orders_of(const OrderMeasurement& measured, std::size_t output) {
-  return std::max(0, static_cast<int>(measured.outputs[output].amplitude.size()) - 1);
-}
-
 // The root of Cauchy's loss, with its sign: where physics is missing, lines are a hundred standard
 // errors off, and must not bend the numbers that the other lines tell.
 double pressed(double standard_errors) {
@@ -47,126 +43,40 @@ TwinOrRefusal OrderTwin::make(sim::PlantSpec plant, const Campaign& campaign,
     return Refusal{std::move(faults), false};
   }
   std::unique_ptr<OrderTwin> twin(new OrderTwin(std::move(plant), library));
-  if (Refusal refusal = twin->load(campaign); !refusal.faults.empty()) return refusal;
+  auto seen = order_campaign(twin->plant_, campaign, library);
+  if (auto* refusal = std::get_if<Refusal>(&seen)) return std::move(*refusal);
+  twin->seen_ = std::get<OrderCampaign>(std::move(seen));
   twin->family_.emplace(twin->plant_, twin->scales(), library);
   twin->base_ = twin->family_->base_by_tolerance();
   const std::vector<CandidateProbe> probes = twin->probe();
-  choose_features(twin->plant_, twin->records_, probes, twin->period_turns_, twin->conditions_);
-  for (OrderRecord& record : twin->records_) {
-    read_features(twin->conditions_[record.condition], record);
+  choose_features(twin->plant_, twin->seen_.records, probes, twin->seen_.period_turns,
+                  twin->seen_.conditions);
+  for (OrderRecord& record : twin->seen_.records) {
+    read_features(twin->seen_.conditions[record.condition], record);
   }
-  find_errors(twin->conditions_, twin->plant_.outputs.size(), twin->records_);
+  twin->scatter_ =
+      scatter_of(twin->seen_.conditions, twin->plant_.outputs.size(), twin->seen_.records);
+  find_errors(twin->seen_.conditions, twin->scatter_, twin->seen_.records);
   group_candidates(*twin->family_, twin->marks_of(probes));
   twin->cut_units();
   return std::unique_ptr<Twin>(std::move(twin));
 }
 
-Refusal OrderTwin::load(const Campaign& campaign) {
-  const auto angle =
-      std::ranges::find(plant_.outputs, channel_names::input_angle, &sim::OutputSpec::channel);
-  if (angle == plant_.outputs.end() || angle->kind != sim::OutputKind::position) {
-    return {{{0, "/outputs", "a plant that is compared by orders shows a position input_angle"}},
-            false};
-  }
-  angle_ = static_cast<std::size_t>(angle - plant_.outputs.begin());
-  const auto steady = sim::SteadyPlant::make(plant_, terms_);
-  if (const auto* fault = std::get_if<hal::ConfigFault>(&steady)) return {{*fault}, false};
-  turning_ = sim::index_of(plant_.bodies, angle->of);
-  period_turns_ = std::abs(std::get<sim::SteadyPlant>(steady).turns_per_period()[turning_]);
-  Refusal refusal{{}, true};
-  std::vector<Eigen::VectorXd> under;
-  for (const CampaignRecord& of : campaign.records) {
-    auto inputs = steady_inputs(plant_, of.recording);
-    auto measured = measure_orders(plant_, of.recording, angle_, period_turns_);
-    if (const auto* fault = std::get_if<hal::ConfigFault>(&inputs)) {
-      refusal.faults.push_back({0, fault->pointer, of.name + ": " + fault->message});
-    } else if (const auto* why = std::get_if<std::string>(&measured)) {
-      refusal.faults.push_back({0, "", of.name + ": " + *why});
-    } else {
-      under.push_back(std::get<Eigen::VectorXd>(std::move(inputs)));
-      records_.push_back({of, 0, std::get<OrderMeasurement>(std::move(measured)), {}, {}, {}, {}});
-    }
-  }
-  if (!refusal.faults.empty()) return refusal;
-  if (std::ranges::none_of(records_, [](const OrderRecord& r) { return r.about.learned_from; })) {
-    return {{{0, "", "there is no recording to learn from"}}, true};
-  }
-  for (std::size_t i = 0; i < records_.size(); ++i) sort_in(records_[i], under[i]);
-  if (auto fault = solve_nominal(std::get<sim::SteadyPlant>(steady)))
-    return {{*std::move(fault)}, false};
-  compare_speeds();
-  for (std::size_t i = 0; i < records_.size(); ++i) {
-    const Recording& recording = campaign.records[i].recording;
-    for (const OrderFeature& line : timed_lines(plant_, conditions_[records_[i].condition])) {
-      const Channel& channel = *recording.find(plant_.outputs[line.output].channel);
-      records_[i].timed.push_back(analysis::line_at(channel, line.frequency_Hz));
-    }
-  }
-  return {};
-}
-
-// Finds the record's condition, or opens one; it shows as many orders as all of its records do.
-void OrderTwin::sort_in(OrderRecord& record, const Eigen::VectorXd& inputs) {
-  const auto known = std::ranges::find(conditions_, inputs, &OrderCondition::inputs);
-  record.condition = static_cast<std::size_t>(known - conditions_.begin());
-  if (known == conditions_.end()) {
-    conditions_.push_back({inputs,
-                           {},
-                           std::vector<int>(plant_.outputs.size(), std::numeric_limits<int>::max()),
-                           {},
-                           record.measured.length_s});
-  }
-  std::vector<int>& orders = conditions_[record.condition].orders;
-  for (std::size_t o = 0; o < orders.size(); ++o) {
-    orders[o] = std::min(orders[o], orders_of(record.measured, o));
-  }
-}
-
-std::optional<hal::ConfigFault> OrderTwin::solve_nominal(const sim::SteadyPlant& steady) {
-  const sim::PeriodOrders orders = steady.orders_up_to(highest_order(conditions_));
-  std::vector<std::optional<hal::ConfigFault>> faults(conditions_.size());
-  parallel_for(conditions_.size(), [&](std::size_t c) {
-    auto state = steady.under(conditions_[c].inputs, orders);
-    if (auto* fault = std::get_if<hal::ConfigFault>(&state)) {
-      faults[c] = std::move(*fault);
-    } else {
-      conditions_[c].nominal = std::get<sim::SteadyState>(std::move(state));
-    }
-  });
-  for (auto& fault : faults) {
-    if (fault) return std::move(fault);
-  }
-  return std::nullopt;
-}
-
-void OrderTwin::compare_speeds() {
-  for (std::size_t c = 0; c < conditions_.size(); ++c) {
-    double sum_Hz = 0, count = 0;
-    for (const OrderRecord& record : records_) {
-      if (record.condition != c) continue;
-      sum_Hz += record.measured.speed_Hz;
-      ++count;
-    }
-    conditions_[c].speed_share =
-        units::two_pi * sum_Hz / count / std::abs(conditions_[c].nominal.speed_rad_s[turning_]);
-  }
-}
-
 ParameterScales OrderTwin::scales() const {
   double torque = 0, speed = 0, count = 0;
-  for (const OrderRecord& record : records_) {
+  for (const OrderRecord& record : seen_.records) {
     if (!record.about.learned_from) continue;
     for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
-      double& sum = o == angle_ ? speed : torque;
+      double& sum = o == seen_.angle ? speed : torque;
       sum += std::pow(record.measured.outputs[o].mean, 2);
     }
     ++count;
   }
   const auto others = static_cast<double>(plant_.outputs.size()) - 1;
   const double force = std::sqrt(torque / count / std::max(others, 1.0));
-  const Eigen::VectorXd& speeds = conditions_.front().nominal.speed_rad_s;
+  const Eigen::VectorXd& speeds = seen_.conditions.front().nominal.speed_rad_s;
   std::vector<double> turns;
-  for (const double body_rad_s : speeds) turns.push_back(body_rad_s / speeds[turning_]);
+  for (const double body_rad_s : speeds) turns.push_back(body_rad_s / speeds[seen_.turning]);
   return {{force, 1e-3, std::sqrt(speed / count)},
           1e-3,
           force,
@@ -179,10 +89,10 @@ ParameterScales OrderTwin::scales() const {
 Eigen::MatrixXd OrderTwin::marks_of(const std::vector<CandidateProbe>& probes) const {
   std::vector<Eigen::VectorXd> columns(probes.size());
   Eigen::Index rows = 0;
-  const std::vector<std::size_t> probed = probed_conditions(conditions_);
+  const std::vector<std::size_t> probed = probed_conditions(seen_.conditions);
   for (std::size_t p = 0; p < probed.size(); ++p) {
-    const auto record = std::ranges::find(records_, probed[p], &OrderRecord::condition);
-    const OrderCondition& condition = conditions_[probed[p]];
+    const auto record = std::ranges::find(seen_.records, probed[p], &OrderRecord::condition);
+    const OrderCondition& condition = seen_.conditions[probed[p]];
     const Eigen::VectorXd before = shown_by(features_of(condition.nominal, condition), *record);
     rows += before.size();
     for (std::size_t i = 0; i < probes.size(); ++i) {
@@ -199,19 +109,36 @@ Eigen::MatrixXd OrderTwin::marks_of(const std::vector<CandidateProbe>& probes) c
   return marks;
 }
 
+// Whether what moves at a site goes one way under some conditions and the other under others.
+bool OrderTwin::reverses(const sim::EffectSite& site) const {
+  const int a = sim::index_of(plant_.bodies, site.body_a);
+  const int b = sim::index_of(plant_.bodies, site.body_b);
+  double slowest = 0, fastest = 0;
+  for (const OrderCondition& condition : seen_.conditions) {
+    const Eigen::VectorXd& speeds = condition.nominal.speed_rad_s;
+    const double speed = speeds[a] - (b < 0 ? 0 : speeds[b]);
+    slowest = std::min(slowest, speed);
+    fastest = std::max(fastest, speed);
+  }
+  return slowest < 0 && fastest > 0;
+}
+
 std::vector<CandidateProbe> OrderTwin::probe() {
-  const std::vector<std::size_t> probed = probed_conditions(conditions_);
+  const std::vector<std::size_t> probed = probed_conditions(seen_.conditions);
   auto probes = probe_candidates(
       *family_, [&](const sim::PlantSpec& plant) { return states_of(plant, probed); });
   for (std::size_t i = 0; i < probes.size(); ++i) {
     if (!probes[i].fault.empty()) family_->cannot_show(i, probes[i].fault);
+    if (family_->gate_of(i).needs_reversal && !reverses(family_->site_of(i))) {
+      family_->cannot_show(i, "the direction of motion never changes");
+    }
   }
   return probes;
 }
 
 void OrderTwin::cut_units() {
   Eigen::Index at = 0;
-  for (const OrderRecord& record : records_) {
+  for (const OrderRecord& record : seen_.records) {
     if (!record.about.learned_from) continue;
     units_.push_back({record.about.name, record.about.condition, record.about.speed,
                       record.about.load, at, record.values.size(), record.about.programme});
@@ -224,10 +151,10 @@ std::variant<std::vector<sim::SteadyState>, hal::ConfigFault> OrderTwin::states_
   const auto made = sim::SteadyPlant::make(plant, terms_);
   if (const auto* fault = std::get_if<hal::ConfigFault>(&made)) return *fault;
   const auto& steady = std::get<sim::SteadyPlant>(made);
-  const sim::PeriodOrders orders = steady.orders_up_to(highest_order(conditions_));
+  const sim::PeriodOrders orders = steady.orders_up_to(highest_order(seen_.conditions));
   std::vector<sim::SteadyState> states;
   for (const std::size_t c : conditions) {
-    auto state = steady.under(conditions_[c].inputs, orders, &conditions_[c].nominal);
+    auto state = steady.under(seen_.conditions[c].inputs, orders, &seen_.conditions[c].nominal);
     if (const auto* fault = std::get_if<hal::ConfigFault>(&state)) return *fault;
     states.push_back(std::get<sim::SteadyState>(std::move(state)));
   }
@@ -236,7 +163,7 @@ std::variant<std::vector<sim::SteadyState>, hal::ConfigFault> OrderTwin::states_
 
 std::optional<std::vector<sim::SteadyState>> OrderTwin::solved(
     const std::vector<std::size_t>& effects, const std::vector<double>& values) const {
-  std::vector<std::size_t> all(conditions_.size());
+  std::vector<std::size_t> all(seen_.conditions.size());
   std::iota(all.begin(), all.end(), 0);
   auto states = states_of(plant_with(effects, values), all);
   if (std::holds_alternative<hal::ConfigFault>(states)) return std::nullopt;
@@ -252,16 +179,16 @@ Eigen::VectorXd OrderTwin::features_of(const sim::SteadyState& state,
     const std::complex<double> value = predicted(state, feature, condition.length_s);
     features[Eigen::Index(f)] =
         feature.locked_to != LockedTo::nothing ? std::abs(value)
-        : feature.output != angle_
+        : feature.output != seen_.angle
             ? value.real()
-            : std::abs(plant_.outputs[angle_].gain.value * state.speed_rad_s[turning_]);
+            : std::abs(plant_.outputs[seen_.angle].gain.value * state.speed_rad_s[seen_.turning]);
   }
   return features;
 }
 
 // What the record would show of its features on average, noise included.
 Eigen::VectorXd OrderTwin::shown_by(Eigen::VectorXd features, const OrderRecord& record) const {
-  const std::vector<OrderFeature>& of = conditions_[record.condition].features;
+  const std::vector<OrderFeature>& of = seen_.conditions[record.condition].features;
   for (Eigen::Index f = 0; f < features.size(); ++f) {
     if (of[std::size_t(f)].locked_to == LockedTo::nothing) continue;
     features[f] = with_noise(features[f], record.noise[f]);
@@ -276,12 +203,12 @@ std::optional<Eigen::VectorXd> OrderTwin::residuals(const std::vector<std::size_
   const auto states = solved(effects, values);
   if (!states) return std::nullopt;
   std::vector<Eigen::VectorXd> features;
-  for (std::size_t c = 0; c < conditions_.size(); ++c) {
-    features.push_back(features_of((*states)[c], conditions_[c]));
+  for (std::size_t c = 0; c < seen_.conditions.size(); ++c) {
+    features.push_back(features_of((*states)[c], seen_.conditions[c]));
   }
   Eigen::VectorXd apart(units_.back().first + units_.back().size);
   auto unit = units_.begin();
-  for (const OrderRecord& record : records_) {
+  for (const OrderRecord& record : seen_.records) {
     if (!record.about.learned_from) continue;
     apart.segment(unit->first, unit->size) =
         (record.values - shown_by(features[record.condition], record))
@@ -294,13 +221,13 @@ std::optional<Eigen::VectorXd> OrderTwin::residuals(const std::vector<std::size_
 
 Twin::Cells OrderTwin::cells(const std::vector<std::size_t>& effects,
                              const std::vector<double>& values) const {
-  Cells cells{{}, one_line / period_turns_};
+  Cells cells{{}, one_line / seen_.period_turns, noise()};
   const auto states = solved(effects, values);
   if (!states) return cells;
-  for (std::size_t c = 0; c < conditions_.size(); ++c) {
-    const Eigen::VectorXd expected = features_of((*states)[c], conditions_[c]);
+  for (std::size_t c = 0; c < seen_.conditions.size(); ++c) {
+    const Eigen::VectorXd expected = features_of((*states)[c], seen_.conditions[c]);
     std::vector<const OrderRecord*> records;
-    for (const OrderRecord& record : records_) {
+    for (const OrderRecord& record : seen_.records) {
       if (record.condition == c && record.about.learned_from) records.push_back(&record);
     }
     if (records.empty()) continue;
@@ -310,25 +237,43 @@ Twin::Cells OrderTwin::cells(const std::vector<std::size_t>& effects,
       apart += (record->values - shown_by(expected, *record)) / count;
       squares += record->errors.cwiseAbs2() / (count * count);
     }
-    for (std::size_t f = 0; f < conditions_[c].features.size(); ++f) {
-      const OrderFeature& feature = conditions_[c].features[f];
+    for (std::size_t f = 0; f < seen_.conditions[c].features.size(); ++f) {
+      const OrderFeature& feature = seen_.conditions[c].features[f];
       const sim::OutputSpec& output = plant_.outputs[feature.output];
-      const bool is_speed = feature.output == angle_;
+      const bool is_speed = feature.output == seen_.angle;
       const auto at = Eigen::Index(f);
       cells.all.push_back({output.channel, is_speed ? "rad/s" : output.unit,
                            records.front()->about.condition, feature.locked_to,
-                           place_of(feature, period_turns_), apart[at], std::sqrt(squares[at])});
+                           place_of(feature, seen_.period_turns), apart[at],
+                           std::sqrt(squares[at])});
     }
   }
   return cells;
+}
+
+std::vector<Twin::Noise> OrderTwin::noise() const {
+  std::vector<Noise> all;
+  const auto add = [&](const std::string& channel, const char* of, const std::string& unit,
+                       double value) {
+    if (!std::isnan(value)) all.push_back({channel, of, unit, value});
+  };
+  for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
+    const auto& [channel, unit] = std::pair(plant_.outputs[o].channel, plant_.outputs[o].unit);
+    const bool is_speed = o == seen_.angle;
+    add(channel, "mean, from record to record", is_speed ? "rad/s" : unit, scatter_.of_means[o]);
+    if (is_speed) continue;
+    add(channel, "line, from record to record", "%", 100 * scatter_.of_lines);
+    add(channel, "line, by noise beside it", unit, scatter_.beside_lines[o]);
+  }
+  return all;
 }
 
 PushedFeatures OrderTwin::pushed_features(const std::vector<std::size_t>& effects,
                                           const std::vector<double>& values) const {
   const auto states = solved(effects, values);
   if (!states) return {};
-  return order_pushes(plant_with(effects, values), terms_, conditions_, records_, *states,
-                      {angle_, turning_, period_turns_});
+  return order_pushes(plant_with(effects, values), terms_, seen_.conditions, seen_.records, *states,
+                      {seen_.angle, seen_.turning, seen_.period_turns});
 }
 
 std::vector<Twin::Comparison> OrderTwin::compare(const std::vector<std::size_t>& effects,
@@ -336,14 +281,14 @@ std::vector<Twin::Comparison> OrderTwin::compare(const std::vector<std::size_t>&
   const auto states = solved(effects, values);
   if (!states) return {};
   std::vector<Comparison> all;
-  for (const OrderRecord& record : records_) {
+  for (const OrderRecord& record : seen_.records) {
     const sim::SteadyState& state = (*states)[record.condition];
     for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
-      if (o == angle_) continue;
+      if (o == seen_.angle) continue;
       const sim::OutputSpec& output = plant_.outputs[o];
       const analysis::PeriodLines& lines = record.measured.outputs[o];
-      const double order = 1 / period_turns_;
-      const Eigen::Index size = conditions_[record.condition].orders[o];
+      const double order = 1 / seen_.period_turns;
+      const Eigen::Index size = seen_.conditions[record.condition].orders[o];
       Eigen::VectorXd simulated(size);
       for (Eigen::Index k = 1; k <= size; ++k) {
         simulated[k - 1] = with_noise(std::abs(state.outputs[o].shaft_lines[k]), lines.noise[k]);

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "bench/candidate_probes.hpp"
-#include "bench/order_records.hpp"
+#include "bench/order_campaign.hpp"
+#include "bench/order_errors.hpp"
 #include "bench/twin.hpp"
 #include "sim/steady_state.hpp"
 
@@ -44,14 +45,12 @@ class OrderTwin final : public Twin {
   OrderTwin(sim::PlantSpec plant, const sim::TermLibrary& library)
       : Twin(std::move(plant), library) {}
 
-  Refusal load(const Campaign& campaign);
-  void sort_in(OrderRecord& record, const Eigen::VectorXd& inputs);
-  std::optional<hal::ConfigFault> solve_nominal(const sim::SteadyPlant& steady);
-  void compare_speeds();
   ParameterScales scales() const;
+  bool reverses(const sim::EffectSite& site) const;
   std::vector<CandidateProbe> probe();
   Eigen::MatrixXd marks_of(const std::vector<CandidateProbe>& probes) const;
   void cut_units();
+  std::vector<Noise> noise() const;
   std::variant<std::vector<sim::SteadyState>, hal::ConfigFault> states_of(
       const sim::PlantSpec& plant, const std::vector<std::size_t>& conditions) const;
   std::optional<std::vector<sim::SteadyState>> solved(const std::vector<std::size_t>& effects,
@@ -59,11 +58,8 @@ class OrderTwin final : public Twin {
   Eigen::VectorXd features_of(const sim::SteadyState& state, const OrderCondition& condition) const;
   Eigen::VectorXd shown_by(Eigen::VectorXd features, const OrderRecord& record) const;
 
-  std::size_t angle_ = 0;    ///< output that is the reference shaft's angle
-  int turning_ = 0;          ///< body that it is the angle of
-  double period_turns_ = 0;  ///< of that body
-  std::vector<OrderCondition> conditions_;
-  std::vector<OrderRecord> records_;
+  OrderCampaign seen_;
+  OrderScatter scatter_;
 };
 
 }  // namespace rvbench::bench

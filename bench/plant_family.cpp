@@ -54,6 +54,10 @@ void PlantFamily::add_candidates(std::size_t type, const sim::EffectSite& site,
   }
 }
 
+const sim::TermGate& PlantFamily::gate_of(std::size_t candidate) const {
+  return terms_.types()[acts_.at(candidate).first].gate;
+}
+
 void PlantFamily::stands_for(std::size_t candidate, std::size_t other) {
   analysis::Candidate& tried = candidates_.at(candidate);
   tried.alike.push_back({candidates_.at(other).name, candidates_.at(other).where});

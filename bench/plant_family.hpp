@@ -27,6 +27,9 @@ class PlantFamily {
   std::vector<analysis::ModelParameter> base_by_tolerance() const;
   const std::vector<analysis::Candidate>& candidates() const { return candidates_; }
 
+  const sim::TermGate& gate_of(std::size_t candidate) const;
+  const sim::EffectSite& site_of(std::size_t candidate) const { return acts_.at(candidate).second; }
+
   /// Data or comparison cannot show this candidate.
   void cannot_show(std::size_t candidate, std::string why) {
     candidates_.at(candidate).not_exercised = std::move(why);

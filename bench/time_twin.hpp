@@ -5,9 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "bench/time_records.hpp"
 #include "bench/twin.hpp"
-#include "hal/config_reader.hpp"
-#include "sim/excitation.hpp"
 
 namespace rvbench::bench {
 
@@ -33,25 +32,20 @@ class TimeTwin final : public Twin {
                                   const std::vector<double>& values) const override;
 
  private:
-  struct Record;
-  TimeTwin(sim::PlantSpec plant, const sim::TermLibrary& library);
+  TimeTwin(sim::PlantSpec plant, TimeRecords records, const sim::TermLibrary& library);
 
-  Refusal load(const Campaign& campaign);
-  std::vector<hal::ConfigFault> load_record(const CampaignRecord& of, int steps);
-  void align_repeats();
-  std::vector<hal::ConfigFault> find_spreads();
-  const Record& first_learned() const;
+  bool reverses(const sim::EffectSite& site) const;
+  void leave_out_what_needs_reversal();
   void cut_units();
   sim::NaturalScales natural_scales() const;
   double largest_deviation() const;
-  Eigen::VectorXd below_band(const Record& record, const Eigen::VectorXd& x,
+  Eigen::VectorXd below_band(const TimeRecord& record, const Eigen::VectorXd& x,
                              Eigen::Index step) const;
   std::optional<Eigen::VectorXd> by_units(
-      const std::function<std::optional<std::vector<Eigen::VectorXd>>(const Record&)>& show) const;
+      const std::function<std::optional<std::vector<Eigen::VectorXd>>(const TimeRecord&)>& show)
+      const;
 
-  double band_Hz_ = 0;  ///< 0: no limit
-  std::vector<std::shared_ptr<Record>> records_;
-  std::vector<double> spread_;  ///< per output: of what was measured
+  TimeRecords records_;
 };
 
 }  // namespace rvbench::bench

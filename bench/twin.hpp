@@ -54,10 +54,17 @@ class Twin : public analysis::ForwardModel {
   virtual std::vector<Comparison> compare(const std::vector<std::size_t>& effects,
                                           const std::vector<double>& values) const = 0;
 
+  /// What a mean or a line of a channel is off by without any reason: a part of its error.
+  struct Noise {
+    std::string channel, of, unit;  ///< "input_torque", "mean, from record to record", "N·m"
+    double standard_deviation = 0;
+  };
+
   /// Means and lines of all conditions that are learned from, beside what a model makes of them.
   struct Cells {
     std::vector<analysis::ResidualCell> all;  ///< empty if this twin compares nothing of the kind
     double beside = 0;                        ///< orders, or Hz, within which lines are one
+    std::vector<Noise> noise = {};
   };
   virtual Cells cells(const std::vector<std::size_t>& effects,
                       const std::vector<double>& values) const {

@@ -72,7 +72,8 @@ struct TermGate {
   bool each = false;                ///< one of them at a time
   std::string in_place_of = {};     ///< as an effect it only ever replaces a term of this type
   InChannel in_channel = InChannel::no;
-  bool stands = false;  ///< only on a body that a term joins to the housing
+  bool stands = false;          ///< only on a body that a term joins to the housing
+  bool needs_reversal = false;  ///< only what moves both ways can show it
 };
 
 /// What a type gets to make a term from: names resolved, values checked against the card.

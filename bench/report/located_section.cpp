@@ -68,9 +68,14 @@ std::string located_section(const Located& located) {
       "Lines beside each other are one place: {} as the plant was, {} with what was left out. One "
       "in twenty of these may be wrong.",
       located.cells, counted(located.before), counted(located.after));
+  std::string noise;
+  for (const Twin::Noise& n : located.noise) noise += (noise.empty() ? "" : "; ") + noise_text(n);
+  if (!noise.empty())
+    noise = paragraph("Chance, by repeats and by what is beside the lines: " + xml_escaped(noise) +
+                      ".");
   return section(
       "Where it differs",
-      paragraph(text) +
+      paragraph(text) + noise +
           (rows.empty() ? "" : table({"where", "under", "farthest off before", "after"}, rows)) +
           missing_paragraphs(located.missing_before, "Where what was left out acts:") +
           missing_paragraphs(located.missing_after, "Where what is left over acts:"));

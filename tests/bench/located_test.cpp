@@ -39,6 +39,10 @@ TEST_CASE("the page says what was off before, and what still is", "[bench][expla
   CHECK_THAT(html, Contains("within chance"));
   CHECK_THAT(html, Contains("50 Hz"));
   CHECK(bench::report::located_section({}).empty());
+  bench::Located noisy{240, {pins}, {}};
+  noisy.noise = {{"input_torque", "mean, from record to record", "N·m", 0.0021}};
+  CHECK_THAT(bench::report::located_section(noisy),
+             Contains("input_torque: mean, from record to record 0.0021 N·m"));
 }
 
 TEST_CASE("explain.json tells places, or null of a plant without any", "[bench][explain][locate]") {
@@ -48,8 +52,10 @@ TEST_CASE("explain.json tells places, or null of a plant without any", "[bench][
   };
   CHECK(told().is_null());
   facts.located = {240, {pins}, {}};
+  facts.located.noise = {{"input_torque", "mean, from record to record", "N·m", 0.0021}};
   CHECK(told().at("cells") == 240);
   CHECK(told().at("after").empty());
+  CHECK(told().at("noise").at(0).at("standard_deviation") == 0.0021);
   const auto place = told().at("before").at(0);
   CHECK(place.at("locked_to") == "order");
   CHECK(place.at("first") == 12.893);

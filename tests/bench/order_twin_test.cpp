@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <map>
 
 #include "analysis/explain/explanation.hpp"
 #include "sim/rv_plant.hpp"
@@ -57,6 +58,37 @@ SCENARIO("a plant by orders shows what time integration recorded of it", "[bench
       if (twin->base()[i].name.find("profile_error") != std::string::npos) wrong[i] *= 1.5;
     }
     CHECK(twin->residuals({}, wrong, {true, true})->squaredNorm() > 4 * apart->squaredNorm());
+  }
+}
+
+SCENARIO("noise is told by repeats and by what is beside the lines", "[bench][orders]") {
+  if (test::too_long_under_sanitizer()) return;
+  test::RvMatrix matrix;
+  matrix.speeds_rpm = {1815};
+  matrix.loads_pct = {0};
+  const auto noise_of = [&](const test::RvMatrix& run) {
+    const auto twin = twin_of(nominal(), test::rv_campaign(nominal(), 3, run));
+    std::map<std::string, double> of;
+    for (const Twin::Noise& noise : twin->cells({}, nominal_values(*twin)).noise) {
+      if (noise.channel == "input_torque") of[noise.of] = noise.standard_deviation;
+    }
+    return of;
+  };
+  auto usual = noise_of(matrix);
+  THEN("means scatter as the friction of the input shaft does, and lines do not") {
+    // A factor within ±1.7 · 0.5 % on 0.15 N·m: 0.7 mN·m, told by three records.
+    CHECK(usual["mean, from record to record"] == Approx(0.7e-3).epsilon(0.7));
+    CHECK(usual["line, from record to record"] < 1);
+    test::RvMatrix rough = matrix;
+    rough.friction_scatter *= 10;
+    CHECK(noise_of(rough)["mean, from record to record"] ==
+          Approx(10 * usual["mean, from record to record"]).epsilon(0.1));
+  }
+  THEN("what is beside the lines is the sensor's noise, whatever the friction") {
+    test::RvMatrix loud = matrix;
+    loud.torque_noise_Nm *= 3;
+    CHECK(noise_of(loud)["line, by noise beside it"] ==
+          Approx(3 * usual["line, by noise beside it"]).epsilon(0.1));
   }
 }
 

@@ -1,0 +1,168 @@
+#include "bench/time_records.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "analysis/quality.hpp"
+#include "hal/did_you_mean.hpp"
+#include "sim/simulate.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+constexpr double coming_into_step_s = 1;  // of a free motion: not compared
+constexpr double filter_edges = 3;        // periods of the band: not compared
+constexpr double thinned_to = 2.5;        // samples per period of the band
+
+using Faults = std::vector<hal::ConfigFault>;
+
+// Why a recording cannot be compared with this output; empty if it can. A way may rest at its end
+// for long: only a force or an acceleration that does has lost its top.
+std::string output_fault(const Recording& recording, const sim::OutputSpec& output,
+                         const sim::Excitation& inputs) {
+  const std::string name = hal::in_quotes(output.channel);
+  const Channel* channel = recording.find(output.channel);
+  if (channel == nullptr) return name + " is no channel of the recording";
+  if (!channel->info.unit.empty() && channel->info.unit != output.unit) {
+    return fmt::format("{} is in {}, the plant shows {}", name, channel->info.unit, output.unit);
+  }
+  const bool in_step = channel->rate_Hz == inputs.rate_Hz() &&
+                       channel->start_s == inputs.start_s() &&
+                       channel->samples.size() == inputs.samples();
+  if (!in_step) return name + " has another rate, start or length than the inputs";
+  if (!channel->samples.allFinite()) return name + " has samples that are not finite";
+  const bool may_rest =
+      output.kind == sim::OutputKind::position || output.kind == sim::OutputKind::speed;
+  if (may_rest) return {};
+  for (const analysis::QualityNote& note : analysis::channel_quality(*channel, not_known)) {
+    if (note.invalidates) return name + " is " + note.what;
+  }
+  return {};
+}
+
+// The samples that are compared, and how many of them.
+void choose_samples(TimeRecord& record, double band_Hz) {
+  const double rate_Hz = record.excitation.rate_Hz();
+  const double edge_s = band_Hz > 0 ? filter_edges / band_Hz : 0;
+  const double into_step_s = band_Hz > 0 ? edge_s : coming_into_step_s;
+  record.into_step = static_cast<Eigen::Index>(into_step_s * rate_Hz);
+  record.first = std::max(record.lead_in, record.into_step);
+  record.last = record.excitation.samples() - static_cast<Eigen::Index>(edge_s * rate_Hz);
+  if (band_Hz > 0) {
+    record.thin =
+        std::max<Eigen::Index>(1, static_cast<Eigen::Index>(rate_Hz / (thinned_to * band_Hz)));
+  }
+}
+
+// Adds one record. @return why not; empty if it did
+Faults add_record(const sim::PlantSpec& plant, const CampaignRecord& of, int steps,
+                  TimeRecords& records) {
+  const double rate_Hz = of.recording.channels.front().rate_Hz;
+  if (2 * records.band_Hz > rate_Hz) {
+    return {{0, "/inputs",
+             fmt::format("a motion below {:g} Hz needs a rate above {:g} Hz, not {:g}",
+                         records.band_Hz, 2 * records.band_Hz, rate_Hz)}};
+  }
+  auto made = sim::Excitation::make(plant, of.recording.channels, steps);
+  if (auto* fault = std::get_if<hal::ConfigFault>(&made)) return {*fault};
+  TimeRecord record{of, of.lead_in, std::get<sim::Excitation>(std::move(made)), {}};
+  Faults faults;
+  for (std::size_t i = 0; i < plant.outputs.size(); ++i) {
+    const std::string fault = output_fault(of.recording, plant.outputs[i], record.excitation);
+    if (fault.empty()) {
+      record.measured.push_back(of.recording.find(plant.outputs[i].channel)->samples);
+    } else {
+      faults.push_back({0, fmt::format("/outputs/{}/channel", i), fault});
+    }
+  }
+  choose_samples(record, records.band_Hz);
+  if (record.last - record.first < 2 * units_per_record * record.thin) {
+    faults.push_back({0, "", "too short to be compared"});
+  }
+  records.all.push_back(std::move(record));
+  return faults;
+}
+
+// Repeats are compared over the same part of their programme: one that begins its file has no
+// samples before it for the model to come into step.
+void align_repeats(std::vector<TimeRecord>& records) {
+  std::map<std::string, Eigen::Index> lengths;
+  for (TimeRecord& record : records) {
+    const std::string& programme = record.about.programme;
+    if (programme.empty()) continue;
+    record.first = record.lead_in + record.into_step;
+    const auto [at, is_new] = lengths.try_emplace(programme, record.last - record.first);
+    if (!is_new) at->second = std::min(at->second, record.last - record.first);
+  }
+  for (TimeRecord& record : records) {
+    const auto length = lengths.find(record.about.programme);
+    if (length != lengths.end()) record.last = record.first + length->second;
+  }
+}
+
+Faults find_spreads(const sim::PlantSpec& plant, TimeRecords& records) {
+  Faults faults;
+  for (std::size_t o = 0; o < plant.outputs.size(); ++o) {
+    double sum = 0, count = 0;
+    for (const TimeRecord& record : records.all) {
+      if (!record.about.learned_from) continue;
+      sum += std::pow(deviation(record.measured[o]), 2);
+      ++count;
+    }
+    records.spread.push_back(std::sqrt(sum / count));
+    if (!(records.spread.back() > 0)) {
+      faults.push_back({0, fmt::format("/outputs/{}/channel", o),
+                        hal::in_quotes(plant.outputs[o].channel) + " never changes"});
+    }
+  }
+  return faults;
+}
+
+bool is_learned(const TimeRecord& record) { return record.about.learned_from; }
+
+}  // namespace
+
+double deviation(const Eigen::VectorXd& x) {
+  if (x.size() == 0) return 0;
+  return std::sqrt((x.array() - x.mean()).square().sum() / static_cast<double>(x.size()));
+}
+
+const TimeRecord& TimeRecords::first_learned() const {
+  return *std::ranges::find_if(all, is_learned);
+}
+
+std::variant<TimeRecords, Refusal> time_records(const sim::PlantSpec& plant,
+                                                const Campaign& campaign,
+                                                const sim::TermLibrary& library) {
+  TimeRecords records;
+  for (const sim::InputSpec& input : plant.inputs) {
+    records.band_Hz = std::max(records.band_Hz, input.band_Hz);
+  }
+  Refusal refusal{{}, true};
+  for (const CampaignRecord& of : campaign.records) {
+    const auto steps = sim::substeps_for(plant, of.recording.channels.front().rate_Hz, library);
+    if (const auto* fault = std::get_if<hal::ConfigFault>(&steps)) return Refusal{{*fault}, false};
+    for (hal::ConfigFault& fault : add_record(plant, of, std::get<int>(steps), records)) {
+      fault.message = of.name + ": " + fault.message;
+      refusal.faults.push_back(std::move(fault));
+    }
+  }
+  if (!refusal.faults.empty()) return refusal;
+  for (const TimeRecord& record : records.all) {
+    const auto run = sim::simulate(plant, record.excitation, library);
+    if (const auto* fault = std::get_if<hal::ConfigFault>(&run)) return Refusal{{*fault}, false};
+  }
+  if (std::ranges::none_of(records.all, is_learned)) {
+    return Refusal{{{0, "", "there is no recording to learn from"}}, true};
+  }
+  refusal.faults = find_spreads(plant, records);
+  if (!refusal.faults.empty()) return refusal;
+  align_repeats(records.all);
+  return records;
+}
+
+}  // namespace rvbench::bench
