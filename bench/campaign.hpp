@@ -57,8 +57,8 @@ void add_record(Campaign& campaign, CampaignRecord record);
 /// VibrationSpeed). A record without `to_s` goes to the end.
 /// A recording that is given twice is refused: nothing could be left out of it. Points of a run
 /// are records of their own, see add_point().
-/// @param wanted  names of channels that count: of a file with several clocks, theirs is kept;
-///                empty: that of the longest
+/// @param wanted  names of channels, what drives the plant first: of a file with several clocks,
+///                that of the first that is there is kept; empty: that of the longest
 CampaignOrRefusal read_campaign(const std::string& path,
                                 const std::vector<std::string>& wanted = {});
 

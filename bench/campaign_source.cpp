@@ -127,20 +127,21 @@ CampaignSource parse_source(hal::ConfigReader& json, const std::filesystem::path
   return source;
 }
 
-// Channels of another length or rate are scalars among the variables, or on another clock.
+// Channels of another length are scalars among the variables, or on another clock.
 std::string keep_one_clock(Recording& recording, const std::vector<std::string>& wanted) {
-  const bool has_wanted = std::ranges::any_of(
-      wanted, [&](const std::string& name) { return recording.find(name) != nullptr; });
-  const auto counts = [&](const Channel& channel) {
-    return !has_wanted || std::ranges::find(wanted, channel.info.name) != wanted.end();
-  };
-  Eigen::Index longest = 0;
-  for (const Channel& channel : recording.channels) {
-    if (counts(channel)) longest = std::max(longest, channel.samples.size());
+  Eigen::Index length = 0;
+  for (const std::string& name : wanted) {
+    const Channel* channel = recording.find(name);
+    if (length == 0 && channel != nullptr) length = channel->samples.size();
+  }
+  if (length == 0) {
+    for (const Channel& channel : recording.channels) {
+      length = std::max(length, channel.samples.size());
+    }
   }
   std::erase_if(recording.channels,
-                [&](const Channel& channel) { return channel.samples.size() != longest; });
-  return longest < 2 ? "has no channel of at least 2 samples" : "";
+                [&](const Channel& channel) { return channel.samples.size() != length; });
+  return length < 2 ? "has no channel of at least 2 samples" : "";
 }
 
 std::variant<std::vector<Recording>, std::string> read_source(

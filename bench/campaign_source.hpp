@@ -30,8 +30,8 @@ struct CampaignSource {
 
 CampaignSource parse_source(hal::ConfigReader& json, const std::filesystem::path& folder);
 
-/// Leaves the channels of one clock: of those named, the ones that are as long as the longest of
-/// them; of all, if none of those is there.
+/// Leaves the channels of one clock: those that are as long as the first of those named that is
+/// there; as the longest of all, if none is.
 /// @return why not: "" if there are such channels
 std::string keep_one_clock(Recording& recording, const std::vector<std::string>& wanted);
 

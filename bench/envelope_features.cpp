@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rvbench::bench {
 namespace {
@@ -64,6 +65,30 @@ std::vector<double> orders_of_swells(const std::vector<sim::Vibration>& shown, d
   }
   std::ranges::sort(orders);
   return orders;
+}
+
+Eigen::VectorXd drawn_depth(const sim::Vibration& shown, const analysis::Spectrum& measured) {
+  const Eigen::Index size = measured.amplitude.size();
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(size);
+  for (Eigen::Index k = 1; k < size; ++k) {
+    const auto near = analysis::depth_near(measured, measured.axis(k), measured.resolution);
+    squares[k] = 2 * near.noise_sigma * near.noise_sigma;
+  }
+  for (const sim::RandomForce::Swell& swell : shown.swells) {
+    const auto at = std::lround(swell.frequency_Hz / measured.resolution);
+    const auto reach =
+        std::lround(line_width_Hz(swell.frequency_Hz, turns_per_block * measured.resolution) /
+                    measured.resolution);
+    if (at - reach < 1 || at + reach + 1 >= size) continue;
+    Eigen::Index highest = 0;
+    measured.amplitude.segment(at - reach, 2 * reach + 1).maxCoeff(&highest);
+    highest += at - reach;
+    for (const auto& [line, part] :
+         {std::pair(highest - 1, 0.5), {highest, 1.0}, {highest + 1, 0.5}}) {
+      squares[line] += std::pow(part * swell.depth, 2);
+    }
+  }
+  return squares.cwiseSqrt();
 }
 
 }  // namespace rvbench::bench

@@ -40,4 +40,8 @@ double line_width_Hz(double frequency_Hz, double shaft_Hz);
 /// @param shaft_Hz  what they are orders of
 std::vector<double> orders_of_swells(const std::vector<sim::Vibration>& shown, double shaft_Hz);
 
+/// A solved squared envelope over the lines of a measured one: its swells where the highest lines
+/// within their slip are, each as wide as a Hann window makes it, among what noise shows.
+Eigen::VectorXd drawn_depth(const sim::Vibration& shown, const analysis::Spectrum& measured);
+
 }  // namespace rvbench::bench

@@ -13,33 +13,8 @@ namespace rvbench::bench {
 namespace {
 
 constexpr double least_lines_per_part = 2;          // of a stretch's spectrum, to tell a level by
-constexpr double one_line = 1.5 / turns_per_block;  // orders: neighbours show one another
-
-// A solved squared envelope over the lines of a measured one: its swells where the highest lines
-// within their slip are, each as wide as a Hann window makes it, among what noise shows.
-Eigen::VectorXd drawn_depth(const sim::Vibration& shown, const analysis::Spectrum& measured) {
-  const Eigen::Index size = measured.amplitude.size();
-  Eigen::VectorXd squares = Eigen::VectorXd::Zero(size);
-  for (Eigen::Index k = 1; k < size; ++k) {
-    const auto near = analysis::depth_near(measured, measured.axis(k), measured.resolution);
-    squares[k] = 2 * near.noise_sigma * near.noise_sigma;
-  }
-  for (const sim::RandomForce::Swell& swell : shown.swells) {
-    const auto at = std::lround(swell.frequency_Hz / measured.resolution);
-    const auto reach =
-        std::lround(line_width_Hz(swell.frequency_Hz, turns_per_block * measured.resolution) /
-                    measured.resolution);
-    if (at - reach < 1 || at + reach + 1 >= size) continue;
-    Eigen::Index highest = 0;
-    measured.amplitude.segment(at - reach, 2 * reach + 1).maxCoeff(&highest);
-    highest += at - reach;
-    for (const auto& [line, part] :
-         {std::pair(highest - 1, 0.5), {highest, 1.0}, {highest + 1, 0.5}}) {
-      squares[line] += std::pow(part * swell.depth, 2);
-    }
-  }
-  return squares.cwiseSqrt();
-}
+constexpr double one_line = 1.5 / turns_per_block;  // orders: neighbours show one another; levels
+                                                    // lie farther apart, in Hz
 
 }  // namespace
 
@@ -195,49 +170,55 @@ Eigen::VectorXd EnvelopeTwin::shown_by(Eigen::VectorXd features, const EnvelopeR
   return features;
 }
 
-std::optional<Eigen::VectorXd> EnvelopeTwin::residuals(const std::vector<std::size_t>& effects,
-                                                       const std::vector<double>& values,
-                                                       const std::vector<bool>&) const {
-  stop_if_asked();
-  const sim::PlantSpec plant = plant_with(effects, values);
-  Eigen::VectorXd apart(units_.back().first + units_.back().size);
-  Eigen::Index at = 0;
+bool EnvelopeTwin::for_each_learned(
+    const sim::PlantSpec& plant,
+    const std::function<void(const EnvelopeRecord&, const Eigen::VectorXd&)>& see) const {
   const EnvelopeRecord* before = nullptr;
   Eigen::VectorXd features;
   for (const EnvelopeRecord& record : records_) {
     if (!record.about.learned_from) continue;
     if (before == nullptr || before->inputs != record.inputs) {
       const auto shown = solved(plant, record);
-      if (!shown) return std::nullopt;
+      if (!shown) return false;
       features = without_noise(*shown, record);
     }
     before = &record;
-    for (std::size_t b = 0; b < record.values.size(); ++b) {
-      const Eigen::VectorXd& measured = record.values[b];
-      apart.segment(at, measured.size()) =
-          (measured - shown_by(features, record, b)).cwiseQuotient(record.errors);
-      at += measured.size();
-    }
+    see(record, features);
   }
-  return apart;
+  return true;
+}
+
+std::optional<Eigen::VectorXd> EnvelopeTwin::residuals(const std::vector<std::size_t>& effects,
+                                                       const std::vector<double>& values,
+                                                       const std::vector<bool>&) const {
+  stop_if_asked();
+  Eigen::VectorXd apart(units_.back().first + units_.back().size);
+  Eigen::Index at = 0;
+  const bool is_solved = for_each_learned(
+      plant_with(effects, values),
+      [&](const EnvelopeRecord& record, const Eigen::VectorXd& features) {
+        for (std::size_t b = 0; b < record.values.size(); ++b) {
+          const Eigen::VectorXd& measured = record.values[b];
+          apart.segment(at, measured.size()) =
+              (measured - shown_by(features, record, b)).cwiseQuotient(record.errors);
+          at += measured.size();
+        }
+      });
+  return is_solved ? std::optional(std::move(apart)) : std::nullopt;
 }
 
 Twin::Cells EnvelopeTwin::cells(const std::vector<std::size_t>& effects,
                                 const std::vector<double>& values) const {
-  const sim::PlantSpec plant = plant_with(effects, values);
   Cells cells{{}, one_line};
-  for (const EnvelopeRecord& record : records_) {
-    if (!record.about.learned_from) continue;
-    const auto shown = solved(plant, record);
-    if (!shown) return {};
-    const Eigen::VectorXd features = without_noise(*shown, record);
-    const auto blocks = static_cast<double>(record.values.size());
-    Eigen::VectorXd apart = Eigen::VectorXd::Zero(features.size());
-    for (std::size_t b = 0; b < record.values.size(); ++b) {
-      apart += (record.values[b] - shown_by(features, record, b)) / blocks;
-    }
-    add_cells(record, apart, cells);
-  }
+  for_each_learned(plant_with(effects, values),
+                   [&](const EnvelopeRecord& record, const Eigen::VectorXd& features) {
+                     const auto blocks = static_cast<double>(record.values.size());
+                     Eigen::VectorXd apart = Eigen::VectorXd::Zero(features.size());
+                     for (std::size_t b = 0; b < record.values.size(); ++b) {
+                       apart += (record.values[b] - shown_by(features, record, b)) / blocks;
+                     }
+                     add_cells(record, apart, cells);
+                   });
   return cells;
 }
 

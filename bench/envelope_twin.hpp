@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -49,6 +50,11 @@ class EnvelopeTwin final : public Twin {
   void cut_units();
   std::optional<std::vector<sim::Vibration>> solved(const sim::PlantSpec& plant,
                                                     const EnvelopeRecord& record) const;
+  /// Calls see(record, its features without noise) for each record that is learned from.
+  /// @return false where the plant cannot be solved
+  bool for_each_learned(
+      const sim::PlantSpec& plant,
+      const std::function<void(const EnvelopeRecord&, const Eigen::VectorXd&)>& see) const;
   Eigen::VectorXd without_noise(const std::vector<sim::Vibration>& shown,
                                 const EnvelopeRecord& record) const;
   void add_cells(const EnvelopeRecord& record, const Eigen::VectorXd& apart, Cells& cells) const;

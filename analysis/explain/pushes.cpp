@@ -210,8 +210,8 @@ std::size_t commonest_site(const std::vector<LinePushes>& lines,
                                    [&](std::size_t site) { return std::ranges::count(met, site); });
 }
 
-// As few sources as explain all lines: each time the site that most of those left may come from,
-// and with it all sites that each of these may come from as well.
+// Each time the site that the most of the lines left may come from, and with it the sites that each
+// of these lines may come from as well.
 std::vector<PushSource> sources_of(const std::vector<LinePushes>& lines) {
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -222,16 +222,20 @@ std::vector<PushSource> sources_of(const std::vector<LinePushes>& lines) {
   while (!open.empty()) {
     const std::size_t site = commonest_site(lines, open);
     PushSource source;
-    std::erase_if(open, [&](std::size_t line) {
+    std::vector<std::size_t> others;
+    for (const std::size_t line : open) {
       const std::vector<std::size_t> sites = as_good_sites(lines[line]);
-      if (std::ranges::find(sites, site) == sites.end()) return false;
+      if (std::ranges::find(sites, site) == sites.end()) {
+        others.push_back(line);
+        continue;
+      }
       if (source.lines.empty()) source.sites = sites;
+      source.lines.push_back(line);
       std::erase_if(source.sites, [&](std::size_t known) {
         return std::ranges::find(sites, known) == sites.end();
       });
-      source.lines.push_back(line);
-      return true;
-    });
+    }
+    open = std::move(others);
     sources.push_back(std::move(source));
   }
   return sources;

@@ -88,6 +88,13 @@ class SimulateCommand final : public Command {
 // Why a file must not be written; empty if it may.
 std::string why_not_written(const std::string& out, const std::vector<std::string>& made_from) {
   std::error_code none;
+  for (const std::string& from : made_from) {
+    const std::filesystem::path folder = std::filesystem::path(out).parent_path();
+    if (std::filesystem::is_directory(from, none) &&
+        std::filesystem::equivalent(folder.empty() ? "." : folder, from, none)) {
+      return out + " would be part of the run that it is made from";
+    }
+  }
   if (!std::filesystem::exists(out, none)) return {};
   if (!std::filesystem::is_regular_file(out, none)) return out + " is no regular file";
   for (const std::string& from : made_from) {
@@ -113,6 +120,14 @@ Recording simulated_along(const Course& course, const sim::PlantSpec& plant,
   for (Channel& channel : shown) made.channels.push_back(std::move(channel));
   for (Channel& channel : made.channels) drop_lead_in(channel, course.driven.lead_in);
   return made;
+}
+
+// Whose clock counts: that of the plant's inputs, or of the torque beside which a plan says them.
+std::vector<std::string> clock_of(const sim::PlantSpec& plant) {
+  std::vector<std::string> names;
+  for (const sim::InputSpec& input : plant.inputs) names.push_back(input.channel);
+  names.emplace_back(channel_names::input_torque);
+  return names;
 }
 
 std::variant<Courses, int> SimulateCommand::courses_of_plan(Console& console,
@@ -145,12 +160,10 @@ std::variant<Courses, int> SimulateCommand::courses_like(Console& console,
     if (files.empty())
       return refuse_data(console, like_ + ": no run folder: it holds no recording");
   }
-  std::vector<std::string> wanted{std::string(channel_names::input_torque)};
-  for (const sim::InputSpec& input : plant.inputs) wanted.push_back(input.channel);
   Courses all;
   for (const std::filesystem::path& file : files) {
     std::vector<std::string> notes;
-    auto read = read_source({file.string(), rate_Hz_.value_or(not_known)}, wanted, notes);
+    auto read = read_source({file.string(), rate_Hz_.value_or(not_known)}, clock_of(plant), notes);
     if (const auto* why = std::get_if<std::string>(&read)) return refuse_data(console, *why);
     for (const std::string& note : notes) console.err << "note: " << note << '\n';
     const double rated_Nm = rated_torque_beside_Nm(file);

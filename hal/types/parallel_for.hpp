@@ -5,7 +5,8 @@
 
 namespace rvbench {
 
-/// Calls body(i) once for each i in [0, count), on up to `threads` threads (0: one per core).
+/// Calls body(i) once for each i in [0, count), on up to `threads` threads (0: as many as
+/// there are cores that no other call is using).
 ///
 /// Threads  the calls may overlap: body(i) writes only what belongs to i, so that the result
 ///          does not depend on the number of threads

@@ -76,6 +76,9 @@ TEST_CASE("of several clocks, that of the channels which count is kept", "[bench
   CHECK(keep_one_clock(torque, {"supply", "input_torque"}).empty());
   REQUIRE(torque.channels.size() == 1);
   CHECK(torque.channels[0].info.name == "input_torque");
+  Recording first = point(605, 50, 1);
+  CHECK(keep_one_clock(first, {"input_torque", "accel_1x"}).empty());  // of two, the first
+  CHECK(first.channels.at(0).info.name == "input_torque");
   Recording vibration = point(605, 50, 1);
   CHECK(keep_one_clock(vibration, {"way"}).empty());  // none of these is there
   REQUIRE(vibration.channels.size() == 1);

@@ -1,4 +1,6 @@
 #include <catch2/catch.hpp>
+#include <csignal>
+#include <filesystem>
 
 #include "bench/run_folder.hpp"
 #include "bench/simulated_recording.hpp"
@@ -69,6 +71,7 @@ TEST_CASE("simulate runs a plant along a plan, before anything is measured", "[s
   CHECK_THAT(answer.err, Contains("simulate") && Contains("100 %"));
   const auto simulated = hal::read_recordings(scratch / "sim.h5");
   REQUIRE(simulated);
+  REQUIRE(simulated.value().size() == 4);  // as `rvbench run quick --dry-run` has them
   for (const Recording& point : simulated.value()) {
     // The motor slips by 2 to 3 % at rated load: the article.
     CHECK(point.speed_rpm < point.planned_speed_rpm);
@@ -81,6 +84,22 @@ TEST_CASE("simulate runs a plant along a plan, before anything is measured", "[s
   CHECK(other.code == 3);
   CHECK_THAT(other.err, Contains("emps: /inputs: ") && Contains("supply"));
   CHECK(along({"rv20e_bench", "--like", "sim.h5"}).code == 2);
+  const Answer unknown = along({"rv20e_bnch"});
+  CHECK(unknown.code == 3);
+  CHECK_THAT(unknown.err, Contains("did you mean \"rv20e_bench\""));
+}
+
+TEST_CASE("an interrupted simulate ends ABORTED, and writes nothing", "[spec][simulate]") {
+  const ScratchFolder scratch;
+  test::Program program(scratch.path(),
+                        {test::rvbench_path(), "simulate", "--plant", "rv20e_bench", "--plan",
+                         "rv20e_acceptance", "--rate", "100", "--out", "sim.h5"});
+  REQUIRE(program.says("simulate"));
+  REQUIRE(program.send(SIGINT));
+  const Answer answer = program.wait();
+  CHECK(answer.code == 50);
+  CHECK_THAT(answer.err, Contains("nothing was written"));
+  CHECK_FALSE(std::filesystem::exists(scratch / "sim.h5"));
 }
 
 TEST_CASE("a run on a plant that is none ends with the pointer", "[spec][simulate]") {
