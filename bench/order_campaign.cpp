@@ -53,17 +53,29 @@ std::optional<hal::ConfigFault> solve_nominal(const sim::SteadyPlant& steady,
   return std::nullopt;
 }
 
-// What records show of the nominal speeds, on average.
+// What records show of the nominal speeds: each, and on average those that are learned from.
 void compare_speeds(OrderCampaign& made) {
-  for (std::size_t c = 0; c < made.conditions.size(); ++c) {
-    double sum_Hz = 0, count = 0;
-    for (const OrderRecord& record : made.records) {
-      if (record.condition != c) continue;
-      sum_Hz += record.measured.speed_Hz;
-      ++count;
-    }
-    made.conditions[c].speed_share = units::two_pi * sum_Hz / count /
-                                     std::abs(made.conditions[c].nominal.speed_rad_s[made.turning]);
+  std::vector<double> sums(made.conditions.size()), counts(sums.size());
+  for (OrderRecord& record : made.records) {
+    const sim::SteadyState& nominal = made.conditions[record.condition].nominal;
+    record.speed_share =
+        units::two_pi * record.measured.speed_Hz / std::abs(nominal.speed_rad_s[made.turning]);
+    if (!record.about.learned_from) continue;
+    sums[record.condition] += record.speed_share;
+    ++counts[record.condition];
+  }
+  for (std::size_t c = 0; c < sums.size(); ++c) {
+    if (counts[c] > 0) made.conditions[c].speed_share = sums[c] / counts[c];
+  }
+}
+
+// What follows time, where the record itself has it: slip changes as a rotor warms.
+void measure_timed(const sim::PlantSpec& plant, const OrderCondition& condition,
+                   const Recording& recording, OrderRecord& record) {
+  for (const OrderFeature& line : timed_lines(plant, condition)) {
+    const Channel& channel = *recording.find(plant.outputs[line.output].channel);
+    record.timed.push_back(
+        analysis::line_at(channel, frequency_Hz(plant, condition, line, record.speed_share)));
   }
 }
 
@@ -111,12 +123,8 @@ std::variant<OrderCampaign, Refusal> order_campaign(const sim::PlantSpec& plant,
     return Refusal{{*std::move(fault)}, false};
   compare_speeds(made);
   for (std::size_t i = 0; i < made.records.size(); ++i) {
-    const Recording& recording = campaign.records[i].recording;
-    for (const OrderFeature& line :
-         timed_lines(plant, made.conditions[made.records[i].condition])) {
-      const Channel& channel = *recording.find(plant.outputs[line.output].channel);
-      made.records[i].timed.push_back(analysis::line_at(channel, line.frequency_Hz));
-    }
+    OrderRecord& record = made.records[i];
+    measure_timed(plant, made.conditions[record.condition], campaign.records[i].recording, record);
   }
   return made;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "bench/order_errors.hpp"
 #include "hal/types/units.hpp"
@@ -62,16 +63,31 @@ void add_orders_of(const std::vector<CandidateProbe>& probes,
   }
 }
 
-// Whether an order lies within one of a line that follows time, at the speed of any record.
-bool is_beside_timed(const std::vector<OrderRecord>& records, std::size_t condition, int order,
-                     double period_turns, const std::vector<OrderFeature>& timed) {
-  return std::ranges::any_of(records, [&](const OrderRecord& record) {
-    if (record.condition != condition) return false;
-    const double period_Hz = record.measured.speed_Hz / period_turns;
-    return std::ranges::any_of(timed, [&](const OrderFeature& line) {
-      return std::abs(line.frequency_Hz - order * period_Hz) < period_Hz;
-    });
-  });
+// A condition's records that its features are chosen by: what is only predicted has no say where
+// anything is learned from.
+std::vector<const OrderRecord*> choosing(std::size_t condition,
+                                         const std::vector<OrderRecord>& records) {
+  std::vector<const OrderRecord*> all, learned;
+  for (const OrderRecord& record : records) {
+    if (record.condition != condition) continue;
+    all.push_back(&record);
+    if (record.about.learned_from) learned.push_back(&record);
+  }
+  return learned.empty() ? all : learned;
+}
+
+// Where lines that follow time are, in orders of each record's period.
+std::vector<double> orders_of_timed(const sim::PlantSpec& plant, const OrderCondition& condition,
+                                    const std::vector<const OrderRecord*>& records,
+                                    double period_turns, const std::vector<OrderFeature>& timed) {
+  std::vector<double> orders;
+  for (const OrderRecord* record : records) {
+    const double period_Hz = record->measured.speed_Hz / period_turns;
+    for (const OrderFeature& line : timed) {
+      orders.push_back(frequency_Hz(plant, condition, line, record->speed_share) / period_Hz);
+    }
+  }
+  return orders;
 }
 
 double supplied_Hz(const sim::PlantSpec& plant, const OrderCondition& condition,
@@ -80,46 +96,60 @@ double supplied_Hz(const sim::PlantSpec& plant, const OrderCondition& condition,
   return supply.gain.value * condition.inputs[Eigen::Index(input)] + supply.offset.value;
 }
 
-// Twice the slip frequency of each motor, from its speed as measured.
-std::vector<double> slip_rhythms_Hz(const sim::PlantSpec& plant, const OrderCondition& condition) {
-  std::vector<double> rhythms_Hz;
-  for (const sim::TermSpec& term : plant.terms) {
-    const int supply = sim::index_of(plant.inputs, term.reference);
-    if (term.type != "induction_motor" || supply < 0) continue;
-    const double turns_Hz = condition.speed_share / units::two_pi *
-                            condition.nominal.speed_rad_s[sim::index_of(plant.bodies, term.body_a)];
-    const double pole_pairs = term.parameters.at("pole_pairs").value;
-    const double slip_Hz =
-        supplied_Hz(plant, condition, std::size_t(supply)) - pole_pairs * turns_Hz;
-    rhythms_Hz.push_back(2 * std::abs(slip_Hz));
+// Twice the slip frequency of a motor at this share of its nominal speed.
+double twice_slip_Hz(const sim::PlantSpec& plant, const OrderCondition& condition,
+                     const sim::TermSpec& motor, double speed_share) {
+  const int supply = sim::index_of(plant.inputs, motor.reference);
+  const double turns_Hz = speed_share / units::two_pi *
+                          condition.nominal.speed_rad_s[sim::index_of(plant.bodies, motor.body_a)];
+  const double pole_pairs = motor.parameters.at("pole_pairs").value;
+  return 2 * std::abs(supplied_Hz(plant, condition, std::size_t(supply)) - pole_pairs * turns_Hz);
+}
+
+struct Rhythm {
+  double frequency_Hz = 0;
+  std::string slip_of = {};
+};
+
+// What the bench may bring, the same number of them under all conditions.
+std::vector<Rhythm> rhythms_of(const sim::PlantSpec& plant, const OrderCondition& condition) {
+  std::vector<Rhythm> rhythms;
+  for (const double mains_Hz : sim::mains_frequencies_Hz) rhythms.push_back({mains_Hz});
+  for (std::size_t i = 0; i < plant.inputs.size(); ++i) {
+    if (plant.inputs[i].kind != sim::InputKind::signal) continue;
+    const double supply_Hz = supplied_Hz(plant, condition, i);
+    for (const int harmonic : supply_harmonics) rhythms.push_back({harmonic * supply_Hz});
   }
-  return rhythms_Hz;
+  for (const sim::TermSpec& term : plant.terms) {
+    if (term.type != "induction_motor") continue;
+    if (sim::index_of(plant.inputs, term.reference) < 0) continue;
+    rhythms.push_back({twice_slip_Hz(plant, condition, term, condition.speed_share), term.name});
+  }
+  return rhythms;
 }
 
 }  // namespace
 
 std::vector<OrderFeature> timed_lines(const sim::PlantSpec& plant,
                                       const OrderCondition& condition) {
-  std::vector<double> rhythms_Hz(sim::mains_frequencies_Hz.begin(),
-                                 sim::mains_frequencies_Hz.end());
-  for (std::size_t i = 0; i < plant.inputs.size(); ++i) {
-    if (plant.inputs[i].kind != sim::InputKind::signal) continue;
-    const double supply_Hz = supplied_Hz(plant, condition, i);
-    for (const int harmonic : supply_harmonics) rhythms_Hz.push_back(harmonic * supply_Hz);
-  }
-  const std::size_t fixed = rhythms_Hz.size();
-  const std::vector<double> slips_Hz = slip_rhythms_Hz(plant, condition);
-  rhythms_Hz.insert(rhythms_Hz.end(), slips_Hz.begin(), slips_Hz.end());
+  const std::vector<Rhythm> rhythms = rhythms_of(plant, condition);
   std::vector<OrderFeature> lines;
   for (std::size_t o = 0; o < plant.outputs.size(); ++o) {
     const double highest_Hz = double(condition.orders[o]) * condition.nominal.period_Hz;
-    for (std::size_t i = 0; i < rhythms_Hz.size(); ++i) {
-      if (rhythms_Hz[i] >= highest_Hz) continue;
-      if (rhythms_Hz[i] * condition.length_s < fewest_periods) continue;
-      lines.push_back({LockedTo::time, o, static_cast<int>(i), rhythms_Hz[i], i >= fixed});
+    for (std::size_t i = 0; i < rhythms.size(); ++i) {
+      const auto& [frequency_Hz, slip_of] = rhythms[i];
+      if (frequency_Hz >= highest_Hz) continue;
+      if (frequency_Hz * condition.length_s < fewest_periods) continue;
+      lines.push_back({LockedTo::time, o, static_cast<int>(i), frequency_Hz, slip_of});
     }
   }
   return lines;
+}
+
+double frequency_Hz(const sim::PlantSpec& plant, const OrderCondition& condition,
+                    const OrderFeature& line, double speed_share) {
+  if (line.slip_of.empty()) return line.frequency_Hz;
+  return twice_slip_Hz(plant, condition, *plant.find_term(line.slip_of), speed_share);
 }
 
 int highest_order(const std::vector<OrderCondition>& conditions) {
@@ -144,13 +174,15 @@ void choose_features(const sim::PlantSpec& plant, const std::vector<OrderRecord>
   for (std::size_t c = 0; c < conditions.size(); ++c) {
     OrderCondition& condition = conditions[c];
     const std::vector<OrderFeature> timed = timed_lines(plant, condition);
+    const std::vector<double> timed_orders =
+        orders_of_timed(plant, condition, choosing(c, records), period_turns, timed);
     for (std::size_t o = 0; o < plant.outputs.size(); ++o) {
       condition.features.push_back({LockedTo::nothing, o, 0, 0});
       for (int k = 1; k <= condition.orders[o]; ++k) {
         if (!shown[o][std::size_t(k)]) continue;
-        if (!is_beside_timed(records, c, k, period_turns, timed)) {
-          condition.features.push_back({LockedTo::shaft, o, k, 0});
-        }
+        if (std::ranges::any_of(timed_orders, [&](double at) { return std::abs(at - k) < 1; }))
+          continue;
+        condition.features.push_back({LockedTo::shaft, o, k, 0});
       }
     }
     condition.features.insert(condition.features.end(), timed.begin(), timed.end());

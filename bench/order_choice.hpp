@@ -12,6 +12,10 @@ namespace rvbench::bench {
 /// that a condition's records can show.
 std::vector<OrderFeature> timed_lines(const sim::PlantSpec& plant, const OrderCondition& condition);
 
+/// Where such a line is at this share of the condition's nominal speed.
+double frequency_Hz(const sim::PlantSpec& plant, const OrderCondition& condition,
+                    const OrderFeature& line, double speed_share);
+
 /// Of any record: the forces of all conditions bend alike, and are sampled alike.
 int highest_order(const std::vector<OrderCondition>& conditions);
 

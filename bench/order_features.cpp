@@ -98,7 +98,7 @@ std::complex<double> predicted(const sim::SteadyState& state, const OrderFeature
   }
   std::complex<double> line = 0;
   for (std::size_t i = 0; i < state.rhythms_Hz.size(); ++i) {
-    const bool is_same = feature.by_slip && state.by_slip[i];
+    const bool is_same = !feature.slip_of.empty() && state.slip_of[i] == feature.slip_of;
     const double beside_Hz = is_same ? 0 : state.rhythms_Hz[i] - feature.frequency_Hz;
     line += passed(beside_Hz * length_s) * output.timed_lines[static_cast<Eigen::Index>(i)];
   }

@@ -22,8 +22,9 @@ struct OrderFeature {
   std::size_t output = 0;
   int order = 0;  ///< of what follows time its number, the same under all conditions
   double frequency_Hz = 0;
-  /// A line at twice a motor's slip frequency, as measured: what the plant has at its own.
-  bool by_slip = false;
+  /// The motor at twice whose slip frequency the line is, as measured: each record has it at its
+  /// own, the plant too. frequency_Hz is that of the mean speed. "": of none
+  std::string slip_of = {};
 };
 
 /// Values of a plant's inputs during a steady record, in order of its inputs: the mean of the

@@ -19,7 +19,7 @@ struct OrderCondition {
   std::vector<int> orders;  ///< highest that each output shows in all of its records
   std::vector<OrderFeature> features;
   double length_s = 0;     ///< of its first record
-  double speed_share = 1;  ///< of the nominal state's: what its records show on average
+  double speed_share = 1;  ///< of the nominal state's: what records that are learned from show
 };
 
 struct OrderRecord {
@@ -28,6 +28,7 @@ struct OrderRecord {
   OrderMeasurement measured;
   std::vector<analysis::TimedLine> timed;  ///< see timed_lines()
   Eigen::VectorXd values, noise, errors;   ///< of the condition's features
+  double speed_share = 1;                  ///< of the condition's nominal speed
 };
 
 }  // namespace rvbench::bench

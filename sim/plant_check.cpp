@@ -15,6 +15,10 @@ namespace {
 using hal::did_you_mean;
 using hal::in_quotes;
 
+std::string with_article(std::string_view name) {
+  return fmt::format("{} {}", name.find_first_of("aeiou") == 0 ? "an" : "a", name);
+}
+
 // One walk over a plant, noting what is wrong.
 class Check {
  public:
@@ -151,8 +155,8 @@ class Check {
     } else if (other >= &term) {
       note(at, in_quotes(name) + " must stand before the term that asks for it");
     } else if (!only.empty() && other->type != only) {
-      note(at, fmt::format("{} is a {}, {} asks for a {}", in_quotes(name), other->type, term.type,
-                           only));
+      note(at, fmt::format("{} is {}, {} asks for {}", in_quotes(name), with_article(other->type),
+                           term.type, with_article(only)));
     } else if (!only.empty() && other->body_a != term.body_a) {
       note(at, in_quotes(name) + " does not act on " + in_quotes(term.body_a));
     }

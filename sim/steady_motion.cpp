@@ -6,10 +6,11 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <limits>
+#include <set>
 
 #include "hal/types/units.hpp"
 #include "sim/order_lines.hpp"
-#include "sim/term_memory.hpp"
 
 namespace rvbench::sim {
 namespace {
@@ -18,9 +19,8 @@ using Complex = std::complex<double>;
 using hal::ConfigFault;
 using units::two_pi;
 
-// Angles of the period, of which no push may come a multiple of times: it would look like a mean
-// slope. What goes round with the input shaft of a reducer of 121 comes a multiple of 11 times.
-constexpr int mean_angles = 7;
+constexpr std::array mean_angles{7, 11, 13, 17};  // of the period: one of these numbers
+constexpr double much_faster = 8;
 constexpr double slope_step_rad = 1e-7;
 constexpr double slope_step_of_speed = 1e-6;
 constexpr double slopes_known_to = 1e-6;  // of the largest
@@ -28,7 +28,6 @@ constexpr double slowest_rad_s = 1e-3;    // of the fastest body: what counts as
 constexpr double fastest_rad_s = 1e4;
 constexpr int speeds_tried = 400;
 constexpr int halvings = 60;
-constexpr int slow_orders = 4;  // of the slowest body: slower than what the gears bring
 constexpr int most_rounds = 30;
 constexpr std::size_t steps_mixed = 5;
 constexpr double negligible_line = 1e-12;  // of the largest: not solved for
@@ -41,8 +40,25 @@ double largest(const Eigen::MatrixXcd& lines) {
   return lines.size() > 0 ? std::sqrt(lines.cwiseAbs2().maxCoeff()) : 0;
 }
 
-// Calls what follows time twice, half a period apart: its own line cancels.
-constexpr std::array<double, 2> half_periods{0, 0.5};
+// What comes a multiple of that many times would look like a mean slope: what goes round with the
+// input shaft of a reducer of 121 comes a multiple of 11 times. The pushes' own orders count, not
+// those that are solved: a wave above these is felt as well.
+int choose_mean_angles(const PlantModel& model, const Eigen::VectorXd& common) {
+  std::set<int> pushes;
+  for (const auto& term : model.terms) term->add_orders(common, pushes);
+  return *std::ranges::min_element(mean_angles, {}, [&](int count) {
+    return std::ranges::count_if(pushes, [&](int order) { return order % count == 0; });
+  });
+}
+
+// Up to which order all bodies swing slowly beside what the next faster body brings; 0: none does.
+int find_slow_orders(const Eigen::VectorXd& common) {
+  double next = std::numeric_limits<double>::infinity();
+  for (const double turns : common.cwiseAbs()) {
+    if (turns > 1) next = std::min(next, turns);
+  }
+  return std::isinf(next) ? 0 : static_cast<int>(next / much_faster);
+}
 
 }  // namespace
 
@@ -54,34 +70,15 @@ SteadyMotion::SteadyMotion(const PlantModel& model, Eigen::VectorXd common,
       orders_(orders),
       count_(static_cast<Eigen::Index>(orders_.orders().size())),
       u_(si_inputs(model, inputs)),
-      clock_rates_(Eigen::VectorXd::Zero(model.memory_size)),
+      rhythms_(model, {Eigen::VectorXd::Zero(n_), Eigen::VectorXd::Zero(n_), {}, u_, 0}, common_),
+      mean_angles_(choose_mean_angles(model, common_)),
+      slow_orders_(find_slow_orders(common_)),
       linear_(linear_parts(model)),
       lines_(Eigen::MatrixXcd::Zero(n_, count_ + 1)) {
-  const PlantState still = mean_state(0);
   for (const auto& term : model.terms) {
-    const double rhythm_Hz = term->rhythm_Hz(still);
-    if (rhythm_Hz != 0) {
-      rhythmic_.emplace_back(term.get(), rhythm_Hz);
-    } else {
-      steady_.push_back(term.get());
-      if (!term->is_linear()) curved_.push_back(term.get());
-    }
-  }
-  keep_time(1);
-  const auto at_speed = std::pair(rhythmic_, clock_rates_);
-  keep_time(0);
-  time_follows_speed_ = at_speed != std::pair(rhythmic_, clock_rates_);
-}
-
-// Sets clocks and rhythms as they go at this speed of the slowest body.
-void SteadyMotion::keep_time(double speed_rad_s) {
-  PlantState s = mean_state(0);
-  s.v = common_ * speed_rad_s;
-  for (auto& [term, rhythm_Hz] : rhythmic_) rhythm_Hz = term->rhythm_Hz(s);
-  clock_rates_.setZero();
-  for (const auto& term : model_.terms) {
-    const auto* memory = dynamic_cast<const TermMemory*>(term.get());
-    if (memory != nullptr) memory->add_rates(s, clock_rates_);
+    if (rhythms_.is_one(term.get())) continue;
+    steady_.push_back(term.get());
+    if (!term->is_linear()) curved_.push_back(term.get());
   }
 }
 
@@ -104,29 +101,16 @@ Eigen::MatrixXcd SteadyMotion::impedance(double omega_rad_s) const {
 
 PlantState SteadyMotion::mean_state(double t_s) const {
   PlantState s{lines_.col(0).real(), common_ * speed_rad_s_, Eigen::VectorXd::Zero(0), u_, 0};
-  set_clocks(s, t_s);
+  rhythms_.set_clocks(s, t_s);
   return s;
 }
 
-void SteadyMotion::set_clocks(PlantState& s, double t_s) const {
-  s.t_s = t_s;
-  s.z = clock_rates_ * t_s;
-}
-
 void SteadyMotion::add_forces(PlantState& s, bool remainder_only, Eigen::VectorXd& f) const {
-  const auto add = [&](const PhysicsTerm& term) {
-    remainder_only ? term.add_remainder(s, f) : term.add_force(s, f);
-  };
   f.setZero();
-  for (const auto& [term, rhythm_Hz] : rhythmic_) {
-    for (const double half : half_periods) {
-      set_clocks(s, rhythm_Hz == 0 ? 0 : half / rhythm_Hz);
-      add(*term);
-    }
+  rhythms_.add_mean_forces(s, remainder_only, f);
+  for (const PhysicsTerm* term : remainder_only ? curved_ : steady_) {
+    remainder_only ? term->add_remainder(s, f) : term->add_force(s, f);
   }
-  if (!rhythmic_.empty()) set_clocks(s, 0);
-  f *= 0.5;
-  for (const PhysicsTerm* term : remainder_only ? curved_ : steady_) add(*term);
   for (std::size_t i = 0; i < model_.pushed.size(); ++i) {
     if (model_.pushed[i] >= 0) f[model_.pushed[i]] += u_[static_cast<Eigen::Index>(i)];
   }
@@ -136,7 +120,8 @@ void SteadyMotion::add_forces(PlantState& s, bool remainder_only, Eigen::VectorX
 // meet. By time, what swings the speed would give them sidebands.
 Eigen::MatrixXcd SteadyMotion::without_slow_swing() const {
   Eigen::MatrixXcd lines = lines_;
-  const auto slow = std::ranges::count_if(orders_.orders(), [](int k) { return k <= slow_orders; });
+  const auto slow =
+      std::ranges::count_if(orders_.orders(), [&](int k) { return k <= slow_orders_; });
   const Eigen::VectorXcd all_together = common_.normalized().cast<Complex>();
   auto swing = lines.middleCols(1, slow);
   swing -= all_together * (all_together.transpose() * swing).eval();
@@ -156,7 +141,7 @@ void SteadyMotion::go_round(const std::function<void(Eigen::Index, PlantState&)>
 }
 
 double SteadyMotion::drive_at(double speed_rad_s) {
-  if (time_follows_speed_) keep_time(speed_rad_s);
+  rhythms_.keep(speed_rad_s);
   PlantState s = mean_state(0);
   s.v = common_ * speed_rad_s;
   Eigen::VectorXd f(n_);
@@ -178,16 +163,16 @@ bool SteadyMotion::find_speed() {
         (way * drive_at(middle) < 0 ? fast : slow) = middle;
       }
       speed_rad_s_ = 0.5 * (fast + slow);
-      if (time_follows_speed_) keep_time(speed_rad_s_);
+      rhythms_.keep(speed_rad_s_);
       return true;
     }
   }
   return false;
 }
 
-std::vector<double> SteadyMotion::mean_angles_rad() {
+std::vector<double> SteadyMotion::mean_angles_rad() const {
   std::vector<double> angles_rad;
-  for (int i = 0; i < mean_angles; ++i) angles_rad.push_back(two_pi * (i + 0.5) / mean_angles);
+  for (int i = 0; i < mean_angles_; ++i) angles_rad.push_back(two_pi * (i + 0.5) / mean_angles_);
   return angles_rad;
 }
 
@@ -207,7 +192,7 @@ void SteadyMotion::find_slopes() {
       value = middle - step;
       add_forces(s, false, below);
       value = middle;
-      column -= (above - below) / (2 * step * mean_angles);
+      column -= (above - below) / (2 * step * mean_angles_);
     };
     s.q = q;
     s.v = v;
@@ -229,7 +214,7 @@ std::optional<ConfigFault> SteadyMotion::solve() {
 bool SteadyMotion::solve_near(double speed_rad_s, const Eigen::MatrixXcd& by_orders) {
   if (by_orders.rows() > n_) return false;
   speed_rad_s_ = speed_rad_s;
-  if (time_follows_speed_) keep_time(speed_rad_s_);
+  rhythms_.keep(speed_rad_s_);
   lines_.col(0).head(by_orders.rows()) = by_orders.col(0);
   for (Eigen::Index k = 1; k <= count_; ++k) {
     const int order = orders_.orders()[std::size_t(k - 1)];
@@ -255,7 +240,7 @@ void SteadyMotion::move(AndersonMixing& mixing, const Eigen::MatrixXcd& step,
   lines_.real() += all.head(size).reshaped(step.rows(), step.cols());
   lines_.imag() += all.segment(size, size).reshaped(step.rows(), step.cols());
   speed_rad_s_ += all[2 * size];
-  if (time_follows_speed_) keep_time(speed_rad_s_);
+  rhythms_.keep(speed_rad_s_);
 }
 
 bool SteadyMotion::come_to_rest(const Rest& rest) {

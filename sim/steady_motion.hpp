@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <functional>
 #include <optional>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "sim/anderson.hpp"
 #include "sim/period_orders.hpp"
 #include "sim/plant_model.hpp"
+#include "sim/term_rhythms.hpp"
 
 namespace rvbench::sim {
 
@@ -50,14 +50,12 @@ class SteadyMotion {
   PlantState mean_state(double t_s) const;
   /// Angles of the slowest body, evenly over the period: what a force does on average over these
   /// counts as what it does to the mean motion.
-  static std::vector<double> mean_angles_rad();
+  std::vector<double> mean_angles_rad() const;
   Eigen::Index samples() const { return orders_.samples(); }
   /// Calls see(sample, state) around one period.
   void go_round(const std::function<void(Eigen::Index, PlantState&)>& see) const;
 
  private:
-  void keep_time(double speed_rad_s);
-  void set_clocks(PlantState& s, double t_s) const;
   void add_forces(PlantState& s, bool remainder_only, Eigen::VectorXd& f) const;
   Eigen::MatrixXcd without_slow_swing() const;
   double drive_at(double speed_rad_s);
@@ -67,14 +65,15 @@ class SteadyMotion {
   void move(AndersonMixing& mixing, const Eigen::MatrixXcd& step, double speed_step_rad_s);
 
   const PlantModel& model_;
-  std::vector<std::pair<const PhysicsTerm*, double>> rhythmic_;  // with its rhythm, Hz
-  std::vector<const PhysicsTerm*> steady_, curved_;  // the others, and those with a remainder
   Eigen::VectorXd common_;
   Eigen::Index n_;
   const PeriodOrders& orders_;
   Eigen::Index count_;  // of lines
-  Eigen::VectorXd u_, clock_rates_;
-  bool time_follows_speed_ = false;  // of some clock or rhythm
+  Eigen::VectorXd u_;
+  TermRhythms rhythms_;
+  // Terms without a rhythm, and those of them with a remainder.
+  std::vector<const PhysicsTerm*> steady_, curved_;
+  int mean_angles_, slow_orders_;
   LinearParts linear_;
   Eigen::MatrixXd stiffness_, damping_;  // mean slopes of all forces
   double speed_rad_s_ = 0;

@@ -97,7 +97,7 @@ Eigen::VectorXcd timed_line(const SteadySensors& sensors, const SteadyMotion& mo
     const Eigen::VectorXd q = s.q + (turn * way).real();
     s.v += (j * omega_rad_s * turn * way).real();
     const Eigen::VectorXd acceleration = (-omega_rad_s * omega_rad_s * turn * way).real();
-    const std::vector<double> angles_rad = SteadyMotion::mean_angles_rad();
+    const std::vector<double> angles_rad = motion.mean_angles_rad();
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(outputs);
     for (const double turned_rad : angles_rad) {
       s.q = q + motion.common() * turned_rad;
@@ -115,7 +115,7 @@ void add_hums(const PlantSpec& plant, SteadyState& state, std::vector<Eigen::Vec
   for (Eigen::Index o = 0; o < outputs; ++o) {
     for (const Hum& hum : plant.outputs[static_cast<std::size_t>(o)].hums) {
       state.rhythms_Hz.push_back(hum.frequency.value);
-      state.by_slip.push_back(false);
+      state.slip_of.emplace_back();
       timed.emplace_back(Eigen::VectorXcd::Zero(outputs));
       timed.back()[o] = hum.amplitude.value * std::polar(1.0, hum.phase.value);
     }
@@ -134,14 +134,16 @@ SteadyState shown(const PlantSpec& plant, const PlantModel& model, const SteadyM
   const auto outputs = static_cast<Eigen::Index>(plant.outputs.size());
   const Eigen::MatrixXcd lines = by_orders(shaft_lines(sensors, motion, outputs), motion.orders());
   std::vector<Eigen::VectorXcd> timed;
-  for (const auto& term : model.terms) {
+  for (std::size_t i = 0; i < model.terms.size(); ++i) {
+    const PhysicsTerm& term = *model.terms[i];
     PlantState s = motion.mean_state(0);
-    const double rhythm_Hz = term->rhythm_Hz(s);
+    const double rhythm_Hz = term.rhythm_Hz(s);
     if (rhythm_Hz == 0) continue;
     s.v *= other_speed;
     result.rhythms_Hz.push_back(rhythm_Hz);
-    result.by_slip.push_back(term->rhythm_Hz(s) != rhythm_Hz);
-    timed.push_back(timed_line(sensors, motion, outputs, *term, rhythm_Hz));
+    const bool by_slip = term.rhythm_Hz(s) != rhythm_Hz;
+    result.slip_of.push_back(by_slip ? plant.terms[i].reference : "");
+    timed.push_back(timed_line(sensors, motion, outputs, term, rhythm_Hz));
   }
   add_hums(plant, result, timed);
   for (Eigen::Index o = 0; o < outputs; ++o) {

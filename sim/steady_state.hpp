@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -28,7 +29,7 @@ struct SteadyState {
   Eigen::MatrixXcd motion;            ///< bodies x orders: oscillation; column 0 is the mean
   double slowest_rad_s = 0;           ///< speed of the slowest body, with its sign
   std::vector<double> rhythms_Hz;     ///< of terms that follow time, not motion; then of hums
-  std::vector<bool> by_slip;          ///< of these: which are other ones at another speed
+  std::vector<std::string> slip_of;   ///< of these: the motor whose slip it follows; "": of none
   std::vector<SteadyOutput> outputs;  ///< in order of the plant's
 };
 
@@ -41,9 +42,9 @@ struct SteadyState {
 /// largest before the last round; 1e-7 from a state that is near, so that slopes can be taken by
 /// differences. What follows time is taken as small beside the rest, one line for each such term.
 ///
-/// What swings all bodies together, up to four times a period, is left out of the angles that terms
-/// see: the fast lines are those over the angle, as order tracking shows them. Over time they would
-/// have sidebands.
+/// What swings all bodies together, and slowly beside the fast ones, is left out of the angles that
+/// terms see: the fast lines are those over the angle, as order tracking shows them. Over time they
+/// would have sidebands. Slow is up to an eighth of the turns of the next faster body.
 ///
 /// Leaves out: what outlasts a period (memories of terms, chaos), lines at and between other
 /// orders, modulation of the timed lines by the shaft

@@ -39,7 +39,7 @@ TermType brake_ripple() {
                .sign = "ρ >= 0 brakes more where the cosine is 1",
                .leaves_out = "torque that depends on speed, poles that come more often, what is "
                              "left of them without current",
-               .source = "assumed: 0.5 to 3 % of the torque, as usual for such brakes",
+               .source = "assumed, without a source: a wave of 0.5 to 3 % of the torque",
                .touches = {{Ledger::shaft, "order m of the brake's turn, in proportion to load"}},
                .must_not_touch = {{Ledger::shaft, "order m of the brake's turn without load"},
                                   {Ledger::quasi_static, "means"}},

@@ -10,7 +10,7 @@ namespace rvbench::sim {
 ///
 /// Leaves out: torque that depends on speed, poles that come more often than twice a turn, and what
 /// stays of a hysteresis brake's poles without current.
-/// Source: assumed, a wave over the angle of 0.5 to 3 % of the torque
+/// Source: none, assumed: a wave over the angle of 0.5 to 3 % of the torque
 TermType brake_ripple();
 
 }  // namespace rvbench::sim

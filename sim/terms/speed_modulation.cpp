@@ -43,12 +43,15 @@ TermType speed_modulation() {
                .equation = "F = −[T_motor(f·(1 + m·cos(2π·f_m·t + φ))) − T_motor(f)]",
                .sign = "m >= 0 drives faster where the cosine is 1",
                .leaves_out = "electrical transients, the voltage that swings too, phase of the "
-                             "inverter's ripple",
+                             "inverter's ripple; compared by orders, it is tried at the mains' "
+                             "frequencies only: 50, 60, 100 and 120 Hz",
                .source = "Lipo & Krause, IEEE Trans. Power App. Syst. 88(1), 55-66 (1969)",
                .touches = {{Ledger::fixed_frequency,
                             "torque and speed at f_m under all loads, growing with f"}},
                .must_not_touch = {{Ledger::shaft, "lines after order tracking"},
-                                  {Ledger::quasi_static, "means"}},
+                                  {Ledger::quasi_static,
+                                   "means, to the first order of m: what T is curved by adds "
+                                   "T''·δ²/4 to the torque, δ the swing of the slip"}},
                .mimics = {"external_force", "rotor_bar", "torsional_mode"},
                .experiment = "change the drive's gains or its slip compensation: it moves or goes; "
                              "change the load: a broken bar's line moves, this one stays"},

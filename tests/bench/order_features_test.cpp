@@ -17,7 +17,7 @@ sim::SteadyState turning() {
   sim::SteadyState state;
   state.period_Hz = 1815.0 / 60 / 121;
   state.rhythms_Hz = {50};
-  state.by_slip = {false};
+  state.slip_of = {""};
   sim::SteadyOutput torque;
   torque.mean = 1.5;
   torque.shaft_lines = Eigen::VectorXcd::Zero(300);
@@ -48,12 +48,15 @@ TEST_CASE("a line of a motor's slip is compared with the plant's own, whose slip
           "[bench][orders]") {
   sim::SteadyState state = turning();
   state.rhythms_Hz = {1.9};
-  state.by_slip = {true};
+  state.slip_of = {"motor"};
   OrderFeature measured = at_Hz(1.6);
   CHECK(predicted(state, measured, record_s) == Complex(0));
-  measured.by_slip = true;
+  measured.slip_of = "motor";
   CHECK(predicted(state, measured, record_s) == Complex(0, 0.1));
-  state.by_slip = {false};
+  measured.slip_of = "another motor";
+  CHECK(predicted(state, measured, record_s) == Complex(0));
+  measured.slip_of = "motor";
+  state.slip_of = {""};
   CHECK(predicted(state, measured, record_s) == Complex(0));
 }
 

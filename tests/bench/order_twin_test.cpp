@@ -151,6 +151,41 @@ SCENARIO("faults of motor, drive and brake are tried where these act", "[bench][
   }
 }
 
+SCENARIO("a broken bar is found at its size while the rotor warms from repeat to repeat",
+         "[bench][orders]") {
+  if (test::too_long_under_sanitizer()) return;
+  const double depth = 0.2;
+  const sim::PlantSpec barred =
+      sim::with_effect(nominal(), "rotor_bar", {.body_a = "motor", .reference = "motor_torque"},
+                       {{"depth", {depth, "1"}}, {"phase", {0.4, "rad"}}});
+  test::RvMatrix matrix = two_records();
+  matrix.loads_pct = {150};
+  Campaign campaign;
+  for (const int warmth : {-1, 0, 1}) {  // 10 K each: 4 % of the slip, three lines of a record
+    const auto warm =
+        test::with_value(barred, "/terms/0/parameters/pull_out_slip", 0.15 * (1 + 0.04 * warmth));
+    for (CampaignRecord& record :
+         test::rv_campaign(warm, std::uint64_t(5 + warmth), matrix).records)
+      campaign.records.push_back(std::move(record));
+  }
+  const auto twin = twin_of(nominal(), campaign);
+  const auto bar = std::ranges::find(twin->library(), "rotor_bar", &analysis::Candidate::name);
+  REQUIRE(bar != twin->library().end());
+  const auto effect = std::size_t(bar - twin->library().begin());
+  const auto squares = [&](double tried) {
+    std::vector<double> values = nominal_values(*twin);
+    values.insert(values.end(), {tried, 0});
+    return twin->residuals({effect}, values, {true, true, true})->squaredNorm();
+  };
+  double best = 0;
+  for (int percent = 1; percent <= 30; ++percent) {
+    if (squares(percent / 100.0) < squares(best)) best = percent / 100.0;
+  }
+  CHECK(best == Approx(depth).margin(0.011));
+  // In each record it is worth more than five standard errors.
+  CHECK(squares(0) - squares(best) > 3 * 25);
+}
+
 SCENARIO("teeth keep single lines over the angle where a brake's ripple swings the speed",
          "[bench][orders]") {
   if (test::too_long_under_sanitizer()) return;

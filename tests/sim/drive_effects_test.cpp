@@ -1,111 +1,17 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <complex>
-#include <numbers>
 
-#include "sim/effect_edits.hpp"
-#include "sim/effect_sites.hpp"
 #include "sim/plant_check.hpp"
-#include "sim/plant_files.hpp"
-#include "sim/plant_json.hpp"
 #include "sim/plant_model.hpp"
-#include "sim/rv_plant.hpp"
-#include "sim/steady_state.hpp"
 #include "sim/term_memory.hpp"
-#include "tests/sim/plant_texts.hpp"
+#include "tests/sim/drive_runs.hpp"
 #include "tests/support/under_sanitizer.hpp"
 
 // What motor, inverter and brake of the RV-20E's bench add to what its gears do.
 
 using namespace rvbench;
-using Complex = std::complex<double>;
-
-namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
-constexpr double supply_Hz = 60, brake_Nm = 100;
-
-std::vector<sim::EffectSite> sites(const sim::PlantSpec& plant, const std::string& effect) {
-  return sim::sites_of(plant, *sim::standard_terms().find(effect));
-}
-
-sim::PlantSpec shipped(const std::string& name) { return std::get<0>(sim::read_plant(name)); }
-
-sim::PlantSpec bench_with(const std::string& effect, const sim::Parameters& parameters) {
-  const sim::PlantSpec bench = sim::rv20e_bench();
-  return sim::with_effect(bench, effect, sites(bench, effect).at(0), parameters);
-}
-
-sim::PlantSpec with_rotor_bar(double depth) {
-  return bench_with("rotor_bar", {{"depth", {depth, "1"}}, {"phase", {0.7, "rad"}}});
-}
-
-sim::PlantSpec with_brake_ripple(double depth, double per_turn) {
-  return bench_with(
-      "brake_ripple",
-      {{"depth", {depth, "1"}}, {"phase", {0.7, "rad"}}, {"per_turn", {per_turn, "1"}}});
-}
-
-sim::PlantSpec with_speed_modulation(double depth) {
-  return bench_with("speed_modulation",
-                    {{"depth", {depth, "1"}}, {"phase", {0.7, "rad"}}, {"frequency", {3, "Hz"}}});
-}
-
-sim::SteadyState steady(const sim::PlantSpec& plant, double load_Nm = brake_Nm) {
-  const auto made = std::get<0>(sim::SteadyPlant::make(plant));
-  return std::get<0>(made.under(Eigen::Vector2d(supply_Hz, load_Nm), made.orders_up_to(1100)));
-}
-
-// The amplitude of the first output at the frequency of a term that keeps its own time.
-double timed_line(const sim::SteadyState& state, double frequency_Hz) {
-  for (std::size_t i = 0; i < state.rhythms_Hz.size(); ++i) {
-    if (std::abs(state.rhythms_Hz[i] - frequency_Hz) < 1e-6) {
-      return std::abs(state.outputs[0].timed_lines[Eigen::Index(i)]);
-    }
-  }
-  return 0;
-}
-
-// Twice the frequency of what the rotor's bars carry, from the motor's speed: two pole pairs.
-double twice_slip_Hz(const sim::SteadyState& state) {
-  return 2 * (supply_Hz - 2 * state.speed_rad_s[0] / two_pi);
-}
-
-// The first output as the plant is integrated in time, settled.
-class InTime {
- public:
-  InTime(sim::PlantSpec plant, double length_s) {
-    const sim::SteadyState state = steady(plant);
-    for (std::size_t i = 0; i < plant.bodies.size(); ++i) {
-      plant.bodies[i].start_speed = state.speed_rad_s[Eigen::Index(i)];
-    }
-    const auto held = [&](double value) {
-      return Eigen::VectorXd::Constant(Eigen::Index((settling_s + length_s) * rate_Hz), value);
-    };
-    const auto shown =
-        test::run_of(plant, {test::channel_of("supply", "Hz", rate_Hz, held(supply_Hz)),
-                             test::channel_of("brake_torque", "N·m", rate_Hz, held(brake_Nm))});
-    samples_ = shown[0].samples.tail(Eigen::Index(length_s * rate_Hz));
-  }
-
-  double line(double frequency_Hz) const {  // with a Hann window
-    Complex sum = 0;
-    const Eigen::Index n = samples_.size();
-    const double mean = samples_.mean();
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const double window = 1 - std::cos(two_pi * double(i) / double(n));
-      const double turns = frequency_Hz * double(i) / rate_Hz;
-      sum += window * (samples_[i] - mean) * std::polar(1.0, -two_pi * turns);
-    }
-    return 2.0 / double(n) * std::abs(sum);
-  }
-
- private:
-  static constexpr double rate_Hz = 1000, settling_s = 2;
-  Eigen::VectorXd samples_;
-};
-
-}  // namespace
+using namespace rvbench::test;
 
 TEST_CASE("each has its one place on the bench, and none on a slide or an oscillator",
           "[sim][effects]") {
@@ -118,8 +24,10 @@ TEST_CASE("each has its one place on the bench, and none on a slide or an oscill
   CHECK(place("speed_modulation") == "motor against the housing, by motor_torque");
   CHECK(place("brake_ripple") == "brake against the housing, by brake_torque");
   for (const std::string effect : {"rotor_bar", "speed_modulation", "brake_ripple"}) {
-    CHECK(sites(shipped("emps"), effect).empty());
-    CHECK(sites(shipped("silverbox"), effect).empty());
+    for (const std::string other : {"emps", "silverbox", "ur10e_joint", "oedi_gearbox"}) {
+      INFO(effect << " on " << other);
+      CHECK(sites(shipped(other), effect).empty());
+    }
   }
   CHECK(sites(with_rotor_bar(0.02), "rotor_bar").empty());  // not twice
 }
@@ -133,7 +41,7 @@ TEST_CASE("what they refer to is a motor that acts there, or an input that pushe
   };
   CHECK(fault_of(with_rotor_bar(0.02), "motor_torque").empty());
   CHECK(fault_of(with_rotor_bar(0.02), "coupling") ==
-        "/terms/10/motor: \"coupling\" is a shaft_torsion, rotor_bar asks for a induction_motor");
+        "/terms/10/motor: \"coupling\" is a shaft_torsion, rotor_bar asks for an induction_motor");
   CHECK(fault_of(with_brake_ripple(0.02, 1), "supply") ==
         "/terms/10/brake: \"supply\" does not push \"brake\"");
 }
@@ -180,15 +88,9 @@ SCENARIO("a broken bar swings the speed, in time as by orders", "[sim][effects][
       sim::with_probes(with_rotor_bar(0.03), "motor", {sim::OutputKind::speed});
   const sim::SteadyState state = steady(plant);
   const double at_Hz = twice_slip_Hz(state);
-  const double nominal_rad_s = two_pi * 25 * 0.15;
-  const double x = two_pi * at_Hz / 4 / nominal_rad_s;  // pull-out at x = 1
-  const double torque_Nm = 24 * x / (1 + x * x);
-  const double slope_Nms = 24 / nominal_rad_s * (1 - x * x) / std::pow(1 + x * x, 2);
-  // The planets turn at a third of the sun's speed, the output at its 121st part.
-  const double inertia_kgm2 = 2.05e-3 + 2 * 2e-5 / 9 + 0.33 / 121 / 121;
-  const double drag_Nms = 5e-4 + 0.5 / 121 / 121;
-  const Complex held(slope_Nms + drag_Nms, two_pi * at_Hz * inertia_kgm2);
-  CHECK(timed_line(state, at_Hz) == Approx(0.03 * torque_Nm / std::abs(held)).epsilon(0.01));
+  const Linearised motor(state);
+  const double expected = 0.03 * motor.torque_Nm / std::abs(motor.held(at_Hz));
+  CHECK(timed_line(state, at_Hz) == Approx(expected).epsilon(0.01));
   const InTime speed(plant, 8);
   CHECK(speed.line(at_Hz) == Approx(timed_line(state, at_Hz)).epsilon(0.03));
 }
@@ -213,6 +115,43 @@ SCENARIO("a hunting drive shows in time as it does by orders", "[sim][effects][s
   const InTime torque(plant, 8);
   CHECK(torque.line(3) == Approx(timed_line(state, 3)).epsilon(0.03));
   CHECK(torque.line(4.5) < 0.02 * torque.line(3));
+}
+
+SCENARIO("a hunting drive swings the motor by its slope over the slip", "[sim][effects][steady]") {
+  const auto state =
+      steady(sim::with_probes(with_speed_modulation(0.005), "motor", {sim::OutputKind::speed}));
+  const Linearised motor(state);
+  const double push_Nm = motor.slope_Nms * 0.005 * two_pi * supply_Hz / 2;  // two pole pairs
+  CHECK(timed_line(state, 3) == Approx(push_Nm / std::abs(motor.held(3))).epsilon(0.01));
+}
+
+// So fast that the inertia of the bodies holds their speed: the slip swings by all that the drive
+// hunts by.
+SCENARIO("a drive that hunts far slows the motor by the curvature of its torque",
+         "[sim][effects][steady]") {
+  if (test::too_long_under_sanitizer()) return;
+  const auto hunting = [](double depth, double phase_rad) {
+    return sim::with_probes(bench_with("speed_modulation", {{"depth", {depth, "1"}},
+                                                            {"phase", {phase_rad, "rad"}},
+                                                            {"frequency", {300, "Hz"}}}),
+                            "motor", {sim::OutputKind::speed});
+  };
+  const sim::SteadyState still = steady(hunting(0, 0));
+  const double slower_rad_s = still.outputs[0].mean - steady(hunting(0.01, 0)).outputs[0].mean;
+  const Linearised motor(still);
+  const double swing_rad_s = 0.01 * two_pi * supply_Hz / 2;
+  const double less_Nm = -motor.curvature_Nms2 * swing_rad_s * swing_rad_s / 4;
+  CHECK(slower_rad_s == Approx(less_Nm / std::real(motor.held(0))).epsilon(0.1));
+  THEN("whatever the phase") {
+    const double phase_rad = GENERATE(0.7, two_pi / 4);
+    const double other_rad_s =
+        still.outputs[0].mean - steady(hunting(0.01, phase_rad)).outputs[0].mean;
+    CHECK(other_rad_s == Approx(slower_rad_s).epsilon(0.02));
+  }
+  THEN("in time too") {
+    const InTime without(hunting(0, 0), 8), with(hunting(0.01, 0), 8);
+    CHECK(without.mean() - with.mean() == Approx(slower_rad_s).epsilon(0.1));
+  }
 }
 
 SCENARIO("a broken bar and a brake's ripple grow with the load, a hunting drive hardly",
@@ -249,7 +188,8 @@ SCENARIO("of no size they change nothing", "[sim][effects][steady]") {
       CHECK(std::abs(std::abs(state.outputs[0].shaft_lines[order]) -
                      std::abs(bare.outputs[0].shaft_lines[order])) < 1e-8);
     }
-    CHECK(timed_line(state, twice_slip_Hz(state)) < 1e-12);
-    CHECK(timed_line(state, 3) < 1e-12);
   }
+  const sim::SteadyState bar = steady(with_rotor_bar(0));
+  CHECK(timed_line(bar, twice_slip_Hz(bar)) < 1e-12);
+  CHECK(timed_line(steady(with_speed_modulation(0)), 3) < 1e-12);
 }

@@ -1,0 +1,105 @@
+#include "bench/order_campaign.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "bench/order_choice.hpp"
+#include "sim/rv_plant.hpp"
+
+using namespace rvbench;
+using namespace rvbench::bench;
+
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+constexpr double planned_rpm = 605, supply_Hz = 605.0 / 30;  // two pole pairs
+constexpr double bar_Nm = 0.05;
+
+// A record that a motor with this slip speed made: its bars' line, and the first harmonics of the
+// output's turn. Written down here: nothing simulated it.
+CampaignRecord record_of(double slip_Hz, bool learned_from = true) {
+  constexpr double rate_Hz = 200;
+  const double speed_Hz = supply_Hz / 2 - slip_Hz;
+  const double line_Hz = 2 * (supply_Hz - 2 * speed_Hz);
+  const auto count = Eigen::Index(4.5 * 121 / (planned_rpm / 60) * 1.05 * rate_Hz);
+  Eigen::VectorXd torque_Nm(count), angle_rad(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double t_s = double(i) / rate_Hz;
+    angle_rad[i] = two_pi * speed_Hz * t_s;
+    torque_Nm[i] = 1.5 + bar_Nm * std::cos(two_pi * line_Hz * t_s + 0.3);
+    for (const int order : {1, 3, 40}) {
+      torque_Nm[i] += 0.02 * std::cos(order * angle_rad[i] / 121);
+    }
+  }
+  CampaignRecord record;
+  record.condition = record.programme = "605 rpm, 150 %";
+  record.learned_from = learned_from;
+  record.recording.planned_speed_rpm = planned_rpm;
+  record.recording.load_pct = 150;
+  record.recording.channels = {{{"input_torque", "N·m", "", not_known}, rate_Hz, 0, torque_Nm},
+                               {{"input_angle", "rad", "", not_known}, rate_Hz, 0, angle_rad}};
+  return record;
+}
+
+OrderCampaign seen_of(std::vector<CampaignRecord> records) {
+  Campaign campaign;
+  campaign.records = std::move(records);
+  const sim::PlantSpec plant = sim::rv20e_bench();
+  auto seen = order_campaign(plant, campaign, sim::standard_terms());
+  if (auto* refusal = std::get_if<Refusal>(&seen)) {
+    for (const auto& fault : refusal->faults) UNSCOPED_INFO(fault.pointer << ": " << fault.message);
+    FAIL("refused");
+  }
+  return std::get<OrderCampaign>(std::move(seen));
+}
+
+std::size_t slip_line(const OrderCondition& condition) {
+  const auto lines = timed_lines(sim::rv20e_bench(), condition);
+  const auto found = std::ranges::find(lines, "motor_torque", &OrderFeature::slip_of);
+  REQUIRE(found != lines.end());
+  return std::size_t(found - lines.begin());
+}
+
+}  // namespace
+
+// 4 % of a slip line at 1.3 Hz are three lines of such a record.
+TEST_CASE("each record shows its slip line where its own speed has it", "[bench][orders]") {
+  const OrderCampaign seen = seen_of({record_of(0.31), record_of(0.32), record_of(0.335)});
+  REQUIRE(seen.conditions.size() == 1);
+  const std::size_t line = slip_line(seen.conditions[0]);
+  for (const OrderRecord& record : seen.records) {
+    CHECK(record.timed[line].amplitude == Approx(bar_Nm).epsilon(0.01));
+  }
+  THEN("the condition has it at the mean speed") {
+    const OrderFeature feature = timed_lines(sim::rv20e_bench(), seen.conditions[0])[line];
+    CHECK(feature.frequency_Hz == Approx(4 * (0.31 + 0.32 + 0.335) / 3).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("a record that is only predicted has no say in what is compared", "[bench][orders]") {
+  const auto features_beside = [](double slip_Hz) {
+    OrderCampaign seen = seen_of({record_of(0.31), record_of(0.32), record_of(slip_Hz, false)});
+    choose_features(sim::rv20e_bench(), seen.records, {}, seen.period_turns, seen.conditions);
+    return seen.conditions[0].features;
+  };
+  const auto beside_one = features_beside(0.315), beside_other = features_beside(0.5);
+  REQUIRE(beside_one.size() == beside_other.size());
+  for (std::size_t f = 0; f < beside_one.size(); ++f) {
+    CHECK(beside_one[f].locked_to == beside_other[f].locked_to);
+    CHECK(beside_one[f].order == beside_other[f].order);
+    CHECK(beside_one[f].frequency_Hz == beside_other[f].frequency_Hz);
+  }
+}
+
+TEST_CASE("a condition that is only predicted has its slip line at its nominal speed",
+          "[bench][orders]") {
+  CampaignRecord other = record_of(0.4, false);
+  other.recording.load_pct = 75;
+  const OrderCampaign seen = seen_of({record_of(0.31), other});
+  REQUIRE(seen.conditions.size() == 2);
+  CHECK(seen.conditions[1].speed_share == 1);
+  CHECK(seen.records[1].timed[slip_line(seen.conditions[1])].amplitude ==
+        Approx(bar_Nm).epsilon(0.01));
+}
