@@ -10,6 +10,7 @@
 #include "hal/did_you_mean.hpp"
 #include "sim/effect_edits.hpp"
 #include "sim/interpolation.hpp"
+#include "sim/mains.hpp"
 #include "sim/plant_check.hpp"
 #include "sim/simulate.hpp"
 
@@ -33,9 +34,11 @@ TwinOrRefusal TimeTwin::make(sim::PlantSpec plant, const Campaign& campaign,
   if (auto* refusal = std::get_if<Refusal>(&read)) return std::move(*refusal);
   std::unique_ptr<TimeTwin> twin(
       new TimeTwin(std::move(plant), std::get<TimeRecords>(std::move(read)), library));
-  const ParameterScales scales{twin->natural_scales(),
-                               1 / twin->records_.first_learned().excitation.rate_Hz(),
-                               twin->largest_deviation()};
+  ParameterScales scales{twin->natural_scales(),
+                         1 / twin->records_.first_learned().excitation.rate_Hz(),
+                         twin->largest_deviation()};
+  scales.rhythms_Hz.assign(sim::mains_frequencies_Hz.begin(), sim::mains_frequencies_Hz.end());
+  scales.fits_rhythms = true;
   twin->family_.emplace(twin->plant_, scales, library);
   twin->base_ = twin->family_->base();
   twin->leave_out_what_needs_reversal();

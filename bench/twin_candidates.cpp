@@ -241,6 +241,7 @@ std::vector<TwinCandidate> candidates_at(const sim::PlantSpec& plant, const sim:
     return {candidate_at(plant, type, site, natural, {})};
   }
   std::vector<TwinCandidate> all;
+  if (scales.fits_rhythms) all.push_back(candidate_at(plant, type, site, natural, {}));
   for (const double rhythm_Hz : scales.rhythms_Hz) {
     all.push_back(candidate_at(plant, type, site, natural, {{frequency->name, rhythm_Hz}}));
     all.back().candidate.where += fmt::format(", at {:g} Hz", rhythm_Hz);
