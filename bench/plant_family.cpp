@@ -23,7 +23,7 @@ PlantFamily::PlantFamily(sim::PlantSpec plant, const ParameterScales& scales,
   for (std::size_t t = 0; t < terms_.types().size(); ++t) {
     const sim::TermType& type = terms_.types()[t];
     if (!type.card.effect) continue;
-    for (const sim::EffectSite& site : sim::sites_of(plant_, type)) {
+    for (const sim::EffectSite& site : sim::sites_of(plant_, type, terms_)) {
       add_candidates(t, site, scales);
     }
   }
@@ -56,6 +56,15 @@ void PlantFamily::add_candidates(std::size_t type, const sim::EffectSite& site,
 
 const sim::TermGate& PlantFamily::gate_of(std::size_t candidate) const {
   return terms_.types()[acts_.at(candidate).first].gate;
+}
+
+std::optional<double> PlantFamily::chosen_frequency_Hz(std::size_t candidate) const {
+  for (const sim::ParameterCard& card : terms_.types()[acts_.at(candidate).first].parameters) {
+    const auto chosen = chosen_[candidate].find(card.name);
+    const bool is_frequency = card.unit == sim::UnitKind::frequency;
+    if (is_frequency && chosen != chosen_[candidate].end()) return chosen->second;
+  }
+  return std::nullopt;
 }
 
 void PlantFamily::stands_for(std::size_t candidate, std::size_t other) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +30,9 @@ class PlantFamily {
 
   const sim::TermGate& gate_of(std::size_t candidate) const;
   const sim::EffectSite& site_of(std::size_t candidate) const { return acts_.at(candidate).second; }
+
+  /// What it is tried at; empty if it has no frequency, or that is fitted.
+  std::optional<double> chosen_frequency_Hz(std::size_t candidate) const;
 
   /// Data or comparison cannot show this candidate.
   void cannot_show(std::size_t candidate, std::string why) {

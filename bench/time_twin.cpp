@@ -10,6 +10,7 @@
 #include "hal/did_you_mean.hpp"
 #include "sim/effect_edits.hpp"
 #include "sim/interpolation.hpp"
+#include "sim/mains.hpp"
 #include "sim/plant_check.hpp"
 #include "sim/simulate.hpp"
 
@@ -33,12 +34,15 @@ TwinOrRefusal TimeTwin::make(sim::PlantSpec plant, const Campaign& campaign,
   if (auto* refusal = std::get_if<Refusal>(&read)) return std::move(*refusal);
   std::unique_ptr<TimeTwin> twin(
       new TimeTwin(std::move(plant), std::get<TimeRecords>(std::move(read)), library));
-  const ParameterScales scales{twin->natural_scales(),
-                               1 / twin->records_.first_learned().excitation.rate_Hz(),
-                               twin->largest_deviation()};
+  ParameterScales scales{twin->natural_scales(),
+                         1 / twin->records_.first_learned().excitation.rate_Hz(),
+                         twin->largest_deviation()};
+  scales.rhythms_Hz.assign(sim::mains_frequencies_Hz.begin(), sim::mains_frequencies_Hz.end());
+  scales.fits_rhythms = true;
   twin->family_.emplace(twin->plant_, scales, library);
   twin->base_ = twin->family_->base();
   twin->leave_out_what_needs_reversal();
+  twin->leave_out_what_is_too_fast();
   twin->cut_units();
   return std::unique_ptr<Twin>(std::move(twin));
 }
@@ -97,6 +101,21 @@ void TimeTwin::leave_out_what_needs_reversal() {
   for (std::size_t i = 0; i < library().size(); ++i) {
     if (!family_->gate_of(i).needs_reversal || reverses(family_->site_of(i))) continue;
     family_->cannot_show(i, "the direction of motion never changes");
+  }
+}
+
+// At half the rate and above, a sinusoid is another one or a constant; above the band it is not
+// compared.
+void TimeTwin::leave_out_what_is_too_fast() {
+  double limit_Hz = 0;
+  for (const TimeRecord& record : records_.all) {
+    if (record.about.learned_from) limit_Hz = std::max(limit_Hz, record.excitation.rate_Hz() / 2);
+  }
+  if (records_.band_Hz > 0) limit_Hz = std::min(limit_Hz, records_.band_Hz);
+  for (std::size_t i = 0; i < library().size(); ++i) {
+    const std::optional<double> frequency_Hz = family_->chosen_frequency_Hz(i);
+    if (!frequency_Hz || *frequency_Hz < limit_Hz) continue;
+    family_->cannot_show(i, fmt::format("recordings show nothing above {:g} Hz", limit_Hz));
   }
 }
 

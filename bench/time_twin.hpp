@@ -36,6 +36,7 @@ class TimeTwin final : public Twin {
 
   bool reverses(const sim::EffectSite& site) const;
   void leave_out_what_needs_reversal();
+  void leave_out_what_is_too_fast();
   void cut_units();
   sim::NaturalScales natural_scales() const;
   double largest_deviation() const;

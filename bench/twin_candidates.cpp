@@ -11,7 +11,8 @@
 namespace rvbench::bench {
 namespace {
 
-constexpr double part_of_value = 0.05;  // of a parameter: a noticeable change
+constexpr double part_of_value = 0.05;   // of a parameter: a noticeable change
+constexpr double part_of_mains = 0.001;  // of a frequency: more loses step within seconds
 constexpr double most_delay_samples = 2;
 constexpr double widest_shape = 5;  // times its usual scale, and its fifth
 
@@ -192,6 +193,7 @@ analysis::ModelParameter model_parameter(const sim::PlantSpec& plant,
   const bool is_delay = p.name.ends_with("/delay");
   const bool of_hum = p.name.find("/hums/") != std::string::npos;
   const bool is_phase = p.name.ends_with("/phase");
+  const bool is_hum_frequency = of_hum && p.name.ends_with("/frequency");
   if (std::isfinite(quantity.tolerance_pct)) {
     const double width = std::abs(quantity.value) * quantity.tolerance_pct / 100;
     p.low = quantity.value - width;
@@ -199,12 +201,15 @@ analysis::ModelParameter model_parameter(const sim::PlantSpec& plant,
   } else if (is_delay) {
     p.low = -most_delay_samples * scales.sample_s;
     p.high = most_delay_samples * scales.sample_s;
-  } else if (p.name.starts_with("/bodies") || (of_hum && !is_phase)) {
+  } else if (p.name.starts_with("/bodies") || is_hum_frequency) {
     p.low = 1e-3 * quantity.value;
+  } else if (of_hum && !is_phase) {
+    p.low = 0;
   }
   p.is_known = is_delay || std::isfinite(quantity.tolerance_pct);
   if (is_delay) p.scale = 0.1 * scales.sample_s;
   if (of_hum && is_phase) p.scale = part_of_value;
+  if (is_hum_frequency) p.scale = part_of_mains * quantity.value;
   bound_by_card(p, plant, scales.natural, terms);
   // An offset of a channel that is nominally none.
   if (p.scale == 0) p.scale = part_of_value * scales.deviation;
@@ -236,6 +241,7 @@ std::vector<TwinCandidate> candidates_at(const sim::PlantSpec& plant, const sim:
     return {candidate_at(plant, type, site, natural, {})};
   }
   std::vector<TwinCandidate> all;
+  if (scales.fits_rhythms) all.push_back(candidate_at(plant, type, site, natural, {}));
   for (const double rhythm_Hz : scales.rhythms_Hz) {
     all.push_back(candidate_at(plant, type, site, natural, {{frequency->name, rhythm_Hz}}));
     all.back().candidate.where += fmt::format(", at {:g} Hz", rhythm_Hz);

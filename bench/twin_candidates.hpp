@@ -20,6 +20,7 @@ struct ParameterScales {
   /// Of bodies that turn together, while that one makes one turn; in order of the plant's; empty:
   /// all of them go as it does.
   std::vector<double> turns = {};
+  bool fits_rhythms = false;  ///< besides rhythms_Hz, which are too far away for a fit
 };
 
 /// A quantity of the plant as a fit moves it: within its tolerance, within what the term's card

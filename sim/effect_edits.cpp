@@ -48,6 +48,17 @@ std::string free_name(const PlantSpec& plant, const std::string& wanted) {
   return name;
 }
 
+std::vector<std::string> holding(const PlantSpec& plant, std::string_view body,
+                                 const TermLibrary& library) {
+  std::vector<std::string> names;
+  for (const TermSpec& term : plant.terms) {
+    const TermType* type = library.find(term.type);
+    const bool pushes_back = type != nullptr && type->gate.between_two;
+    if (pushes_back && term.is_between(body, housing_name)) names.push_back(term.name);
+  }
+  return names;
+}
+
 PlantSpec replace_or_append(PlantSpec plant, const std::string& type, const EffectSite& site,
                             const Parameters& parameters) {
   if (site.reference.empty()) {
@@ -89,6 +100,18 @@ void hang(PlantSpec& plant, const BodySpec& body, std::string_view on, const Res
   join(plant, body.name, std::string(on),
        {resonance.effect, omega_rad_s * omega_rad_s * body.inertia.value,
         2 * resonance.damping_ratio * omega_rad_s * body.inertia.value});
+}
+
+ParameterCard resonance_card(double start) {
+  return {.name = "frequency",
+          .unit = UnitKind::frequency,
+          .min = smallest,
+          .max = 1e6,
+          .start = start};
+}
+
+ParameterCard damping_ratio_card(double start, double min) {
+  return {.name = "damping_ratio", .unit = UnitKind::ratio, .min = min, .max = 1, .start = start};
 }
 
 OutputSpec& output_of(PlantSpec& plant, const std::string& effect, const std::string& channel) {

@@ -15,6 +15,11 @@ std::string free_name(const PlantSpec& plant, const std::string& wanted);
 PlantSpec replace_or_append(PlantSpec plant, const std::string& type, const EffectSite& site,
                             const Parameters& parameters);
 
+/// Names of the terms that hold a body on the housing. What acts on one body only, as weight and
+/// unbalance do, pushes nothing back: it is none of them.
+std::vector<std::string> holding(const PlantSpec& plant, std::string_view body,
+                                 const TermLibrary& library);
+
 struct BodySplit {
   std::string effect;  ///< names the new body and its terms
   double share = 0;    ///< of the inertia that goes to the far side, within (0, 1)
@@ -36,6 +41,15 @@ struct Resonance {
 /// Adds a body that a spring and a damper hold on another one, or on the housing, tuned to ring
 /// there alone as the resonance says: k = (2πf)²·M, c = 2ζ·2πf·M.
 void hang(PlantSpec& plant, const BodySpec& body, std::string_view on, const Resonance& resonance);
+
+/// Of a fit's start, as a part of speed over way: three times what the body rings at.
+inline constexpr double within_reach = 0.5;
+
+/// f of a resonance that hangs on a body.
+/// @param start  in speed over way
+ParameterCard resonance_card(double start);
+/// ζ of it.
+ParameterCard damping_ratio_card(double start, double min = 0);
 
 /// The output of that channel.
 /// @throws std::invalid_argument if there is none

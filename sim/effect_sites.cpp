@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/effect_edits.hpp"
+#include "sim/terms/sensor_mount.hpp"
+
 namespace rvbench::sim {
 namespace {
 
@@ -10,21 +13,18 @@ bool may_move(const TermGate& gate, Motion motion) {
   return motion == Motion::rotation ? gate.rotation : gate.translation;
 }
 
-bool stands_on_housing(const PlantSpec& plant, const BodySpec& body) {
-  return std::ranges::any_of(
-      plant.terms, [&](const TermSpec& term) { return term.is_between(body.name, housing_name); });
-}
-
-bool may_act_on(const PlantSpec& plant, const TermGate& gate, const BodySpec& body) {
+bool may_act_on(const PlantSpec& plant, const TermGate& gate, const BodySpec& body,
+                const TermLibrary& library) {
   return gate.on_one && may_move(gate, body.motion) &&
-         (!gate.stands || stands_on_housing(plant, body));
+         (!gate.stands || !holding(plant, body.name, library).empty());
 }
 
 // Each body against the housing, each pair that a term joins.
-std::vector<EffectSite> axes_of(const PlantSpec& plant, const TermGate& gate) {
+std::vector<EffectSite> axes_of(const PlantSpec& plant, const TermGate& gate,
+                                const TermLibrary& library) {
   std::vector<EffectSite> axes;
   for (const BodySpec& body : plant.bodies) {
-    if (may_act_on(plant, gate, body)) axes.push_back({body.name});
+    if (may_act_on(plant, gate, body, library)) axes.push_back({body.name});
   }
   for (const TermSpec& term : plant.terms) {
     if (!gate.between_two || term.body_b == housing_name) continue;
@@ -115,13 +115,20 @@ std::vector<EffectSite> retuned_sites(const PlantSpec& plant, const TermType& ty
   return sites;
 }
 
+// Whether a sensor has it already. Of hums any: the plant file knows what its channel picks up.
+bool is_in(const PlantSpec& plant, const TermType& type, const OutputSpec& output) {
+  if (type.card.name == "mains_hum") return !output.hums.empty();
+  return type.card.name == "sensor_mount" && sits_on_mount(plant, output);
+}
+
 // Each sensor that may have it, with the bodies that it looks at.
-std::vector<EffectSite> channels_of(const PlantSpec& plant, const TermGate& gate) {
+std::vector<EffectSite> channels_of(const PlantSpec& plant, const TermType& type) {
+  const TermGate& gate = type.gate;
   std::vector<EffectSite> channels;
   for (const OutputSpec& output : plant.outputs) {
     const bool of_motion = output.kind <= OutputKind::acceleration;
     if (gate.in_channel == InChannel::of_a_motion && !of_motion) continue;
-    if (!may_move(gate, plant.motion_of(output.of))) continue;
+    if (!may_move(gate, plant.motion_of(output.of)) || is_in(plant, type, output)) continue;
     EffectSite site{output.of};
     if (output.kind == OutputKind::effort) {
       const TermSpec& term = *plant.find_term(output.of);
@@ -135,15 +142,16 @@ std::vector<EffectSite> channels_of(const PlantSpec& plant, const TermGate& gate
 
 }  // namespace
 
-std::vector<EffectSite> sites_of(const PlantSpec& plant, const TermType& type) {
+std::vector<EffectSite> sites_of(const PlantSpec& plant, const TermType& type,
+                                 const TermLibrary& library) {
   const ComparedBy compared =
       plant.outputs.empty() ? ComparedBy::samples : plant.outputs.front().compared_by;
   if (std::ranges::find(type.shows_in, compared) == type.shows_in.end()) return {};
   if (!type.gate.retunes.empty()) return retuned_sites(plant, type);
   if (!type.gate.in_place_of.empty()) return places_of(plant, type.gate.in_place_of);
-  if (type.gate.in_channel != InChannel::no) return channels_of(plant, type.gate);
+  if (type.gate.in_channel != InChannel::no) return channels_of(plant, type);
   std::vector<EffectSite> sites;
-  for (const EffectSite& axis : axes_of(plant, type.gate)) {
+  for (const EffectSite& axis : axes_of(plant, type.gate, library)) {
     for (const std::string& reference : references_of(plant, type.gate)) {
       EffectSite site = axis;
       site.reference = reference;

@@ -10,8 +10,10 @@ namespace rvbench::sim {
 /// housing, each pair of bodies that a term joins, with each input, term or body it may refer to.
 /// An effect that only replaces terms of one type is tried in the place of each of these.
 /// Of an effect that is in a sensor, every channel that may have it.
-/// Empty if there is none. Where a term of the type acts already, it does not act twice.
-std::vector<EffectSite> sites_of(const PlantSpec& plant, const TermType& type);
+/// Empty if there is none. Where a term of the type acts already, it does not act twice: nor in a
+/// channel that hums at any frequency, nor under a sensor that sits on a mount.
+std::vector<EffectSite> sites_of(const PlantSpec& plant, const TermType& type,
+                                 const TermLibrary& library = standard_terms());
 
 /// "slide against the housing", "motor and input shaft", "input_torque channel"
 std::string describe(const EffectSite& site);

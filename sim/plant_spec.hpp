@@ -75,7 +75,7 @@ enum class ComparedBy { samples, orders, envelope };
 
 enum class OutputKind { position, speed, acceleration, effort, drive };
 
-/// What the mains induce in a channel's wire: A·cos(2πft + φ), t from the start of the record.
+/// What the mains induce in a channel's wire: A·cos(2πft + φ), t by the record's own clock.
 struct Hum {
   Quantity amplitude;  ///< in the channel's unit
   Quantity phase;      ///< rad

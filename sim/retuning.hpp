@@ -16,7 +16,7 @@ TermType retuning(TermCard card, std::string of_type, bool each,
 
 /// An amplitude in m that deviates from the drawing by a few µm.
 ParameterCard deviation_card(std::string name);
-/// Where on its part a deviation that is one wave or more stands.
+/// Where a wave stands: of a deviation, on its part.
 ParameterCard phase_card(std::string name);
 /// Where on its part a local deviation stands.
 ParameterCard place_card(std::string name);

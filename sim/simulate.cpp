@@ -129,9 +129,11 @@ class Run {
 
 void add_hum(const Hum& hum, Channel& channel) {
   const double radians_per_sample = units::two_pi * hum.frequency.value / channel.rate_Hz;
+  const double turns_before = std::fmod(hum.frequency.value * channel.start_s, 1);
+  const double at_start_rad = hum.phase.value + units::two_pi * turns_before;
   for (Eigen::Index i = 0; i < channel.samples.size(); ++i) {
     const double turned_rad = radians_per_sample * static_cast<double>(i);
-    channel.samples[i] += hum.amplitude.value * std::cos(turned_rad + hum.phase.value);
+    channel.samples[i] += hum.amplitude.value * std::cos(turned_rad + at_start_rad);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "sim/effect_edits.hpp"
+#include "sim/effect_sites.hpp"
 #include "sim/terms/asymmetric_friction.hpp"
 #include "sim/terms/backlash.hpp"
 #include "sim/terms/bearing_defect.hpp"
@@ -159,10 +160,13 @@ PlantSpec with_effect(const PlantSpec& plant, std::string_view effect, const Eff
   Parameters complete = parameters;
   for (const ParameterCard& card : type->parameters) {
     if (!card.fallback || complete.contains(card.name)) continue;
-    const std::string_view unit = unit_of(card.unit, plant.motion_of(site.body_a));
-    complete[card.name] = {*card.fallback, std::string(unit), 0};
+    complete[card.name] = {*card.fallback, unit_at(plant, site, card.unit), 0};
   }
-  if (type->edit) return type->edit(plant, site, complete);
+  EffectSite place = site;  // an edit does not know the library
+  if (type->gate.stands && place.beyond.empty()) {
+    place.beyond = holding(plant, site.body_a, library);
+  }
+  if (type->edit) return type->edit(plant, place, complete);
   PlantSpec changed = plant;
   changed.terms.push_back({free_name(plant, type->card.name), type->card.name, site.body_a,
                            site.body_b, site.reference, std::move(complete)});

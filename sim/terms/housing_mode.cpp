@@ -1,19 +1,12 @@
 #include "sim/terms/housing_mode.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "sim/effect_edits.hpp"
 
 namespace rvbench::sim {
 namespace {
-
-constexpr double within_reach = 0.5;  // of speed over way: three times what the body rings at
-
-// What acts on one body only, as weight does, does not push the frame.
-bool pushes_back(const TermSpec& term) {
-  const TermType* type = standard_terms().find(term.type);
-  return type == nullptr || type->gate.between_two;
-}
 
 PlantSpec soften(PlantSpec plant, const EffectSite& site, const Parameters& parameters) {
   const BodySpec* body = plant.find_body(site.body_a);
@@ -26,15 +19,13 @@ PlantSpec soften(PlantSpec plant, const EffectSite& site, const Parameters& para
   frame.inertia = {parameters.at("mass_ratio").value * body->inertia.value, body->inertia.unit,
                    Quantity::free_pct};
   frame.about = "what " + site.body_a + " stands on";
-  bool any = false;
-  for (TermSpec& term : plant.terms) {
-    if (!term.is_between(site.body_a, housing_name) || !pushes_back(term)) continue;
-    term.body_b = frame.name;
-    any = true;
+  if (site.beyond.empty()) {
+    throw std::invalid_argument("housing_mode: nothing holds \"" + site.body_a +
+                                "\" on the housing");
   }
-  if (!any) {
-    throw std::invalid_argument("housing_mode: nothing joins \"" + site.body_a +
-                                "\" to the housing");
+  for (TermSpec& term : plant.terms) {
+    if (std::ranges::find(site.beyond, term.name) == site.beyond.end()) continue;
+    (term.body_a == housing_name ? term.body_a : term.body_b) = frame.name;
   }
   hang(plant, frame, housing_name,
        {"housing_mode", parameters.at("frequency").value, parameters.at("damping_ratio").value});
@@ -58,12 +49,8 @@ TermType housing_mode() {
                .experiment = "hammer on the frame; run-up: 1x of one speed and 3x of a third "
                              "of it meet f alike"},
       .parameters =
-          {{.name = "frequency",
-            .unit = UnitKind::frequency,
-            .min = smallest,
-            .max = 1e6,
-            .start = within_reach},
-           {.name = "damping_ratio", .unit = UnitKind::ratio, .min = 0, .max = 1, .start = 0.02},
+          {resonance_card(within_reach),
+           damping_ratio_card(0.02),
            {.name = "mass_ratio", .unit = UnitKind::ratio, .min = 0.01, .max = 1000, .start = 5}},
       .gate = {.rotation = false, .between_two = false, .stands = true},
       .edit = soften};

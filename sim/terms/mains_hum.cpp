@@ -4,6 +4,7 @@
 
 #include "sim/effect_edits.hpp"
 #include "sim/mains.hpp"
+#include "sim/retuning.hpp"
 
 namespace rvbench::sim {
 namespace {
@@ -46,12 +47,7 @@ TermType mains_hum() {
                       .min = 0,
                       .max = unbounded,
                       .start = 0.02},
-                     {.name = "phase",
-                      .unit = UnitKind::angle,
-                      .min = -unbounded,
-                      .max = unbounded,
-                      .start = 0,
-                      .is_phase = true},
+                     phase_card("phase"),
                      {.name = "frequency",
                       .unit = UnitKind::frequency,
                       .min = smallest,

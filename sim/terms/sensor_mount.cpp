@@ -8,8 +8,9 @@
 namespace rvbench::sim {
 namespace {
 
-constexpr double within_reach = 0.5;   // of speed over way: three times what the body rings at
-constexpr double part_of_body = 1e-4;  // moves the body's own resonances by 5e-5
+constexpr double part_of_body = 1e-6;    // splits a resonance that the mount meets by 1e-3
+constexpr double least_damping = 0.005;  // less would load the body there
+constexpr double lightest_part = 1e-3;   // of a body's mass: what is no part of the machine
 
 PlantSpec loosen(PlantSpec plant, const EffectSite& site, const Parameters& parameters) {
   OutputSpec& output = output_of(plant, "sensor_mount", site.channel);
@@ -27,14 +28,32 @@ PlantSpec loosen(PlantSpec plant, const EffectSite& site, const Parameters& para
   return plant;
 }
 
+// A light body that hangs on one other body, and on nothing else.
+bool is_mount(const PlantSpec& plant, const BodySpec& body) {
+  std::string_view on;
+  for (const TermSpec& term : plant.terms) {
+    if (term.body_a != body.name && term.body_b != body.name) continue;
+    const std::string& other = term.body_a == body.name ? term.body_b : term.body_a;
+    if (!on.empty() && other != on) return false;
+    on = other;
+  }
+  const BodySpec* carrier = plant.find_body(on);
+  return carrier != nullptr && body.inertia.value <= lightest_part * carrier->inertia.value;
+}
+
 }  // namespace
+
+bool sits_on_mount(const PlantSpec& plant, const OutputSpec& output) {
+  const BodySpec* body = plant.find_body(output.of);
+  return body != nullptr && is_mount(plant, *body);
+}
 
 TermType sensor_mount() {
   return {
       .card = {.name = "sensor_mount",
                .equation = "shown/moved = (1 + 2jζr)/(1 − r² + 2jζr), r = frequency/f",
                .sign = "f > 0",
-               .leaves_out = "the sensor's own mass, tilt, more than one mode",
+               .leaves_out = "what the sensor's mass does to the body, tilt, more than one mode",
                .source = "ISO 5348 (2021); Rao, Mechanical Vibrations, ch. 3.6",
                .touches = {{Ledger::fixed_frequency,
                             "one channel: all that is near f, at all speeds and loads"},
@@ -43,13 +62,7 @@ TermType sensor_mount() {
                                   {Ledger::quasi_static, "means"}},
                .mimics = {"housing_mode", "torsional_mode", "looseness"},
                .experiment = "swap the sensors: it stays with the mount; glue it: f rises"},
-      .parameters =
-          {{.name = "frequency",
-            .unit = UnitKind::frequency,
-            .min = smallest,
-            .max = 1e6,
-            .start = within_reach},
-           {.name = "damping_ratio", .unit = UnitKind::ratio, .min = 0, .max = 1, .start = 0.03}},
+      .parameters = {resonance_card(within_reach), damping_ratio_card(0.03, least_damping)},
       .gate = {.rotation = false, .in_channel = InChannel::of_a_motion},
       .edit = loosen};
 }

@@ -10,10 +10,15 @@ namespace rvbench::sim {
 ///     m·a = −k·(q − q_body) − c·(v − v_body),   k = (2πf)²·m,  c = 2ζ·2πf·m
 ///     shown/moved = (1 + 2jζr)/(1 − r² + 2jζr),  r = frequency/f
 ///
-/// m is 1e-4 of the body's mass: enough to be integrated, too little to be felt.
+/// m is 1e-6 of the body's mass, to be integrated: where f meets a resonance of the body, it
+/// changes that by 1e-6/(4·ζ·ζ_body), which a ζ of 0.005 at least keeps small.
 ///
-/// Leaves out: the sensor's own mass, tilt, more than one mode.
+/// Leaves out: what the sensor's mass does to the body, tilt, more than one mode.
 /// Source: ISO 5348 (2021), mounting of accelerometers; Rao, Mechanical Vibrations, ch. 3.6
 TermType sensor_mount();
+
+/// Whether what an output shows is a mount already, by this effect or by the plant file: a body of
+/// a thousandth or less of the one other body that it hangs on.
+bool sits_on_mount(const PlantSpec& plant, const OutputSpec& output);
 
 }  // namespace rvbench::sim

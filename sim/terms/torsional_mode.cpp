@@ -22,32 +22,26 @@ PlantSpec attach(PlantSpec plant, const EffectSite& site, const Parameters& para
 }  // namespace
 
 TermType torsional_mode() {
-  return {
-      .card = {.name = "torsional_mode",
-               .equation = "J·s on k = (2πf)²·J·s and c = 2ζ·2πf·J·s beside J·(1 − s)",
-               .sign = "f > 0, 0 < s < 1",
-               .leaves_out = "more than one mode, dependence on load",
-               .source = "Rao, Mechanical Vibrations, ch. 9.11",
-               .touches = {{Ledger::shaft, "gain and phase near f, at the speeds that meet it"},
-                           {Ledger::transient, "ringing at f"}},
-               .must_not_touch = {{Ledger::quasi_static, "torque mean at constant speed"}},
-               .mimics = {"series_compliance", "housing_mode", "speed_modulation"},
-               .experiment = "run-up or multisine; change of the controller's gain moves its "
-                             "loop's mode but not this one"},
-      .parameters =
-          {{.name = "frequency",
-            .unit = UnitKind::frequency,
-            .min = smallest,
-            .max = 1e6,
-            .start = 3},
-           {.name = "damping_ratio", .unit = UnitKind::ratio, .min = 0, .max = 1, .start = 0.03},
-           {.name = "inertia_share",
-            .unit = UnitKind::ratio,
-            .min = 0.001,
-            .max = 0.999,
-            .start = 0.3}},
-      .gate = {.between_two = false},
-      .edit = attach};
+  return {.card = {.name = "torsional_mode",
+                   .equation = "J·s on k = (2πf)²·J·s and c = 2ζ·2πf·J·s beside J·(1 − s)",
+                   .sign = "f > 0, 0 < s < 1",
+                   .leaves_out = "more than one mode, dependence on load",
+                   .source = "Rao, Mechanical Vibrations, ch. 9.11",
+                   .touches = {{Ledger::shaft, "gain and phase near f, at the speeds that meet it"},
+                               {Ledger::transient, "ringing at f"}},
+                   .must_not_touch = {{Ledger::quasi_static, "torque mean at constant speed"}},
+                   .mimics = {"series_compliance", "housing_mode", "speed_modulation"},
+                   .experiment = "run-up or multisine; change of the controller's gain moves its "
+                                 "loop's mode but not this one"},
+          .parameters = {resonance_card(3),
+                         damping_ratio_card(0.03),
+                         {.name = "inertia_share",
+                          .unit = UnitKind::ratio,
+                          .min = 0.001,
+                          .max = 0.999,
+                          .start = 0.3}},
+          .gate = {.between_two = false},
+          .edit = attach};
 }
 
 }  // namespace rvbench::sim

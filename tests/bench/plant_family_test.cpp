@@ -59,6 +59,22 @@ TEST_CASE("a force that keeps its own time has one of the frequencies that can b
   CHECK(first_of(fitted, "external_force").parameters.size() == 3);
 }
 
+TEST_CASE("a hum that is fitted may vanish, and keeps nearly its frequency",
+          "[bench][explain][hum]") {
+  sim::PlantSpec plant = shipped("emps");
+  const double free = sim::Quantity::free_pct;
+  plant.outputs[0].hums = {{{0.2, "V", free}, {0, "rad", free}, {50, "Hz", free}}};
+  const PlantFamily family(plant, scales(), sim::standard_terms());
+  const auto of_hum = [&](const std::string& name) {
+    const std::string pointer = "/outputs/0/hums/0/" + name;
+    return *std::ranges::find(family.base(), pointer, &analysis::ModelParameter::name);
+  };
+  CHECK(of_hum("amplitude").low == 0);
+  CHECK(of_hum("amplitude").scale == Approx(0.01));
+  CHECK(of_hum("frequency").scale == Approx(0.05));  // a turn in 20 s
+  CHECK(of_hum("phase").low < -10);
+}
+
 TEST_CASE("a body that turns slowly rubs at the power of a fast one", "[bench][explain]") {
   // The input shaft makes 121 turns while the carrier makes one.
   const sim::PlantSpec plant = shipped("rv20e_bench");

@@ -21,6 +21,12 @@ sim::PlantSpec mass_on_spring() {
       "", "band_limited"));
 }
 
+sim::PlantSpec with_unbalance(sim::PlantSpec plant) {
+  plant.bodies.push_back({"rotor", sim::Motion::rotation, {1, "kg·m²"}});
+  return sim::with_effect(plant, "unbalance", {.body_a = "m", .reference = "rotor"},
+                          {{"amount", {1e-3, "kg·m"}}});
+}
+
 sim::PlantSpec on_frame(const sim::PlantSpec& plant, double frequency_Hz) {
   return sim::with_effect(plant, "housing_mode", {.body_a = "m"},
                           {{"frequency", {frequency_Hz, "Hz"}},
@@ -63,14 +69,34 @@ SCENARIO("a frame that rings far above all that happens is not there", "[sim][mo
 }
 
 SCENARIO("what acts on the body alone stays with the ground", "[sim][modes]") {
-  sim::PlantSpec plant = mass_on_spring();
-  plant.bodies.push_back({"rotor", sim::Motion::rotation, {1, "kg·m²"}});
-  plant = sim::with_effect(plant, "unbalance", {.body_a = "m", .reference = "rotor"},
-                           {{"amount", {1e-3, "kg·m"}}});
-  const sim::PlantSpec soft = on_frame(plant, 5);
+  const sim::PlantSpec soft = on_frame(with_unbalance(mass_on_spring()), 5);
   CHECK(soft.find_term("spring")->body_b == "frame");
   CHECK(soft.find_term("damper")->body_b == "frame");
   CHECK(soft.find_term("unbalance")->body_b == sim::housing_name);
+}
+
+SCENARIO("what a program's own term does decides whether the frame feels it", "[sim][modes]") {
+  const bool between_two = GENERATE(false, true);
+  sim::TermLibrary library = sim::standard_terms();
+  sim::TermType own = *library.find("spring");
+  own.card.name = "own";
+  own.gate.between_two = between_two;
+  library.add(own);
+  sim::PlantSpec plant = test::plant_of(test::mass_on(""));
+  plant = sim::with_effect(plant, "own", {.body_a = "m"}, {{"stiffness", {800, "N/m"}}}, library);
+  const sim::TermType& mode = *library.find("housing_mode");
+  REQUIRE(sim::sites_of(plant, mode, library).size() == (between_two ? 1 : 0));
+  const auto soften = [&] {
+    return sim::with_effect(
+        plant, "housing_mode", {.body_a = "m"},
+        {{"frequency", {5, "Hz"}}, {"damping_ratio", {0.04, "1"}}, {"mass_ratio", {3, "1"}}},
+        library);
+  };
+  if (between_two) {
+    CHECK(soften().find_term("own")->body_b == "frame");
+  } else {
+    CHECK_THROWS_AS(soften(), std::invalid_argument);
+  }
 }
 
 SCENARIO("a frame is looked for under bodies that slide on the housing", "[sim][modes]") {
@@ -89,5 +115,10 @@ SCENARIO("a frame is looked for under bodies that slide on the housing", "[sim][
     const sim::PlantSpec loose = test::plant_of(test::mass_on(""));
     CHECK(sim::sites_of(loose, type).empty());
     CHECK_THROWS_AS(on_frame(loose, 5), std::invalid_argument);
+  }
+  THEN("nor under one that only something of its own pushes") {
+    const sim::PlantSpec shaken = with_unbalance(test::plant_of(test::mass_on("")));
+    CHECK(sim::sites_of(shaken, type).empty());
+    CHECK_THROWS_AS(on_frame(shaken, 5), std::invalid_argument);
   }
 }

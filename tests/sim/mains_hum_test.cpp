@@ -53,13 +53,16 @@ std::vector<std::string> faults_of(sim::PlantSpec plant, const sim::Hum& hum) {
   return pointers;
 }
 
-std::vector<std::string> places_in(const std::string& plant) {
+std::vector<std::string> places_in(const sim::PlantSpec& plant) {
   std::vector<std::string> places;
-  for (const auto& site : sim::sites_of(std::get<sim::PlantSpec>(sim::read_plant(plant)),
-                                        *sim::standard_terms().find("mains_hum"))) {
+  for (const auto& site : sim::sites_of(plant, *sim::standard_terms().find("mains_hum"))) {
     places.push_back(sim::describe(site));
   }
   return places;
+}
+
+std::vector<std::string> places_in(const std::string& plant) {
+  return places_in(std::get<sim::PlantSpec>(sim::read_plant(plant)));
 }
 
 }  // namespace
@@ -147,4 +150,34 @@ SCENARIO("a hum is looked for in every channel", "[sim][hum]") {
         std::vector<std::string>{"input_torque channel", "input_angle channel"});
   CHECK(places_in("emps") == std::vector<std::string>{"vir channel"});
   CHECK(places_in("bearing_housing").empty());  // compared by levels
+  THEN("not in one whose plant file has a hum, at whatever frequency") {
+    CHECK(places_in(humming(mass_on_spring(), "v", 0.25, "m/s")) ==
+          std::vector<std::string>{"x channel"});
+  }
+}
+
+SCENARIO("parts of one recording hum in step", "[sim][hum]") {
+  const sim::PlantSpec plant = humming(mass_on_spring(), "v", 0.25, "m/s");
+  std::vector<Channel> push = test::sine_of(2);
+  push[0].samples.setZero();
+  const auto whole = test::run_of(plant, push);
+  push[0].start_s = 7.003;  // not a whole number of periods
+  const auto part = test::run_of(plant, push);
+  for (Eigen::Index i = 0; i < 20; ++i) {
+    const double t_s = 7.003 + double(i) / test::sine_rate_Hz;
+    CHECK(part[1].samples[i] ==
+          Approx(0.25 * std::cos(2 * std::numbers::pi * 50 * t_s + 0.7)).margin(1e-9));
+  }
+  CHECK(whole[1].samples[0] == Approx(0.25 * std::cos(0.7)));
+}
+
+SCENARIO("what a program's effect in a channel leaves unsaid is in that channel's unit",
+         "[sim][hum]") {
+  sim::TermLibrary library;
+  sim::TermType type = *sim::standard_terms().find("mains_hum");
+  for (sim::ParameterCard& card : type.parameters) card.fallback = card.start;
+  library.add(type);
+  const auto plant = sim::with_effect(turning(), "mains_hum", {.channel = "torque"}, {}, library);
+  CHECK(plant.outputs[0].hums[0].amplitude.unit == "mV");
+  CHECK(plant.outputs[0].hums[0].frequency.unit == "Hz");
 }
