@@ -3,8 +3,8 @@
 namespace rvbench::sim {
 namespace {
 
-constexpr int substeps = 4;  // plant steps per DAQ sample: resolves the 5 kHz planet mode
-constexpr int halves = 2;    // housing steps per DAQ sample, for the decimator
+constexpr int substeps = static_cast<int>(rv_step_rate_Hz / RvBench::rate_Hz);  // per DAQ sample
+constexpr int halves = 2;                   // housing steps per DAQ sample, for the decimator
 constexpr double sensor_noise_m_s2 = 0.01;  // rms, of sensor, cable and DAQ together: assumed
 constexpr double settling_s = 1;            // 18 time constants of the slowest mode
 

@@ -1,5 +1,7 @@
 #include "sim/rv_plant.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -13,6 +15,10 @@ namespace {
 
 using hal::in_quotes;
 using Faults = std::vector<hal::ConfigFault>;
+
+// Of those steps that keep a swing's time, in one of the bench. At twelve a mode turns by half a
+// period in a step, and what it echoes slows the motor by a sixth.
+constexpr double coarsest_step = 10;
 
 // Friction of the input shaft, in the shipped plant: what wears and warms up.
 constexpr std::string_view shaft_friction = "shaft_friction", shaft_drag = "shaft_drag";
@@ -106,14 +112,21 @@ const PlantSpec& rv20e_bench() {
   return plant;
 }
 
-std::vector<hal::ConfigFault> rv_plant_faults(const PlantSpec& plant) {
+std::vector<hal::ConfigFault> rv_plant_faults(const PlantSpec& plant, double step_rate_Hz) {
   Faults faults;
   check_bodies(plant, faults);
   check_inputs(plant, faults);
   check_terms(plant, faults);
   if (!faults.empty()) return faults;
   const auto made = make_model(plant);
-  if (const auto* fault = std::get_if<hal::ConfigFault>(&made)) faults.push_back(*fault);
+  if (const auto* fault = std::get_if<hal::ConfigFault>(&made)) {
+    faults.push_back(*fault);
+  } else if (substeps_wanted(std::get<PlantModel>(made), step_rate_Hz) > coarsest_step) {
+    faults.push_back({0, "/terms",
+                      fmt::format("a mode is too fast for the bench, which takes {:g} steps a "
+                                  "second: less stiffness, or more inertia beside it",
+                                  step_rate_Hz)});
+  }
   return faults;
 }
 

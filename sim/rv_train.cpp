@@ -17,8 +17,8 @@ using units::two_pi;
 constexpr double brake_creep_speed_rad_s = 0.05;
 constexpr double rounding = 1e-6;  // far above it, and far below what a turn would do to a term
 
-PlantModel model_of(const PlantSpec& plant) {
-  for (const hal::ConfigFault& fault : rv_plant_faults(plant)) {
+PlantModel model_of(const PlantSpec& plant, double step_s) {
+  for (const hal::ConfigFault& fault : rv_plant_faults(plant, 1 / step_s)) {
     throw std::invalid_argument("RvTrain: " + fault.pointer + ": " + fault.message);
   }
   return std::get<PlantModel>(make_model(plant));
@@ -40,7 +40,7 @@ Eigen::VectorXd whole_turn(const PlantModel& model, int body) {
 }  // namespace
 
 RvTrain::RvTrain(const PlantSpec& plant, const RvUnit& unit, double step_s)
-    : RvTrain(model_of(as_built(plant, unit)), plant, step_s) {}
+    : RvTrain(model_of(as_built(plant, unit), step_s), plant, step_s) {}
 
 RvTrain::RvTrain(PlantModel model, const PlantSpec& plant, double step_s)
     : output_turn_rad_(whole_turn(model, index_of(plant.bodies, rv_parts::carrier))),

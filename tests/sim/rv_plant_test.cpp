@@ -121,6 +121,31 @@ std::string fault_of(const sim::PlantSpec& plant) {
 
 }  // namespace
 
+SCENARIO("a shaft too stiff for the bench's steps is refused, and turns at finer ones",
+         "[sim][rv_plant]") {
+  // 2.25 MN·m/rad between the halves of the motor's 2 g·m²: 10.7 kHz.
+  const sim::PlantSpec stiff =
+      sim::with_effect(sim::rv20e_bench(), "series_compliance", {.body_a = "motor"},
+                       {{"stiffness", {2.25e6, "N·m/rad"}},
+                        {"damping", {0.004, "N·m·s/rad"}},
+                        {"far_share", {0.45, "1"}}});
+  CHECK_THAT(fault_of(stiff), Catch::Matchers::Contains("/terms: a mode is too fast"));
+  CHECK_THROWS_AS(sim::RvTrain(stiff, {}, 1 / sim::rv_step_rate_Hz), std::invalid_argument);
+  CHECK(fault_of(sim::rv20e_bench()).empty());
+  const auto speed_rad_s = [](const sim::PlantSpec& plant) {
+    sim::RvUnit even;
+    even.phases_rad.assign(10, 0);
+    constexpr double step_rate_Hz = 2 * sim::rv_step_rate_Hz;
+    sim::RvTrain train(plant, even, 1 / step_rate_Hz);
+    for (int i = 0; i < int(2 * step_rate_Hz); ++i) {
+      train.set_supply(20 * std::min(1.0, i / step_rate_Hz), true);
+      train.step();
+    }
+    return train.state().v[0];
+  };
+  CHECK(speed_rad_s(stiff) == Approx(speed_rad_s(sim::rv20e_bench())).epsilon(1e-3));
+}
+
 SCENARIO("the bench comes to the speed and torque that Kloss and its losses say",
          "[sim][rv_plant][literature]") {
   const double brake_Nm = GENERATE(0.0, 83.5, 250.5);

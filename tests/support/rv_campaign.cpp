@@ -2,19 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
 #include <stdexcept>
 
 #include "sim/draw.hpp"
+#include "sim/plant_model.hpp"
 #include "sim/rv_train.hpp"
 
 namespace rvbench::test {
 namespace {
 
 constexpr double daq_rate_Hz = 4960;
-constexpr int steps_per_sample = 4;
+constexpr double steps_per_wanted = 8;  // a mode that turns by 2 rad in a step is stable
+constexpr double fewest_steps = 4;
 constexpr int daq_samples_per_sample = 5;
 constexpr double settling_s = 3;
 constexpr double run_up_share = 0.4;  // of that
@@ -64,11 +67,20 @@ class Colour {
   std::normal_distribution<double> normal_;
 };
 
+// Of the train, for each sample of the DAQ.
+int steps_for(const sim::PlantSpec& machine) {
+  const auto model = sim::make_model(machine);
+  const double wanted =
+      sim::substeps_wanted(std::get<sim::PlantModel>(model), daq_rate_Hz) / steps_per_wanted;
+  return static_cast<int>(std::max(fewest_steps, std::ceil(wanted)));
+}
+
 Recording record_of(const sim::PlantSpec& machine, double speed_rpm, double load_pct,
                     const RvMatrix& matrix, sim::Draw& draw) {
   sim::RvUnit unit;
   unit.phases_rad.assign(10, 0);
   unit.friction_factor = 1 + matrix.friction_scatter * draw.uniform(-1.7, 1.7);
+  const int steps_per_sample = steps_for(machine);
   sim::RvTrain train(machine, unit, 1 / (daq_rate_Hz * steps_per_sample));
   const Eigen::Vector2d inputs = rv_inputs(speed_rpm, load_pct);
   train.set_brake_torque(inputs[1]);
