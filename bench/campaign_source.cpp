@@ -15,6 +15,7 @@ namespace {
 
 constexpr hal::Bounds any{-1e300, 1e300};
 constexpr std::string_view own_time_column = "time_s";
+constexpr double one_rate = 1e-3;  // relative: less is the same
 
 auto read_file(const std::string& path, const CampaignSource& as) {
   return hal::read_recordings(path, {as.time_column.empty() ? as.rate_Hz : not_known, not_known});
@@ -41,11 +42,27 @@ std::string time_column_of(const Recording& recording, const CampaignSource& sou
   return recording.find(own_time_column) == nullptr ? "" : std::string(own_time_column);
 }
 
+// Says where a rate that was stated is not the one of a column time_s.
+void note_other_rate(const Recording& recording, const CampaignSource& source,
+                     std::vector<std::string>& notes) {
+  const Channel* stamps = recording.find(own_time_column);
+  if (stamps == nullptr || std::isnan(source.rate_Hz)) return;
+  const auto made = uniform_time(stamps->samples, not_known);
+  const auto* time = std::get_if<UniformTime>(&made);
+  if (time == nullptr || std::abs(time->rate_Hz / source.rate_Hz - 1) < one_rate) return;
+  notes.push_back(
+      fmt::format("{}: taken at {:.6g} Hz as stated, where its column {} says {:.6g} Hz",
+                  source.path, source.rate_Hz, own_time_column, time->rate_Hz));
+}
+
 // Takes the time column out and puts the others on uniform times.
 std::string use_time_column(Recording& recording, const CampaignSource& source,
                             std::vector<std::string>& notes) {
   const std::string name = time_column_of(recording, source);
-  if (name.empty()) return {};
+  if (name.empty()) {
+    note_other_rate(recording, source, notes);
+    return {};
+  }
   const Channel* stamps = recording.find(name);
   if (stamps == nullptr) return "there is no column " + hal::in_quotes(name);
   const Eigen::VectorXd time_s = stamps->samples;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "analysis/quality.hpp"
+#include "bench/channel_fault.hpp"
 #include "hal/did_you_mean.hpp"
 #include "sim/simulate.hpp"
 
@@ -35,6 +36,7 @@ std::string output_fault(const Recording& recording, const sim::OutputSpec& outp
                        channel->samples.size() == inputs.samples();
   if (!in_step) return name + " has another rate, start or length than the inputs";
   if (!channel->samples.allFinite()) return name + " has samples that are not finite";
+  if (const std::string fault = sample_fault(*channel); !fault.empty()) return name + ": " + fault;
   const bool may_rest =
       output.kind == sim::OutputKind::position || output.kind == sim::OutputKind::speed;
   if (may_rest) return {};
@@ -58,6 +60,18 @@ void choose_samples(TimeRecord& record, double band_Hz) {
   }
 }
 
+Faults input_faults(const sim::PlantSpec& plant, const Recording& recording) {
+  Faults faults;
+  for (std::size_t i = 0; i < plant.inputs.size(); ++i) {
+    const Channel* channel = recording.find(plant.inputs[i].channel);
+    const std::string fault = channel == nullptr ? "" : sample_fault(*channel);
+    if (fault.empty()) continue;
+    faults.push_back({0, fmt::format("/inputs/{}/channel", i),
+                      hal::in_quotes(plant.inputs[i].channel) + ": " + fault});
+  }
+  return faults;
+}
+
 // Adds one record. @return why not; empty if it did
 Faults add_record(const sim::PlantSpec& plant, const CampaignRecord& of, int steps,
                   TimeRecords& records) {
@@ -69,8 +83,8 @@ Faults add_record(const sim::PlantSpec& plant, const CampaignRecord& of, int ste
   }
   auto made = sim::Excitation::make(plant, of.recording.channels, steps);
   if (auto* fault = std::get_if<hal::ConfigFault>(&made)) return {*fault};
+  Faults faults = input_faults(plant, of.recording);
   TimeRecord record{of, of.lead_in, std::get<sim::Excitation>(std::move(made)), {}};
-  Faults faults;
   for (std::size_t i = 0; i < plant.outputs.size(); ++i) {
     const std::string fault = output_fault(of.recording, plant.outputs[i], record.excitation);
     if (fault.empty()) {
@@ -154,7 +168,9 @@ std::variant<TimeRecords, Refusal> time_records(const sim::PlantSpec& plant,
   if (!refusal.faults.empty()) return refusal;
   for (const TimeRecord& record : records.all) {
     const auto run = sim::simulate(plant, record.excitation, library);
-    if (const auto* fault = std::get_if<hal::ConfigFault>(&run)) return Refusal{{*fault}, false};
+    if (const auto* fault = std::get_if<hal::ConfigFault>(&run)) {
+      return Refusal{{{0, fault->pointer, record.about.name + ": " + fault->message}}, false};
+    }
   }
   if (std::ranges::none_of(records.all, is_learned)) {
     return Refusal{{{0, "", "there is no recording to learn from"}}, true};

@@ -94,7 +94,10 @@ class Check {
       return;
     }
     if (!type->make) {
-      note(place + "/type", "changes the structure: write down the bodies and springs it makes");
+      note(place + "/type",
+           type->gate.in_channel == InChannel::of_any_sensor
+               ? "is no term: it is in a sensor, write it down as \"hums\" of an output"
+               : "changes the structure: write down the bodies and springs it makes");
       return;
     }
     check_gate(place, term, *type);

@@ -188,7 +188,16 @@ SimulatedOrFault simulate(const PlantSpec& plant, const Excitation& excitation,
       return hal::ConfigFault{0, fmt::format("/outputs/{}", i), "does not stay finite"};
     }
     scale_and_delay(plant.outputs[i], channel);
-    for (const Hum& hum : plant.outputs[i].hums) add_hum(hum, channel);
+    for (std::size_t h = 0; h < plant.outputs[i].hums.size(); ++h) {
+      const Hum& hum = plant.outputs[i].hums[h];
+      if (2 * hum.frequency.value >= channel.rate_Hz) {
+        return hal::ConfigFault{0, fmt::format("/outputs/{}/hums/{}/frequency", i, h),
+                                fmt::format("{:g} Hz would show as another frequency at {:g} "
+                                            "samples a second",
+                                            hum.frequency.value, channel.rate_Hz)};
+      }
+      add_hum(hum, channel);
+    }
   }
   return result;
 }

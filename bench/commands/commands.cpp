@@ -1,8 +1,15 @@
 #include "bench/commands/commands.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace rvbench::bench {
+namespace {
+
+constexpr double slowest_rate_Hz = 1e-3, fastest_rate_Hz = 1e8;
+
+}  // namespace
 
 std::vector<std::unique_ptr<Command>> make_commands() {
   std::vector<std::unique_ptr<Command>> commands;
@@ -29,6 +36,13 @@ int refuse_usage(Console& console, const std::string& message) {
 bool is_positive(Console& console, const std::string& option, std::optional<double> value) {
   if (!value || (*value > 0 && std::isfinite(*value))) return true;
   refuse_usage(console, option + " must be above 0 and finite");
+  return false;
+}
+
+bool is_rate(Console& console, std::optional<double> rate_Hz) {
+  if (!rate_Hz || (*rate_Hz >= slowest_rate_Hz && *rate_Hz <= fastest_rate_Hz)) return true;
+  refuse_usage(console,
+               fmt::format("--rate must be {:g} to {:g} Hz", slowest_rate_Hz, fastest_rate_Hz));
   return false;
 }
 

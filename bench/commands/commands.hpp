@@ -28,6 +28,10 @@ int refuse_usage(Console& console, const std::string& message);
 /// Whether the value of an option is above 0 and finite, or not given; prints it if not.
 bool is_positive(Console& console, const std::string& option, std::optional<double> value);
 
+/// Whether --rate is a sample rate, 1 mHz to 100 MHz as in a campaign file, or not given; prints it
+/// if not.
+bool is_rate(Console& console, std::optional<double> rate_Hz);
+
 /// Prints why a recording cannot be used. @return exit_codes::data_refused
 int refuse_data(Console& console, const std::string& message);
 

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "bench/campaign_points.hpp"
+#include "bench/channel_fault.hpp"
 #include "bench/commands/commands.hpp"
 #include "bench/explanation_json.hpp"
 #include "bench/explanation_text.hpp"
@@ -172,12 +173,15 @@ CampaignOrRefusal ExplainCommand::campaign(const sim::PlantSpec& plant) const {
                            : names_campaign()
                                ? read_campaign(files_[0], wanted)
                                : campaign_of(files_, rate_Hz_.value_or(not_known), wanted);
-  if (auto* read = std::get_if<Campaign>(&made)) add_planned_inputs(plant, *read);
+  if (auto* read = std::get_if<Campaign>(&made)) {
+    note_clipped_inputs(plant, *read);
+    add_planned_inputs(plant, *read);
+  }
   return made;
 }
 
 int ExplainCommand::run(Console& console) {
-  if (!is_positive(console, "--rate", rate_Hz_)) return exit_codes::usage;
+  if (!is_rate(console, rate_Hz_)) return exit_codes::usage;
   if (const std::string fault = usage_fault(); !fault.empty()) {
     return refuse_usage(console, "explain: " + fault);
   }
@@ -203,7 +207,7 @@ int ExplainCommand::run(Console& console) {
   }
   Twin& twin = *std::get<0>(made);
   std::error_code unusable;
-  if (!out_.empty()) std::filesystem::create_directories(out_, unusable);
+  const bool made_folder = !out_.empty() && std::filesystem::create_directories(out_, unusable);
   if (!unusable && !out_.empty() && access(out_.c_str(), W_OK) != 0) {
     unusable.assign(errno, std::generic_category());
   }
@@ -216,6 +220,8 @@ int ExplainCommand::run(Console& console) {
   try {
     return tell(console, campaign, twin, explained(console, twin));
   } catch (const Twin::Interrupted&) {
+    std::error_code holds_others;
+    if (made_folder) std::filesystem::remove(out_, holds_others);
     complain(console, "rvbench: explain: interrupted; nothing was written");
     return exit_codes::aborted;
   }

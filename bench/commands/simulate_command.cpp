@@ -6,6 +6,7 @@
 #include <mutex>
 #include <system_error>
 
+#include "bench/campaign_points.hpp"
 #include "bench/campaign_source.hpp"
 #include "bench/commands/commands.hpp"
 #include "bench/file_kind.hpp"
@@ -18,6 +19,7 @@
 #include "bench/simulated_recording.hpp"
 #include "bench/stop_on_signal.hpp"
 #include "hal/types/parallel_for.hpp"
+#include "sequences/timeline.hpp"
 #include "sim/plant_files.hpp"
 #include "sim/plant_json.hpp"
 #include "sim/simulate.hpp"
@@ -26,6 +28,7 @@ namespace rvbench::bench {
 namespace {
 
 constexpr double rate_of_plans_Hz = 1000;
+constexpr double most_samples = 1e8;  // of a plan: 4 GB
 
 // What a plant is run along: a recording, or a point that a plan has.
 struct Course {
@@ -135,8 +138,15 @@ std::variant<Courses, int> SimulateCommand::courses_of_plan(Console& console,
   const auto read = find_plan(plan_);
   if (read.index() == 1) return refuse_file(console, plan_, std::get<1>(read));
   const sequences::TestPlan& plan = std::get<0>(read);
+  const double rate_Hz = rate_Hz_.value_or(rate_of_plans_Hz);
+  const double samples = sequences::planned_duration_s(plan) * rate_Hz;
+  if (samples > most_samples) {
+    return refuse_usage(console, fmt::format("simulate: --rate: {:.2g} samples are too many: {:g} "
+                                             "are the most",
+                                             samples, most_samples));
+  }
   Courses all;
-  for (Recording& point : points_of(plan, rate_Hz_.value_or(rate_of_plans_Hz))) {
+  for (Recording& point : points_of(plan, rate_Hz)) {
     auto driven = planned_inputs(plant, point, plan.specimen.rated_output_torque_Nm);
     if (!driven) {
       return refuse_file(console, plant_,
@@ -153,6 +163,9 @@ std::variant<Courses, int> SimulateCommand::courses_like(Console& console,
                                                          const sim::PlantSpec& plant) const {
   std::vector<std::filesystem::path> files{like_};
   if (std::filesystem::is_directory(like_)) {
+    const std::vector<std::string> faults = run_faults(like_);
+    for (const std::string& fault : faults) refuse_data(console, like_ + ": " + fault);
+    if (!faults.empty()) return exit_codes::data_refused;
     files.clear();
     for (const std::string& name : recording_names(like_)) {
       files.push_back(std::filesystem::path(like_) / name);
@@ -181,9 +194,9 @@ std::variant<Courses, int> SimulateCommand::courses(Console& console,
 }
 
 int SimulateCommand::run(Console& console) {
-  if (!is_positive(console, "--rate", rate_Hz_)) return exit_codes::usage;
+  if (!is_rate(console, rate_Hz_)) return exit_codes::usage;
   if (like_.empty() == plan_.empty()) {
-    return refuse_usage(console, "simulate: either --like or --plan is required");
+    return refuse_usage(console, "simulate: one of --like and --plan is required, and one only");
   }
   if (const std::string why = why_not_written(out_, {like_, plan_, plant_}); !why.empty()) {
     return refuse_usage(console, "simulate: --out: " + why);

@@ -163,6 +163,14 @@ TEST_CASE("a column time_s says the rate where nobody else does", "[bench][expla
   REQUIRE(stamped.channels.size() == 1);
   CHECK(stamped.channels[0].rate_Hz == Approx(100));
   CHECK(read(50).find("way")->rate_Hz == 50);
+  AND_THEN("a note says where the two differ") {
+    const auto notes = [&](double rate_Hz) {
+      return std::get<Campaign>(campaign_of({scratch / "own.csv"}, rate_Hz)).notes;
+    };
+    CHECK(notes(100).empty());
+    REQUIRE(notes(50).size() == 1);
+    CHECK_THAT(notes(50)[0], Contains("taken at 50 Hz as stated") && Contains("says 100 Hz"));
+  }
 }
 
 TEST_CASE("what a campaign does not say right is told with its place", "[bench][explain]") {

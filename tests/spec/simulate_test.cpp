@@ -84,6 +84,11 @@ TEST_CASE("simulate runs a plant along a plan, before anything is measured", "[s
   CHECK(other.code == 3);
   CHECK_THAT(other.err, Contains("emps: /inputs: ") && Contains("supply"));
   CHECK(along({"rv20e_bench", "--like", "sim.h5"}).code == 2);
+  CHECK(along({"rv20e_bench", "--rate", "1e300"}).code == 2);
+  const Answer many = along({"rv20e_bench", "--rate", "1e7"});
+  CHECK(many.code == 2);
+  CHECK_THAT(many.err, Contains("too many"));
+  CHECK(along({"rv20e_bench", "--like", ""}).code == 2);
   const Answer unknown = along({"rv20e_bnch"});
   CHECK(unknown.code == 3);
   CHECK_THAT(unknown.err, Contains("did you mean \"rv20e_bench\""));
