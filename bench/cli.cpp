@@ -116,10 +116,6 @@ int parse_and_run(Command& command, std::vector<std::string> arguments, Console&
         console, "unknown option " + unknown + hal::did_you_mean(unknown, option_names(command)),
         command.name() + " ");
   }
-  if (std::ranges::find(arguments, "") != arguments.end()) {
-    return refuse_arguments(console, command.name() + ": an argument is empty",
-                            command.name() + " ");
-  }
   CLI::App app(command.summary(), "rvbench " + command.name());
   for (const Option& option : command.options()) add_option(app, option);
   app.footer("\nExamples:\n" + command.examples());

@@ -88,7 +88,6 @@ TEST_CASE("simulate runs a plant along a plan, before anything is measured", "[s
   const Answer many = along({"rv20e_bench", "--rate", "1e7"});
   CHECK(many.code == 2);
   CHECK_THAT(many.err, Contains("too many"));
-  CHECK(along({"rv20e_bench", "--like", ""}).code == 2);
   const Answer unknown = along({"rv20e_bnch"});
   CHECK(unknown.code == 3);
   CHECK_THAT(unknown.err, Contains("did you mean \"rv20e_bench\""));
