@@ -11,6 +11,7 @@ std::string place_text(const analysis::ResidualCluster& c) {
     case analysis::LockedTo::nothing: break;
     case analysis::LockedTo::shaft: return c.channel + " order " + places;
     case analysis::LockedTo::time: return c.channel + ' ' + places + " Hz";
+    case analysis::LockedTo::programme: return c.channel + " at " + places + " s";
   }
   return c.channel + " mean";
 }

@@ -26,7 +26,8 @@ Located locate(const Twin& twin, const analysis::Selection& found);
 /// "input_torque: mean, from record to record 0.0021 N·m"
 std::string noise_text(const Twin::Noise& noise);
 
-/// "input_torque order 8.926", "input_torque mean", "input_torque 100 Hz"
+/// "input_torque order 8.926", "input_torque mean", "input_torque 100 Hz",
+/// "motor_force at 1.2 to 1.9 s"
 std::string place_text(const analysis::ResidualCluster& cluster);
 
 }  // namespace rvbench::bench

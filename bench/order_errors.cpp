@@ -102,6 +102,7 @@ void read_features(const OrderCondition& condition, OrderRecord& record) {
         record.noise[at] = timed->noise;
         ++timed;
         break;
+      case LockedTo::programme: break;  // steady turning has none
     }
   }
 }

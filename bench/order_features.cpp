@@ -94,7 +94,8 @@ std::complex<double> predicted(const sim::SteadyState& state, const OrderFeature
   switch (feature.locked_to) {
     case analysis::LockedTo::nothing: return output.mean;
     case analysis::LockedTo::shaft: return output.shaft_lines[feature.order];
-    case analysis::LockedTo::time: break;
+    case analysis::LockedTo::time:
+    case analysis::LockedTo::programme: break;
   }
   std::complex<double> line = 0;
   for (std::size_t i = 0; i < state.rhythms_Hz.size(); ++i) {

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "analysis/quality.hpp"
-#include "hal/did_you_mean.hpp"
+#include "bench/programme_cells.hpp"
 #include "sim/effect_edits.hpp"
 #include "sim/interpolation.hpp"
 #include "sim/mains.hpp"
@@ -244,6 +243,29 @@ std::vector<Twin::Comparison> TimeTwin::compare(const std::vector<std::size_t>& 
     }
   }
   return all;
+}
+
+Twin::Cells TimeTwin::cells(const std::vector<std::size_t>& effects,
+                            const std::vector<double>& values) const {
+  const sim::PlantSpec plant = plant_with(effects, values);
+  std::vector<ProgrammeRecord> repeats;
+  for (const TimeRecord& record : records_.all) {
+    if (!record.about.learned_from || record.about.programme.empty()) continue;
+    const auto run = sim::simulate(plant, record.excitation, terms_);
+    const auto* shown = std::get_if<sim::Simulated>(&run);
+    if (shown == nullptr) return {};
+    const double rate_Hz = record.excitation.rate_Hz();
+    ProgrammeRecord repeat{record.about.programme,
+                           static_cast<double>(record.first - record.lead_in) / rate_Hz,
+                           static_cast<double>(record.last - record.first) / rate_Hz,
+                           {}};
+    for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
+      repeat.apart.push_back(
+          below_band(record, record.measured[o] - shown->channels[o].samples, record.thin));
+    }
+    repeats.push_back(std::move(repeat));
+  }
+  return programme_cells(plant_.outputs, repeats);
 }
 
 }  // namespace rvbench::bench

@@ -31,6 +31,10 @@ class TimeTwin final : public Twin {
   std::vector<Comparison> compare(const std::vector<std::size_t>& effects,
                                   const std::vector<double>& values) const override;
 
+  /// Means over stretches of the programmes that are repeated.
+  Cells cells(const std::vector<std::size_t>& effects,
+              const std::vector<double>& values) const override;
+
  private:
   TimeTwin(sim::PlantSpec plant, TimeRecords records, const sim::TermLibrary& library);
 

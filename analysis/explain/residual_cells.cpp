@@ -83,6 +83,7 @@ const char* to_string(LockedTo locked) noexcept {
     case LockedTo::nothing: return "mean";
     case LockedTo::shaft: return "order";
     case LockedTo::time: return "Hz";
+    case LockedTo::programme: return "s";
   }
   return "";
 }

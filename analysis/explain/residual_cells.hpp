@@ -7,18 +7,20 @@ namespace rvbench::analysis {
 
 /// What a number that is compared stays with when the speed changes.
 enum class LockedTo {
-  nothing,  ///< a mean
-  shaft,    ///< a line at an order of the reference shaft
-  time      ///< a line at a frequency
+  nothing,   ///< a mean
+  shaft,     ///< a line at an order of the reference shaft
+  time,      ///< a line at a frequency
+  programme  ///< a mean over a stretch of a motion that is repeated
 };
 
-const char* to_string(LockedTo locked) noexcept;  ///< "mean", "order", "Hz"
+const char* to_string(LockedTo locked) noexcept;  ///< "mean", "order", "Hz", "s"
 
-/// A mean, or one line, of one channel under one condition: measured beside predicted.
+/// A mean, one line, or one stretch, of one channel under one condition: measured beside
+/// predicted.
 struct ResidualCell {
   std::string channel, unit, condition;
   LockedTo locked_to = LockedTo::nothing;
-  double place = 0;  ///< order of the reference shaft, or Hz; 0 of a mean
+  double place = 0;  ///< order of the reference shaft, Hz, or s of a programme; 0 of a mean
   double apart = 0;  ///< measured − predicted, in `unit`, mean of the condition's records
   double standard_error = 1;  ///< of that, > 0
 };
@@ -28,7 +30,7 @@ struct ResidualCell {
 struct ResidualCluster {
   std::string channel, unit;
   LockedTo locked_to = LockedTo::nothing;
-  double first = 0, last = 0;  ///< orders, or Hz
+  double first = 0, last = 0;  ///< orders, Hz, or s
   std::vector<std::string> conditions;
   double apart = 0;            ///< of the cell that is off by most standard errors
   double standard_errors = 0;  ///< of that cell, with its sign
