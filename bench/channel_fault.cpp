@@ -17,21 +17,44 @@ constexpr double beyond_sensors = 1e30;
 constexpr double far_off = 100;  // times all but a few
 constexpr std::size_t few = 3;
 constexpr std::size_t one_in = 1000;
+constexpr std::size_t most_names = 12;
+
+// "time, force, speed and 9 more"
+std::string names_of(const Recording& recording) {
+  std::string names;
+  const std::size_t shown = std::min(recording.channels.size(), most_names);
+  for (std::size_t i = 0; i < shown; ++i) {
+    names += (i > 0 ? ", " : "") + hal::in_quotes(recording.channels[i].info.name);
+  }
+  const std::size_t left = recording.channels.size() - shown;
+  return left > 0 ? fmt::format("{} and {} more", names, left) : names;
+}
 
 }  // namespace
 
-std::string channel_fault(const Recording& recording, const sim::OutputSpec& output) {
+std::string channel_misfit(const Recording& recording, const sim::OutputSpec& output) {
   const std::string name = hal::in_quotes(output.channel);
   const Channel* channel = recording.find(output.channel);
-  if (channel == nullptr) return name + " is no channel of the recording";
+  if (channel == nullptr) {
+    return name + " is no channel of the recording, which has " + names_of(recording);
+  }
   if (!channel->info.unit.empty() && channel->info.unit != output.unit) {
     return fmt::format("{} is in {}, the plant shows {}", name, channel->info.unit, output.unit);
   }
   if (!channel->samples.allFinite()) return name + " has samples that are not finite";
-  for (const analysis::QualityNote& note : analysis::channel_quality(*channel, not_known)) {
-    if (note.invalidates) return name + " is " + note.what;
+  return {};
+}
+
+std::string quality_fault(const Channel& channel) {
+  for (const analysis::QualityNote& note : analysis::channel_quality(channel, not_known)) {
+    if (note.invalidates) return hal::in_quotes(channel.info.name) + " is " + note.what;
   }
   return {};
+}
+
+std::string channel_fault(const Recording& recording, const sim::OutputSpec& output) {
+  const std::string misfit = channel_misfit(recording, output);
+  return misfit.empty() ? quality_fault(*recording.find(output.channel)) : misfit;
 }
 
 std::string sample_fault(const Channel& channel) {

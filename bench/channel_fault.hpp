@@ -8,8 +8,14 @@
 
 namespace rvbench::bench {
 
-/// Why a recording cannot be compared with this output: no such channel, another unit, samples that
-/// are not finite, lost or clipped. Empty if it can.
+/// Why a recording cannot be compared with this output: no such channel, another unit, or samples
+/// that are not finite. Empty if it can.
+std::string channel_misfit(const Recording& recording, const sim::OutputSpec& output);
+
+/// What makes a channel's samples worth nothing: lost or clipped ones. Empty if nothing does.
+std::string quality_fault(const Channel& channel);
+
+/// The one or the other, with the channel's name.
 std::string channel_fault(const Recording& recording, const sim::OutputSpec& output);
 
 /// What no sensor gives, where time and value are compared as they are: a number beyond all bounds,

@@ -5,8 +5,10 @@
 namespace rvbench::bench {
 
 std::string place_text(const analysis::ResidualCluster& c) {
-  const std::string places = c.last > c.first ? fmt::format("{:.5g} to {:.5g}", c.first, c.last)
-                                              : fmt::format("{:.5g}", c.first);
+  const int digits = c.locked_to == analysis::LockedTo::programme ? 3 : 5;
+  const std::string places =
+      c.last > c.first ? fmt::format("{:.{}g} to {:.{}g}", c.first, digits, c.last, digits)
+                       : fmt::format("{:.{}g}", c.first, digits);
   switch (c.locked_to) {
     case analysis::LockedTo::nothing: break;
     case analysis::LockedTo::shaft: return c.channel + " order " + places;

@@ -7,7 +7,6 @@
 #include <map>
 #include <string>
 
-#include "analysis/quality.hpp"
 #include "bench/channel_fault.hpp"
 #include "hal/did_you_mean.hpp"
 #include "sim/simulate.hpp"
@@ -25,25 +24,16 @@ using Faults = std::vector<hal::ConfigFault>;
 // for long: only a force or an acceleration that does has lost its top.
 std::string output_fault(const Recording& recording, const sim::OutputSpec& output,
                          const sim::Excitation& inputs) {
+  if (std::string misfit = channel_misfit(recording, output); !misfit.empty()) return misfit;
+  const Channel& channel = *recording.find(output.channel);
   const std::string name = hal::in_quotes(output.channel);
-  const Channel* channel = recording.find(output.channel);
-  if (channel == nullptr) return name + " is no channel of the recording";
-  if (!channel->info.unit.empty() && channel->info.unit != output.unit) {
-    return fmt::format("{} is in {}, the plant shows {}", name, channel->info.unit, output.unit);
-  }
-  const bool in_step = channel->rate_Hz == inputs.rate_Hz() &&
-                       channel->start_s == inputs.start_s() &&
-                       channel->samples.size() == inputs.samples();
+  const bool in_step = channel.rate_Hz == inputs.rate_Hz() && channel.start_s == inputs.start_s() &&
+                       channel.samples.size() == inputs.samples();
   if (!in_step) return name + " has another rate, start or length than the inputs";
-  if (!channel->samples.allFinite()) return name + " has samples that are not finite";
-  if (const std::string fault = sample_fault(*channel); !fault.empty()) return name + ": " + fault;
+  if (const std::string fault = sample_fault(channel); !fault.empty()) return name + ": " + fault;
   const bool may_rest =
       output.kind == sim::OutputKind::position || output.kind == sim::OutputKind::speed;
-  if (may_rest) return {};
-  for (const analysis::QualityNote& note : analysis::channel_quality(*channel, not_known)) {
-    if (note.invalidates) return name + " is " + note.what;
-  }
-  return {};
+  return may_rest ? std::string() : quality_fault(channel);
 }
 
 // The samples that are compared, and how many of them.

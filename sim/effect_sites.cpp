@@ -37,7 +37,15 @@ std::vector<EffectSite> axes_of(const PlantSpec& plant, const TermGate& gate,
   return axes;
 }
 
-std::vector<std::string> references_of(const PlantSpec& plant, const TermGate& gate) {
+// Friction and the like carry no load that another friction could grow with.
+bool may_refer_to(const TermSpec& term, const TermGate& gate, const TermLibrary& library) {
+  if (!gate.reference_type.empty()) return term.type == gate.reference_type;
+  const TermType* type = library.find(term.type);
+  return type != nullptr && !type->card.effect;
+}
+
+std::vector<std::string> references_of(const PlantSpec& plant, const TermGate& gate,
+                                       const TermLibrary& library) {
   std::vector<std::string> names;
   switch (gate.reference) {
     case ReferenceKind::none: names.emplace_back(); break;
@@ -53,9 +61,7 @@ std::vector<std::string> references_of(const PlantSpec& plant, const TermGate& g
       break;
     case ReferenceKind::term:
       for (const TermSpec& term : plant.terms) {
-        if (gate.reference_type.empty() || term.type == gate.reference_type) {
-          names.push_back(term.name);
-        }
+        if (may_refer_to(term, gate, library)) names.push_back(term.name);
       }
       break;
     case ReferenceKind::body:
@@ -152,7 +158,7 @@ std::vector<EffectSite> sites_of(const PlantSpec& plant, const TermType& type,
   if (type.gate.in_channel != InChannel::no) return channels_of(plant, type);
   std::vector<EffectSite> sites;
   for (const EffectSite& axis : axes_of(plant, type.gate, library)) {
-    for (const std::string& reference : references_of(plant, type.gate)) {
+    for (const std::string& reference : references_of(plant, type.gate, library)) {
       EffectSite site = axis;
       site.reference = reference;
       if (joins(plant, type, site) && !acts_already(plant, type, site)) {

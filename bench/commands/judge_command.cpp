@@ -103,7 +103,7 @@ int JudgeCommand::run(Console& console) {
 
 // What can be known to be wrong before anything is read. An older verdict is not written over.
 int JudgeCommand::check_options(Console& console) const {
-  if (!is_positive(console, "--speed", speed_rpm_) || !is_positive(console, "--rate", rate_Hz_)) {
+  if (!is_positive(console, "--speed", speed_rpm_) || !is_rate(console, rate_Hz_)) {
     return exit_codes::usage;
   }
   if (out_.empty()) return exit_codes::done;

@@ -29,7 +29,7 @@ TEST_CASE("a place is told by what it stays with", "[bench][explain][locate]") {
   CHECK(bench::place_text(mains) == "input_torque 50 Hz");
   const ResidualCluster late{
       "motor_force", "N", LockedTo::programme, 1.125, 1.875, {"cycle"}, 3, 9};
-  CHECK(bench::place_text(late) == "motor_force at 1.125 to 1.875 s");
+  CHECK(bench::place_text(late) == "motor_force at 1.12 to 1.88 s");
   ResidualCluster wide = pins;
   wide.last = 12.901;
   CHECK(bench::place_text(wide) == "input_torque order 12.893 to 12.901");

@@ -33,7 +33,9 @@ TEST_CASE("with --json every refusal is one document on standard output", "[benc
       {{"runn", "quick"}, 2, "unknown command"},
       {{"run", "quikc", "--rig", "sim", "--serial", "A"}, 3, "did you mean \"quick\"?"},
       {{"run", "quick", "--rig", "nowhere.json", "--serial", "A"}, 3, "nowhere.json"},
-      {{"judge", "a.csv", "--kinematics", "rv20e", "--rate", "0"}, 2, "--rate must be above 0"},
+      {{"judge", "a.csv", "--kinematics", "rv20e", "--rate", "0"},
+       2,
+       "--rate must be 0.001 to 1e+08 Hz"},
       {{"judge", "a.csv", "--kinematics", "rv20"}, 3, "did you mean \"rv20e\"?"},
       {{"judge", "nowhere.csv", "--kinematics", "rv20e"}, 20, "no such file"}};
   for (const Case& refused : cases) {

@@ -60,6 +60,18 @@ TEST_CASE("what needs a rotor, or another term, is tried where there is one", "[
   CHECK(std::ranges::count(loaded, "a and b, by spring") == 1);
 }
 
+TEST_CASE("friction grows with what carries a load, not with other friction", "[sim][explain]") {
+  PlantSpec pair = two_masses();
+  TermSpec drag = pair.terms[0];
+  drag.name = "drag";
+  drag.type = "viscous_friction";
+  drag.parameters = {{"damping", {1, "N·s/m", 0}}};
+  pair.terms.push_back(drag);
+  const auto loaded = places_of(pair, "load_friction");
+  CHECK(std::ranges::count(loaded, "a and b, by spring") == 1);
+  CHECK(std::ranges::count(loaded, "a and b, by drag") == 0);
+}
+
 TEST_CASE("probes show a body's motion in place of the plant's own sensors", "[sim][explain]") {
   const PlantSpec probed =
       with_probes(two_masses(), "b", {OutputKind::position, OutputKind::speed});
