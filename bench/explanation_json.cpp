@@ -104,6 +104,11 @@ ordered_json located_json(const Located& located) {
             {"after", missing_force_to_json(located.missing_after)}}}};
 }
 
+ordered_json left_out_json(const analysis::LeftOutError& error) {
+  if (!error.known) return nullptr;
+  return {{"before", number(error.before)}, {"after", number(error.after)}};
+}
+
 ordered_json effect_json(const analysis::ExplainedEffect& effect, const ordered_json& floor,
                          const char* metric) {
   return {{"verdict", to_string(effect.verdict)},
@@ -148,7 +153,9 @@ std::string explanation_to_json(const analysis::Explanation& e, const ExplainFac
         {"held_out",
          {{"before", number(e.held_out_before)},
           {"after", number(e.held_out_after)},
-          {"floor", floor}}}}},
+          {"floor", floor},
+          {"speeds", left_out_json(e.speeds_out)},
+          {"loads", left_out_json(e.loads_out)}}}}},
       {"located", located_json(facts.located)},
       {"records", record_errors_json(facts.records)},
       {"self_null", self_null(e.self_null)},

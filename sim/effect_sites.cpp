@@ -107,16 +107,32 @@ bool deviates(const TermSpec& term, const TermType& type) {
   return size != term.parameters.end() && size->second.value != 0;
 }
 
-// Terms that the effect would deviate: each by itself, or the first for all.
-std::vector<EffectSite> retuned_sites(const PlantSpec& plant, const TermType& type) {
+std::string joint(const std::string& body_a, const std::string& body_b) {
+  return body_b == housing_name ? body_a + " against the housing" : body_a + " and " + body_b;
+}
+
+// Terms that the effect would deviate, each by itself.
+std::vector<EffectSite> retuned_one_by_one(const PlantSpec& plant, const TermType& type) {
+  std::vector<EffectSite> sites;
+  for (const TermSpec& term : plant.terms) {
+    if (term.type == type.gate.retunes && !deviates(term, type)) {
+      sites.push_back({term.body_a, term.body_b, term.name});
+    }
+  }
+  return sites;
+}
+
+// All of them at once: one place.
+std::vector<EffectSite> retuned_together(const PlantSpec& plant, const TermType& type) {
   std::vector<EffectSite> sites;
   for (const TermSpec& term : plant.terms) {
     if (term.type != type.gate.retunes) continue;
-    if (type.gate.each && !deviates(term, type)) {
-      sites.push_back({term.body_a, term.body_b, term.name});
+    if (deviates(term, type)) return {};
+    if (sites.empty()) {
+      sites.push_back({term.body_a, term.body_b});
+    } else {
+      sites.front().together_with.push_back(joint(term.body_a, term.body_b));
     }
-    if (!type.gate.each && deviates(term, type)) return {};
-    if (!type.gate.each && sites.empty()) sites.push_back({term.body_a, term.body_b});
   }
   return sites;
 }
@@ -153,7 +169,9 @@ std::vector<EffectSite> sites_of(const PlantSpec& plant, const TermType& type,
   const ComparedBy compared =
       plant.outputs.empty() ? ComparedBy::samples : plant.outputs.front().compared_by;
   if (std::ranges::find(type.shows_in, compared) == type.shows_in.end()) return {};
-  if (!type.gate.retunes.empty()) return retuned_sites(plant, type);
+  if (!type.gate.retunes.empty()) {
+    return type.gate.each ? retuned_one_by_one(plant, type) : retuned_together(plant, type);
+  }
   if (!type.gate.in_place_of.empty()) return places_of(plant, type.gate.in_place_of);
   if (type.gate.in_channel != InChannel::no) return channels_of(plant, type);
   std::vector<EffectSite> sites;
@@ -171,8 +189,9 @@ std::vector<EffectSite> sites_of(const PlantSpec& plant, const TermType& type,
 
 std::string describe(const EffectSite& site) {
   if (!site.channel.empty()) return site.channel + " channel";
-  std::string text = site.body_b == housing_name ? site.body_a + " against the housing"
-                                                 : site.body_a + " and " + site.body_b;
+  std::string text = joint(site.body_a, site.body_b);
+  for (const std::string& other : site.together_with) text += ", " + other;
+  if (!site.together_with.empty()) text += " alike";
   if (!site.reference.empty()) text += ", by " + site.reference;
   return text;
 }

@@ -15,7 +15,8 @@ namespace rvbench::sim {
 std::vector<EffectSite> sites_of(const PlantSpec& plant, const TermType& type,
                                  const TermLibrary& library = standard_terms());
 
-/// "slide against the housing", "motor and input shaft", "input_torque channel"
+/// "slide against the housing", "motor and input shaft", "input_torque channel",
+/// "planet_1 and carrier, planet_2 and carrier alike"
 std::string describe(const EffectSite& site);
 
 /// Unit that a parameter of an effect has there: by the motion of its body, or of its channel.

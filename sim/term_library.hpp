@@ -95,6 +95,7 @@ struct EffectSite {
   std::string reference = {};            ///< as the gate asks; or the term that the effect replaces
   std::vector<std::string> beyond = {};  ///< terms that go to the far side of an inserted body
   std::string channel = {};              ///< of the output that it is in; "" if it is in the bodies
+  std::vector<std::string> together_with = {};  ///< joints that it is in as much as in this one
 };
 
 struct TermType {

@@ -72,6 +72,17 @@ std::vector<std::size_t> as_good_as_any_form(const Step& step, const Ceiling& ce
   return equals;
 }
 
+LeftOutError left_out_error(const Tryout& on, const Selection& found,
+                            const std::vector<Fold>& folds) {
+  if (folds.empty()) return {};
+  const auto error_of = [&](const Fit& fit) {
+    return predict_held_out(on.model, fit, folds, on.counts_as, LeftOut::refitted);
+  };
+  const auto before = error_of(found.base), after = error_of(found.fit);
+  if (!before || !after) return {};
+  return {true, before->rms, after->rms};
+}
+
 ExplainedEffect explained(const ForwardModel& model, const Selection& found, const Step& step,
                           const std::vector<Estimate>& values, double error_before) {
   const Candidate& candidate = model.library()[step.effect];
@@ -219,6 +230,10 @@ Explanation explain(const ForwardModel& model, const SelectionOptions& options) 
       step.equals = as_good_as_any_form(step, e.ceiling_after, found.held_out.rms);
       e.effects.push_back(explained(model, found, step, values, before));
       before = e.effects.back().error_after;
+    }
+    if (!e.effects.empty()) {
+      e.speeds_out = left_out_error(on, found, speed_folds(model.units()));
+      e.loads_out = left_out_error(on, found, load_folds(model.units()));
     }
     e.self_null = self_null_of(model, found.fit, options);
   }

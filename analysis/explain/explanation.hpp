@@ -56,6 +56,12 @@ struct SelfNull {
   double error = 0;             ///< of one repeat as the model of the other, relative
 };
 
+/// Held-out error before and after; unknown: there are too few speeds, or loads, to leave any out.
+struct LeftOutError {
+  bool known = false;
+  double before = 0, after = 0;
+};
+
 struct Explanation {
   ExplainVerdict verdict = ExplainVerdict::null;
   std::string reason;               ///< one sentence for people
@@ -64,6 +70,8 @@ struct Explanation {
   std::vector<Estimate> nuisances, base;
   double trained_before = 0, trained_after = 0;
   double held_out_before = 0, held_out_after = 0;  ///< likewise, on left-out conditions
+  LeftOutError speeds_out,
+      loads_out;  ///< with whole speeds, or loads, left out; if effects are found
   Ceiling ceiling_before, ceiling_after;
   SelfNull self_null;
   std::vector<RivalEffect> cannot_exclude;  ///< tried last and refused, the nearest three

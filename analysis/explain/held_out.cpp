@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <numbers>
 #include <random>
 #include <set>
@@ -16,16 +17,18 @@ namespace {
 
 constexpr std::size_t fewest_to_leave_one_out = 3;
 
-void add_folds(std::vector<Fold>& folds, const std::vector<ObservedUnit>& units,
-               std::string ObservedUnit::*label, std::size_t fewest) {
+std::vector<Fold> folds_of(const std::vector<ObservedUnit>& units, std::string ObservedUnit::*label,
+                           std::size_t fewest) {
+  std::vector<Fold> folds;
   std::set<std::string> names;
   for (const ObservedUnit& unit : units) names.insert(unit.*label);
-  if (names.size() < fewest) return;
+  if (names.size() < fewest) return folds;
   for (const std::string& name : names) {
     Fold fold{name, {}};
     for (const ObservedUnit& unit : units) fold.held_out.push_back(unit.*label == name);
     folds.push_back(std::move(fold));
   }
+  return folds;
 }
 
 }  // namespace
@@ -37,15 +40,20 @@ std::vector<bool> Fold::trained() const {
 }
 
 std::vector<Fold> condition_folds(const std::vector<ObservedUnit>& units) {
-  std::vector<Fold> folds;
-  add_folds(folds, units, &ObservedUnit::condition, 2);
-  return folds;
+  return folds_of(units, &ObservedUnit::condition, 2);
+}
+
+std::vector<Fold> speed_folds(const std::vector<ObservedUnit>& units) {
+  return folds_of(units, &ObservedUnit::speed, fewest_to_leave_one_out);
+}
+
+std::vector<Fold> load_folds(const std::vector<ObservedUnit>& units) {
+  return folds_of(units, &ObservedUnit::load, fewest_to_leave_one_out);
 }
 
 std::vector<Fold> extrapolation_folds(const std::vector<ObservedUnit>& units) {
-  std::vector<Fold> folds;
-  add_folds(folds, units, &ObservedUnit::speed, fewest_to_leave_one_out);
-  add_folds(folds, units, &ObservedUnit::load, fewest_to_leave_one_out);
+  std::vector<Fold> folds = speed_folds(units);
+  std::ranges::move(load_folds(units), std::back_inserter(folds));
   return folds;
 }
 

@@ -23,8 +23,11 @@ struct Fold {
 /// A fold for each condition. Empty if there is only one.
 std::vector<Fold> condition_folds(const std::vector<ObservedUnit>& units);
 
-/// A fold for each speed and each load where there are at least three of them: what holds between
-/// conditions must hold beyond them, too.
+/// A fold for each speed, or each load. Empty if there are fewer than three of them.
+std::vector<Fold> speed_folds(const std::vector<ObservedUnit>& units);
+std::vector<Fold> load_folds(const std::vector<ObservedUnit>& units);
+
+/// Both of them: what holds between conditions must hold beyond them, too.
 std::vector<Fold> extrapolation_folds(const std::vector<ObservedUnit>& units);
 
 /// How well a model predicts what it has not seen.

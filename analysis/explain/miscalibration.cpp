@@ -30,7 +30,10 @@ std::string miscalibration(const ForwardModel& model, const Fit& fit) {
     const auto at = static_cast<Eigen::Index>(i);
     const bool has_error = at < fit.covariance.rows();
     const double error = has_error ? std::sqrt(std::max(fit.covariance(at, at), 0.0)) : 0;
-    if ((is_known && (at_low || at_high)) || is_far_off(p, fit.values[i], error)) {
+    // Where the data tell less of it than its bounds do, the bound is as good as any place.
+    const bool is_told = std::isfinite(p.spread) || error < 0.5 * (p.high - p.low);
+    const bool at_bound = is_known && (at_low || at_high) && is_told;
+    if (at_bound || is_far_off(p, fit.values[i], error)) {
       const bool is_tolerated = std::isfinite(p.spread);
       const double within = is_tolerated ? tolerance * p.spread : 0.5 * (p.high - p.low);
       return fmt::format("{} had to go to {:.4g} {}, known as {:.4g} within {:.2g}", p.name,

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "sim/effect_edits.hpp"
+#include "sim/rv_plant.hpp"
 #include "tests/sim/plant_texts.hpp"
 
 namespace rvbench::sim {
@@ -70,6 +71,14 @@ TEST_CASE("friction grows with what carries a load, not with other friction", "[
   const auto loaded = places_of(pair, "load_friction");
   CHECK(std::ranges::count(loaded, "a and b, by spring") == 1);
   CHECK(std::ranges::count(loaded, "a and b, by drag") == 0);
+}
+
+TEST_CASE("what all parts of a kind have is in all their joints", "[sim][explain]") {
+  CHECK(places_of(rv20e_bench(), "pin_ripple") ==
+        std::vector<std::string>{"planet_1 and carrier, planet_2 and carrier alike"});
+  CHECK(places_of(rv20e_bench(), "crank_eccentricity") ==
+        std::vector<std::string>{"planet_1 and carrier, by stage_1",
+                                 "planet_2 and carrier, by stage_2"});
 }
 
 TEST_CASE("probes show a body's motion in place of the plant's own sensors", "[sim][explain]") {

@@ -57,6 +57,18 @@ TEST_CASE("an effect whose law is in the library is named", "[explain]") {
   CHECK(e.effects[0].name == "drag");
 }
 
+TEST_CASE("a law that holds predicts left-out speeds and loads as well as the noise lets it",
+          "[explain]") {
+  const Explanation e = explain(InErrors({{{"drag", {0.2}}}, noise_N, 0.0}));
+  REQUIRE(e.speeds_out.known);
+  REQUIRE(e.loads_out.known);
+  CHECK(e.speeds_out.after == Approx(1).epsilon(0.1));  // in units of the noise
+  CHECK(e.loads_out.after == Approx(1).epsilon(0.1));
+  CHECK(e.speeds_out.before > 1.5);  // what was learned at two speeds misses the third
+  const Explanation nothing = explain(InErrors({{}, noise_N, 0.0}));
+  CHECK_FALSE(nothing.speeds_out.known);
+}
+
 TEST_CASE("where no law's form is right, rivals that miss less than it does are its class",
           "[explain]") {
   const ToyModel model({{{"power_drag", {0.5}}}, 0.05, 0.5});

@@ -11,7 +11,7 @@ namespace {
 // A stiffness that the drawing states as 100 N/m within 10, which is two spreads.
 class OneStiffness final : public rvbench::test::PlainModel {
  public:
-  OneStiffness() { base_ = {{"spring/stiffness", "N/m", 100, 10, 1000, 5, 1, false}}; }
+  explicit OneStiffness(const ModelParameter& stiffness) { base_ = {stiffness}; }
   std::optional<Eigen::VectorXd> residuals(const std::vector<std::size_t>&,
                                            const std::vector<double>&,
                                            const std::vector<bool>&) const override {
@@ -19,11 +19,14 @@ class OneStiffness final : public rvbench::test::PlainModel {
   }
 };
 
-std::string said_of(double value, double standard_error) {
+const ModelParameter by_spread{"spring/stiffness", "N/m", 100, 10, 1000, 5, 1, false};
+
+std::string said_of(double value, double standard_error,
+                    const ModelParameter& stiffness = by_spread) {
   Fit fit;
   fit.values = {value};
   fit.covariance = Eigen::MatrixXd::Constant(1, 1, standard_error * standard_error);
-  return miscalibration(OneStiffness(), fit);
+  return miscalibration(OneStiffness(stiffness), fit);
 }
 
 }  // namespace
@@ -43,4 +46,14 @@ TEST_CASE("what is known of a number speaks until the data are sure", "[analysis
 
 TEST_CASE("a number at its bound is miscalibrated whatever its error", "[analysis][explain]") {
   CHECK_FALSE(said_of(1000, 1e6).empty());
+}
+
+TEST_CASE("a number known within bounds alone is miscalibrated if the data know better",
+          "[analysis][explain]") {
+  ModelParameter bounded = by_spread;
+  bounded.low = 90;
+  bounded.high = 110;
+  bounded.spread = std::numeric_limits<double>::infinity();
+  CHECK_FALSE(said_of(110, 2, bounded).empty());
+  CHECK(said_of(110, 30, bounded).empty());  // anywhere within the bounds would do as well
 }

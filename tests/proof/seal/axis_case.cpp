@@ -1,0 +1,217 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <stdexcept>
+
+#include "tests/proof/seal/noise.hpp"
+#include "tests/proof/seal/sealed_case.hpp"
+#include "tests/proof/seal/slide_effects/slide_effects.hpp"
+#include "tests/proof/seal/slide_records.hpp"
+
+namespace seal {
+namespace {
+
+using nlohmann::json;
+
+constexpr double rate_Hz = 500, band_Hz = 40;
+constexpr double length_s = 6;
+constexpr int repeats = 3;
+constexpr int steps_per_sample = 4;
+constexpr double stroke_m = 0.2;
+
+const std::map<std::string, HiddenInSlide (*)(const SlideScales&, Draw&)> all_effects{
+    {"asymmetric_friction", asymmetric_friction},
+    {"coulomb_friction", coulomb_friction},
+    {"cubic_stiffness", cubic_stiffness},
+    {"nonlinear_damping", nonlinear_damping},
+    {"screw_ripple", screw_ripple},
+    {"shear_thinning", shear_thinning},
+    {"stiffness_hysteresis", stiffness_hysteresis},
+    {"stribeck_friction", stribeck_friction},
+    {"viscous_friction", viscous_friction}};
+
+/// A slide that a servo moves: what it weighs and what holds it back.
+struct Axis {
+  double mass_kg = 0, drag = 0, offset_N = 0;
+};
+
+/// To and fro by moves of the fifth power with rests between, slower and shorter in turn.
+struct Motion {
+  double peak_m_s = 0, stroke_m = 0;
+  bool returns = true;  ///< false: each move begins where the last one ended
+
+  double move_s() const { return 15.0 / 8 * stroke_m / peak_m_s; }
+  double rest_s() const { return 0.15; }
+
+  // Way, speed and acceleration.
+  std::array<double, 3> at(double time_s) const {
+    const double each_s = move_s() + rest_s();
+    const double in = std::fmod(time_s, 2 * each_s);
+    const bool is_back = in >= each_s;
+    const double t = std::clamp((in - (is_back ? each_s : 0)) / move_s(), 0.0, 1.0);
+    const double way = t * t * t * (10 - 15 * t + 6 * t * t);
+    const double speed = 30 * t * t * (1 - 2 * t + t * t) / move_s();
+    const double acceleration = (60 * t - 180 * t * t + 120 * t * t * t) / move_s() / move_s();
+    const double side = is_back && returns ? -1 : 1;
+    const double done = returns ? (is_back ? 1 - way : way) - 0.5
+                                : 2 * std::floor(time_s / 2 / each_s) + (is_back ? 1 + way : way);
+    return {stroke_m * done, side * stroke_m * speed, side * stroke_m * acceleration};
+  }
+};
+
+std::vector<Motion> motions_of(const CasePlan& plan) {
+  if (plan.variant == "one way") {
+    return {{0.05, 0.06, false}, {0.2, stroke_m, false}, {0.5, stroke_m, false}};
+  }
+  return {{0.05, 0.06}, {0.2, stroke_m}, {0.5, stroke_m}};
+}
+
+json quantity(double value, const char* unit, const json& tolerance) {
+  return {{"value", value}, {"unit", unit}, {"tolerance_pct", tolerance}};
+}
+
+json plant_of(const Axis& axis, bool knows_drag) {
+  json terms = json::array();
+  if (knows_drag) {
+    terms.push_back({{"type", "viscous_friction"},
+                     {"body_a", "slide"},
+                     {"parameters", {{"damping", quantity(axis.drag, "N·s/m", 20)}}}});
+  }
+  terms.push_back({{"type", "torque_offset"},
+                   {"body_a", "slide"},
+                   {"parameters", {{"level", quantity(axis.offset_N, "N", "free")}}}});
+  return {{"plant", "axis"},
+          {"about", "a slide that a servo moves: the force that its motion needs"},
+          {"bodies",
+           {{{"name", "slide"},
+             {"motion", "translation"},
+             {"mass", quantity(axis.mass_kg, "kg", 10)}}}},
+          {"terms", terms},
+          {"inputs",
+           {{{"channel", "way"},
+             {"unit", "m"},
+             {"is", "position"},
+             {"body", "slide"},
+             {"band_Hz", band_Hz}}}},
+          {"outputs",
+           {{{"channel", "force"},
+             {"unit", "N"},
+             {"is", "drive"},
+             {"body", "slide"},
+             {"gain", quantity(1, "1", 3)},
+             {"delay", quantity(0, "s", "free")}}}}};
+}
+
+// What one effect takes, over each motion.
+std::vector<Eigen::VectorXd> forces_of(const std::vector<Motion>& motions,
+                                       const HiddenInSlide& effect, double size,
+                                       double delay_s = 0) {
+  std::vector<Eigen::VectorXd> forces_N;
+  constexpr auto count = static_cast<Eigen::Index>(length_s * rate_Hz);
+  constexpr double step_s = 1 / rate_Hz / steps_per_sample;
+  for (const Motion& motion : motions) {
+    const auto acting = effect.make(size);
+    const auto force_N = [&](double time_s) {
+      const auto [way, speed, acceleration] = motion.at(time_s);
+      return acting->force_N(way, speed, step_s);
+    };
+    const auto period = static_cast<int>(2 * (motion.move_s() + motion.rest_s()) / step_s);
+    for (int i = -period; i < 0; ++i) force_N(period * step_s + i * step_s);
+    Eigen::VectorXd shown(count);
+    for (Eigen::Index k = 0; k < count; ++k) {
+      double sum_N = 0;
+      for (int s = 0; s < steps_per_sample; ++s) {
+        sum_N +=
+            force_N((static_cast<double>(k) + double(s) / steps_per_sample) / rate_Hz - delay_s);
+      }
+      shown[k] = sum_N / steps_per_sample;
+    }
+    forces_N.push_back(std::move(shown));
+  }
+  return forces_N;
+}
+
+Eigen::VectorXd force_of(const Axis& axis, const Motion& motion, double delay_s) {
+  return Eigen::VectorXd::NullaryExpr(
+      static_cast<Eigen::Index>(length_s * rate_Hz), [&](Eigen::Index k) {
+        const auto [way, speed, acceleration] = motion.at(
+            static_cast<double>(k) / rate_Hz - delay_s + 2 * (motion.move_s() + motion.rest_s()));
+        return axis.mass_kg * acceleration + axis.drag * speed + axis.offset_N;
+      });
+}
+
+double rms_of(const std::vector<Eigen::VectorXd>& all) {
+  double square = 0;
+  for (const Eigen::VectorXd& x : all) square += rms(x) * rms(x) / double(all.size());
+  return std::sqrt(square);
+}
+
+}  // namespace
+
+json seal_axis(const CasePlan& plan, Draw& draw, const std::filesystem::path& folder) {
+  const Axis drawn{60 * draw.within_factor(2), 120 * draw.within_factor(2), draw.uniform(-5, 5)};
+  const bool hides_drag =
+      std::ranges::find(plan.effects, "viscous_friction") != plan.effects.end() ||
+      std::ranges::find(plan.effects, "shear_thinning") != plan.effects.end();
+  Axis built{drawn.mass_kg * (1 + 0.1 * draw.uniform(-1, 1)),
+             hides_drag ? 0 : drawn.drag * (1 + 0.2 * draw.uniform(-1, 1)), drawn.offset_N};
+  const std::vector<Motion> motions = motions_of(plan);
+  std::vector<Eigen::VectorXd> bare;
+  for (const Motion& motion : motions) bare.push_back(force_of(built, motion, 0));
+  const SlideScales usual{rms_of(bare), stroke_m / 2, 0.5};
+
+  const std::string like = plan.kind == "null" ? plan.effects.front() : "usual";
+  const double gain = like == "clean" ? 1 : 1 + draw.uniform(-0.02, 0.02);
+  const double delay_s = like == "clean" ? 0 : draw.uniform(-1, 1) / rate_Hz;
+  const double slope = like == "clean" ? 0 : draw.uniform(0, like == "strong" ? 1 : 0.5);
+  double noise_N = usual.force_N * (like == "strong" ? 0.1 : 0.01);
+  json answer{{"effects", json::array()}};
+  std::vector<Eigen::VectorXd> hidden(motions.size(), Eigen::VectorXd::Zero(bare[0].size()));
+  if (plan.kind != "null") {
+    for (const std::string& name : plan.effects) {
+      const HiddenInSlide effect = all_effects.at(name)(usual, draw);
+      const double as_large = rms_of(forces_of(motions, effect, effect.size));
+      const double size =
+          effect.size * usual.force_N * std::pow(10, -plan.concealment_dB / 20) / as_large;
+      const auto forces_N = forces_of(motions, effect, size, delay_s);
+      if (answer["effects"].empty()) {
+        noise_N = std::pow(10, (best_bin_snr_dB(forces_N, 1, slope, rate_Hz) - plan.snr_dB) / 20);
+        noise_N = std::max(noise_N, 1e-4 * usual.force_N);
+      }
+      answer["effects"].push_back({{"name", name},
+                                   {"also", effect.also},
+                                   {"bodies", {"slide"}},
+                                   {"anywhere", false},
+                                   {"parameter", effect.parameter},
+                                   {"value", size},
+                                   {"concealment_dB", plan.concealment_dB},
+                                   {"snr_dB", best_bin_snr_dB(forces_N, noise_N, slope, rate_Hz)}});
+      for (std::size_t i = 0; i < hidden.size(); ++i) hidden[i] += forces_N[i];
+    }
+  }
+  answer["noise_N"] = noise_N;
+
+  std::vector<SlideRecord> records;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    for (int repeat = 1; repeat <= repeats; ++repeat) {
+      const double period_s = 2 * (motions[i].move_s() + motions[i].rest_s());
+      SlideRecord record{fmt::format("{:g} m/s", motions[i].peak_m_s),
+                         fmt::format("to and fro at {:g} m/s", motions[i].peak_m_s),
+                         {},
+                         {}};
+      record.input = Eigen::VectorXd::NullaryExpr(bare[i].size(), [&](Eigen::Index k) {
+        return motions[i].at(static_cast<double>(k) / rate_Hz + period_s)[0] + 2e-7 * draw.normal();
+      });
+      record.output = gain * (force_of(built, motions[i], delay_s) + hidden[i]) +
+                      noise_N * coloured_noise(bare[i].size(), slope, draw);
+      records.push_back(std::move(record));
+    }
+  }
+  write_records(folder, {rate_Hz, "way", "force"}, records);
+  std::ofstream(folder / "plant.json") << plant_of(drawn, !hides_drag).dump(2) << '\n';
+  return answer;
+}
+
+}  // namespace seal

@@ -1,0 +1,45 @@
+#include "tests/proof/seal/bench_effects/bench_effects.hpp"
+
+namespace seal {
+namespace {
+
+constexpr double tip = 0.1;  // of the fan's inertia
+
+// A fan on the motor's shaft that swings against it.
+class Fan final : public BenchEffect {
+ public:
+  Fan(double share, double inertia, double frequency_Hz, double damping_ratio)
+      : share_(share),
+        inertia_(inertia),
+        frequency_Hz_(frequency_Hz),
+        damping_ratio_(damping_ratio) {}
+  void join(Structure& train) override {
+    const double moved = share_ * inertia_, rate = turn * frequency_Hz_;
+    train.inertia[motor] -= moved;
+    // Two discs in a row, the second small: its mode lies far above the first.
+    const int disc = train.add_body(moved * (1 - tip)), end = train.add_body(moved * tip);
+    const double stiffness = rate * rate * moved, damping = 2 * damping_ratio_ * rate * moved;
+    train.add_spring(motor, disc, stiffness, damping);
+    train.add_spring(disc, end, stiffness, damping);
+  }
+
+ private:
+  double share_, inertia_, frequency_Hz_, damping_ratio_;
+};
+
+}  // namespace
+
+HiddenInBench torsional_mode(const BenchNumbers& n, Draw& draw) {
+  const double frequency_Hz = draw.uniform(60, 200), damping_ratio = draw.uniform(0.02, 0.06);
+  return {.name = "torsional_mode",
+          .also = {"series_compliance"},
+          .bodies = {"motor"},
+          .parameter = "inertia_share",
+          .size = 0.1,
+          .most = 0.5,
+          .make = [=](double share) {
+            return std::make_unique<Fan>(share, n.motor_inertia, frequency_Hz, damping_ratio);
+          }};
+}
+
+}  // namespace seal

@@ -1,0 +1,91 @@
+#include "tests/proof/seal/bench_numbers.hpp"
+
+#include <stdexcept>
+#include <string>
+
+namespace seal {
+namespace {
+
+using nlohmann::json;
+
+const json& named(const json& list, const std::string& name) {
+  for (const json& one : list) {
+    if (one.value("name", "") == name) return one;
+  }
+  throw std::invalid_argument("the plant has no " + name);
+}
+
+double number(const json& owner, const char* key) {
+  return owner.at("parameters").at(key).at("value").get<double>();
+}
+
+double number_or_0(const json& owner, const char* key) {
+  return owner.at("parameters").contains(key) ? number(owner, key) : 0;
+}
+
+BenchNumbers::Mesh mesh_of(const json& term) {
+  return {number(term, "place"),
+          number(term, "stiffness"),
+          number(term, "damping"),
+          number_or_0(term, "stiffness_ripple"),
+          number_or_0(term, "stiffness_ripple_phase"),
+          number_or_0(term, "profile_error"),
+          number_or_0(term, "profile_phase")};
+}
+
+void build(json& quantity, Draw& draw) {
+  const auto tolerance = quantity.find("tolerance_pct");
+  if (tolerance == quantity.end() || !tolerance->is_number()) return;
+  quantity["value"] = quantity.at("value").get<double>() *
+                      (1 + tolerance->get<double>() / 100 * draw.uniform(-1, 1));
+}
+
+}  // namespace
+
+BenchNumbers numbers_of(const json& plant) {
+  const json& bodies = plant.at("bodies");
+  const auto inertia = [&](const char* body) {
+    return named(bodies, body).at("inertia").at("value").get<double>();
+  };
+  const auto term = [&](const char* name) -> const json& { return named(plant.at("terms"), name); };
+  const auto stage = [&](const char* name) {
+    return BenchNumbers::Stage{number(term(name), "stiffness"), number(term(name), "damping")};
+  };
+  return {.motor_inertia = inertia("motor"),
+          .sun_inertia = inertia("input_shaft"),
+          .carrier_inertia = inertia("carrier"),
+          .brake_inertia = inertia("brake"),
+          .planet_inertia = {inertia("planet_1"), inertia("planet_2")},
+          .pull_out_torque_Nm = number(term("motor_torque"), "pull_out_torque"),
+          .pull_out_slip = number(term("motor_torque"), "pull_out_slip"),
+          .motor_ripple = number_or_0(term("motor_torque"), "ripple"),
+          .coupling_stiffness = number(term("coupling"), "stiffness"),
+          .coupling_damping = number(term("coupling"), "damping"),
+          .sun_friction_Nm = number(term("shaft_friction"), "level"),
+          .creep_rad_s = number(term("shaft_friction"), "creep_speed"),
+          .sun_drag = number(term("shaft_drag"), "damping"),
+          .brake_drag = number(term("brake_drag"), "damping"),
+          .sun_radius_m = number(term("mesh_1"), "sun_base_radius"),
+          .planet_radius_m = number(term("mesh_1"), "planet_base_radius"),
+          .sun_teeth = number(term("mesh_1"), "sun_teeth"),
+          .mesh = {mesh_of(term("mesh_1")), mesh_of(term("mesh_2"))},
+          .pins = number(term("stage_1"), "pins"),
+          .pin_circle_m = number(term("stage_1"), "pin_circle_radius"),
+          .stage = {stage("stage_1"), stage("stage_2")},
+          .output_stiffness = number(term("output_shaft"), "stiffness"),
+          .output_damping = number(term("output_shaft"), "damping")};
+}
+
+json as_built(json plant, Draw& draw) {
+  for (json& body : plant.at("bodies")) {
+    for (auto& [key, value] : body.items()) {
+      if (value.is_object()) build(value, draw);
+    }
+  }
+  for (json& term : plant.at("terms")) {
+    for (auto& [key, quantity] : term.at("parameters").items()) build(quantity, draw);
+  }
+  return plant;
+}
+
+}  // namespace seal

@@ -1,0 +1,218 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <numbers>
+#include <vector>
+
+#include "hal/types/parallel_for.hpp"
+#include "tests/proof/seal/noise.hpp"
+#include "tests/proof/seal/sealed_case.hpp"
+#include "tests/proof/seal/slide_effects/slide_effects.hpp"
+#include "tests/proof/seal/slide_records.hpp"
+
+namespace seal {
+namespace {
+
+using nlohmann::json;
+
+constexpr double rate_Hz = 250;
+constexpr double length_s = 16.384;
+constexpr double lowest_Hz = 2, highest_Hz = 28;
+constexpr int steps_per_sample = 16;
+constexpr double two_pi = 2 * std::numbers::pi;
+
+const std::map<std::string, HiddenInSlide (*)(const SlideScales&, Draw&)> all_effects{
+    {"coulomb_friction", coulomb_friction},
+    {"cubic_stiffness", cubic_stiffness},
+    {"looseness", looseness},
+    {"nonlinear_damping", nonlinear_damping},
+    {"pumped_spring", pumped_spring},
+    {"quadratic_stiffness", quadratic_stiffness},
+    {"stiffness_hysteresis", stiffness_hysteresis}};
+
+struct Oscillator {
+  double mass_kg = 0, stiffness = 0, damping = 0;
+};
+
+/// Tones of one size and random phase that repeat after a record.
+class Push {
+ public:
+  Push(double rms_N, Draw& draw) {
+    constexpr auto count = static_cast<Eigen::Index>(length_s * rate_Hz) * steps_per_sample * 2;
+    samples_ = Eigen::VectorXd::Zero(count);
+    const int first = static_cast<int>(lowest_Hz * length_s),
+              last = static_cast<int>(highest_Hz * length_s);
+    const double each_N = rms_N * std::sqrt(2.0 / (last - first + 1));
+    for (int tone = first; tone <= last; ++tone) {
+      const double phase = draw.phase_rad();
+      for (Eigen::Index i = 0; i < count; ++i) {
+        samples_[i] += each_N * std::cos(two_pi * tone * double(i) / double(count) + phase);
+      }
+    }
+  }
+  /// @param half_steps  of the integration, from the record's beginning
+  double at(Eigen::Index half_steps) const {
+    return samples_[(half_steps % samples_.size() + samples_.size()) % samples_.size()];
+  }
+
+ private:
+  Eigen::VectorXd samples_;
+};
+
+json quantity(double value, const char* unit, const json& tolerance) {
+  return {{"value", value}, {"unit", unit}, {"tolerance_pct", tolerance}};
+}
+
+json plant_of(const Oscillator& drawn) {
+  return {{"plant", "oscillator"},
+          {"about", "a mass on a spring that a shaker pushes"},
+          {"bodies",
+           {{{"name", "mass"},
+             {"motion", "translation"},
+             {"mass", quantity(drawn.mass_kg, "kg", 10)}}}},
+          {"terms",
+           {{{"type", "spring"},
+             {"body_a", "mass"},
+             {"parameters", {{"stiffness", quantity(drawn.stiffness, "N/m", 15)}}}},
+            {{"type", "damper"},
+             {"body_a", "mass"},
+             {"parameters", {{"damping", quantity(drawn.damping, "N·s/m", 50)}}}}}},
+          {"inputs",
+           {{{"channel", "push"},
+             {"unit", "N"},
+             {"is", "force"},
+             {"body", "mass"},
+             {"between_samples", "band_limited"},
+             {"offset", quantity(0, "N", "free")}}}},
+          {"outputs",
+           {{{"channel", "way"},
+             {"unit", "m"},
+             {"is", "position"},
+             {"body", "mass"},
+             {"gain", quantity(1, "1", 3)},
+             {"offset", quantity(0, "m", "free")},
+             {"delay", quantity(0, "s", "free")}}}}};
+}
+
+using Effects = std::vector<std::unique_ptr<SlideEffect>>;
+
+// Second order, by the rule of the middle; what remembers is asked at each step's beginning. Once
+// through the tones before anything is recorded.
+Eigen::VectorXd way_of(const Oscillator& machine, const Push& push, const Effects& effects,
+                       double delay_s) {
+  constexpr double step_s = 1 / rate_Hz / steps_per_sample;
+  constexpr auto count = static_cast<Eigen::Index>(length_s * rate_Hz);
+  const auto late = static_cast<Eigen::Index>(std::round(delay_s / step_s));
+  Eigen::VectorXd shown(count);
+  double x = 0, v = 0;
+  for (Eigen::Index step = -count * steps_per_sample; step < count * steps_per_sample; ++step) {
+    const Eigen::Index seen = step + late;
+    if (seen >= 0 && seen % steps_per_sample == 0 && seen / steps_per_sample < count) {
+      shown[seen / steps_per_sample] = x;
+    }
+    double held_N = 0;
+    for (const auto& effect : effects) held_N += effect->force_N(x, v, step_s);
+    const auto rate_of = [&](double way, double speed, Eigen::Index half) {
+      return (push.at(2 * step + half) - held_N - machine.stiffness * way -
+              machine.damping * speed) /
+             machine.mass_kg;
+    };
+    const double a1 = rate_of(x, v, 0);
+    const double x2 = x + step_s / 2 * v, v2 = v + step_s / 2 * a1, a2 = rate_of(x2, v2, 1);
+    const double x3 = x + step_s / 2 * v2, v3 = v + step_s / 2 * a2, a3 = rate_of(x3, v3, 1);
+    const double x4 = x + step_s * v3, v4 = v + step_s * a3, a4 = rate_of(x4, v4, 2);
+    x += step_s / 6 * (v + 2 * v2 + 2 * v3 + v4);
+    v += step_s / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+  }
+  return shown;
+}
+
+}  // namespace
+
+json seal_oscillator(const CasePlan& plan, Draw& draw, const std::filesystem::path& folder) {
+  const double natural_Hz = draw.uniform(9, 14), ratio = draw.uniform(0.02, 0.05);
+  const double mass_kg = draw.within_factor(3);
+  const double rate = two_pi * natural_Hz;
+  const Oscillator drawn{mass_kg, mass_kg * rate * rate, 2 * ratio * rate * mass_kg};
+  const Oscillator built{drawn.mass_kg * (1 + 0.1 * draw.uniform(-1, 1)),
+                         drawn.stiffness * (1 + 0.15 * draw.uniform(-1, 1)),
+                         drawn.damping * (1 + 0.5 * draw.uniform(-1, 1))};
+  const std::vector<double> levels_N =
+      plan.variant == "one level" ? std::vector{9.0, 10.0, 11.0} : std::vector{2.0, 5.0, 10.0};
+  constexpr int realisations = 2;
+  std::vector<Push> pushes;
+  for (const double level_N : levels_N) {
+    for (int i = 0; i < realisations; ++i) pushes.emplace_back(level_N, draw);
+  }
+  struct Hidden {
+    HiddenInSlide effect;
+    double size;
+  };
+  std::vector<Hidden> hidden;
+  const std::string like = plan.kind == "null" ? plan.effects.front() : "usual";
+  const double gain = like == "clean" ? 1 : 1 + draw.uniform(-0.02, 0.02);
+  const double delay_s = like == "clean" ? 0 : draw.uniform(-1, 1) / rate_Hz;
+  const auto ways_of = [&](const std::vector<Hidden>& acting, double late_s) {
+    std::vector<Eigen::VectorXd> ways(pushes.size());
+    rvbench::parallel_for(pushes.size(), [&](std::size_t i) {
+      Effects effects;
+      for (const Hidden& one : acting) effects.push_back(one.effect.make(one.size));
+      ways[i] = way_of(built, pushes[i], effects, late_s);
+    });
+    return ways;
+  };
+  const auto bare = ways_of({}, 0);
+  const double way_m = 1.5 * rms(bare.back());
+  const SlideScales usual{built.stiffness * way_m, way_m, way_m * rate};
+  const auto change_by = [&](const Hidden& one) {
+    auto change = ways_of({one}, 0);
+    for (std::size_t i = 0; i < change.size(); ++i) change[i] -= bare[i];
+    return change;
+  };
+  const double slope = like == "clean" ? 0 : draw.uniform(0, like == "strong" ? 1 : 0.5);
+  double noise_m = rms(bare.front()) * (like == "strong" ? 0.1 : 0.005);
+  json answer{{"effects", json::array()}};
+  if (plan.kind != "null") {
+    for (const std::string& name : plan.effects) {
+      Hidden one{all_effects.at(name)(usual, draw), 0};
+      one.size = one.effect.size * 0.05;
+      std::vector<Eigen::VectorXd> change;
+      for (int sizing = 0; sizing < 3; ++sizing) {
+        change = change_by(one);
+        if (sizing < 2) {
+          one.size *=
+              std::pow(10, -plan.concealment_dB / 20) * rms(bare.back()) / rms(change.back());
+        }
+      }
+      if (hidden.empty()) {
+        noise_m = std::pow(10, (best_bin_snr_dB(change, 1, slope, rate_Hz) - plan.snr_dB) / 20);
+      }
+      answer["effects"].push_back({{"name", name},
+                                   {"also", one.effect.also},
+                                   {"bodies", {"mass"}},
+                                   {"anywhere", false},
+                                   {"parameter", one.effect.parameter},
+                                   {"value", one.size},
+                                   {"concealment_dB", plan.concealment_dB},
+                                   {"snr_dB", best_bin_snr_dB(change, noise_m, slope, rate_Hz)}});
+      hidden.push_back(std::move(one));
+    }
+  }
+  answer["noise_m"] = noise_m;
+  const auto ways = ways_of(hidden, delay_s);
+  std::vector<SlideRecord> records;
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    SlideRecord record{fmt::format("{:g} N", levels_N[i / realisations]), "", {}, {}};
+    record.input = Eigen::VectorXd::NullaryExpr(
+        ways[i].size(), [&](Eigen::Index k) { return pushes[i].at(2 * k * steps_per_sample); });
+    record.output = gain * ways[i] + noise_m * coloured_noise(ways[i].size(), slope, draw);
+    records.push_back(std::move(record));
+  }
+  write_records(folder, {rate_Hz, "push", "way"}, records);
+  std::ofstream(folder / "plant.json") << plant_of(drawn).dump(2) << '\n';
+  return answer;
+}
+
+}  // namespace seal

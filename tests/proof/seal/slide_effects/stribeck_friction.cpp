@@ -1,0 +1,37 @@
+#include "tests/proof/seal/slide_effects/slide_effects.hpp"
+
+namespace seal {
+namespace {
+
+class Sticking final : public SlideEffect {
+ public:
+  Sticking(double excess_N, double creep_m_s, double way_m)
+      : creep_m_s_(creep_m_s), excess_N_(excess_N), way_m_(way_m) {}
+  double force_N(double, double speed_m_s, double step_s) override {
+    // What bristles that stick give beyond a level that is known; it is gone far above creep.
+    const double way = speed_m_s / creep_m_s_;
+    const double level_N = excess_N_ / (1 + way * way);
+    const double end = speed_m_s < 0 ? -1 : 1;
+    bent_ = end + (bent_ - end) * std::exp(-std::abs(speed_m_s) * step_s / way_m_);
+    return level_N * bent_;
+  }
+
+ private:
+  double creep_m_s_, excess_N_, way_m_, bent_ = 0;
+};
+
+}  // namespace
+
+HiddenInSlide stribeck_friction(const SlideScales& usual, Draw& draw) {
+  const double creep_m_s = usual.speed_m_s * draw.uniform(0.05, 0.2);
+  const double bending_m = usual.way_m * 1e-3 * draw.within_factor(2);
+  return {.name = "stribeck_friction",
+          .also = {},
+          .parameter = "excess",
+          .size = usual.force_N,
+          .make = [=](double size_N) {
+            return std::make_unique<Sticking>(size_N, creep_m_s, bending_m);
+          }};
+}
+
+}  // namespace seal

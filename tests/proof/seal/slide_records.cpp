@@ -1,0 +1,57 @@
+#include "tests/proof/seal/slide_records.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <unsupported/Eigen/FFT>
+
+#include "tests/proof/seal/noise.hpp"
+
+namespace seal {
+
+void write_records(const std::filesystem::path& folder, const SlideChannels& channels,
+                   const std::vector<SlideRecord>& records) {
+  nlohmann::json campaign{{"campaign", "one axis"}, {"files", nlohmann::json::array()}};
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const SlideRecord& record = records[i];
+    const std::string name = fmt::format("record_{}.csv", i + 1);
+    std::ofstream file(folder / name);
+    file << channels.input << ',' << channels.output << '\n';
+    for (Eigen::Index k = 0; k < record.input.size(); ++k) {
+      file << fmt::format("{:.8g},{:.8g}\n", record.input[k], record.output[k]);
+    }
+    nlohmann::json about{{"condition", record.condition}};
+    if (!record.programme.empty()) about["programme"] = record.programme;
+    campaign["files"].push_back(
+        {{"file", name}, {"rate_Hz", channels.rate_Hz}, {"records", {about}}});
+  }
+  std::ofstream(folder / "campaign.json") << campaign.dump(2) << '\n';
+}
+
+double best_bin_snr_dB(const std::vector<Eigen::VectorXd>& change, double noise, double slope,
+                       double rate_Hz) {
+  double best = 0;
+  for (const Eigen::VectorXd& record : change) {
+    Eigen::VectorXcd spectrum;
+    Eigen::FFT<double>().fwd(spectrum, record);
+    const auto count = static_cast<double>(record.size());
+    for (Eigen::Index k = 1; k < record.size() / 2; ++k) {
+      const double frequency_Hz = static_cast<double>(k) * rate_Hz / count;
+      const double expected =
+          noise * noise * noise_density(slope, frequency_Hz, rate_Hz) * count * rate_Hz / 2;
+      best = std::max(best, std::norm(spectrum[k]) / expected);
+      if (k > 400) break;  // the way and what it does lie far below
+    }
+  }
+  return 10 * std::log10(best);
+}
+
+double rms(const Eigen::VectorXd& x) {
+  return std::sqrt(x.squaredNorm() / static_cast<double>(x.size()));
+}
+
+}  // namespace seal
