@@ -54,6 +54,9 @@ void add_option(CLI::App& app, const Option& option) {
     added->check(
         [most = option.most](const std::string& text) { return whole_number_fault(text, most); });
   }
+  if (std::holds_alternative<std::string*>(option.target)) {
+    added->check([](const std::string& text) { return text.empty() ? "must not be empty" : ""; });
+  }
   if (!option.choices.empty()) added->check(CLI::IsMember(option.choices));
 }
 

@@ -28,6 +28,7 @@ class Check {
     if (plant_.bodies.empty()) note("/bodies", "needs at least one body");
     check_list("/bodies", plant_.bodies, &Check::check_body);
     check_list("/terms", plant_.terms, &Check::check_term);
+    if (plant_.inputs.empty()) note("/inputs", "needs at least one input");
     check_list("/inputs", plant_.inputs, &Check::check_input);
     if (plant_.outputs.empty()) note("/outputs", "needs at least one output");
     for (std::size_t i = 0; i < plant_.outputs.size(); ++i) {

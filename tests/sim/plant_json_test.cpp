@@ -151,6 +151,14 @@ SCENARIO("a bad plant file is told all its faults, with their places", "[sim][pl
   CHECK_THAT(faults_of("[1"), Catch::Contains("plant.json:1"));
 }
 
+TEST_CASE("a plant that nothing drives is refused", "[sim][plant_file]") {
+  CHECK_THAT(faults_of(R"({"plant": "still",
+    "bodies": [{"name": "m", "motion": "translation", "mass": {"value": 1, "unit": "kg"}}],
+    "terms": [], "inputs": [],
+    "outputs": [{"channel": "x", "unit": "m", "is": "position", "body": "m"}]})"),
+             Catch::Contains("/inputs: needs at least one input"));
+}
+
 TEST_CASE("two faults far apart are both told", "[sim][plant_file]") {
   CHECK(faults_of(
             replaced(replaced(good, "\"value\": 90", "\"value\": -90"), "\"N·m/A\"", "\"N/A\"")) ==
