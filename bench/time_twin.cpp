@@ -181,20 +181,28 @@ std::optional<Eigen::VectorXd> TimeTwin::by_units(
   return out;
 }
 
+// Per output of the plant; nothing if it cannot be simulated.
+std::optional<std::vector<Eigen::VectorXd>> TimeTwin::apart(const sim::PlantSpec& plant,
+                                                            const TimeRecord& record) const {
+  const auto run = sim::simulate(plant, record.excitation, terms_);
+  const auto* shown = std::get_if<sim::Simulated>(&run);
+  if (shown == nullptr) return std::nullopt;
+  std::vector<Eigen::VectorXd> apart;
+  for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
+    apart.emplace_back(record.measured[o] - shown->channels[o].samples);
+  }
+  return apart;
+}
+
 std::optional<Eigen::VectorXd> TimeTwin::residuals(const std::vector<std::size_t>& effects,
                                                    const std::vector<double>& values,
                                                    const std::vector<bool>&) const {
   stop_if_asked();
   const sim::PlantSpec plant = plant_with(effects, values);
-  return by_units([&](const TimeRecord& record) -> std::optional<std::vector<Eigen::VectorXd>> {
-    const auto run = sim::simulate(plant, record.excitation, terms_);
-    const auto* shown = std::get_if<sim::Simulated>(&run);
-    if (shown == nullptr) return std::nullopt;
-    std::vector<Eigen::VectorXd> apart;
-    for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
-      apart.emplace_back((record.measured[o] - shown->channels[o].samples) / records_.spread[o]);
-    }
-    return apart;
+  return by_units([&](const TimeRecord& record) {
+    auto off = apart(plant, record);
+    for (std::size_t o = 0; off && o < off->size(); ++o) (*off)[o] /= records_.spread[o];
+    return off;
   });
 }
 
@@ -251,17 +259,15 @@ Twin::Cells TimeTwin::cells(const std::vector<std::size_t>& effects,
   std::vector<ProgrammeRecord> repeats;
   for (const TimeRecord& record : records_.all) {
     if (!record.about.learned_from || record.about.programme.empty()) continue;
-    const auto run = sim::simulate(plant, record.excitation, terms_);
-    const auto* shown = std::get_if<sim::Simulated>(&run);
-    if (shown == nullptr) return {};
+    const auto off = apart(plant, record);
+    if (!off) return {};
     const double rate_Hz = record.excitation.rate_Hz();
     ProgrammeRecord repeat{record.about.programme,
                            static_cast<double>(record.first - record.lead_in) / rate_Hz,
                            static_cast<double>(record.last - record.first) / rate_Hz,
                            {}};
-    for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
-      repeat.apart.push_back(
-          below_band(record, record.measured[o] - shown->channels[o].samples, record.thin));
+    for (const Eigen::VectorXd& signal : *off) {
+      repeat.apart.push_back(below_band(record, signal, record.thin));
     }
     repeats.push_back(std::move(repeat));
   }

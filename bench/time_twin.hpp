@@ -46,6 +46,8 @@ class TimeTwin final : public Twin {
   double largest_deviation() const;
   Eigen::VectorXd below_band(const TimeRecord& record, const Eigen::VectorXd& x,
                              Eigen::Index step) const;
+  std::optional<std::vector<Eigen::VectorXd>> apart(const sim::PlantSpec& plant,
+                                                    const TimeRecord& record) const;
   std::optional<Eigen::VectorXd> by_units(
       const std::function<std::optional<std::vector<Eigen::VectorXd>>(const TimeRecord&)>& show)
       const;

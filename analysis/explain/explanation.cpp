@@ -72,15 +72,10 @@ std::vector<std::size_t> as_good_as_any_form(const Step& step, const Ceiling& ce
   return equals;
 }
 
-LeftOutError left_out_error(const Tryout& on, const Selection& found,
-                            const std::vector<Fold>& folds) {
-  if (folds.empty()) return {};
-  const auto error_of = [&](const Fit& fit) {
-    return predict_held_out(on.model, fit, folds, on.counts_as, LeftOut::refitted);
-  };
-  const auto before = error_of(found.base), after = error_of(found.fit);
-  if (!before || !after) return {};
-  return {true, before->rms, after->rms};
+LeftOutError left_out_error(const Selection& found, std::size_t first_fold, std::size_t folds) {
+  if (folds == 0) return {};
+  return {true, found.base_extrapolated.rms_of(first_fold, folds),
+          found.extrapolated.rms_of(first_fold, folds)};
 }
 
 ExplainedEffect explained(const ForwardModel& model, const Selection& found, const Step& step,
@@ -232,8 +227,9 @@ Explanation explain(const ForwardModel& model, const SelectionOptions& options) 
       before = e.effects.back().error_after;
     }
     if (!e.effects.empty()) {
-      e.speeds_out = left_out_error(on, found, speed_folds(model.units()));
-      e.loads_out = left_out_error(on, found, load_folds(model.units()));
+      const std::size_t speeds = speed_folds(model.units()).size();
+      e.speeds_out = left_out_error(found, 0, speeds);
+      e.loads_out = left_out_error(found, speeds, on.extrapolations.size() - speeds);
     }
     e.self_null = self_null_of(model, found.fit, options);
   }

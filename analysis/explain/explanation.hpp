@@ -70,8 +70,7 @@ struct Explanation {
   std::vector<Estimate> nuisances, base;
   double trained_before = 0, trained_after = 0;
   double held_out_before = 0, held_out_after = 0;  ///< likewise, on left-out conditions
-  LeftOutError speeds_out,
-      loads_out;  ///< with whole speeds, or loads, left out; if effects are found
+  LeftOutError speeds_out, loads_out;  ///< whole ones left out; known if effects are found
   Ceiling ceiling_before, ceiling_after;
   SelfNull self_null;
   std::vector<RivalEffect> cannot_exclude;  ///< tried last and refused, the nearest three

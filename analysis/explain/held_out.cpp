@@ -57,6 +57,15 @@ std::vector<Fold> extrapolation_folds(const std::vector<ObservedUnit>& units) {
   return folds;
 }
 
+double HeldOut::rms_of(std::size_t first_fold, std::size_t folds) const {
+  double sum = 0, values = 0;
+  for (std::size_t i = first_fold; i < first_fold + folds; ++i) {
+    sum += square_sums[i];
+    values += counts[i];
+  }
+  return values > 0 ? std::sqrt(sum / values) : 0;
+}
+
 double log_density_of(const Eigen::Ref<const Eigen::VectorXd>& residuals, double mean_square,
                       double counts_as) {
   const auto size = static_cast<double>(residuals.size());
@@ -87,8 +96,8 @@ std::optional<HeldOut> predict_held_out(const ForwardModel& model, const Fit& fi
   });
   HeldOut result{fit.effects, {}, 0};
   std::vector<double> densities;
-  double sum = 0, values = 0;
   for (std::size_t i = 0; i < folds.size(); ++i) {
+    double sum = 0, values = 0;
     const Eigen::VectorXd& all = without[i].residuals;
     if (all.size() == 0) return std::nullopt;
     const double scatter =
@@ -101,10 +110,12 @@ std::optional<HeldOut> predict_held_out(const ForwardModel& model, const Fit& fi
       sum += residuals.squaredNorm();
       values += static_cast<double>(unit.size);
     }
+    result.square_sums.push_back(sum);
+    result.counts.push_back(values);
   }
   result.log_density =
       Eigen::Map<Eigen::VectorXd>(densities.data(), Eigen::Index(densities.size()));
-  result.rms = values > 0 ? std::sqrt(sum / values) : 0;
+  result.rms = result.rms_of(0, folds.size());
   return result;
 }
 

@@ -27,7 +27,7 @@ std::vector<Fold> condition_folds(const std::vector<ObservedUnit>& units);
 std::vector<Fold> speed_folds(const std::vector<ObservedUnit>& units);
 std::vector<Fold> load_folds(const std::vector<ObservedUnit>& units);
 
-/// Both of them: what holds between conditions must hold beyond them, too.
+/// Both of them, speeds first: what holds between conditions must hold beyond them, too.
 std::vector<Fold> extrapolation_folds(const std::vector<ObservedUnit>& units);
 
 /// How well a model predicts what it has not seen.
@@ -36,6 +36,10 @@ struct HeldOut {
   /// Per fold and unit held out there, in order: log density of its values.
   Eigen::VectorXd log_density;
   double rms = 0;  ///< of all their residuals
+  /// Per fold: the sum of their squares, and how many there are.
+  std::vector<double> square_sums = {}, counts = {};
+  /// Of the residuals of some folds in a row.
+  double rms_of(std::size_t first_fold, std::size_t folds) const;
 };
 
 /// How a fit without a fold is come by.

@@ -51,12 +51,14 @@ class Selector {
       return result;
     }
     result.base_held_out = base->held_out;
+    result.base_extrapolated = base->extrapolated;
     go_on_from(std::move(*base));
     while (steps_.size() < options_.most_effects && advance()) exchange();
     drop_needless();
     result.steps = steps_;
     result.fit = now_.fit;
     result.held_out = now_.held_out;
+    result.extrapolated = now_.extrapolated;
     result.last_tried = last_tried_;
     // What was left out may have pulled the base away: only what stays away is miscalibrated.
     result.miscalibrated = miscalibration(on_.model, now_.fit);

@@ -39,10 +39,10 @@ struct Step {
 /// What was found to be left out.
 struct Selection {
   Fit base;
-  HeldOut base_held_out;
+  HeldOut base_held_out, base_extrapolated;
   std::vector<Step> steps;  ///< in the order in which they were accepted
   Fit fit;                  ///< with all of them
-  HeldOut held_out;
+  HeldOut held_out, extrapolated;
   std::vector<Trial> last_tried;  ///< what did not pass any more, best first
   std::string miscalibrated;      ///< why the base cannot be trusted; empty if it can
 };
@@ -69,9 +69,9 @@ struct SelectionOptions {
 /// fewest parameters is taken; those within two standard errors of it are its equals. Candidates
 /// are ranked by what the slopes of their fits forecast for left-out conditions, those of a quick
 /// model by refits; what is accepted is fitted anew without each of them. After each step earlier
-/// ones are exchanged for their rivals where that predicts clearly better; where no single candidate
-/// passes, the four most promising pairs are tried; in the end each effect that the others made
-/// needless is dropped.
+/// ones are exchanged for their rivals where that predicts clearly better; where no single
+/// candidate passes, the four most promising pairs are tried; in the end each effect that the
+/// others made needless is dropped.
 Selection select_effects(const ForwardModel& model, const SelectionOptions& options = {});
 
 }  // namespace rvbench::analysis

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""score.py PROOF_FOLDER: opens the seals, and says what rvbench explain and its rivals made of them.
+"""score.py PROOF_FOLDER: opens the seals, and says what rvbench explain made of them.
 
 PROOF_FOLDER holds, per case N: sealed/N.json, said/N.json (explain.json), said/N.run (seconds, exit
-code and SHA-256 of what was said), baselines/N.json. Writes card.json, card.md and proof.html.
+code and the SHA-256 of both). Prints a line per case, and the card.
 """
 import hashlib
 import json

@@ -68,10 +68,6 @@ std::vector<Motion> motions_of(const CasePlan& plan) {
   return {{0.05, 0.06}, {0.2, stroke_m}, {0.5, stroke_m}};
 }
 
-json quantity(double value, const char* unit, const json& tolerance) {
-  return {{"value", value}, {"unit", unit}, {"tolerance_pct", tolerance}};
-}
-
 json plant_of(const Axis& axis, bool knows_drag) {
   json terms = json::array();
   if (knows_drag) {
@@ -180,14 +176,8 @@ json seal_axis(const CasePlan& plan, Draw& draw, const std::filesystem::path& fo
         noise_N = std::pow(10, (best_bin_snr_dB(forces_N, 1, slope, rate_Hz) - plan.snr_dB) / 20);
         noise_N = std::max(noise_N, 1e-4 * usual.force_N);
       }
-      answer["effects"].push_back({{"name", name},
-                                   {"also", effect.also},
-                                   {"bodies", {"slide"}},
-                                   {"anywhere", false},
-                                   {"parameter", effect.parameter},
-                                   {"value", size},
-                                   {"concealment_dB", plan.concealment_dB},
-                                   {"snr_dB", best_bin_snr_dB(forces_N, noise_N, slope, rate_Hz)}});
+      answer["effects"].push_back(answer_of(effect, "slide", size, plan.concealment_dB,
+                                            best_bin_snr_dB(forces_N, noise_N, slope, rate_Hz)));
       for (std::size_t i = 0; i < hidden.size(); ++i) hidden[i] += forces_N[i];
     }
   }

@@ -15,7 +15,9 @@ using nlohmann::json;
 
 constexpr double output_turns = 4.5;
 constexpr int repeats = 3;
-constexpr int sizings = 2;               // each as large as the one before came out too small
+constexpr int sizings = 2;  // each as large as the one before came out too small
+// What mean torques differ by from record to record; friction of 0.15 N·m as on the drawing.
+const double scatter_Nm = Nuisance().friction_scatter * 0.15;
 constexpr double least_noise_Nm = 2e-4;  // of a good transducer's electronics
 
 const std::map<std::string, HiddenInBench (*)(const BenchNumbers&, Draw&)> all_effects{
@@ -63,7 +65,7 @@ Hidden sized(const BenchSight& sight, HiddenInBench effect, const CasePlan& plan
     if (!(hidden.seen.line_Nm > 0)) throw std::runtime_error(hidden.effect.name + " does nothing");
     if (i == sizings) break;
     const double wanted_Nm =
-        hidden.effect.in_means ? Nuisance().friction_scatter * 0.15 * std::pow(10, plan.snr_dB / 20)
+        hidden.effect.in_means ? scatter_Nm * std::pow(10, plan.snr_dB / 20)
                                : hidden.seen.strongest_Nm * std::pow(10, -plan.concealment_dB / 20);
     hidden.size = std::min(hidden.size * wanted_Nm / hidden.seen.line_Nm, hidden.effect.most);
   }
@@ -109,7 +111,7 @@ json answer_of(const Hidden& hidden, const Nuisance& nuisance) {
               {"bodies", hidden.effect.bodies},       {"anywhere", hidden.effect.anywhere},
               {"parameter", hidden.effect.parameter}, {"value", hidden.size}};
   if (hidden.effect.in_means) {
-    answer["snr_dB"] = 20 * std::log10(seen.line_Nm / (Nuisance().friction_scatter * 0.15));
+    answer["snr_dB"] = 20 * std::log10(seen.line_Nm / scatter_Nm);
     return answer;
   }
   const double noise_power = nuisance.noise_Nm * nuisance.noise_Nm *

@@ -61,10 +61,6 @@ class Push {
   Eigen::VectorXd samples_;
 };
 
-json quantity(double value, const char* unit, const json& tolerance) {
-  return {{"value", value}, {"unit", unit}, {"tolerance_pct", tolerance}};
-}
-
 json plant_of(const Oscillator& drawn) {
   return {{"plant", "oscillator"},
           {"about", "a mass on a spring that a shaker pushes"},
@@ -98,7 +94,7 @@ json plant_of(const Oscillator& drawn) {
 
 using Effects = std::vector<std::unique_ptr<SlideEffect>>;
 
-// Second order, by the rule of the middle; what remembers is asked at each step's beginning. Once
+// By Runge and Kutta's classical steps; what remembers is asked at each step's beginning. Once
 // through the tones before anything is recorded.
 Eigen::VectorXd way_of(const Oscillator& machine, const Push& push, const Effects& effects,
                        double delay_s) {
@@ -189,14 +185,8 @@ json seal_oscillator(const CasePlan& plan, Draw& draw, const std::filesystem::pa
       if (hidden.empty()) {
         noise_m = std::pow(10, (best_bin_snr_dB(change, 1, slope, rate_Hz) - plan.snr_dB) / 20);
       }
-      answer["effects"].push_back({{"name", name},
-                                   {"also", one.effect.also},
-                                   {"bodies", {"mass"}},
-                                   {"anywhere", false},
-                                   {"parameter", one.effect.parameter},
-                                   {"value", one.size},
-                                   {"concealment_dB", plan.concealment_dB},
-                                   {"snr_dB", best_bin_snr_dB(change, noise_m, slope, rate_Hz)}});
+      answer["effects"].push_back(answer_of(one.effect, "mass", one.size, plan.concealment_dB,
+                                            best_bin_snr_dB(change, noise_m, slope, rate_Hz)));
       hidden.push_back(std::move(one));
     }
   }

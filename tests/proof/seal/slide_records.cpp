@@ -6,7 +6,6 @@
 #include <cmath>
 #include <complex>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <unsupported/Eigen/FFT>
 
 #include "tests/proof/seal/noise.hpp"
@@ -48,6 +47,22 @@ double best_bin_snr_dB(const std::vector<Eigen::VectorXd>& change, double noise,
     }
   }
   return 10 * std::log10(best);
+}
+
+nlohmann::json quantity(double value, const char* unit, const nlohmann::json& tolerance_pct) {
+  return {{"value", value}, {"unit", unit}, {"tolerance_pct", tolerance_pct}};
+}
+
+nlohmann::json answer_of(const HiddenInSlide& effect, const std::string& body, double size,
+                         double concealment_dB, double snr_dB) {
+  return {{"name", effect.name},
+          {"also", effect.also},
+          {"bodies", {body}},
+          {"anywhere", false},
+          {"parameter", effect.parameter},
+          {"value", size},
+          {"concealment_dB", concealment_dB},
+          {"snr_dB", snr_dB}};
 }
 
 double rms(const Eigen::VectorXd& x) {

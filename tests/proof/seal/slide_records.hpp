@@ -2,8 +2,11 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include "tests/proof/seal/slide_effects/slide_effects.hpp"
 
 namespace seal {
 
@@ -29,5 +32,12 @@ double best_bin_snr_dB(const std::vector<Eigen::VectorXd>& change, double noise,
                        double rate_Hz);
 
 double rms(const Eigen::VectorXd& x);
+
+/// A number of a plant file.
+nlohmann::json quantity(double value, const char* unit, const nlohmann::json& tolerance_pct);
+
+/// What the right answer says of one effect in the slide's body.
+nlohmann::json answer_of(const HiddenInSlide& effect, const std::string& body, double size,
+                         double concealment_dB, double snr_dB);
 
 }  // namespace seal

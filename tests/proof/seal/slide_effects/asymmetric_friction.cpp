@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "tests/proof/seal/bristles.hpp"
 #include "tests/proof/seal/slide_effects/slide_effects.hpp"
 
@@ -6,12 +8,13 @@ namespace {
 
 class OneWay final : public SlideEffect {
  public:
-  OneWay(double level_N, double way_m) : bristles_({level_N, level_N, 1, level_N / way_m}) {}
+  OneWay(double level_N, double way_m) : level_N_(level_N), bristles_(way_m) {}
   double force_N(double, double speed_m_s, double step_s) override {
-    return std::max(bristles_.force_N(speed_m_s, step_s), 0.0);
+    return level_N_ * std::max(bristles_.bent_by(speed_m_s, step_s), 0.0);
   }
 
  private:
+  double level_N_;
   Bristles bristles_;
 };
 

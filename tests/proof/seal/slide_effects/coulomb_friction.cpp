@@ -6,12 +6,13 @@ namespace {
 
 class Rubbing final : public SlideEffect {
  public:
-  Rubbing(double level_N, double way_m) : bristles_({level_N, level_N, 1, level_N / way_m}) {}
+  Rubbing(double level_N, double way_m) : level_N_(level_N), bristles_(way_m) {}
   double force_N(double, double speed_m_s, double step_s) override {
-    return bristles_.force_N(speed_m_s, step_s);
+    return level_N_ * bristles_.bent_by(speed_m_s, step_s);
   }
 
  private:
+  double level_N_;
   Bristles bristles_;
 };
 

@@ -1,3 +1,4 @@
+#include "tests/proof/seal/bristles.hpp"
 #include "tests/proof/seal/slide_effects/slide_effects.hpp"
 
 namespace seal {
@@ -6,18 +7,17 @@ namespace {
 class Sticking final : public SlideEffect {
  public:
   Sticking(double excess_N, double creep_m_s, double way_m)
-      : creep_m_s_(creep_m_s), excess_N_(excess_N), way_m_(way_m) {}
+      : creep_m_s_(creep_m_s), excess_N_(excess_N), bristles_(way_m) {}
   double force_N(double, double speed_m_s, double step_s) override {
     // What bristles that stick give beyond a level that is known; it is gone far above creep.
     const double way = speed_m_s / creep_m_s_;
     const double level_N = excess_N_ / (1 + way * way);
-    const double end = speed_m_s < 0 ? -1 : 1;
-    bent_ = end + (bent_ - end) * std::exp(-std::abs(speed_m_s) * step_s / way_m_);
-    return level_N * bent_;
+    return level_N * bristles_.bent_by(speed_m_s, step_s);
   }
 
  private:
-  double creep_m_s_, excess_N_, way_m_, bent_ = 0;
+  double creep_m_s_, excess_N_;
+  Bristles bristles_;
 };
 
 }  // namespace
