@@ -20,12 +20,6 @@ std::string text_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-std::filesystem::path unused(const std::filesystem::path& folder, const std::string& stem) {
-  int number = 1;
-  while (std::filesystem::exists(folder / (stem + std::to_string(number)))) ++number;
-  return folder / (stem + std::to_string(number));
-}
-
 }  // namespace
 
 const std::string& rvbench_path() {
@@ -33,12 +27,8 @@ const std::string& rvbench_path() {
   return path;
 }
 
-Program::Program(const std::filesystem::path& folder, const std::vector<std::string>& words) {
-  // Not beside the files that the program works on.
-  const std::filesystem::path said = folder.parent_path() / (folder.filename().string() + ".said");
-  std::filesystem::create_directories(said);
-  out_ = unused(said, "out");
-  err_ = unused(said, "err");
+Program::Program(const std::filesystem::path& folder, const std::vector<std::string>& words)
+    : out_(said_ / "out"), err_(said_ / "err") {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
@@ -58,10 +48,6 @@ Program::~Program() {
     ::kill(process_, SIGKILL);
     ::waitpid(process_, &status_, 0);
   }
-  std::error_code ignored;
-  std::filesystem::remove(out_, ignored);
-  std::filesystem::remove(err_, ignored);
-  std::filesystem::remove(out_.parent_path(), ignored);  // if it is empty by now
 }
 
 // kill(-1) would reach every process of the machine.

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/scratch_folder.hpp"
+
 namespace rvbench::test {
 
 /// How a process ended, and what it said.
@@ -35,6 +37,7 @@ class Program {
   Answer wait();
 
  private:
+  ScratchFolder said_;  ///< its own: other tests may run in the same working folder
   std::filesystem::path out_, err_;
   pid_t process_ = -1;
   int status_ = -1;
