@@ -1,5 +1,7 @@
 #include "bench/cli.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
@@ -30,13 +32,14 @@ std::string wrapped(const std::string& text) {
 }
 
 // CLI11 would wrap -1 to 2^64 - 1, and has no word for what is too large.
-std::string whole_number_fault(const std::string& text, std::uint64_t most) {
+std::string whole_number_fault(const std::string& text, const Option& option) {
   std::uint64_t value = 0;
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error == std::errc() && stop == end && value <= most) return "";
-  return "must be a whole number from 0 to " + std::to_string(most) + ", not " +
-         hal::in_quotes(text);
+  if (error == std::errc() && stop == end && value >= option.least && value <= option.most)
+    return "";
+  return fmt::format("must be a whole number from {} to {}, not {}", option.least, option.most,
+                     hal::in_quotes(text));
 }
 
 void add_option(CLI::App& app, const Option& option) {
@@ -51,8 +54,7 @@ void add_option(CLI::App& app, const Option& option) {
   CLI::Option* added = std::visit(add, option.target);
   added->required(option.required);
   if (std::holds_alternative<std::optional<std::uint64_t>*>(option.target)) {
-    added->check(
-        [most = option.most](const std::string& text) { return whole_number_fault(text, most); });
+    added->check([option](const std::string& text) { return whole_number_fault(text, option); });
   }
   if (std::holds_alternative<std::string*>(option.target)) {
     added->check([](const std::string& text) { return text.empty() ? "must not be empty" : ""; });

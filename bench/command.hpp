@@ -32,6 +32,7 @@ struct Option {
   bool required = false;
   std::vector<std::string> choices = {};  ///< empty: anything
   std::uint64_t most = UINT64_MAX;        ///< of a whole number
+  std::uint64_t least = 0;                ///< likewise
 };
 
 /// One word that rvbench understands. A new command is a new file in bench/commands/ and one line

@@ -15,6 +15,10 @@ namespace {
 using hal::did_you_mean;
 using hal::in_quotes;
 
+// kg or kg·m²: beyond these, forces no longer move it, or numbers run out.
+constexpr double lightest = 1e-12;
+constexpr double heaviest = 1e12;
+
 std::string with_article(std::string_view name) {
   return fmt::format("{} {}", name.find_first_of("aeiou") == 0 ? "an" : "a", name);
 }
@@ -61,8 +65,9 @@ class Check {
     if (!std::isfinite(quantity.value)) {
       note(place + "/value", "must be finite");
     } else if (quantity.value < min) {
-      note(place + "/value", min == smallest ? fmt::format("{} must be above 0", quantity.value)
-                                             : fmt::format("{} is below {}", quantity.value, min));
+      note(place + "/value", quantity.value <= 0 && min > 0
+                                 ? fmt::format("{} must be above 0", quantity.value)
+                                 : fmt::format("{} is below {}", quantity.value, min));
     } else if (quantity.value > max) {
       note(place + "/value", fmt::format("{} is above {}", quantity.value, max));
     }
@@ -77,7 +82,7 @@ class Check {
     if (body.name == housing_name) note(place + "/name", "\"housing\" is what does not move");
     const bool turns = body.motion == Motion::rotation;
     check_quantity(place + (turns ? "/inertia" : "/mass"), body.inertia,
-                   unit_of(UnitKind::inertia, body.motion), smallest);
+                   unit_of(UnitKind::inertia, body.motion), lightest, heaviest);
   }
 
   bool known_body(const std::string& place, const std::string& name) {
@@ -194,7 +199,12 @@ class Check {
     }
     if (!known_body(place + "/body", input.body)) return;
     const std::string_view si = si_unit(input.kind, plant_.motion_of(input.body));
-    check_quantity(place + "/gain", input.gain, gain_unit(si, input.unit));
+    const std::string gain = gain_unit(si, input.unit);
+    if (input.gain.unit == "1" && gain != "1") {
+      note(place + "/gain", fmt::format("a channel in {} needs a gain in {}", input.unit, gain));
+    } else {
+      check_quantity(place + "/gain", input.gain, gain);
+    }
     check_quantity(place + "/offset", input.offset, si);
     if (input.kind != InputKind::force && !(input.band_Hz > 0)) {
       note(place + "/band_Hz", "a prescribed motion needs the band it is known in, > 0");
@@ -210,7 +220,12 @@ class Check {
     }
     if (!of_term && !known_body(place + "/body", output.of)) return;
     const std::string_view si = si_unit(output.kind, plant_.motion_of(output.of));
+    const auto same_channel = [&](const InputSpec& i) { return i.channel == output.channel; };
+    if (std::ranges::any_of(plant_.inputs, same_channel)) {
+      note(place + "/channel", in_quotes(output.channel) + " is an input");
+    }
     check_quantity(place + "/gain", output.gain, gain_unit(output.unit, si));
+    if (output.gain.value == 0) note(place + "/gain/value", "0 shows nothing of the machine");
     check_quantity(place + "/offset", output.offset, output.unit);
     check_quantity(place + "/delay", output.delay, "s", -1, 1);
     if (output.compared_by != plant_.outputs.front().compared_by) {

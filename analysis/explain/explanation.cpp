@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t most_rivals = 3;
 constexpr double beyond_errors = 1.2;  // of the measurement: what no noise leaves over
+constexpr double far_off = 10;         // times what is off if nothing is predicted at all
 constexpr double worth_telling = 0.5;  // of what any law could explain: less is not the answer
 
 std::vector<RivalEffect> rivals_of(const ForwardModel& model, const Step& step) {
@@ -158,7 +159,21 @@ SelfNull self_null_of(const ForwardModel& model, const Fit& fit, const Selection
           found.base_held_out.rms};
 }
 
+// Relative to what records show, of which noise may be all.
+bool is_of_something_else(const Explanation& e) {
+  return !e.in_standard_errors && !(e.held_out_after < far_off);
+}
+
 void conclude(const ForwardModel& model, Explanation& e) {
+  if (is_of_something_else(e)) {
+    e.verdict = ExplainVerdict::not_resolvable;
+    e.effects.clear();
+    e.reason = fmt::format(
+        "the model is farther off than no model would be (held-out error {}): channels, units or "
+        "the plant are not those of the recordings",
+        error_text(e.held_out_after, false));
+    return;
+  }
   if (!e.selection.miscalibrated.empty()) {
     e.verdict = ExplainVerdict::miscalibrated;
   } else if (misses_much(e)) {

@@ -82,9 +82,8 @@ std::vector<Descent> first_moves(const FitProblem& on,
                                  const std::vector<std::vector<double>>& starts,
                                  const Eigen::MatrixXd& held) {
   std::vector<Descent> ends(starts.size());
-  parallel_for(starts.size(), [&](std::size_t i) {
-    ends[i] = descend(on, starts[i], opening_iterations, held);
-  });
+  parallel_for(starts.size(),
+               [&](std::size_t i) { ends[i] = descend(on, starts[i], opening_iterations, held); });
   std::ranges::stable_sort(ends, {}, &Descent::cost);
   if (ends.size() > most_finalists) ends.resize(most_finalists);
   parallel_for(ends.size(), [&](std::size_t i) {

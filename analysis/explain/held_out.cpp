@@ -141,8 +141,9 @@ std::vector<double> shares_won(const std::vector<HeldOut>& models, int count) {
       times[static_cast<Eigen::Index>(engine() % static_cast<std::uint64_t>(n))] += 1;
     std::vector<double> sums;
     for (const HeldOut& model : models) sums.push_back(times.dot(model.log_density));
-    shares[static_cast<std::size_t>(std::ranges::max_element(sums) - sums.begin())] += 1.0 / count;
+    ++shares[static_cast<std::size_t>(std::ranges::max_element(sums) - sums.begin())];
   }
+  for (double& share : shares) share /= count;
   return shares;
 }
 

@@ -35,9 +35,10 @@ std::string miscalibration(const ForwardModel& model, const Fit& fit) {
     const bool at_bound = is_known && (at_low || at_high) && is_told;
     if (at_bound || is_far_off(p, fit.values[i], error)) {
       const bool is_tolerated = std::isfinite(p.spread);
-      const double within = is_tolerated ? tolerance * p.spread : 0.5 * (p.high - p.low);
-      return fmt::format("{} had to go to {:.4g} {}, known as {:.4g} within {:.2g}", p.name,
-                         fit.values[i], p.unit, p.nominal, within);
+      const std::string known = is_tolerated ? fmt::format("known as {:.4g} within {:.2g}",
+                                                           p.nominal, tolerance * p.spread)
+                                             : "the end of where it is looked for";
+      return fmt::format("{} had to go to {:.4g} {}, {}", p.name, fit.values[i], p.unit, known);
     }
   }
   return {};

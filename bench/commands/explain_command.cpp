@@ -47,12 +47,13 @@ class ExplainCommand final : public Command {
             {"--rec", "a campaign file, or recordings", &files_},
             {"--rate", "sample rate [Hz]; default: what the file states", &rate_Hz_},
             {"--effects",
-             fmt::format("effects to look for, at most; default: {}",
+             fmt::format("effects to look for, 1 to 20 at most; default: {}",
                          analysis::SelectionOptions().most_effects),
              &effects_,
              false,
              {},
-             20},
+             20,
+             1},
             {"--out",
              "folder for explain.json, explain.html and plant_updated.json; default for RUN: RUN",
              &out_},
@@ -90,7 +91,7 @@ void ExplainCommand::write_out(const Twin& twin, const analysis::Explanation& ex
                                const Comparisons& comparisons, ExplainFacts& facts) const {
   const std::filesystem::path folder = out_;
   const analysis::Fit& fit = explanation.selection.fit;
-  if (fit.residuals.size() > 0) {
+  if (explanation.verdict != analysis::ExplainVerdict::not_resolvable) {
     facts.plant_updated = (folder / "plant_updated.json").string();
     write_file(facts.plant_updated, sim::write_plant(twin.plant_with(fit.effects, fit.values)));
   }
@@ -146,7 +147,6 @@ std::string ExplainCommand::usage_fault() const {
   if (run_.empty() && files_.empty()) return "RUN or --rec is required";
   if (!run_.empty() && !files_.empty()) return "a run folder needs no --rec";
   if (run_.empty() && plant_.empty()) return "--plant is required";
-  if (effects_ == 0) return "--effects must be 1 or more";
   if (!rate_Hz_) return {};
   if (!run_.empty()) return "a run states its rates: leave --rate out";
   return names_campaign() ? "a campaign file states its rates: leave --rate out" : "";

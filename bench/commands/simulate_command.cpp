@@ -201,6 +201,9 @@ int SimulateCommand::run(Console& console) {
   if (const std::string why = why_not_written(out_, {like_, plan_, plant_}); !why.empty()) {
     return refuse_usage(console, "simulate: --out: " + why);
   }
+  if (!out_.ends_with(".csv") && !out_.ends_with(".h5")) {
+    return refuse_usage(console, "simulate: --out: must end in .csv or .h5: " + out_);
+  }
   const auto read = sim::read_plant(plant_);
   if (read.index() == 1) return refuse_file(console, plant_, std::get<1>(read));
   const sim::PlantSpec& plant = std::get<0>(read);

@@ -120,6 +120,10 @@ SCENARIO("a bad plant file is told all its faults, with their places", "[sim][pl
         "plant.json:9: /terms/0/parameters/stiffness/value: -90 is below 0\n");
   CHECK(fault("\"value\": 0.1, \"unit\": \"kg·m²\"", "\"value\": 0, \"unit\": \"kg·m²\"") ==
         "plant.json:4: /bodies/0/inertia/value: 0 must be above 0\n");
+  CHECK(fault("\"value\": 0.1, \"unit\": \"kg·m²\"", "\"value\": 1e300, \"unit\": \"kg·m²\"") ==
+        "plant.json:4: /bodies/0/inertia/value: 1e+300 is above 1000000000000\n");
+  CHECK(fault("\"value\": 0.1, \"unit\": \"kg·m²\"", "\"value\": 1e-30, \"unit\": \"kg·m²\"") ==
+        "plant.json:4: /bodies/0/inertia/value: 1e-30 is below 1e-12\n");
   CHECK(fault("\"load\": \"belt\"", "\"load\": \"belts\"") ==
         "plant.json:10: /terms/1/load: no term is called \"belts\", did you mean \"belt\"?\n");
   CHECK(fault("\"set_point\": \"wanted\"", "\"set_point\": \"i\"").empty());

@@ -158,10 +158,32 @@ TEST_CASE("explain refuses what it cannot compare, and says why", "[spec][explai
                         {"explain", "--plant", "slyde", "--rec", files[0], "--rate", "500"}),
           3, "slyde");
 
-  json plant = json::parse(text_of(scratch / "slide.json"));
+  const json good = json::parse(text_of(scratch / "slide.json"));
+  json plant = good;
+  plant["outputs"][0]["channel"] = "way";
+  plant["outputs"][0]["gain"] = {{"value", 0}, {"unit", "1"}};
+  std::ofstream(scratch / "slide.json") << plant.dump();
+  refused(explain(scratch, files), 3, "/outputs/0/channel: \"way\" is an input");
+  refused(explain(scratch, files), 3, "/outputs/0/gain/value: 0 shows nothing");
+  plant = good;
   plant["bodies"][0]["mass"]["value"] = -3;
   std::ofstream(scratch / "slide.json") << plant.dump();
   refused(explain(scratch, files), 3, "/bodies/0/mass");
+}
+
+TEST_CASE("recordings that are of something else are no answer about the plant",
+          "[spec][explain]") {
+  const ScratchFolder scratch;
+  const auto files = write_slide(scratch, {});
+  for (const std::string& file : files) {
+    const std::string rows = text_of(scratch / file);
+    std::ofstream(scratch / file) << "force,way" << rows.substr(rows.find('\n'));
+  }
+  const Answer answer = explain(scratch, files);
+  INFO(answer.out << answer.err);
+  CHECK(answer.code == 20);
+  CHECK_THAT(answer.out, Contains("NOT_RESOLVABLE"));
+  CHECK_THAT(answer.out, Contains("channels, units or the plant are not those"));
 }
 
 }  // namespace rvbench
