@@ -23,7 +23,7 @@ Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& information) {
 
 // Slopes of a fit with respect to as_waves(values): a wave whose phase leaves no trace has none in
 // it, which the slopes of its two parts tell only but for their errors.
-Eigen::MatrixXd slopes_of_waves(const FitProblem& on, const Fit& fit) {
+Eigen::MatrixXd waves_slopes(const FitProblem& on, const Fit& fit) {
   Eigen::MatrixXd slopes = fit.slopes;
   const std::vector<std::size_t> waves = waves_among(on.model, on.effects);
   const std::vector<double> at_rest = as_waves(fit.values, waves);
@@ -46,7 +46,7 @@ Eigen::MatrixXd slopes_of_waves(const FitProblem& on, const Fit& fit) {
 }  // namespace
 
 void add_covariance(const FitProblem& on, Fit& fit) {
-  const Eigen::MatrixXd slopes = slopes_of_waves(on, fit);
+  const Eigen::MatrixXd slopes = waves_slopes(on, fit);
   const Eigen::VectorXd& residuals = fit.residuals;
   const Eigen::Index n = slopes.cols();
   if (n == 0) return;

@@ -3,8 +3,11 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
+
+#include "analysis/explain/wave.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -30,7 +33,8 @@ Eigen::VectorXd gradient_at(const FitProblem& on, const Prior& prior, const Eval
 }
 
 // The lowest point of the quadratic within bounds: what would leave them ends there.
-Eigen::VectorXd step_within_bounds(const FitProblem& on, const std::vector<double>& values,
+Eigen::VectorXd step_within_bounds(const std::vector<ModelParameter>& parameters,
+                                   const std::vector<double>& values,
                                    const Eigen::MatrixXd& information,
                                    const Eigen::VectorXd& gradient) {
   std::vector<Eigen::Index> open(values.size());
@@ -49,7 +53,7 @@ Eigen::VectorXd step_within_bounds(const FitProblem& on, const std::vector<doubl
     for (std::size_t k = 0; k < open.size(); ++k) {
       const auto i = static_cast<std::size_t>(open[k]);
       const double to = values[i] + more[static_cast<Eigen::Index>(k)];
-      const double bounded = std::clamp(to, on.parameters[i].low, on.parameters[i].high);
+      const double bounded = std::clamp(to, parameters[i].low, parameters[i].high);
       if (bounded == to) {
         within.push_back(open[k]);
       } else {
@@ -65,40 +69,70 @@ Eigen::VectorXd step_within_bounds(const FitProblem& on, const std::vector<doubl
   return step;
 }
 
+// Goes by the same slopes from place to place: waves that turn as size and phase.
+class Steps {
+ public:
+  Steps(const FitProblem& on, const Evaluated& from, const Eigen::MatrixXd& slopes)
+      : on_(on),
+        prior_(on),
+        waves_(waves_that_turn(slopes, from.values, waves_among(on.model, on.effects))),
+        slopes_(slopes_of_waves(slopes, from.values, waves_)),
+        information_(information_of(on, slopes_)),
+        bounds_(on.parameters) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    for (const std::size_t at : waves_) {
+      for (const std::size_t i : {at, at + 1}) bounds_[i].low = -infinite, bounds_[i].high = infinite;
+    }
+  }
+
+  struct Step {
+    std::vector<double> to;
+    double gain;               // of the cost, if the model is as straight as the slopes
+    Eigen::VectorXd residuals;  // by how much they change then
+  };
+  Step from(const Evaluated& at) const {
+    std::vector<double> values = as_waves(at.values, waves_);
+    const Eigen::VectorXd gradient = gradient_at(on_, prior_, at, slopes_);
+    const Eigen::VectorXd step = step_within_bounds(bounds_, values, information_, gradient);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] += step[static_cast<Eigen::Index>(i)];
+    values = from_waves(std::move(values), waves_);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] = std::clamp(values[i], on_.parameters[i].low, on_.parameters[i].high);
+    }
+    return {std::move(values), -(2 * gradient + information_ * step).dot(step), slopes_ * step};
+  }
+
+ private:
+  const FitProblem& on_;
+  Prior prior_;
+  std::vector<std::size_t> waves_;
+  Eigen::MatrixXd slopes_, information_;
+  std::vector<ModelParameter> bounds_;
+};
+
 }  // namespace
 
 Evaluated forecast(const FitProblem& on, const Evaluated& from, const Eigen::MatrixXd& slopes) {
-  const Prior prior(on);
-  const Eigen::VectorXd step = step_within_bounds(on, from.values, information_of(on, slopes),
-                                                  gradient_at(on, prior, from, slopes));
-  Evaluated there{from.values, from.residuals + slopes * step};
-  for (std::size_t i = 0; i < there.values.size(); ++i) {
-    there.values[i] += step[static_cast<Eigen::Index>(i)];
-  }
-  return there;
+  Steps::Step step = Steps(on, from, slopes).from(from);
+  return {std::move(step.to), from.residuals + step.residuals};
 }
 
 std::optional<Evaluated> settle(const FitProblem& on, const Evaluated& from,
                                 const Eigen::MatrixXd& slopes) {
-  const Prior prior(on);
-  const Eigen::MatrixXd information = information_of(on, slopes);
+  const Steps steps(on, from, slopes);
   const double least_gain = negligible_gain(on);
   Evaluated at = from;
   double cost = cost_of(on, at.values, at.residuals);
-  for (int steps = 0; steps <= most_steps; ++steps) {
-    const Eigen::VectorXd gradient = gradient_at(on, prior, at, slopes);
-    const Eigen::VectorXd step = step_within_bounds(on, at.values, information, gradient);
-    const double gain = -(2 * gradient + information * step).dot(step);
-    if (steps > 0 && gain < least_gain * cost) return at;
-    for (std::size_t i = 0; i < at.values.size(); ++i) {
-      at.values[i] = std::clamp(at.values[i] + step[static_cast<Eigen::Index>(i)],
-                                on.parameters[i].low, on.parameters[i].high);
-    }
-    auto residuals = on.model.residuals(on.effects, at.values, on.trained);
+  for (int made = 0; made <= most_steps; ++made) {
+    Steps::Step step = steps.from(at);
+    if (made > 0 && step.gain < least_gain * cost) return at;
+    auto residuals = on.model.residuals(on.effects, step.to, on.trained);
     if (!residuals || !residuals->allFinite()) break;
-    at.residuals = std::move(*residuals);
+    at = {std::move(step.to), std::move(*residuals)};
     const double before = std::exchange(cost, cost_of(on, at.values, at.residuals));
     if (cost > before * (1 + least_gain)) break;
+    // Slopes of what leaves no trace are all error, and promise what no step will bring.
+    if (cost > before * (1 - least_gain)) return at;
   }
   return std::nullopt;
 }

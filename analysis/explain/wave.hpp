@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 
@@ -16,5 +17,15 @@ std::vector<double> as_waves(std::vector<double> values, const std::vector<std::
 
 /// The other way.
 std::vector<double> from_waves(std::vector<double> values, const std::vector<std::size_t>& waves);
+
+/// Slopes with respect to as_waves(values, waves), of slopes with respect to the values.
+Eigen::MatrixXd slopes_of_waves(Eigen::MatrixXd slopes, const std::vector<double>& values,
+                                const std::vector<std::size_t>& waves);
+
+/// Those of the waves whose phase leaves next to no trace beside what their size does: straight on,
+/// a step that turns them would make them larger.
+std::vector<std::size_t> waves_that_turn(const Eigen::MatrixXd& slopes,
+                                         const std::vector<double>& values,
+                                         const std::vector<std::size_t>& waves);
 
 }  // namespace rvbench::analysis
