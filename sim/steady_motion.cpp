@@ -106,8 +106,7 @@ PlantState SteadyMotion::mean_state(double t_s) const {
 }
 
 void SteadyMotion::add_forces(PlantState& s, bool remainder_only, Eigen::VectorXd& f) const {
-  f.setZero();
-  rhythms_.add_mean_forces(s, remainder_only, f);
+  rhythms_.mean_forces(s, remainder_only, f);
   for (const PhysicsTerm* term : remainder_only ? curved_ : steady_) {
     remainder_only ? term->add_remainder(s, f) : term->add_force(s, f);
   }

@@ -55,17 +55,17 @@ void TermRhythms::set_clocks(PlantState& s, double t_s) const {
   s.z = clock_rates_ * t_s;
 }
 
-void TermRhythms::add_mean_forces(PlantState& s, bool remainder_only, Eigen::VectorXd& f) const {
+void TermRhythms::mean_forces(PlantState& s, bool remainder_only, Eigen::VectorXd& f) const {
+  f.setZero();
   if (rhythmic_.empty()) return;
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(f.size());
   for (const auto& [term, rhythm_Hz] : rhythmic_) {
     for (const double part : quarter_periods) {
       set_clocks(s, rhythm_Hz == 0 ? 0 : part / rhythm_Hz);
-      remainder_only ? term->add_remainder(s, sum) : term->add_force(s, sum);
+      remainder_only ? term->add_remainder(s, f) : term->add_force(s, f);
     }
   }
   set_clocks(s, 0);
-  f += sum / double(quarter_periods.size());
+  f /= double(quarter_periods.size());
 }
 
 }  // namespace rvbench::sim

@@ -22,10 +22,10 @@ class TermRhythms {
   void keep(double speed_rad_s);
   void set_clocks(PlantState& s, double t_s) const;
 
-  /// Adds what the terms with a rhythm push on average over a period of each, in this state: so
+  /// What the terms with a rhythm push on average over a period of each, in this state: so
   /// that their line cancels, and its second and third harmonic.
   /// @param remainder_only  without the linear part of the force
-  void add_mean_forces(PlantState& s, bool remainder_only, Eigen::VectorXd& f) const;
+  void mean_forces(PlantState& s, bool remainder_only, Eigen::VectorXd& f) const;
 
  private:
   void keep_at(const PlantState& s);
