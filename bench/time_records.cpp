@@ -84,9 +84,6 @@ Faults add_record(const sim::PlantSpec& plant, const CampaignRecord& of, int ste
     }
   }
   choose_samples(record, records.band_Hz);
-  if (record.last - record.first < 2 * units_per_record * record.thin) {
-    faults.push_back({0, "", "too short to be compared"});
-  }
   records.all.push_back(std::move(record));
   return faults;
 }
@@ -155,6 +152,11 @@ std::variant<TimeRecords, Refusal> time_records(const sim::PlantSpec& plant,
       refusal.faults.push_back(std::move(fault));
     }
   }
+  align_repeats(records.all);
+  for (const TimeRecord& record : records.all) {
+    if (record.last - record.first >= 2 * units_per_record * record.thin) continue;
+    refusal.faults.push_back({0, "", record.about.name + ": too short to be compared"});
+  }
   if (!refusal.faults.empty()) return refusal;
   for (const TimeRecord& record : records.all) {
     const auto run = sim::simulate(plant, record.excitation, library);
@@ -167,7 +169,6 @@ std::variant<TimeRecords, Refusal> time_records(const sim::PlantSpec& plant,
   }
   refusal.faults = find_spreads(plant, records);
   if (!refusal.faults.empty()) return refusal;
-  align_repeats(records.all);
   return records;
 }
 

@@ -65,7 +65,7 @@ class Check {
     if (!std::isfinite(quantity.value)) {
       note(place + "/value", "must be finite");
     } else if (quantity.value < min) {
-      note(place + "/value", quantity.value <= 0 && min > 0
+      note(place + "/value", quantity.value <= 0 && (min == smallest || min == lightest)
                                  ? fmt::format("{} must be above 0", quantity.value)
                                  : fmt::format("{} is below {}", quantity.value, min));
     } else if (quantity.value > max) {

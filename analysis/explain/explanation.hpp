@@ -15,7 +15,7 @@ enum class ExplainVerdict {
   one_of_class,       ///< one of several that the data cannot part
   none_of_the_above,  ///< something repeatable is missing, and nothing in the library is it
   miscalibrated,      ///< the base had to leave what is known of it
-  not_resolvable      ///< the data are too short or too few to tell
+  not_resolvable      ///< the data are too short or too few to tell, or are of something else
 };
 
 const char* to_string(ExplainVerdict verdict) noexcept;  ///< "NULL", "NAMED", "CLASS", ...

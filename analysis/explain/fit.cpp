@@ -50,10 +50,11 @@ std::string disagreement(const FitProblem& on, const Descent& best, const Descen
     const auto index = static_cast<Eigen::Index>(i);
     if (std::ranges::find(waves, i - 1) != waves.end()) continue;
     const double apart = std::abs(here[i] - there[i]);
-    const double error = covariance.size() > 0 ? std::sqrt(covariance(index, index)) : 0;
+    const double error =
+        covariance.size() > 0 ? std::sqrt(std::max(covariance(index, index), 0.0)) : 0;
     if (apart > same_value * std::abs(here[i]) && apart > same_in_errors * error) {
-      return fmt::format("starts end at {} = {:.4g} and {:.4g} {}", on.parameters[i].name,
-                         best.values[i], other.values[i], on.parameters[i].unit);
+      return fmt::format("starts end at {} = {:.4g} and {:.4g} {}", on.parameters[i].name, here[i],
+                         there[i], on.parameters[i].unit);
     }
   }
   return {};

@@ -12,7 +12,7 @@
 namespace rvbench::analysis {
 namespace {
 
-constexpr int most_steps = 3;       // with the slopes of another fit
+constexpr int most_steps = 4;       // with the slopes of another fit
 constexpr double no_slope = 1e-10;  // of the largest one, squared
 
 // Half the slope of the cost.
@@ -81,13 +81,14 @@ class Steps {
         bounds_(on.parameters) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     for (const std::size_t at : waves_) {
-      for (const std::size_t i : {at, at + 1}) bounds_[i].low = -infinite, bounds_[i].high = infinite;
+      for (const std::size_t i : {at, at + 1})
+        bounds_[i].low = -infinite, bounds_[i].high = infinite;
     }
   }
 
   struct Step {
     std::vector<double> to;
-    double gain;               // of the cost, if the model is as straight as the slopes
+    double gain;                // of the cost, if the model is as straight as the slopes
     Eigen::VectorXd residuals;  // by how much they change then
   };
   Step from(const Evaluated& at) const {
@@ -123,7 +124,7 @@ std::optional<Evaluated> settle(const FitProblem& on, const Evaluated& from,
   const double least_gain = negligible_gain(on);
   Evaluated at = from;
   double cost = cost_of(on, at.values, at.residuals);
-  for (int made = 0; made <= most_steps; ++made) {
+  for (int made = 0; made < most_steps; ++made) {
     Steps::Step step = steps.from(at);
     if (made > 0 && step.gain < least_gain * cost) return at;
     auto residuals = on.model.residuals(on.effects, step.to, on.trained);

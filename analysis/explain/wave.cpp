@@ -60,7 +60,8 @@ std::vector<std::size_t> waves_that_turn(const Eigen::MatrixXd& slopes,
   for (const std::size_t at : waves) {
     const double size = std::hypot(values[at], values[at + 1]);
     const double by_size = size * of_waves.col(Eigen::Index(at)).norm();
-    if (of_waves.col(Eigen::Index(at) + 1).norm() < next_to_nothing * by_size) turning.push_back(at);
+    if (of_waves.col(Eigen::Index(at) + 1).norm() < next_to_nothing * by_size)
+      turning.push_back(at);
   }
   return turning;
 }

@@ -13,7 +13,7 @@ class Draw {
   explicit Draw(std::uint64_t seed) : engine_(seed) {}
 
   double uniform(double from, double to) {
-    constexpr double steps = 9007199254740992.0;  // of a double between 1 and 2
+    constexpr double steps = 9007199254740992.0;  // equally likely values of a double below 1
     return from + (to - from) * static_cast<double>(engine_() >> 11) / steps;
   }
   double normal() {

@@ -103,7 +103,8 @@ Eigen::VectorXd way_of(const Oscillator& machine, const Push& push, const Effect
   const auto late = static_cast<Eigen::Index>(std::round(delay_s / step_s));
   Eigen::VectorXd shown(count);
   double x = 0, v = 0;
-  for (Eigen::Index step = -count * steps_per_sample; step < count * steps_per_sample; ++step) {
+  for (Eigen::Index step = -count * steps_per_sample; step < (count + 1) * steps_per_sample;
+       ++step) {
     const Eigen::Index seen = step + late;
     if (seen >= 0 && seen % steps_per_sample == 0 && seen / steps_per_sample < count) {
       shown[seen / steps_per_sample] = x;
