@@ -63,19 +63,6 @@ void add_orders_of(const std::vector<CandidateProbe>& probes,
   }
 }
 
-// A condition's records that its features are chosen by: what is only predicted has no say where
-// anything is learned from.
-std::vector<const OrderRecord*> choosing(std::size_t condition,
-                                         const std::vector<OrderRecord>& records) {
-  std::vector<const OrderRecord*> all, learned;
-  for (const OrderRecord& record : records) {
-    if (record.condition != condition) continue;
-    all.push_back(&record);
-    if (record.about.learned_from) learned.push_back(&record);
-  }
-  return learned.empty() ? all : learned;
-}
-
 // Where lines that follow time are, in orders of each record's period.
 std::vector<double> orders_of_timed(const sim::PlantSpec& plant, const OrderCondition& condition,
                                     const std::vector<const OrderRecord*>& records,
@@ -175,7 +162,7 @@ void choose_features(const sim::PlantSpec& plant, const std::vector<OrderRecord>
     OrderCondition& condition = conditions[c];
     const std::vector<OrderFeature> timed = timed_lines(plant, condition);
     const std::vector<double> timed_orders =
-        orders_of_timed(plant, condition, choosing(c, records), period_turns, timed);
+        orders_of_timed(plant, condition, telling_of(c, records), period_turns, timed);
     for (std::size_t o = 0; o < plant.outputs.size(); ++o) {
       condition.features.push_back({LockedTo::nothing, o, 0, 0});
       for (int k = 1; k <= condition.orders[o]; ++k) {

@@ -11,15 +11,6 @@ using analysis::LockedTo;
 constexpr double least_jitter = 0.01;        // of a line: what a plant's own lines are good for
 constexpr double least_mean_scatter = 5e-4;  // of a mean, likewise
 
-std::vector<const OrderRecord*> records_of(std::size_t condition,
-                                           const std::vector<OrderRecord>& records) {
-  std::vector<const OrderRecord*> of;
-  for (const OrderRecord& record : records) {
-    if (record.condition == condition) of.push_back(&record);
-  }
-  return of;
-}
-
 Eigen::VectorXd mean_of(const std::vector<const OrderRecord*>& records) {
   Eigen::VectorXd mean = Eigen::VectorXd::Zero(records.front()->values.size());
   for (const OrderRecord* record : records) mean += record->values;
@@ -80,6 +71,17 @@ double or_none(double scatter) { return std::isnan(scatter) ? 0 : scatter; }
 
 }  // namespace
 
+std::vector<const OrderRecord*> telling_of(std::size_t condition,
+                                           const std::vector<OrderRecord>& records) {
+  std::vector<const OrderRecord*> all, learned;
+  for (const OrderRecord& record : records) {
+    if (record.condition != condition) continue;
+    all.push_back(&record);
+    if (record.about.learned_from) learned.push_back(&record);
+  }
+  return learned.empty() ? all : learned;
+}
+
 void read_features(const OrderCondition& condition, OrderRecord& record) {
   const std::vector<OrderFeature>& features = condition.features;
   record.values.resize(Eigen::Index(features.size()));
@@ -111,7 +113,7 @@ OrderScatter scatter_of(const std::vector<OrderCondition>& conditions, std::size
                         const std::vector<OrderRecord>& records) {
   ScatterSums sums(outputs);
   for (std::size_t c = 0; c < conditions.size(); ++c) {
-    const auto repeats = records_of(c, records);
+    const auto repeats = telling_of(c, records);
     if (repeats.front()->about.learned_from) sums.add(conditions[c], repeats);
   }
   return sums.told();
@@ -122,7 +124,7 @@ void find_errors(const std::vector<OrderCondition>& conditions, const OrderScatt
   const double of_lines = std::hypot(least_jitter, or_none(scatter.of_lines));
   std::vector<Eigen::VectorXd> means;
   for (std::size_t c = 0; c < conditions.size(); ++c) {
-    means.push_back(mean_of(records_of(c, records)));
+    means.push_back(mean_of(telling_of(c, records)));
   }
   for (OrderRecord& record : records) {
     const std::vector<OrderFeature>& features = conditions[record.condition].features;

@@ -8,6 +8,11 @@ namespace rvbench::bench {
 
 inline constexpr double clearly_above_noise = 4;  ///< rms amplitudes: by chance 1 in 10 million
 
+/// A condition's records that say what it shows: those that are learned from; all of them where
+/// none is.
+std::vector<const OrderRecord*> telling_of(std::size_t condition,
+                                           const std::vector<OrderRecord>& records);
+
 /// Values and noise of a record's features.
 void read_features(const OrderCondition& condition, OrderRecord& record);
 

@@ -7,15 +7,13 @@
 
 #include "analysis/shaft_angle.hpp"
 #include "bench/channel_fault.hpp"
-#include "bench/planned_inputs.hpp"
 #include "hal/did_you_mean.hpp"
 #include "hal/types/units.hpp"
 
 namespace rvbench::bench {
 namespace {
 
-constexpr double rated_output_torque_Nm = 167;  // of the RV-20E: 100 % of a plan's load
-constexpr double main_lobe = 2;                 // lines, to each side of a Hann window's
+constexpr double main_lobe = 2;  // lines, to each side of a Hann window's
 constexpr double on_a_line = 1e-6;
 
 // The part of a line that a Hann window passes so many lines beside it.
@@ -32,13 +30,9 @@ double passed(double lines_beside) {
 
 std::variant<Eigen::VectorXd, hal::ConfigFault> steady_inputs(const sim::PlantSpec& plant,
                                                               const Recording& recording) {
-  const auto planned = planned_inputs(plant, recording, rated_output_torque_Nm);
   Eigen::VectorXd values(static_cast<Eigen::Index>(plant.inputs.size()));
   for (std::size_t i = 0; i < plant.inputs.size(); ++i) {
     const Channel* channel = recording.find(plant.inputs[i].channel);
-    if (channel == nullptr && planned) {
-      channel = find_channel(planned->channels, plant.inputs[i].channel);
-    }
     if (channel != nullptr && !channel->info.unit.empty() &&
         channel->info.unit != plant.inputs[i].unit) {
       return hal::ConfigFault{

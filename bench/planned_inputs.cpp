@@ -59,14 +59,19 @@ double rated_torque_beside_Nm(const std::filesystem::path& file) {
 
 DrivenBy what_drove(const sim::PlantSpec& plant, const Recording& recording,
                     double rated_output_torque_Nm) {
+  auto planned = planned_inputs(plant, recording, rated_output_torque_Nm);
+  if (!planned) return {recording.channels};
   const bool recorded = std::ranges::any_of(plant.inputs, [&](const sim::InputSpec& input) {
     return recording.find(input.channel) != nullptr;
   });
-  if (!recorded) {
-    auto planned = planned_inputs(plant, recording, rated_output_torque_Nm);
-    if (planned) return *std::move(planned);
+  if (!recorded) return *std::move(planned);
+  DrivenBy driven{recording.channels};
+  for (Channel& channel : planned->channels) {
+    if (recording.find(channel.info.name) != nullptr) continue;
+    drop_lead_in(channel, planned->lead_in);
+    driven.channels.push_back(std::move(channel));
   }
-  return {recording.channels};
+  return driven;
 }
 
 std::vector<Recording> points_of(const sequences::TestPlan& plan, double rate_Hz) {
@@ -109,12 +114,12 @@ void add_planned_inputs(const sim::PlantSpec& plant, Campaign& campaign) {
     const auto [rated, is_new] = rated_Nm.try_emplace(source.parent_path(), 0);
     if (is_new) rated->second = rated_torque_beside_Nm(source);
     DrivenBy driven = what_drove(plant, record.recording, rated->second);
-    if (driven.lead_in == 0) continue;  // its own channels
-    const double start_s = record.recording.find(channel_names::input_torque)->start_s;
-    record.lead_in = driven.lead_in;
+    record.lead_in = std::max(record.lead_in, driven.lead_in);
     for (Channel& channel : driven.channels) {
+      if (record.recording.find(channel.info.name) != nullptr) continue;
       drop_lead_in(channel, driven.lead_in);
-      channel.start_s = start_s;  // to the last digit: in step with what was recorded
+      // To the last digit: in step with what was recorded.
+      channel.start_s = record.recording.find(channel_names::input_torque)->start_s;
       record.recording.channels.push_back(std::move(channel));
     }
   }

@@ -30,7 +30,8 @@ std::optional<DrivenBy> planned_inputs(const sim::PlantSpec& plant, const Record
 /// What 100 % load meant by plan.json beside a recording; 167 N·m without one.
 double rated_torque_beside_Nm(const std::filesystem::path& file);
 
-/// The recording's own channels if it holds an input of the plant, else planned_inputs().
+/// planned_inputs(); if the recording holds an input of the plant, its own channels, and of the
+/// planned ones those that it lacks, without a lead-in.
 DrivenBy what_drove(const sim::PlantSpec& plant, const Recording& recording,
                     double rated_output_torque_Nm);
 

@@ -88,20 +88,24 @@ Faults add_record(const sim::PlantSpec& plant, const CampaignRecord& of, int ste
   return faults;
 }
 
+double compared_s(const TimeRecord& record) {
+  return static_cast<double>(record.last - record.first) / record.excitation.rate_Hz();
+}
+
 // Repeats are compared over the same part of their programme: one that begins its file has no
 // samples before it for the model to come into step.
 void align_repeats(std::vector<TimeRecord>& records) {
-  std::map<std::string, Eigen::Index> lengths;
+  std::map<std::string, double> lengths_s;
   for (TimeRecord& record : records) {
-    const std::string& programme = record.about.programme;
-    if (programme.empty()) continue;
+    if (record.about.programme.empty()) continue;
     record.first = record.lead_in + record.into_step;
-    const auto [at, is_new] = lengths.try_emplace(programme, record.last - record.first);
-    if (!is_new) at->second = std::min(at->second, record.last - record.first);
+    const auto [at, is_new] = lengths_s.try_emplace(record.about.programme, compared_s(record));
+    if (!is_new) at->second = std::min(at->second, compared_s(record));
   }
   for (TimeRecord& record : records) {
-    const auto length = lengths.find(record.about.programme);
-    if (length != lengths.end()) record.last = record.first + length->second;
+    const auto length_s = lengths_s.find(record.about.programme);
+    if (length_s == lengths_s.end()) continue;
+    record.last = record.first + std::lround(length_s->second * record.excitation.rate_Hz());
   }
 }
 

@@ -206,6 +206,15 @@ std::optional<Eigen::VectorXd> TimeTwin::residuals(const std::vector<std::size_t
   });
 }
 
+double TimeTwin::nothing_predicted() const {
+  const Eigen::VectorXd all = *by_units([&](const TimeRecord& record) {
+    std::vector<Eigen::VectorXd> shown = record.measured;
+    for (std::size_t o = 0; o < shown.size(); ++o) shown[o] /= records_.spread[o];
+    return std::optional(std::move(shown));
+  });
+  return std::sqrt(all.squaredNorm() / static_cast<double>(all.size()));
+}
+
 Eigen::MatrixXd TimeTwin::states() const {
   const sim::OutputSpec& seen = plant_.outputs.front();
   const sim::TermSpec* term = plant_.find_term(seen.of);

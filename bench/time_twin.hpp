@@ -25,6 +25,7 @@ class TimeTwin final : public Twin {
   std::optional<Eigen::VectorXd> residuals(const std::vector<std::size_t>& effects,
                                            const std::vector<double>& values,
                                            const std::vector<bool>& trained) const override;
+  double nothing_predicted() const override;
   /// Position and speed of the body that the first output is about, as the base moves it.
   Eigen::MatrixXd states() const override;
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "sim/effect_edits.hpp"
-#include "sim/terms/sensor_mount.hpp"
 
 namespace rvbench::sim {
 namespace {
@@ -137,12 +136,6 @@ std::vector<EffectSite> retuned_together(const PlantSpec& plant, const TermType&
   return sites;
 }
 
-// Whether a sensor has it already. Of hums any: the plant file knows what its channel picks up.
-bool is_in(const PlantSpec& plant, const TermType& type, const OutputSpec& output) {
-  if (type.card.name == "mains_hum") return !output.hums.empty();
-  return type.card.name == "sensor_mount" && sits_on_mount(plant, output);
-}
-
 // Each sensor that may have it, with the bodies that it looks at.
 std::vector<EffectSite> channels_of(const PlantSpec& plant, const TermType& type) {
   const TermGate& gate = type.gate;
@@ -150,7 +143,8 @@ std::vector<EffectSite> channels_of(const PlantSpec& plant, const TermType& type
   for (const OutputSpec& output : plant.outputs) {
     const bool of_motion = output.kind <= OutputKind::acceleration;
     if (gate.in_channel == InChannel::of_a_motion && !of_motion) continue;
-    if (!may_move(gate, plant.motion_of(output.of)) || is_in(plant, type, output)) continue;
+    if (!may_move(gate, plant.motion_of(output.of))) continue;
+    if (gate.is_in && gate.is_in(plant, output)) continue;
     EffectSite site{output.of};
     if (output.kind == OutputKind::effort) {
       const TermSpec& term = *plant.find_term(output.of);

@@ -72,6 +72,8 @@ struct TermGate {
   bool each = false;                ///< one of them at a time
   std::string in_place_of = {};     ///< as an effect it only ever replaces a term of this type
   InChannel in_channel = InChannel::no;
+  /// Whether a sensor has it already; empty: none does.
+  std::function<bool(const PlantSpec&, const OutputSpec&)> is_in = {};
   bool stands = false;          ///< only on a body that a term joins to the housing
   bool needs_reversal = false;  ///< only what moves both ways can show it
 };

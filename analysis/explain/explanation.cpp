@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t most_rivals = 3;
 constexpr double beyond_errors = 1.2;  // of the measurement: what no noise leaves over
-constexpr double far_off = 10;         // times what is off if nothing is predicted at all
+constexpr double far_off = 10;         // times what would be off if nothing were predicted
 constexpr double worth_telling = 0.5;  // of what any law could explain: less is not the answer
 
 std::vector<RivalEffect> rivals_of(const ForwardModel& model, const Step& step) {
@@ -159,21 +159,7 @@ SelfNull self_null_of(const ForwardModel& model, const Fit& fit, const Selection
           found.base_held_out.rms};
 }
 
-// Relative to what records show, of which noise may be all.
-bool is_of_something_else(const Explanation& e) {
-  return !e.in_standard_errors && !(e.held_out_after < far_off);
-}
-
 void conclude(const ForwardModel& model, Explanation& e) {
-  if (is_of_something_else(e)) {
-    e.verdict = ExplainVerdict::not_resolvable;
-    e.effects.clear();
-    e.reason = fmt::format(
-        "the model is farther off than no model would be (held-out error {}): channels, units or "
-        "the plant are not those of the recordings",
-        error_text(e.held_out_after, false));
-    return;
-  }
   if (!e.selection.miscalibrated.empty()) {
     e.verdict = ExplainVerdict::miscalibrated;
   } else if (misses_much(e)) {
@@ -209,6 +195,17 @@ std::string error_text(double error, bool in_standard_errors) {
   return in_standard_errors ? fmt::format("{:.3g} σ", error) : fmt::format("{:.3g} %", 100 * error);
 }
 
+// Why the recordings must be of another machine, other channels or in other units; empty if they
+// need not: noise may be all that they show.
+std::string of_something_else(const ForwardModel& model, const Selection& found) {
+  if (model.counts_standard_errors() || found.held_out.rms < far_off * model.nothing_predicted())
+    return {};
+  return fmt::format(
+      "the model is farther off than no model would be (held-out error {}): channels, units or "
+      "the plant are not those of the recordings",
+      error_text(found.held_out.rms, false));
+}
+
 Explanation explain(const ForwardModel& model, const SelectionOptions& options) {
   Explanation e;
   e.in_standard_errors = model.counts_standard_errors();
@@ -227,6 +224,11 @@ Explanation explain(const ForwardModel& model, const SelectionOptions& options) 
   e.trained_after = trained_error(found.fit);
   e.held_out_before = found.base_held_out.rms;
   e.held_out_after = found.held_out.rms;
+  e.reason = of_something_else(model, found);
+  if (!e.reason.empty()) {
+    e.verdict = ExplainVerdict::not_resolvable;
+    return e;
+  }
   if (found.fit.residuals.size() > 0) {
     const std::vector<Estimate> values = estimates(model, found.fit);
     for (std::size_t i = 0; i < model.base().size(); ++i) {

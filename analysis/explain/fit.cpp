@@ -30,9 +30,9 @@ constexpr double size_step = 0.316;        // one after the other
 
 // Costs that differ by less than one value's share in them are the same, or by little of what was
 // gained over the cost before.
-double same_cost(const Descent& end, double before) {
+double same_cost(const FitProblem& on, const Descent& end, double before) {
   const double gained = before > end.cost ? std::log(before / end.cost) : 0;
-  const double one_share = 1 / std::max(1.0, static_cast<double>(end.residuals.size()));
+  const double one_share = 1 / std::max(1.0, values_learned(on));
   return std::max({least_same_cost, one_share, little_of_gain * gained});
 }
 
@@ -40,7 +40,7 @@ double same_cost(const Descent& end, double before) {
 // same.
 std::string disagreement(const FitProblem& on, const Descent& best, const Descent& other,
                          double before, const Eigen::MatrixXd& covariance = {}) {
-  if (other.cost > best.cost * (1 + same_cost(best, before))) {
+  if (other.cost > best.cost * (1 + same_cost(on, best, before))) {
     return fmt::format("starts end at costs of {:.6g} and {:.6g}", best.cost, other.cost);
   }
   const std::vector<std::size_t> waves = waves_among(on.model, on.effects);

@@ -39,12 +39,16 @@ double cost_of(const FitProblem& on, const std::vector<double>& values,
   return sum;
 }
 
-double negligible_gain(const FitProblem& on) {
+double values_learned(const FitProblem& on) {
   double values = 0;
   for (std::size_t u = 0; u < on.trained.size(); ++u) {
     if (on.trained[u]) values += static_cast<double>(on.model.units()[u].size);
   }
-  return std::max(at_rest, at_rest_of_one / std::max(values, 1.0));
+  return values;
+}
+
+double negligible_gain(const FitProblem& on) {
+  return std::max(at_rest, at_rest_of_one / std::max(values_learned(on), 1.0));
 }
 
 FitProblem::FitProblem(const ForwardModel& fitted, const std::vector<std::size_t>& with,

@@ -42,6 +42,9 @@ struct Prior {
 double cost_of(const FitProblem& on, const std::vector<double>& values,
                const Eigen::VectorXd& residuals);
 
+/// How many values the units learned from have.
+double values_learned(const FitProblem& on);
+
 /// Share of the cost that is not worth another step.
 double negligible_gain(const FitProblem& on);
 

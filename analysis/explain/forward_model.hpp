@@ -95,6 +95,10 @@ class ForwardModel {
   /// repeat from unit to unit and count for each of them.
   virtual double least_mean_square() const { return 0; }
 
+  /// Root mean square of the residuals if nothing at all were predicted, where they do not count
+  /// standard errors.
+  virtual double nothing_predicted() const { return 1; }
+
   /// Whether an evaluation costs so little that left-out conditions are fitted anew where they
   /// would else be forecast.
   virtual bool is_quick() const { return false; }

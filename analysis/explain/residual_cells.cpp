@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "analysis/statistics.hpp"
@@ -43,10 +44,12 @@ std::vector<double> p_values_of(const Cells& cells) {
   return p_values;
 }
 
+// Times of different programmes have nothing to do with each other.
 std::vector<Cells> families_of(const std::vector<ResidualCell>& cells) {
-  std::map<std::pair<std::string, LockedTo>, Cells> families;
+  std::map<std::tuple<std::string, LockedTo, std::string>, Cells> families;
   for (const ResidualCell& cell : cells) {
-    families[{cell.channel, cell.locked_to}].push_back(&cell);
+    const bool has_own_time = cell.locked_to == LockedTo::programme;
+    families[{cell.channel, cell.locked_to, has_own_time ? cell.condition : ""}].push_back(&cell);
   }
   std::vector<Cells> all;
   for (auto& [key, family] : families) all.push_back(std::move(family));

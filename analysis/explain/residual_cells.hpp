@@ -42,9 +42,10 @@ struct ResidualCluster {
 /// Source  Benjamini & Hochberg, J. R. Stat. Soc. B 57(1), 289-300 (1995)
 std::vector<bool> discoveries(const std::vector<double>& p_values, double q);
 
-/// Cells that differ by more than chance, gathered. Means, orders and frequencies of each channel
-/// are a family: it is looked into if it as a whole differs by more than chance.
-/// @param beside  orders that are this far apart belong together, and so do frequencies
+/// Cells that differ by more than chance, gathered. Means, orders, frequencies, and the stretches
+/// of each programme, of each channel, are a family: it is looked into if it as a whole differs by
+/// more than chance.
+/// @param beside  orders that are this far apart belong together, and so do frequencies and times
 /// @return farthest off first
 /// Source  Simes, Biometrika 73(3), 751-754 (1986), for the families
 std::vector<ResidualCluster> locate(const std::vector<ResidualCell>& cells, double beside,

@@ -79,11 +79,7 @@ class Steps {
         slopes_(slopes_of_waves(slopes, from.values, waves_)),
         information_(information_of(on, slopes_)),
         bounds_(on.parameters) {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    for (const std::size_t at : waves_) {
-      for (const std::size_t i : {at, at + 1})
-        bounds_[i].low = -infinite, bounds_[i].high = infinite;
-    }
+    for (const std::size_t at : waves_) bound_wave(at);
   }
 
   struct Step {
@@ -97,16 +93,23 @@ class Steps {
     const Eigen::VectorXd step = step_within_bounds(bounds_, values, information_, gradient);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] += step[static_cast<Eigen::Index>(i)];
     values = from_waves(std::move(values), waves_);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      values[i] = std::clamp(values[i], on_.parameters[i].low, on_.parameters[i].high);
-    }
     return {std::move(values), -(2 * gradient + information_ * step).dot(step), slopes_ * step};
   }
 
  private:
+  // So that whatever its phase, neither part leaves its own bounds.
+  void bound_wave(std::size_t at) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    ModelParameter &size = bounds_[at], &phase = bounds_[at + 1];
+    size.high = std::min({-size.low, size.high, -phase.low, phase.high});
+    size.low = -size.high;
+    phase.low = -infinite;
+    phase.high = infinite;
+  }
+
   const FitProblem& on_;
   Prior prior_;
-  std::vector<std::size_t> waves_;
+  std::vector<std::size_t> waves_;  // their parts have no spread
   Eigen::MatrixXd slopes_, information_;
   std::vector<ModelParameter> bounds_;
 };

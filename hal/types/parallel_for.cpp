@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -45,10 +46,15 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
     std::vector<std::jthread> others;
     for (unsigned t = 1; t < threads; ++t) {
       if (as_many_as_free && !take_one(cores)) break;
-      others.emplace_back([&] {
-        work();
+      try {
+        others.emplace_back([&] {
+          work();
+          if (as_many_as_free) --at_work;
+        });
+      } catch (const std::system_error&) {  // no more threads: these do it all
         if (as_many_as_free) --at_work;
-      });
+        break;
+      }
     }
     work();
   }

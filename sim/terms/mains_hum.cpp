@@ -16,6 +16,9 @@ PlantSpec pick_up(PlantSpec plant, const EffectSite& site, const Parameters& par
   return plant;
 }
 
+// Any hum: the plant file knows what its channel picks up.
+bool picks_up(const PlantSpec&, const OutputSpec& output) { return !output.hums.empty(); }
+
 std::vector<ParameterCard::Choice> of_mains() {
   std::vector<ParameterCard::Choice> choices;
   for (const double frequency_Hz : mains_frequencies_Hz) {
@@ -55,7 +58,7 @@ TermType mains_hum() {
                       .start = 50,
                       .fitted = false,
                       .choices = of_mains()}},
-      .gate = {.in_channel = InChannel::of_any_sensor},
+      .gate = {.in_channel = InChannel::of_any_sensor, .is_in = picks_up},
       .edit = pick_up,
       .adds = true};
 }

@@ -28,7 +28,7 @@ PlantSpec loosen(PlantSpec plant, const EffectSite& site, const Parameters& para
   return plant;
 }
 
-// A light body that hangs on one other body, and on nothing else.
+// A body of a thousandth or less of the one other body that it hangs on.
 bool is_mount(const PlantSpec& plant, const BodySpec& body) {
   std::string_view on;
   for (const TermSpec& term : plant.terms) {
@@ -41,12 +41,13 @@ bool is_mount(const PlantSpec& plant, const BodySpec& body) {
   return carrier != nullptr && body.inertia.value <= lightest_part * carrier->inertia.value;
 }
 
-}  // namespace
-
+// By this effect or by the plant file.
 bool sits_on_mount(const PlantSpec& plant, const OutputSpec& output) {
   const BodySpec* body = plant.find_body(output.of);
   return body != nullptr && is_mount(plant, *body);
 }
+
+}  // namespace
 
 TermType sensor_mount() {
   return {
@@ -63,7 +64,7 @@ TermType sensor_mount() {
                .mimics = {"housing_mode", "torsional_mode", "looseness"},
                .experiment = "swap the sensors: it stays with the mount; glue it: f rises"},
       .parameters = {resonance_card(within_reach), damping_ratio_card(0.03, least_damping)},
-      .gate = {.rotation = false, .in_channel = InChannel::of_a_motion},
+      .gate = {.rotation = false, .in_channel = InChannel::of_a_motion, .is_in = sits_on_mount},
       .edit = loosen};
 }
 

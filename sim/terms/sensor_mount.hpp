@@ -17,8 +17,4 @@ namespace rvbench::sim {
 /// Source: ISO 5348 (2021), mounting of accelerometers; Rao, Mechanical Vibrations, ch. 3.6
 TermType sensor_mount();
 
-/// Whether what an output shows is a mount already, by this effect or by the plant file: a body of
-/// a thousandth or less of the one other body that it hangs on.
-bool sits_on_mount(const PlantSpec& plant, const OutputSpec& output);
-
 }  // namespace rvbench::sim

@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "bench/order_choice.hpp"
+#include "bench/order_errors.hpp"
+#include "bench/planned_inputs.hpp"
 #include "sim/rv_plant.hpp"
 
 using namespace rvbench;
@@ -47,6 +49,7 @@ OrderCampaign seen_of(std::vector<CampaignRecord> records) {
   Campaign campaign;
   campaign.records = std::move(records);
   const sim::PlantSpec plant = sim::rv20e_bench();
+  add_planned_inputs(plant, campaign);
   auto seen = order_campaign(plant, campaign, sim::standard_terms());
   if (auto* refusal = std::get_if<Refusal>(&seen)) {
     for (const auto& fault : refusal->faults) UNSCOPED_INFO(fault.pointer << ": " << fault.message);
@@ -91,6 +94,21 @@ TEST_CASE("a record that is only predicted has no say in what is compared", "[be
     CHECK(beside_one[f].order == beside_other[f].order);
     CHECK(beside_one[f].frequency_Hz == beside_other[f].frequency_Hz);
   }
+}
+
+TEST_CASE("a record that is only predicted has no say in how sure the others are",
+          "[bench][orders]") {
+  const auto errors_beside = [](double offset_Nm) {
+    CampaignRecord other = record_of(0.31, false);
+    other.recording.channels[0].samples.array() += offset_Nm;
+    OrderCampaign seen = seen_of({record_of(0.31), record_of(0.31), other});
+    choose_features(sim::rv20e_bench(), seen.records, {}, seen.period_turns, seen.conditions);
+    for (OrderRecord& record : seen.records) read_features(seen.conditions[0], record);
+    const OrderScatter scatter = scatter_of(seen.conditions, 2, seen.records);
+    find_errors(seen.conditions, scatter, seen.records);
+    return seen.records[0].errors;
+  };
+  CHECK(errors_beside(0) == errors_beside(10));
 }
 
 TEST_CASE("a condition that is only predicted has its slip line at its nominal speed",

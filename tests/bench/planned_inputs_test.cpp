@@ -65,7 +65,11 @@ TEST_CASE("a channel that was recorded goes before the plan", "[bench]") {
   recording.channels.back().info.name = "supply";
   const DrivenBy driven = what_drove(sim::rv20e_bench(), recording, 167);
   CHECK(driven.lead_in == 0);
-  CHECK(driven.channels.size() == 3);
+  CHECK(find_channel(driven.channels, "supply")->samples == recording.channels.back().samples);
+  const Channel* brake = find_channel(driven.channels, "brake_torque");  // which nobody recorded
+  REQUIRE(brake != nullptr);
+  CHECK(brake->samples.size() == recording.channels.back().samples.size());
+  CHECK(brake->samples.maxCoeff() == Approx(83.5));
 }
 
 TEST_CASE("records of a run are driven by its plan, in step with what was recorded", "[bench]") {

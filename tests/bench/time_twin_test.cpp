@@ -171,6 +171,28 @@ TEST_CASE("of one condition nothing can be left out, and nothing is named", "[be
   CHECK(record_errors(*twin, found.selection, compare(*twin, found.selection)).empty());
 }
 
+TEST_CASE("a force that hardly changes about a large mean is not of something else",
+          "[bench][explain]") {
+  // 0.5 N of friction about 40 N of weight that the plant file does not have, and cannot: its
+  // offset is known. It is off by many times what the force changes by; no model at all, by more.
+  MovedSlide slide;
+  slide.length_s = 3;
+  Campaign campaign = slide.campaign();
+  for (CampaignRecord& record : campaign.records) {
+    auto& channels = record.recording.channels;
+    const double scale = 1e-2;
+    channels[0].samples *= scale;
+    channels[1].samples = (scale * channels[1].samples).array() + 40;
+  }
+  sim::PlantSpec plant = MovedSlide::plant();
+  plant.outputs[0].offset = {38, "N", 0};
+  const auto twin = twin_of(plant, campaign);
+  CHECK(twin->nothing_predicted() > 100);
+  const Explanation found = analysis::explain(*twin);
+  INFO(found.reason);
+  CHECK(found.verdict != ExplainVerdict::not_resolvable);
+}
+
 TEST_CASE("recordings that do not fit the plant are refused, with the place", "[bench][explain]") {
   const auto refusal = [](const std::function<void(Channel & way, Channel & force)>& spoil) {
     Campaign campaign = MovedSlide().campaign();

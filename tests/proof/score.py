@@ -35,6 +35,9 @@ TARGETS = [  # quantity, key, target as text, whether a value meets it
 ]
 
 
+REFUSED = "REFUSED"  # by its exit code, or it never came to an answer: right for no case
+
+
 def wilson(hits, of, z=1.96):
     """Interval of a share. Source: Wilson, J. Am. Stat. Assoc. 22, 209-212 (1927)."""
     if of == 0:
@@ -58,14 +61,16 @@ def is_named(effect, truth):
     return bool(accepted(truth) & set(names_of(effect)))
 
 
-def is_located(effect, truth):
-    where = effect["location"]["where"]
-    return truth["anywhere"] or all(body in where for body in truth["bodies"])
+def is_located(effect, truth, machine):
+    """None where no answer could be wrong: what acts anywhere, or in the one body there is."""
+    if truth["anywhere"] or machine in ("axis", "oscillator"):
+        return None
+    return all(body in effect["location"]["where"] for body in truth["bodies"])
 
 
 def score_single(said, truth, row):
     effects = said["effects"]
-    row["top1"] = row["top3"] = row["located"] = False
+    row["top1"] = row["top3"] = False
     if not effects:
         return
     first = effects[0]
@@ -74,7 +79,7 @@ def score_single(said, truth, row):
     row["top1"] = is_named(first, truth)
     row["top3"] = bool(accepted(truth) & set(ranking[:3])) or row["top1"]
     row["wrong"] = not row["top1"]
-    row["located"] = is_located(first, truth)
+    row["located"] = is_located(first, truth, row["machine"])
     if not row["top1"] or first["name"] != truth["name"]:
         return
     for parameter in first["parameters"]:
@@ -109,7 +114,7 @@ def score_case(sealed, said, run):
         row["concealment_dB"] = sealed["effects"][0].get("concealment_dB")
     kind = sealed["kind"]
     if kind == "null":
-        row["false_alarm"] = bool(said["effects"]) or verdict == "NONE_OF_THE_ABOVE"
+        row["false_alarm"] = bool(said["effects"]) or verdict in ("NONE_OF_THE_ABOVE", REFUSED)
         row["right"] = not row["false_alarm"]
     elif kind == "single":
         score_single(said, sealed["effects"][0], row)
@@ -200,14 +205,12 @@ def main(folder):
         run = json.loads(run.read_text())
         if run["sealed_sha256"] != hashlib.sha256(path.read_bytes()).hexdigest():
             sys.exit(f"score: {path} is not what was sealed")
-        if not answer.exists():
-            rows.append({"case": int(path.stem), "kind": "refused", "exit": run["exit_code"]})
-            continue
-        if run["said_sha256"] != hashlib.sha256(answer.read_bytes()).hexdigest():
-            sys.exit(f"score: {answer} is not what was said")
-        rows.append(score_case(json.loads(path.read_text()), json.loads(answer.read_text()), run))
-    refused = [r for r in rows if r["kind"] == "refused"]
-    rows = [r for r in rows if r["kind"] != "refused"]
+        said = {"verdict": REFUSED, "effects": []}
+        if answer.exists():
+            if run["said_sha256"] != hashlib.sha256(answer.read_bytes()).hexdigest():
+                sys.exit(f"score: {answer} is not what was said")
+            said = json.loads(answer.read_text())
+        rows.append(score_case(json.loads(path.read_text()), said, run))
     for row in rows:
         mark = "" if row["right"] else "  <- not right"
         said = " + ".join("|".join(names) for names in row["said"]) or "-"
@@ -215,8 +218,6 @@ def main(folder):
         print(f"{row['case']:4} {row['kind']:8} {row['machine']:10}"
               f"{'+'.join(row['truth']) or '-'}{snr}: {row['verdict']} {said}"
               f" ({row['seconds']:.0f} s){mark}")
-    for row in refused:
-        print(f"{row['case']:4} refused with exit {row['exit']}")
     print()
     for quantity, value, target, met in card_lines(rows):
         print(f"{quantity:44} {value:32} {target:18} {'' if met else 'NOT MET'}")

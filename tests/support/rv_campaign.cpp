@@ -8,6 +8,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "bench/planned_inputs.hpp"
 #include "sim/draw.hpp"
 #include "sim/plant_model.hpp"
 #include "sim/rv_train.hpp"
@@ -144,6 +145,7 @@ bench::Campaign rv_campaign(const sim::PlantSpec& machine, std::uint64_t seed,
       }
     }
   }
+  bench::add_planned_inputs(machine, campaign);
   return campaign;
 }
 

@@ -75,3 +75,20 @@ TEST_CASE("what is off is gathered by where it is, over the conditions where it 
   CHECK(found[1].conditions.size() == 2);
   CHECK(found[1].standard_errors < -10);
 }
+
+TEST_CASE("times of two programmes are two places", "[analysis][explain][locate]") {
+  std::vector<ResidualCell> cells;
+  for (const char* programme : {"slow", "fast"}) {
+    for (int i = 0; i < conditions; ++i) {
+      cells.push_back({"force", "N", programme, LockedTo::programme, 0.25 * i, 0, 0.01});
+    }
+  }
+  cells[2].apart = 0.2;                 // slow, 0.5 s
+  cells[conditions + 3].apart = -0.15;  // fast, 0.75 s
+  const auto found = locate(cells, 0.375);
+  REQUIRE(found.size() == 2);
+  CHECK(found[0].conditions == std::vector<std::string>{"slow"});
+  CHECK(found[0].first == 0.5);
+  CHECK(found[1].conditions == std::vector<std::string>{"fast"});
+  CHECK(found[1].first == 0.75);
+}

@@ -18,8 +18,8 @@ class Amplitudes final : public test::PlainModel {
   explicit Amplitudes(double beside) : beside_(beside) {
     Candidate wave;
     wave.name = "wave";
-    wave.parameters = {{.name = "size, cosine part", .unit = "m"},
-                       {.name = "size, sine part", .unit = "m"}};
+    wave.parameters = {{.name = "size, cosine part", .unit = "m", .low = -bound, .high = bound},
+                       {.name = "size, sine part", .unit = "m", .low = -bound, .high = bound}};
     wave.sizes = 2;
     wave.phasor = {"size", "phase"};
     library_ = {wave};
@@ -45,6 +45,7 @@ class Amplitudes final : public test::PlainModel {
 
   static constexpr Eigen::Index conditions = 8;
   static constexpr double true_cosine = 1.0, true_sine = -2.0, noise = 0.02;
+  static constexpr double bound = 5;
 
  private:
   double beside_;
@@ -89,4 +90,23 @@ TEST_CASE("a small wave beside a line settles at both of its parts", "[explain]"
   REQUIRE(settled);
   CHECK(settled->values[0] == Approx(1.0).epsilon(1e-2));
   CHECK(settled->values[1] == Approx(-2.0).epsilon(1e-2));
+}
+
+TEST_CASE("what is forecast of a wave at its bound is forecast for the values that are told",
+          "[explain]") {
+  const Amplitudes model(50);
+  const std::vector<std::size_t> effects{0};
+  const std::vector<bool> everything(static_cast<std::size_t>(Amplitudes::conditions), true);
+  const FitProblem on(model, effects, everything, 1);
+  const std::vector<double> values{4.9, -4.9};  // a step that keeps its phase leaves both bounds
+  Evaluated from{values, *model.residuals(effects, values, everything)};
+  for (Eigen::Index i = 0; i < Amplitudes::conditions; ++i) {
+    from.residuals[i] = model.shown(9, -9)[i] - model.shown(4.9, -4.9)[i];
+  }
+  const Evaluated there = forecast(on, from, slopes_at(model, 4.9, -4.9));
+  CHECK(std::abs(there.values[0]) <= Amplitudes::bound);
+  CHECK(std::abs(there.values[1]) <= Amplitudes::bound);
+  const Eigen::VectorXd moved =
+      model.shown(there.values[0], there.values[1]) - model.shown(4.9, -4.9);
+  CHECK((from.residuals - there.residuals - moved).norm() < 0.1);
 }
