@@ -109,6 +109,15 @@ void read_features(const OrderCondition& condition, OrderRecord& record) {
   }
 }
 
+Eigen::VectorXd shown_by(Eigen::VectorXd features, const OrderCondition& condition,
+                         const OrderRecord& record) {
+  for (Eigen::Index f = 0; f < features.size(); ++f) {
+    if (condition.features[std::size_t(f)].locked_to == LockedTo::nothing) continue;
+    features[f] = with_noise(features[f], record.noise[f]);
+  }
+  return features;
+}
+
 OrderScatter scatter_of(const std::vector<OrderCondition>& conditions, std::size_t outputs,
                         const std::vector<OrderRecord>& records) {
   ScatterSums sums(outputs);

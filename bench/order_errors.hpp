@@ -16,6 +16,11 @@ std::vector<const OrderRecord*> telling_of(std::size_t condition,
 /// Values and noise of a record's features.
 void read_features(const OrderCondition& condition, OrderRecord& record);
 
+/// What the record would show on average of such features, noise included.
+/// @param features  of its condition, without noise
+Eigen::VectorXd shown_by(Eigen::VectorXd features, const OrderCondition& condition,
+                         const OrderRecord& record);
+
 /// What records of one condition differ by: the parts that their errors are made of.
 struct OrderScatter {
   std::vector<double> of_means;      ///< per output, in its unit; NaN: nothing is repeated

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "bench/order_cells.hpp"
 #include "bench/order_choice.hpp"
 #include "bench/order_errors.hpp"
 #include "bench/order_pushes.hpp"
@@ -22,17 +23,12 @@ namespace {
 using analysis::LockedTo;
 
 constexpr double believable = 5;  // standard errors: farther off counts for little more
-constexpr double one_line = 1.5;  // orders of a period: neighbours show one another
 
 // The root of Cauchy's loss, with its sign: where physics is missing, lines are a hundred standard
 // errors off, and must not bend the numbers that the other lines tell.
 double pressed(double standard_errors) {
   const double part = standard_errors / believable;
   return std::copysign(believable * std::sqrt(std::log1p(part * part)), standard_errors);
-}
-
-double place_of(const OrderFeature& feature, double period_turns) {
-  return feature.locked_to == LockedTo::shaft ? feature.order / period_turns : feature.frequency_Hz;
 }
 
 }  // namespace
@@ -93,14 +89,15 @@ Eigen::MatrixXd OrderTwin::marks_of(const std::vector<CandidateProbe>& probes) c
   for (std::size_t p = 0; p < probed.size(); ++p) {
     const auto record = std::ranges::find(seen_.records, probed[p], &OrderRecord::condition);
     const OrderCondition& condition = seen_.conditions[probed[p]];
-    const Eigen::VectorXd before = shown_by(features_of(condition.nominal, condition), *record);
+    const Eigen::VectorXd before =
+        shown_by(features_of(condition.nominal, condition), condition, *record);
     rows += before.size();
     for (std::size_t i = 0; i < probes.size(); ++i) {
       Eigen::VectorXd& column = columns[i];
       column.conservativeResizeLike(Eigen::VectorXd::Zero(rows));
       if (!probes[i].fault.empty()) continue;
       column.tail(before.size()) =
-          (shown_by(features_of(probes[i].states[p], condition), *record) - before)
+          (shown_by(features_of(probes[i].states[p], condition), condition, *record) - before)
               .cwiseQuotient(record->errors);
     }
   }
@@ -186,16 +183,6 @@ Eigen::VectorXd OrderTwin::features_of(const sim::SteadyState& state,
   return features;
 }
 
-// What the record would show of its features on average, noise included.
-Eigen::VectorXd OrderTwin::shown_by(Eigen::VectorXd features, const OrderRecord& record) const {
-  const std::vector<OrderFeature>& of = seen_.conditions[record.condition].features;
-  for (Eigen::Index f = 0; f < features.size(); ++f) {
-    if (of[std::size_t(f)].locked_to == LockedTo::nothing) continue;
-    features[f] = with_noise(features[f], record.noise[f]);
-  }
-  return features;
-}
-
 std::optional<Eigen::VectorXd> OrderTwin::residuals(const std::vector<std::size_t>& effects,
                                                     const std::vector<double>& values,
                                                     const std::vector<bool>&) const {
@@ -211,7 +198,8 @@ std::optional<Eigen::VectorXd> OrderTwin::residuals(const std::vector<std::size_
   for (const OrderRecord& record : seen_.records) {
     if (!record.about.learned_from) continue;
     apart.segment(unit->first, unit->size) =
-        (record.values - shown_by(features[record.condition], record))
+        (record.values -
+         shown_by(features[record.condition], seen_.conditions[record.condition], record))
             .cwiseQuotient(record.errors)
             .unaryExpr(&pressed);
     ++unit;
@@ -221,51 +209,12 @@ std::optional<Eigen::VectorXd> OrderTwin::residuals(const std::vector<std::size_
 
 Twin::Cells OrderTwin::cells(const std::vector<std::size_t>& effects,
                              const std::vector<double>& values) const {
-  Cells cells{{}, one_line / seen_.period_turns, noise()};
   const auto states = solved(effects, values);
-  if (!states) return cells;
-  for (std::size_t c = 0; c < seen_.conditions.size(); ++c) {
-    const Eigen::VectorXd expected = features_of((*states)[c], seen_.conditions[c]);
-    std::vector<const OrderRecord*> records;
-    for (const OrderRecord& record : seen_.records) {
-      if (record.condition == c && record.about.learned_from) records.push_back(&record);
-    }
-    if (records.empty()) continue;
-    const auto count = static_cast<double>(records.size());
-    Eigen::VectorXd apart = Eigen::VectorXd::Zero(expected.size()), squares = apart;
-    for (const OrderRecord* record : records) {
-      apart += (record->values - shown_by(expected, *record)) / count;
-      squares += record->errors.cwiseAbs2() / (count * count);
-    }
-    for (std::size_t f = 0; f < seen_.conditions[c].features.size(); ++f) {
-      const OrderFeature& feature = seen_.conditions[c].features[f];
-      const sim::OutputSpec& output = plant_.outputs[feature.output];
-      const bool is_speed = feature.output == seen_.angle;
-      const auto at = Eigen::Index(f);
-      cells.all.push_back({output.channel, is_speed ? "rad/s" : output.unit,
-                           records.front()->about.condition, feature.locked_to,
-                           place_of(feature, seen_.period_turns), apart[at],
-                           std::sqrt(squares[at])});
-    }
+  std::vector<Eigen::VectorXd> expected;
+  for (std::size_t c = 0; states && c < seen_.conditions.size(); ++c) {
+    expected.push_back(features_of((*states)[c], seen_.conditions[c]));
   }
-  return cells;
-}
-
-std::vector<Twin::Noise> OrderTwin::noise() const {
-  std::vector<Noise> all;
-  const auto add = [&](const std::string& channel, const char* of, const std::string& unit,
-                       double value) {
-    if (!std::isnan(value)) all.push_back({channel, of, unit, value});
-  };
-  for (std::size_t o = 0; o < plant_.outputs.size(); ++o) {
-    const auto& [channel, unit] = std::pair(plant_.outputs[o].channel, plant_.outputs[o].unit);
-    const bool is_speed = o == seen_.angle;
-    add(channel, "mean, from record to record", is_speed ? "rad/s" : unit, scatter_.of_means[o]);
-    if (is_speed) continue;
-    add(channel, "line, from record to record", "%", 100 * scatter_.of_lines);
-    add(channel, "line, by noise beside it", unit, scatter_.beside_lines[o]);
-  }
-  return all;
+  return order_cells(plant_.outputs, seen_, scatter_, expected);
 }
 
 PushedFeatures OrderTwin::pushed_features(const std::vector<std::size_t>& effects,

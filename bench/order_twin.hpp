@@ -50,13 +50,11 @@ class OrderTwin final : public Twin {
   std::vector<CandidateProbe> probe();
   Eigen::MatrixXd marks_of(const std::vector<CandidateProbe>& probes) const;
   void cut_units();
-  std::vector<Noise> noise() const;
   std::variant<std::vector<sim::SteadyState>, hal::ConfigFault> states_of(
       const sim::PlantSpec& plant, const std::vector<std::size_t>& conditions) const;
   std::optional<std::vector<sim::SteadyState>> solved(const std::vector<std::size_t>& effects,
                                                       const std::vector<double>& values) const;
   Eigen::VectorXd features_of(const sim::SteadyState& state, const OrderCondition& condition) const;
-  Eigen::VectorXd shown_by(Eigen::VectorXd features, const OrderRecord& record) const;
 
   OrderCampaign seen_;
   OrderScatter scatter_;

@@ -159,6 +159,17 @@ SelfNull self_null_of(const ForwardModel& model, const Fit& fit, const Selection
           found.base_held_out.rms};
 }
 
+// Why the recordings must be of another machine, other channels or in other units; empty if they
+// need not: noise may be all that they show.
+std::string of_something_else(const ForwardModel& model, const Selection& found) {
+  if (model.counts_standard_errors() || found.held_out.rms < far_off * model.nothing_predicted())
+    return {};
+  return fmt::format(
+      "the model is farther off than no model would be (held-out error {}): channels, units or "
+      "the plant are not those of the recordings",
+      error_text(found.held_out.rms, false));
+}
+
 void conclude(const ForwardModel& model, Explanation& e) {
   if (!e.selection.miscalibrated.empty()) {
     e.verdict = ExplainVerdict::miscalibrated;
@@ -193,17 +204,6 @@ const char* to_string(ExplainVerdict verdict) noexcept {
 
 std::string error_text(double error, bool in_standard_errors) {
   return in_standard_errors ? fmt::format("{:.3g} σ", error) : fmt::format("{:.3g} %", 100 * error);
-}
-
-// Why the recordings must be of another machine, other channels or in other units; empty if they
-// need not: noise may be all that they show.
-std::string of_something_else(const ForwardModel& model, const Selection& found) {
-  if (model.counts_standard_errors() || found.held_out.rms < far_off * model.nothing_predicted())
-    return {};
-  return fmt::format(
-      "the model is farther off than no model would be (held-out error {}): channels, units or "
-      "the plant are not those of the recordings",
-      error_text(found.held_out.rms, false));
 }
 
 Explanation explain(const ForwardModel& model, const SelectionOptions& options) {

@@ -105,7 +105,7 @@ class Selector {
          best = simplest_of_the_best(trials)) {
       Trial confirmed = *best;
       if (auto standing = confirm(on_, now_, confirmed); confirmed.refused.empty()) {
-        accept(confirmed, *best, trials, now_.fit.cost);
+        steps_.push_back(step_of(confirmed, *best, trials, now_.fit.cost));
         go_on_from(std::move(*standing));
         return true;
       }
@@ -170,35 +170,6 @@ class Selector {
     return trials;
   }
 
-  // @param best  as it was tried, among the others
-  void accept(const Trial& confirmed, const Trial& best, const std::vector<Trial>& trials,
-              double cost_before) {
-    Step step;
-    step.gain = std::log(cost_before / confirmed.fit.cost);
-    step.effect = confirmed.effect();
-    step.over_before = confirmed.over_before;
-    step.error_after = confirmed.held_out.rms;
-    step.p_value = confirmed.p_value;
-    step.tried = trials;
-    std::vector<HeldOut> ranked;
-    for (const Trial& trial : trials) {
-      const bool is_richer = trial.fit.values.size() > best.fit.values.size();
-      if (!trial.may_be || (is_richer && margin(trial.held_out, best.held_out).is_clear()))
-        continue;
-      ranked.push_back(trial.held_out);
-      const bool itself = trial.effect() == step.effect;
-      const Margin apart = margin(best.held_out, trial.held_out);
-      if (!itself && std::abs(apart.delta) <= 2 * apart.se) {
-        step.equals.push_back(trial.effect());
-      }
-    }
-    const std::vector<double> shares = shares_won(ranked);
-    for (std::size_t i = 0; i < ranked.size(); ++i) {
-      if (ranked[i].effects.back() == step.effect) step.share_won = shares[i];
-    }
-    steps_.push_back(std::move(step));
-  }
-
   // Two effects together that neither shows alone.
   bool accept_pair() {
     if (steps_.size() + 2 > options_.most_effects) return false;
@@ -234,8 +205,9 @@ class Selector {
     pair.second.over_before = margin(pair.second.held_out, first->held_out);
     std::erase_if(last_tried_, [&](const Trial& t) { return t.effect() == pair.first.effect(); });
     last_tried_.insert(last_tried_.begin(), first_tried);
-    accept(pair.first, first_tried, std::exchange(last_tried_, {}), now_.fit.cost);
-    accept(pair.second, second_tried, {second_tried}, first->fit.cost);
+    steps_.push_back(
+        step_of(pair.first, first_tried, std::exchange(last_tried_, {}), now_.fit.cost));
+    steps_.push_back(step_of(pair.second, second_tried, {second_tried}, first->fit.cost));
     go_on_from(std::move(*standing));
     return true;
   }
@@ -265,9 +237,7 @@ class Selector {
     const Trial tried = trial;
     auto standing = confirm(on_, rest, trial);
     if (!trial.refused.empty() || !margin(trial.held_out, now_.held_out).is_clear()) return;
-    accept(trial, tried, {tried}, rest.fit.cost);
-    steps_[s] = std::move(steps_.back());
-    steps_.pop_back();
+    steps_[s] = step_of(trial, tried, {tried}, rest.fit.cost);
     go_on_from(std::move(*standing));
   }
 

@@ -163,4 +163,31 @@ std::optional<Standing> confirm(const Tryout& on, const Standing& before, Trial&
   return judge(on, trial, before, LeftOut::refitted);
 }
 
+Step step_of(const Trial& confirmed, const Trial& best, const std::vector<Trial>& trials,
+             double cost_before) {
+  Step step;
+  step.gain = std::log(cost_before / confirmed.fit.cost);
+  step.effect = confirmed.effect();
+  step.over_before = confirmed.over_before;
+  step.error_after = confirmed.held_out.rms;
+  step.p_value = confirmed.p_value;
+  step.tried = trials;
+  std::vector<HeldOut> ranked;
+  for (const Trial& trial : trials) {
+    const bool is_richer = trial.fit.values.size() > best.fit.values.size();
+    if (!trial.may_be || (is_richer && margin(trial.held_out, best.held_out).is_clear())) continue;
+    ranked.push_back(trial.held_out);
+    const bool itself = trial.effect() == step.effect;
+    const Margin apart = margin(best.held_out, trial.held_out);
+    if (!itself && std::abs(apart.delta) <= 2 * apart.se) {
+      step.equals.push_back(trial.effect());
+    }
+  }
+  const std::vector<double> shares = shares_won(ranked);
+  for (std::size_t i = 0; i < ranked.size(); ++i) {
+    if (ranked[i].effects.back() == step.effect) step.share_won = shares[i];
+  }
+  return step;
+}
+
 }  // namespace rvbench::analysis

@@ -64,4 +64,10 @@ Trial try_effect(const Tryout& on, const Standing& before, std::size_t effect,
 /// @return what would stand then
 std::optional<Standing> confirm(const Tryout& on, const Standing& before, Trial& trial);
 
+/// What an accepted trial is beside the others.
+/// @param best         as it was tried, among the others
+/// @param cost_before  of the model without it
+Step step_of(const Trial& confirmed, const Trial& best, const std::vector<Trial>& trials,
+             double cost_before);
+
 }  // namespace rvbench::analysis
