@@ -16,6 +16,7 @@ namespace {
 
 constexpr double lead_in_s = 2;
 constexpr double rated_rv20e_Nm = 167;
+constexpr double for_slip = 1.1;  // of the planned time: a run records until its turns are made
 
 const sim::TermSpec* motor_of(const sim::PlantSpec& plant) {
   const auto motor = std::ranges::find(plant.terms, "induction_motor", &sim::TermSpec::type);
@@ -87,7 +88,7 @@ std::vector<Recording> points_of(const sequences::TestPlan& plan, double rate_Hz
       recording.planned_speed_rpm = point->speed_rpm;
       recording.load_pct = point->load_pct;
       recording.repeat = point->repeat;
-      const auto samples = static_cast<Eigen::Index>(std::lround(segment.duration_s * rate_Hz));
+      const auto samples = static_cast<Eigen::Index>(std::lround(for_slip * segment.duration_s * rate_Hz));
       recording.channels.push_back({{std::string(channel_names::input_torque), "", "", not_known},
                                     rate_Hz,
                                     0,

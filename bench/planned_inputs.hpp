@@ -35,8 +35,8 @@ double rated_torque_beside_Nm(const std::filesystem::path& file);
 DrivenBy what_drove(const sim::PlantSpec& plant, const Recording& recording,
                     double rated_output_torque_Nm);
 
-/// The points that a plan will record, in their order and as long, with nothing measured yet: an
-/// input_torque of zeros.
+/// The points that a plan will record, in their order and long enough for its turns at a slip of
+/// 9 %, with nothing measured yet: an input_torque of zeros.
 std::vector<Recording> points_of(const sequences::TestPlan& plan, double rate_Hz);
 
 /// Names of the channels that drive a plant or that it shows.

@@ -5,6 +5,7 @@
 #include "bench/run_folder.hpp"
 #include "bench/simulated_recording.hpp"
 #include "hal/formats/read_recordings.hpp"
+#include "hal/types/units.hpp"
 #include "tests/spec/program.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -76,9 +77,11 @@ TEST_CASE("simulate runs a plant along a plan, before anything is measured", "[s
     // The motor slips by 2 to 3 % at rated load: the article.
     CHECK(point.speed_rpm < point.planned_speed_rpm);
     CHECK(point.speed_rpm > 0.95 * point.planned_speed_rpm);
-    // Four turns of the output, at the planned speed.
-    CHECK(point.find("input_torque")->samples.size() ==
-          Approx(4 * 121 * 60 / point.planned_speed_rpm * 200).margin(1));
+    const Eigen::VectorXd& angle_rad = point.find("input_angle")->samples;
+    const double output_turns =
+        (angle_rad[angle_rad.size() - 1] - angle_rad[0]) / units::two_pi / 121;
+    CHECK(output_turns > 4);  // as the plan wants it: what explain compares by
+    CHECK(output_turns < 4.5);
   }
   const Answer other = along({"emps"});
   CHECK(other.code == 3);
