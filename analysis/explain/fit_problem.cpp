@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/explain/held_out.hpp"
 #include "hal/types/parallel_for.hpp"
 
 namespace rvbench::analysis {
@@ -10,6 +11,7 @@ namespace {
 
 constexpr double difference_step = 1e-4;  // of a parameter's scale
 constexpr double at_rest = 1e-5;          // of the cost: less is to be won by another step,
+constexpr double least_scatter = 1e-6;    // of what records show: no recording is truer
 constexpr double at_rest_of_one = 0.05;   // or less than this of one value's share in it
 
 }  // namespace
@@ -73,7 +75,9 @@ double mean_square_of(const ForwardModel& model, const Eigen::VectorXd& residual
 
 double scatter_of(const ForwardModel& model, const Eigen::VectorXd& residuals,
                   const std::vector<bool>& trained) {
-  return std::max(1.0, std::sqrt(mean_square_of(model, residuals, trained)));
+  const double rms = std::sqrt(mean_square_of(model, residuals, trained));
+  if (model.counts_standard_errors()) return std::max(1.0, rms);
+  return std::max(least_scatter, rms / std::sqrt(independent_share(model, residuals)));
 }
 
 std::vector<ModelParameter> parameters_of(const ForwardModel& model,

@@ -12,12 +12,13 @@ namespace rvbench::analysis {
 ///
 /// Where a model that lacks physics misses its values by more than their errors, it says less of
 /// its parameters: residuals then weigh, against what is known beforehand, as if their errors were
-/// as large as that scatter.
+/// as large as that scatter. Where residuals do not count errors, their scatter is all that is
+/// known of these.
 struct FitProblem {
   const ForwardModel& model;
   const std::vector<std::size_t>& effects;  ///< indices into the model's library
   const std::vector<bool>& trained;         ///< per unit: whether it is learned from
-  double scatter;                           ///< of residuals, >= 1
+  double scatter;                           ///< see scatter_of()
   std::vector<ModelParameter> parameters;   ///< of the base, then of each effect
 
   /// The first three outlive it.
@@ -52,7 +53,8 @@ double negligible_gain(const FitProblem& on);
 double mean_square_of(const ForwardModel& model, const Eigen::VectorXd& residuals,
                       const std::vector<bool>& trained);
 
-/// Root of mean_square_of(), 1 at least.
+/// Of an independent residual: the root of mean_square_of(), 1 at least where residuals count
+/// standard errors; elsewhere over the root of their independent_share().
 double scatter_of(const ForwardModel& model, const Eigen::VectorXd& residuals,
                   const std::vector<bool>& trained);
 

@@ -6,7 +6,7 @@ namespace {
 using Names = std::vector<std::string>;
 
 // What hides in one machine by itself, how far below the strongest line (of a slide: below what it
-// takes to move it), how far above the noise in its bin.
+// takes to move it), how far above the noise in its bin, under the middle one of the conditions.
 const std::vector<CasePlan> singles{
     {0, "single", "bench", "", {"pin_ripple"}, 20, 10},
     {0, "single", "bench", "", {"pin_ripple"}, 30, 3},

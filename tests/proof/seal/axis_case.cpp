@@ -68,16 +68,21 @@ std::vector<Motion> motions_of(const CasePlan& plan) {
   return {{0.05, 0.06}, {0.2, stroke_m}, {0.5, stroke_m}};
 }
 
-json plant_of(const Axis& axis, bool knows_drag) {
+// @param knows_weight  that hangs on it: else an offset and dry friction make up one that brakes
+// one
+//                      way only
+json plant_of(const Axis& axis, bool knows_drag, bool knows_weight) {
   json terms = json::array();
   if (knows_drag) {
     terms.push_back({{"type", "viscous_friction"},
                      {"body_a", "slide"},
                      {"parameters", {{"damping", quantity(axis.drag, "N·s/m", 20)}}}});
   }
-  terms.push_back({{"type", "torque_offset"},
-                   {"body_a", "slide"},
-                   {"parameters", {{"level", quantity(axis.offset_N, "N", "free")}}}});
+  terms.push_back(
+      {{"type", "torque_offset"},
+       {"body_a", "slide"},
+       {"parameters",
+        {{"level", quantity(axis.offset_N, "N", knows_weight ? json(5) : json("free"))}}}});
   return {{"plant", "axis"},
           {"about", "a slide that a servo moves: the force that its motion needs"},
           {"bodies",
@@ -148,9 +153,10 @@ double rms_of(const std::vector<Eigen::VectorXd>& all) {
 
 json seal_axis(const CasePlan& plan, Draw& draw, const std::filesystem::path& folder) {
   const Axis drawn{60 * draw.within_factor(2), 120 * draw.within_factor(2), draw.uniform(-5, 5)};
-  const bool hides_drag =
-      std::ranges::find(plan.effects, "viscous_friction") != plan.effects.end() ||
-      std::ranges::find(plan.effects, "shear_thinning") != plan.effects.end();
+  const auto hides = [&](const char* effect) {
+    return std::ranges::find(plan.effects, effect) != plan.effects.end();
+  };
+  const bool hides_drag = hides("viscous_friction") || hides("shear_thinning");
   Axis built{drawn.mass_kg * (1 + 0.1 * draw.uniform(-1, 1)),
              hides_drag ? 0 : drawn.drag * (1 + 0.2 * draw.uniform(-1, 1)), drawn.offset_N};
   const std::vector<Motion> motions = motions_of(plan);
@@ -200,7 +206,8 @@ json seal_axis(const CasePlan& plan, Draw& draw, const std::filesystem::path& fo
     }
   }
   write_records(folder, {rate_Hz, "way", "force"}, records);
-  std::ofstream(folder / "plant.json") << plant_of(drawn, !hides_drag).dump(2) << '\n';
+  std::ofstream(folder / "plant.json")
+      << plant_of(drawn, !hides_drag, hides("asymmetric_friction")).dump(2) << '\n';
   return answer;
 }
 

@@ -72,11 +72,17 @@ Hidden sized(const BenchSight& sight, HiddenInBench effect, const CasePlan& plan
   return hidden;
 }
 
-// @param strongest  line that has to stand so far above the noise in its bin
-double noise_for(const Visibility& strongest, double slope, double snr_dB) {
-  const double line_power = strongest.line_Nm * strongest.line_Nm / 2;
-  const double density = line_power / std::pow(10, snr_dB / 10) * strongest.length_s;
-  return std::sqrt(density / noise_density(slope, strongest.line_Hz, bench_rate_Hz));
+// Power of its line over that of noise of 1 N·m in the line's bin, under the middle one of the
+// conditions: some hardly show it, and one may lie at a resonance.
+double power_over_noise(const Visibility& seen, double slope) {
+  std::vector<double> under;
+  for (const Visibility::Line& line : seen.under) {
+    under.push_back(line.amplitude_Nm * line.amplitude_Nm / 2 * line.length_s /
+                    noise_density(slope, line.frequency_Hz, bench_rate_Hz));
+  }
+  const auto middle = under.begin() + std::ptrdiff_t(under.size() / 2);
+  std::ranges::nth_element(under, middle);
+  return *middle;
 }
 
 Nuisance nuisance_of(const CasePlan& plan, const std::vector<Hidden>& hidden, Draw& draw) {
@@ -99,8 +105,8 @@ Nuisance nuisance_of(const CasePlan& plan, const std::vector<Hidden>& hidden, Dr
     nuisance.noise_Nm *= draw.uniform(2, 10);
   }
   if (!hidden.empty() && !hidden.front().effect.in_means) {
-    nuisance.noise_Nm =
-        std::max(least_noise_Nm, noise_for(hidden.front().seen, nuisance.noise_slope, plan.snr_dB));
+    const double power = power_over_noise(hidden.front().seen, nuisance.noise_slope);
+    nuisance.noise_Nm = std::max(least_noise_Nm, std::sqrt(power / std::pow(10, plan.snr_dB / 10)));
   }
   return nuisance;
 }
@@ -114,10 +120,8 @@ json answer_of(const Hidden& hidden, const Nuisance& nuisance) {
     answer["snr_dB"] = 20 * std::log10(seen.line_Nm / scatter_Nm);
     return answer;
   }
-  const double noise_power = nuisance.noise_Nm * nuisance.noise_Nm *
-                             noise_density(nuisance.noise_slope, seen.line_Hz, bench_rate_Hz) /
-                             seen.length_s;
-  answer["snr_dB"] = 10 * std::log10(seen.line_Nm * seen.line_Nm / 2 / noise_power);
+  answer["snr_dB"] = 10 * std::log10(power_over_noise(seen, nuisance.noise_slope) /
+                                     std::pow(nuisance.noise_Nm, 2));
   answer["concealment_dB"] = 20 * std::log10(seen.strongest_Nm / seen.line_Nm);
   return answer;
 }

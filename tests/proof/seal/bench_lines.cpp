@@ -103,11 +103,13 @@ Visibility BenchSight::in_lines(const HiddenInBench& effect,
   for (std::size_t i = 0; i < with.size(); ++i) {
     const double speed_rpm = with[i].point.speed_rpm;
     const double length_s = record_length_s(speed_rpm, output_turns_);
+    Visibility::Line& line = seen.under.emplace_back();
+    line.length_s = length_s;
     const auto see = [&](double line_Nm, double line_Hz) {
-      if (line_Nm <= seen.line_Nm) return;
-      seen.line_Nm = line_Nm;
-      seen.line_Hz = line_Hz;
-      seen.length_s = length_s;
+      if (line_Nm <= line.amplitude_Nm) return;
+      line.amplitude_Nm = line_Nm;
+      line.frequency_Hz = line_Hz;
+      seen.line_Nm = std::max(seen.line_Nm, line_Nm);
     };
     const Eigen::VectorXcd& before = lines_[i];
     seen.strongest_Nm = std::max(seen.strongest_Nm, std::abs(before[mesh]));

@@ -11,8 +11,13 @@ namespace seal {
 struct Visibility {
   double line_Nm = 0;       ///< its strongest line, or, of one in means, what calibration leaves
   double strongest_Nm = 0;  ///< the strongest line of the meshes without it
-  double line_Hz = 0;       ///< where and under which speed its line stands out most
-  double length_s = 0;      ///< of a record there
+  /// Its strongest line under each corner of the matrix.
+  struct Line {
+    double amplitude_Nm = 0;
+    double frequency_Hz = 1;
+    double length_s = 0;  ///< of a record there
+  };
+  std::vector<Line> under;
 };
 
 /// Looks at a machine with and without an effect, free of noise, once under each corner.
