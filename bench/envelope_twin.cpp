@@ -29,7 +29,7 @@ TwinOrRefusal EnvelopeTwin::make(sim::PlantSpec plant, const Campaign& campaign,
   std::unique_ptr<EnvelopeTwin> twin(new EnvelopeTwin(std::move(plant), library));
   if (Refusal refusal = twin->load(campaign); !refusal.faults.empty()) return refusal;
   twin->family_.emplace(twin->plant_, twin->scales(), library);
-  twin->base_ = twin->family_->base_by_tolerance();
+  twin->base_ = twin->family_->base();
   if (Refusal refusal = twin->choose_lines(); !refusal.faults.empty()) return refusal;
   for (EnvelopeRecord& record : twin->records_) read_features(twin->orders_, record);
   twin->cut_units();

@@ -43,7 +43,7 @@ TwinOrRefusal OrderTwin::make(sim::PlantSpec plant, const Campaign& campaign,
   if (auto* refusal = std::get_if<Refusal>(&seen)) return std::move(*refusal);
   twin->seen_ = std::get<OrderCampaign>(std::move(seen));
   twin->family_.emplace(twin->plant_, twin->scales(), library);
-  twin->base_ = twin->family_->base_by_tolerance();
+  twin->base_ = twin->family_->base();
   const std::vector<CandidateProbe> probes = twin->probe();
   choose_features(twin->plant_, twin->seen_.records, probes, twin->seen_.period_turns,
                   twin->seen_.conditions);

@@ -9,6 +9,16 @@ namespace {
 
 constexpr double tolerance_spreads = 2;  // standard deviations that a tolerance is wide
 
+// What no record shows stays where it was; what records show may go as far as twice the tolerance.
+analysis::ModelParameter by_tolerance(analysis::ModelParameter p, const sim::Quantity& quantity) {
+  if (!std::isfinite(quantity.tolerance_pct)) return p;
+  const double tolerance = 0.5 * (p.high - p.low);
+  p.spread = tolerance / tolerance_spreads;
+  p.low = std::max(p.nominal - 2 * tolerance, p.nominal > 0 ? p.nominal / 10 : p.low);
+  p.high = p.nominal + 2 * tolerance;
+  return p;
+}
+
 }  // namespace
 
 PlantFamily::PlantFamily(sim::PlantSpec plant, const ParameterScales& scales,
@@ -18,7 +28,8 @@ PlantFamily::PlantFamily(sim::PlantSpec plant, const ParameterScales& scales,
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].quantity->tolerance_pct == 0) continue;
     moved_.push_back(i);
-    base_.push_back(model_parameter(plant_, all[i], scales, terms_));
+    base_.push_back(
+        by_tolerance(model_parameter(plant_, all[i], scales, terms_), *all[i].quantity));
   }
   for (std::size_t t = 0; t < terms_.types().size(); ++t) {
     const sim::TermType& type = terms_.types()[t];
@@ -27,21 +38,6 @@ PlantFamily::PlantFamily(sim::PlantSpec plant, const ParameterScales& scales,
       add_candidates(t, site, scales);
     }
   }
-}
-
-std::vector<analysis::ModelParameter> PlantFamily::base_by_tolerance() const {
-  std::vector<analysis::ModelParameter> weighed = base_;
-  sim::PlantSpec plant = plant_;
-  const std::vector<sim::PlacedQuantity> all = sim::quantities(plant);
-  for (std::size_t i = 0; i < weighed.size(); ++i) {
-    analysis::ModelParameter& p = weighed[i];
-    if (!std::isfinite(all[moved_[i]].quantity->tolerance_pct)) continue;
-    const double tolerance = 0.5 * (p.high - p.low);
-    p.spread = tolerance / tolerance_spreads;
-    p.low = std::max(p.nominal - 2 * tolerance, p.nominal > 0 ? p.nominal / 10 : p.low);
-    p.high = p.nominal + 2 * tolerance;
-  }
-  return weighed;
 }
 
 void PlantFamily::add_candidates(std::size_t type, const sim::EffectSite& site,

@@ -21,11 +21,8 @@ class PlantFamily {
   /// @param library  outlives the family
   PlantFamily(sim::PlantSpec plant, const ParameterScales& scales, const sim::TermLibrary& library);
 
+  /// Quantities that have a tolerance: it is two standard deviations wide.
   const std::vector<analysis::ModelParameter>& base() const { return base_; }
-  /// The same for residuals that count standard errors, so that what is known of the plant can be
-  /// weighed against them: a tolerance is two standard deviations wide. What no record shows then
-  /// stays where it was.
-  std::vector<analysis::ModelParameter> base_by_tolerance() const;
   const std::vector<analysis::Candidate>& candidates() const { return candidates_; }
 
   const sim::TermGate& gate_of(std::size_t candidate) const;

@@ -39,7 +39,7 @@ TwinOrRefusal TimeTwin::make(sim::PlantSpec plant, const Campaign& campaign,
   scales.rhythms_Hz.assign(sim::mains_frequencies_Hz.begin(), sim::mains_frequencies_Hz.end());
   scales.fits_rhythms = true;
   twin->family_.emplace(twin->plant_, scales, library);
-  twin->base_ = twin->family_->base_by_tolerance();
+  twin->base_ = twin->family_->base();
   twin->leave_out_what_needs_reversal();
   twin->leave_out_what_is_too_fast();
   twin->cut_units();

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/explain/held_out.hpp"
 #include "hal/types/parallel_for.hpp"
 
 namespace rvbench::analysis {
@@ -76,8 +75,7 @@ double mean_square_of(const ForwardModel& model, const Eigen::VectorXd& residual
 double scatter_of(const ForwardModel& model, const Eigen::VectorXd& residuals,
                   const std::vector<bool>& trained) {
   const double rms = std::sqrt(mean_square_of(model, residuals, trained));
-  if (model.counts_standard_errors()) return std::max(1.0, rms);
-  return std::max(least_scatter, rms / std::sqrt(independent_share(model, residuals)));
+  return std::max(model.counts_standard_errors() ? 1.0 : least_scatter, rms);
 }
 
 std::vector<ModelParameter> parameters_of(const ForwardModel& model,

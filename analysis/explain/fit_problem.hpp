@@ -53,8 +53,7 @@ double negligible_gain(const FitProblem& on);
 double mean_square_of(const ForwardModel& model, const Eigen::VectorXd& residuals,
                       const std::vector<bool>& trained);
 
-/// Of an independent residual: the root of mean_square_of(), 1 at least where residuals count
-/// standard errors; elsewhere over the root of their independent_share().
+/// Root of mean_square_of(), 1 at least where residuals count standard errors.
 double scatter_of(const ForwardModel& model, const Eigen::VectorXd& residuals,
                   const std::vector<bool>& trained);
 

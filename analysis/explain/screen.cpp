@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/explain/fit_problem.hpp"
 #include "analysis/statistics.hpp"
 #include "hal/types/parallel_for.hpp"
 
@@ -35,6 +36,63 @@ class Projector {
   Eigen::MatrixXd basis_;
 };
 
+Eigen::VectorXd only_trained(const ForwardModel& model, Eigen::VectorXd x,
+                             const std::vector<bool>& trained) {
+  for (std::size_t u = 0; u < trained.size(); ++u) {
+    const ObservedUnit& unit = model.units()[u];
+    if (!trained[u]) x.segment(unit.first, unit.size).setZero();
+  }
+  return x;
+}
+
+// What a fit leaves over, what its numbers can do to that, and what is known of these beforehand
+// as rows below.
+class LeftOver {
+ public:
+  LeftOver(const ForwardModel& model, const Fit& fit, const std::vector<bool>& trained)
+      : prior_(FitProblem(model, fit.effects, trained, fit.scatter)),
+        known_(slopes_of(model, fit, trained)) {
+    residuals_ = with_rows(only_trained(model, fit.residuals, trained));
+    for (std::size_t p = 0; p < prior_.of.size(); ++p) {
+      residuals_[fit.residuals.size() + Eigen::Index(p)] = prior_.residual(p, fit.values);
+    }
+    residuals_ = known_.remainder(residuals_);
+  }
+
+  const Eigen::VectorXd& residuals() const { return residuals_; }
+
+  // Of a mark on the residuals: what no number of the fit can do within what is known of it.
+  Eigen::VectorXd unknown_of(Eigen::VectorXd mark) const {
+    return known_.remainder(with_rows(std::move(mark)));
+  }
+
+ private:
+  Eigen::VectorXd with_rows(Eigen::VectorXd x) const {
+    const Eigen::Index size = x.size();
+    x.conservativeResize(size + Eigen::Index(prior_.of.size()));
+    x.tail(x.size() - size).setZero();
+    return x;
+  }
+
+  Eigen::MatrixXd slopes_of(const ForwardModel& model, const Fit& fit,
+                            const std::vector<bool>& trained) const {
+    Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(
+        fit.slopes.rows() + Eigen::Index(prior_.of.size()), fit.slopes.cols());
+    for (Eigen::Index i = 0; i < slopes.cols(); ++i) {
+      slopes.col(i) = with_rows(only_trained(model, fit.slopes.col(i), trained));
+    }
+    for (std::size_t p = 0; p < prior_.of.size(); ++p) {
+      slopes(fit.slopes.rows() + Eigen::Index(p), Eigen::Index(prior_.of[p])) =
+          1 / prior_.spread[p];
+    }
+    return slopes;
+  }
+
+  Prior prior_;
+  Projector known_;
+  Eigen::VectorXd residuals_;
+};
+
 // The score of one direction, unit by unit.
 Eigen::VectorXd scores_of(const ForwardModel& model, const Eigen::VectorXd& direction,
                           const Eigen::VectorXd& left_over, const std::vector<bool>& trained) {
@@ -54,15 +112,6 @@ double p_value_of(const Eigen::VectorXd& scores) {
   if (n < 2) return 1;
   const double variance = (scores.array() - scores.mean()).square().sum() / (n - 1);
   return variance > 0 ? t_p_value(scores.mean() / std::sqrt(variance / n), n - 1) : 1;
-}
-
-Eigen::VectorXd only_trained(const ForwardModel& model, Eigen::VectorXd x,
-                             const std::vector<bool>& trained) {
-  for (std::size_t u = 0; u < trained.size(); ++u) {
-    const ObservedUnit& unit = model.units()[u];
-    if (!trained[u]) x.segment(unit.first, unit.size).setZero();
-  }
-  return x;
 }
 
 // A small wave leaves no trace in amplitudes where it stands alone in noise.
@@ -110,8 +159,7 @@ bool may_be(const Candidate& candidate, const std::vector<double>& values) {
 }
 
 Screened screened(const ForwardModel& model, const Fit& fit, std::size_t effect,
-                  const Projector& known, const Eigen::VectorXd& left_over,
-                  const std::vector<bool>& trained) {
+                  const LeftOver& left_over, const std::vector<bool>& trained) {
   Screened best;
   best.effect = effect;
   const Candidate& candidate = model.library()[effect];
@@ -124,14 +172,14 @@ Screened screened(const ForwardModel& model, const Fit& fit, std::size_t effect,
     if (mark.size() == 0) continue;
     mark = only_trained(model, std::move(mark), trained);
     const double whole = mark.norm();
-    mark = known.remainder(mark);
+    mark = left_over.unknown_of(std::move(mark));
     const double norm = mark.norm();
     if (!(norm > 1e-6 * whole)) continue;  // all of it could be done by what is there already
     mark /= norm;
-    const double along = mark.dot(left_over);
-    const double explains = along * along / left_over.squaredNorm();
+    const double along = mark.dot(left_over.residuals());
+    const double explains = along * along / left_over.residuals().squaredNorm();
     if (explains <= best.explains) continue;
-    Eigen::VectorXd scores = scores_of(model, mark, left_over, trained);
+    Eigen::VectorXd scores = scores_of(model, mark, left_over.residuals(), trained);
     best = {effect, explains, p_value_of(scores), std::move(scores), std::move(mark), {}, true};
     if (!is_small_when_screened(candidate)) continue;
     best.start = with_sizes(candidate, *start, -along / norm);
@@ -144,22 +192,15 @@ Screened screened(const ForwardModel& model, const Fit& fit, std::size_t effect,
 
 std::vector<Screened> screen(const ForwardModel& model, const Fit& fit,
                              const std::vector<bool>& trained) {
-  Eigen::MatrixXd known_slopes = fit.slopes;
-  for (Eigen::Index i = 0; i < known_slopes.cols(); ++i) {
-    known_slopes.col(i) = only_trained(model, known_slopes.col(i), trained);
-  }
-  const Projector known(known_slopes);
-  const Eigen::VectorXd left_over = known.remainder(only_trained(model, fit.residuals, trained));
-
+  const LeftOver left_over(model, fit, trained);
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < model.library().size(); ++i) {
     const bool held = std::ranges::find(fit.effects, i) != fit.effects.end();
     if (!held && model.library()[i].not_exercised.empty()) open.push_back(i);
   }
   std::vector<Screened> all(open.size());
-  parallel_for(open.size(), [&](std::size_t i) {
-    all[i] = screened(model, fit, open[i], known, left_over, trained);
-  });
+  parallel_for(open.size(),
+               [&](std::size_t i) { all[i] = screened(model, fit, open[i], left_over, trained); });
   std::erase_if(all, [](const Screened& s) { return s.direction.size() == 0; });
   std::ranges::sort(all, std::ranges::greater{}, &Screened::explains);
   return all;

@@ -10,18 +10,19 @@ namespace rvbench::analysis {
 /// What a candidate could do for a fit, to first order.
 struct Screened {
   std::size_t effect = 0;
-  double explains = 0;        ///< share of what the fit leaves over, 0 to 1
-  double p_value = 1;         ///< of that being chance, by the scatter from unit to unit
-  Eigen::VectorXd scores;     ///< of each unit: its part in it
-  Eigen::VectorXd direction;  ///< unit length: the candidate's own mark on the residuals
+  double explains = 0;     ///< share of what the fit leaves over, 0 to 1
+  double p_value = 1;      ///< of that being chance, by the scatter from unit to unit
+  Eigen::VectorXd scores;  ///< of each unit: its part in it
+  /// Unit length: the candidate's own mark on the residuals, then on what is known beforehand.
+  Eigen::VectorXd direction;
   /// Its values where it explains that; empty if it leaves no small mark.
   std::vector<double> start;
   bool is_admissible = true;  ///< false: its one size would have to be out of bounds for it
 };
 
 /// Score test of every candidate that the data can show and the fit does not hold yet, strongest
-/// first. What base and accepted effects can do is projected out: a candidate is credited only
-/// with what they cannot.
+/// first. What base and accepted effects can do within what is known of them is projected out: a
+/// candidate is credited only with what they cannot.
 ///
 /// A candidate's shape parameters stay at each of its starts in turn; the best one counts.
 /// Source  Rao, Proc. Camb. Phil. Soc. 44, 50-57 (1948)

@@ -107,6 +107,21 @@ TEST_CASE("the updated plant leaves nothing to explain", "[bench][explain]") {
   CHECK(again.verdict == ExplainVerdict::null);
 }
 
+TEST_CASE("what brakes one way only is told from dry friction where the weight is known",
+          "[bench][explain]") {
+  if (test::too_long_under_sanitizer()) return;
+  MovedSlide slide;
+  slide.law = [](double, double v) { return 4 + (v > 0 ? 2.5 : 0); };
+  sim::PlantSpec plant = MovedSlide::plant();
+  plant.outputs[0].offset = {4.1, "N", 5};
+  const Explanation found = analysis::explain(*twin_of(plant, slide.campaign()));
+  INFO(found.reason);
+  REQUIRE(names(found) == std::vector<std::string>{"asymmetric_friction"});
+  CHECK(found.effects[0].parameters[0].value == Approx(2.5).epsilon(0.05));
+  REQUIRE(found.nuisances.size() == 1);
+  CHECK(found.nuisances[0].value == Approx(4).epsilon(0.02));
+}
+
 TEST_CASE("a transducer wrong by half is no physics", "[bench][explain]") {
   MovedSlide slide;
   slide.gain = 1.5;
