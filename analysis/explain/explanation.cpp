@@ -15,7 +15,8 @@ namespace {
 constexpr std::size_t most_rivals = 3;
 constexpr double beyond_errors = 1.2;  // of the measurement: what no noise leaves over
 constexpr double far_off = 10;         // times what would be off if nothing were predicted
-constexpr double worth_telling = 0.5;  // of what any law could explain: less is not the answer
+constexpr double worth_telling = 0.5;  // of what any law could explain: less is not the answer,
+constexpr double worth_a_name = 0.1;   // and less than this is not even a part of it
 
 std::vector<RivalEffect> rivals_of(const ForwardModel& model, const Step& step) {
   std::vector<RivalEffect> rivals;
@@ -132,17 +133,18 @@ double trained_error(const Fit& fit) {
   return n > 0 ? std::sqrt(fit.residuals.squaredNorm() / n) : 0;
 }
 
-// Whether much could be predicted that the explanation does not: by a law of any shape, or where
-// errors of the measurement are all that should be left.
-bool misses_much(const Explanation& e) {
+// How much of what could be predicted the explanation does: of what a law of any shape could, or,
+// where errors of the measurement are all that should be left, of all. 1 if nothing is left to
+// predict.
+double told_share(const Explanation& e) {
   const double floor = e.in_standard_errors ? 1 : e.ceiling_after.error;
   const bool leaves_more = e.in_standard_errors
                                ? e.trained_after > beyond_errors
                                : e.ceiling_after.known && e.ceiling_after.over_model.is_clear();
-  if (!leaves_more) return false;
   const double any = e.held_out_before * e.held_out_before - floor * floor;
-  const double named = e.held_out_before * e.held_out_before - e.held_out_after * e.held_out_after;
-  return any > 0 && named < worth_telling * any;
+  if (!leaves_more || !(any > 0)) return 1;
+  const double told = e.held_out_before * e.held_out_before - e.held_out_after * e.held_out_after;
+  return told / any;
 }
 
 SelfNull self_null_of(const ForwardModel& model, const Fit& fit, const SelectionOptions& options) {
@@ -173,7 +175,7 @@ std::string of_something_else(const ForwardModel& model, const Selection& found)
 void conclude(const ForwardModel& model, Explanation& e) {
   if (!e.selection.miscalibrated.empty()) {
     e.verdict = ExplainVerdict::miscalibrated;
-  } else if (misses_much(e)) {
+  } else if (told_share(e) < worth_telling) {
     e.verdict = ExplainVerdict::none_of_the_above;
   } else if (e.effects.empty()) {
     e.verdict = ExplainVerdict::null;
@@ -206,7 +208,9 @@ std::string error_text(double error, bool in_standard_errors) {
   return in_standard_errors ? fmt::format("{:.3g} σ", error) : fmt::format("{:.3g} %", 100 * error);
 }
 
-Explanation explain(const ForwardModel& model, const SelectionOptions& options) {
+namespace {
+
+Explanation explanation_of(const ForwardModel& model, const SelectionOptions& options) {
   Explanation e;
   e.in_standard_errors = model.counts_standard_errors();
   Tryout on(model);
@@ -252,6 +256,19 @@ Explanation explain(const ForwardModel& model, const SelectionOptions& options) 
   }
   conclude(model, e);
   return e;
+}
+
+}  // namespace
+
+Explanation explain(const ForwardModel& model, const SelectionOptions& options) {
+  Explanation e = explanation_of(model, options);
+  const bool is_crumb = !e.in_standard_errors && !e.effects.empty() &&
+                        e.verdict == ExplainVerdict::none_of_the_above &&
+                        told_share(e) < worth_a_name;
+  if (!is_crumb) return e;
+  SelectionOptions of_base = options;
+  of_base.most_effects = 0;
+  return explanation_of(model, of_base);
 }
 
 }  // namespace rvbench::analysis

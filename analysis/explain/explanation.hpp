@@ -80,7 +80,10 @@ struct Explanation {
 /// "1.2 σ" of one that counts standard errors; "2.6 %" of a relative one.
 std::string error_text(double error, bool in_standard_errors);
 
-/// Locates, names and sizes what a model leaves out of its recordings.
+/// Locates, names and sizes what a model leaves out of its recordings. Where the errors of
+/// the measurement are not known, and names do less than a tenth of what a law of any shape could,
+/// none is told, and nothing is added to the model: beside so much of no known form, so little may
+/// be a part of that.
 /// @throws what options.progress throws
 Explanation explain(const ForwardModel& model, const SelectionOptions& options = {});
 

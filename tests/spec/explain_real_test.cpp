@@ -133,6 +133,26 @@ TEST_CASE("a positioning axis leaves out Coulomb friction, then its asymmetry",
   }
 }
 
+TEST_CASE("beside what no law of the library is, no crumb of it is named",
+          "[spec][data][explain]") {
+  const auto folder = test::data_folder();
+  if (!folder || test::too_long_under_sanitizer()) return;
+  const test::ScratchFolder scratch;
+  std::ofstream(scratch / "emps.json") << campaign_in(*folder, "emps").dump();
+  const auto explain_with = [&](const std::string& plant, const std::string& out) {
+    return test::rvbench(scratch.path(), {"explain", "--plant", plant, "--rec", "emps.json",
+                                          "--out", out, "--json"});
+  };
+  REQUIRE(explain_with("emps", "first").code == 0);
+  // 2.6 % stay, of which any law would take a fifth.
+  const test::Answer again = explain_with("first/plant_updated.json", "second");
+  INFO(again.out << again.err);
+  REQUIRE(again.code == 0);
+  const json said = json::parse(again.out);
+  CHECK(said.at("effects").empty());
+  CHECK((said.at("verdict") == "NONE_OF_THE_ABOVE" || said.at("verdict") == "NULL"));
+}
+
 TEST_CASE("a robot's joint leaves out dry friction", "[spec][data][explain]") {
   const json said = explained("ur10e_joint", "ur10e_joint_1");
   if (said.is_null()) return;
