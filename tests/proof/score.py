@@ -2,7 +2,8 @@
 """score.py PROOF_FOLDER: opens the seals, and says what rvbench explain made of them.
 
 PROOF_FOLDER holds, per case N: sealed/N.json, said/N.json (explain.json), said/N.run (seconds, exit
-code and the SHA-256 of both). Prints a line per case, and the card.
+code and the SHA-256 of both) and said/N.baselines.json. Prints a line per case, and the card, with
+what the baselines make of the same cases beside it.
 """
 import hashlib
 import json
@@ -10,6 +11,8 @@ import math
 import pathlib
 import statistics
 import sys
+
+from baselines_said import baselines_said
 
 TARGETS = [  # quantity, key, target as text, whether a value meets it
     ("false alarms on nulls", "false_alarms", "0 (at most 5 %)", lambda v: v <= 0.05),
@@ -35,6 +38,8 @@ TARGETS = [  # quantity, key, target as text, whether a value meets it
 ]
 
 
+NOT_OF_BASELINES = {"self_null", "localisation", "parameter_error", "coverage", "over_floor",
+                    "seconds"}
 REFUSED = "REFUSED"  # by its exit code, or it never came to an answer: right for no case
 
 
@@ -181,22 +186,34 @@ def card_of(rows):
     return shares, values
 
 
-def card_lines(rows):
+def in_short(shares, values, key):
+    if key in values:
+        return "-" if values[key] is None else f"{values[key]:.3g}"
+    hits, of = shares[key]
+    return f"{100 * hits / of:.0f} %" if of else "-"
+
+
+def card_lines(rows, baselines):
+    """Per quantity: its name, the figure, the target, whether it is met, the baselines' figures."""
     shares, values = card_of(rows)
+    others = [card_of(of) for of in baselines.values()]
     for quantity, key, target, meets in TARGETS:
+        of_others = ["-" if key in NOT_OF_BASELINES else in_short(*card, key) for card in others]
         if key in shares:
             hits, of = shares[key]
             if not of:
                 continue
             low, high = wilson(hits, of)
             yield (quantity, f"{hits}/{of} = {100 * hits / of:.0f} % ({100 * low:.0f} to "
-                   f"{100 * high:.0f})", target, meets(hits / of))
+                   f"{100 * high:.0f})", target, meets(hits / of), of_others)
         elif values[key] is not None:
-            yield (quantity, f"{values[key]:.3g}", target, meets(values[key]))
+            yield quantity, f"{values[key]:.3g}", target, meets(values[key]), of_others
 
 
-def main(folder):
-    rows = []
+def read_cases(folder):
+    """Per case that was run, in order: what was sealed, what was said, how it ran. The hashes are
+    those that were printed, or nothing is scored."""
+    cases = []
     for path in sorted(folder.glob("sealed/*.json"), key=lambda p: int(p.stem)):
         answer = folder / "said" / path.name
         run = folder / "said" / f"{path.stem}.run"
@@ -210,7 +227,18 @@ def main(folder):
             if run["said_sha256"] != hashlib.sha256(answer.read_bytes()).hexdigest():
                 sys.exit(f"score: {answer} is not what was said")
             said = json.loads(answer.read_text())
-        rows.append(score_case(json.loads(path.read_text()), said, run))
+        cases.append((json.loads(path.read_text()), said, run))
+    return cases
+
+
+def main(folder):
+    cases = read_cases(folder)
+    rows = [score_case(*case) for case in cases]
+    sealed = [case[0] for case in cases]
+    baselines = {
+        method: [score_case(*case) for case in of_method]
+        for method, of_method in baselines_said(folder / "said", sealed).items()
+    }
     for row in rows:
         mark = "" if row["right"] else "  <- not right"
         said = " + ".join("|".join(names) for names in row["said"]) or "-"
@@ -219,8 +247,11 @@ def main(folder):
               f"{'+'.join(row['truth']) or '-'}{snr}: {row['verdict']} {said}"
               f" ({row['seconds']:.0f} s){mark}")
     print()
-    for quantity, value, target, met in card_lines(rows):
-        print(f"{quantity:44} {value:32} {target:18} {'' if met else 'NOT MET'}")
+    print(f"{'':44} {'rvbench explain':30} {'target':18} {'':8}" +
+          "".join(f"{method:>20}" for method in baselines))
+    for quantity, value, target, met, others in card_lines(rows, baselines):
+        print(f"{quantity:44} {value:30} {target:18} {'' if met else 'NOT MET':8}" +
+              "".join(f"{other:>20}" for other in others))
 
 
 if __name__ == "__main__":
