@@ -130,8 +130,8 @@ ordered_json effect_json(const analysis::ExplainedEffect& effect, const ordered_
 }  // namespace
 
 std::string explanation_to_json(const analysis::Explanation& e, const ExplainFacts& facts) {
-  const ordered_json floor =
-      e.ceiling_after.known ? number(e.ceiling_after.error) : ordered_json(nullptr);
+  const std::optional<double> least = noise_floor(e);
+  const ordered_json floor = least ? number(*least) : ordered_json(nullptr);
   const char* const metric = e.in_standard_errors ? "RMS of standard errors on left-out conditions"
                                                   : "relative RMS error on left-out conditions";
   ordered_json effects = ordered_json::array();

@@ -2,7 +2,56 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
 namespace rvbench::bench {
+
+namespace {
+
+constexpr double clearly_off = 6;         // standard errors
+constexpr std::size_t most_places = 3;    // told
+constexpr std::size_t fewest_places = 3;  // of programmes: a single one may be a bump in the way
+
+std::size_t conditions_of(const std::vector<analysis::ResidualCell>& cells) {
+  std::set<std::string> conditions;
+  for (const analysis::ResidualCell& cell : cells) conditions.insert(cell.condition);
+  return conditions.size();
+}
+
+// What stays off under most conditions: places of a programme are its own, lines and means come
+// again under others.
+std::vector<std::string> what_stays(const Located& located) {
+  std::vector<std::string> places;
+  std::set<std::string> programmes;
+  for (const analysis::ResidualCluster& cluster : located.after) {
+    if (std::abs(cluster.standard_errors) < clearly_off) continue;
+    const bool in_programme = cluster.locked_to == analysis::LockedTo::programme;
+    if (in_programme) programmes.insert(cluster.conditions.front());
+    if (in_programme || 2 * cluster.conditions.size() >= located.conditions) {
+      places.push_back(place_text(cluster));
+    }
+    if (in_programme) places.back() += " of " + cluster.conditions.front();
+  }
+  const bool in_part = 2 * programmes.size() < located.conditions || places.size() < fewest_places;
+  return !programmes.empty() && in_part ? std::vector<std::string>() : places;
+}
+
+}  // namespace
+
+void weigh_what_stays(const Located& located, analysis::Explanation& explanation) {
+  if (explanation.verdict != analysis::ExplainVerdict::null) return;
+  std::vector<std::string> places = what_stays(located);
+  if (places.empty()) return;
+  const std::size_t all = places.size();
+  if (all > most_places) places.resize(most_places);
+  explanation.verdict = analysis::ExplainVerdict::none_of_the_above;
+  explanation.reason =
+      fmt::format("something repeatable is missing ({}{}), and no effect of the library is it",
+                  fmt::join(places, ", "), all > most_places ? ", ..." : "");
+}
 
 std::string place_text(const analysis::ResidualCluster& c) {
   const int digits = c.locked_to == analysis::LockedTo::programme ? 3 : 5;
@@ -27,7 +76,8 @@ Located locate(const Twin& twin, const analysis::Selection& found) {
   if (found.base.residuals.size() == 0) return {};
   const Twin::Cells before = twin.cells(found.base.effects, found.base.values);
   const Twin::Cells after = twin.cells(found.fit.effects, found.fit.values);
-  Located located{before.all.size(), analysis::locate(before.all, before.beside),
+  Located located{before.all.size(), conditions_of(before.all),
+                  analysis::locate(before.all, before.beside),
                   analysis::locate(after.all, after.beside)};
   const auto missing = [&](const analysis::Fit& fit, const auto& places) {
     return find_missing_force(twin.pushed_features(fit.effects, fit.values), places);

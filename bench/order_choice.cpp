@@ -16,27 +16,39 @@ namespace {
 using analysis::LockedTo;
 
 constexpr double worth_comparing = 0.1;  // of an effect's largest line
-constexpr double fewest_periods = 3;     // of a line in a record: else its mean is in the way
+constexpr double again_above_noise =
+    3;                                // in more than half of the repeats: by chance 1 in 20 million
+constexpr double fewest_periods = 3;  // of a line in a record: else its mean is in the way
 constexpr std::array<int, 4> supply_harmonics{1, 2, 6, 12};
 
-// Which orders of each output to compare: those that a recording shows, and those that the plant or
-// some effect would bring.
+// Whether a line stands above noise again and again: once it may be what one record alone has.
+bool is_clear(const std::vector<const OrderRecord*>& repeats, std::size_t output,
+              Eigen::Index order) {
+  const double least = repeats.size() > 1 ? again_above_noise : clearly_above_noise;
+  const auto clear = std::ranges::count_if(repeats, [&](const OrderRecord* record) {
+    const analysis::PeriodLines& lines = record->measured.outputs[output];
+    return lines.amplitude[order] > least * lines.noise[order];
+  });
+  return 2 * static_cast<std::size_t>(clear) > repeats.size();
+}
+
+// Which orders of each output to compare: those that recordings of one condition show, and those
+// that the plant or some effect would bring.
 std::vector<std::vector<bool>> shown_orders(const sim::PlantSpec& plant,
                                             const std::vector<OrderRecord>& records,
                                             const std::vector<OrderCondition>& conditions) {
   const auto size = static_cast<std::size_t>(highest_order(conditions)) + 1;
   std::vector<std::vector<bool>> shown(plant.outputs.size(), std::vector<bool>(size));
-  for (const OrderRecord& record : records) {
-    if (!record.about.learned_from) continue;
-    const sim::SteadyState& nominal = conditions[record.condition].nominal;
+  for (std::size_t c = 0; c < conditions.size(); ++c) {
+    const auto repeats = telling_of(c, records);
+    if (!repeats.front()->about.learned_from) continue;
     for (std::size_t o = 0; o < plant.outputs.size(); ++o) {
-      const analysis::PeriodLines& lines = record.measured.outputs[o];
-      for (Eigen::Index k = 1; k <= conditions[record.condition].orders[o]; ++k) {
-        const double expected = std::abs(nominal.outputs[o].shaft_lines[k]);
-        if (lines.amplitude[k] > clearly_above_noise * lines.noise[k] ||
-            expected > lines.noise[k]) {
-          shown[o][std::size_t(k)] = true;
-        }
+      for (Eigen::Index k = 1; k <= conditions[c].orders[o]; ++k) {
+        const double expected = std::abs(conditions[c].nominal.outputs[o].shaft_lines[k]);
+        const bool is_expected = std::ranges::any_of(repeats, [&](const OrderRecord* record) {
+          return expected > record->measured.outputs[o].noise[k];
+        });
+        if (is_expected || is_clear(repeats, o, k)) shown[o][std::size_t(k)] = true;
       }
     }
   }

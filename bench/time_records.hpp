@@ -20,6 +20,7 @@ struct TimeRecord {
   Eigen::Index into_step = 0;             ///< samples that the model needs to come into step
   Eigen::Index first = 0, last = 0;       ///< what is compared
   Eigen::Index thin = 1;                  ///< of these, each so many-th
+  std::vector<Eigen::Index> kept = {};    ///< and of those, these: see leave_out_standstill()
 };
 
 struct TimeRecords {

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "bench/programme_cells.hpp"
+#include "bench/standstill.hpp"
 #include "sim/effect_edits.hpp"
 #include "sim/interpolation.hpp"
 #include "sim/mains.hpp"
@@ -42,6 +43,7 @@ TwinOrRefusal TimeTwin::make(sim::PlantSpec plant, const Campaign& campaign,
   twin->base_ = twin->family_->base();
   twin->leave_out_what_needs_reversal();
   twin->leave_out_what_is_too_fast();
+  leave_out_standstill(twin->plant_, library, twin->records_);
   twin->cut_units();
   return std::unique_ptr<Twin>(std::move(twin));
 }
@@ -118,13 +120,15 @@ void TimeTwin::leave_out_what_is_too_fast() {
   }
 }
 
+std::vector<std::string> TimeTwin::notes() const { return standstill_notes(records_); }
+
 void TimeTwin::cut_units() {
   Eigen::Index at = 0;
   const auto outputs = static_cast<Eigen::Index>(plant_.outputs.size());
   for (const TimeRecord& record : records_.all) {
     if (!record.about.learned_from) continue;
     const double rate_Hz = record.excitation.rate_Hz();
-    const Eigen::Index size = (record.last - record.first) / record.thin;
+    const auto size = static_cast<Eigen::Index>(record.kept.size());
     const double length_s = static_cast<double>(record.last - record.first) / rate_Hz;
     const auto count = static_cast<Eigen::Index>(
         std::clamp(length_s / unit_length_s, 1.0, double(units_per_record)));
@@ -151,6 +155,10 @@ Eigen::VectorXd TimeTwin::below_band(const TimeRecord& record, const Eigen::Vect
   return out;
 }
 
+Eigen::VectorXd TimeTwin::compared(const TimeRecord& record, const Eigen::VectorXd& x) const {
+  return below_band(record, x, record.thin)(record.kept);
+}
+
 // @param show  of a record, one signal per output of the plant
 // @return what it shows of the records that are learned from, in order of the units
 std::optional<Eigen::VectorXd> TimeTwin::by_units(
@@ -164,7 +172,7 @@ std::optional<Eigen::VectorXd> TimeTwin::by_units(
     auto shown = show(record);
     if (!shown) return std::nullopt;
     for (Eigen::VectorXd& signal : *shown) {
-      signal = below_band(record, signal, record.thin);
+      signal = compared(record, signal);
     }
     Eigen::Index from = 0;
     while (unit != units_.end() && unit->record == record.about.name &&
@@ -276,7 +284,10 @@ Twin::Cells TimeTwin::cells(const std::vector<std::size_t>& effects,
                            static_cast<double>(record.last - record.first) / rate_Hz,
                            {}};
     for (const Eigen::VectorXd& signal : *off) {
-      repeat.apart.push_back(below_band(record, signal, record.thin));
+      const Eigen::VectorXd all = below_band(record, signal, record.thin);
+      Eigen::VectorXd kept = Eigen::VectorXd::Zero(all.size());
+      kept(record.kept) = all(record.kept);
+      repeat.apart.push_back(std::move(kept));
     }
     repeats.push_back(std::move(repeat));
   }

@@ -28,6 +28,7 @@ class TimeTwin final : public Twin {
   double nothing_predicted() const override;
   /// Position and speed of the body that the first output is about, as the base moves it.
   Eigen::MatrixXd states() const override;
+  std::vector<std::string> notes() const override;
 
   std::vector<Comparison> compare(const std::vector<std::size_t>& effects,
                                   const std::vector<double>& values) const override;
@@ -47,6 +48,7 @@ class TimeTwin final : public Twin {
   double largest_deviation() const;
   Eigen::VectorXd below_band(const TimeRecord& record, const Eigen::VectorXd& x,
                              Eigen::Index step) const;
+  Eigen::VectorXd compared(const TimeRecord& record, const Eigen::VectorXd& x) const;
   std::optional<std::vector<Eigen::VectorXd>> apart(const sim::PlantSpec& plant,
                                                     const TimeRecord& record) const;
   std::optional<Eigen::VectorXd> by_units(

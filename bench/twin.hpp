@@ -60,6 +60,9 @@ class Twin : public analysis::ForwardModel {
     double standard_deviation = 0;
   };
 
+  /// What of the recordings is not compared, and why.
+  virtual std::vector<std::string> notes() const { return {}; }
+
   /// Means and lines of all conditions that are learned from, beside what a model makes of them.
   struct Cells {
     std::vector<analysis::ResidualCell> all;  ///< empty if this twin compares nothing of the kind

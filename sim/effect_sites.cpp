@@ -33,6 +33,11 @@ std::vector<EffectSite> axes_of(const PlantSpec& plant, const TermGate& gate,
       axes.push_back({term.body_a, term.body_b});
     }
   }
+  std::erase_if(axes, [&](const EffectSite& axis) {
+    return !gate.beside.empty() && std::ranges::none_of(plant.terms, [&](const TermSpec& term) {
+      return term.type == gate.beside && term.is_between(axis.body_a, axis.body_b);
+    });
+  });
   return axes;
 }
 

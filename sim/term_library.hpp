@@ -71,6 +71,7 @@ struct TermGate {
   std::string retunes = {};         ///< the type of terms that it deviates, instead of adding one
   bool each = false;                ///< one of them at a time
   std::string in_place_of = {};     ///< as an effect it only ever replaces a term of this type
+  std::string beside = {};  ///< only where a term of this type joins the same two
   InChannel in_channel = InChannel::no;
   /// Whether a sensor has it already; empty: none does.
   std::function<bool(const PlantSpec&, const OutputSpec&)> is_in = {};

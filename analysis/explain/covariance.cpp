@@ -29,7 +29,8 @@ Eigen::MatrixXd waves_slopes(const FitProblem& on, const Fit& fit) {
   const std::vector<double> at_rest = as_waves(fit.values, waves);
   for (const std::size_t at : waves) {
     for (const std::size_t i : {at, at + 1}) {
-      const double step = wave_step * (i == at ? on.parameters[i].scale : 1);
+      const double step =
+          i == at ? step_of_wave(wave_step * on.parameters[i].scale, at_rest[i]) : wave_step;
       const auto moved = [&](double by) {
         std::vector<double> values = at_rest;
         values[i] += by;
@@ -70,6 +71,11 @@ void add_covariance(const FitProblem& on, Fit& fit) {
   }
   fit.freedom = std::max(units - learned, 1.0);
   fit.covariance = units / fit.freedom * inverse * scatter * inverse;
+}
+
+Eigen::VectorXd known_variances(const FitProblem& on, const Fit& fit) {
+  return std::pow(on.scatter, 2) *
+         inverse_of(information_of(on, waves_slopes(on, fit))).diagonal();
 }
 
 }  // namespace rvbench::analysis

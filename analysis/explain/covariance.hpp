@@ -11,4 +11,8 @@ namespace rvbench::analysis {
 /// of it.
 void add_covariance(const FitProblem& on, Fit& fit);
 
+/// Variance of each number by the slopes alone, where residuals count standard errors: how far they
+/// scatter is known, and need not be learned from units, of which there may be few.
+Eigen::VectorXd known_variances(const FitProblem& on, const Fit& fit);
+
 }  // namespace rvbench::analysis

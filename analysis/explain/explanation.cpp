@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "analysis/explain/ceiling.hpp"
 #include "analysis/explain/repeat_against_repeat.hpp"
@@ -15,8 +16,7 @@ namespace {
 constexpr std::size_t most_rivals = 3;
 constexpr double beyond_errors = 1.2;  // of the measurement: what no noise leaves over
 constexpr double far_off = 10;         // times what would be off if nothing were predicted
-constexpr double worth_telling = 0.5;  // of what any law could explain: less is not the answer,
-constexpr double worth_a_name = 0.1;   // and less than this is not even a part of it
+constexpr double worth_telling = 0.5;  // of what any law could explain: less is no answer
 
 std::vector<RivalEffect> rivals_of(const ForwardModel& model, const Step& step) {
   std::vector<RivalEffect> rivals;
@@ -133,14 +133,23 @@ double trained_error(const Fit& fit) {
   return n > 0 ? std::sqrt(fit.residuals.squaredNorm() / n) : 0;
 }
 
-// How much of what could be predicted the explanation does: of what a law of any shape could, or,
-// where errors of the measurement are all that should be left, of all. 1 if nothing is left to
-// predict.
+// What should be left and is not: errors of the measurement, what repeats differ by, or what a law
+// of any shape leaves.
+struct LeftOver {
+  double floor = 0;
+  bool is_more = false;
+};
+
+LeftOver left_over(const Explanation& e) {
+  if (e.in_standard_errors) return {1, e.trained_after > beyond_errors};
+  const double floor = noise_floor(e).value_or(0);
+  if (e.self_null.known) return {floor, e.held_out_after > beyond_errors * floor};
+  return {floor, e.ceiling_after.known && e.ceiling_after.over_model.is_clear()};
+}
+
+// How much of what could be predicted the explanation does. 1 if nothing is left to predict.
 double told_share(const Explanation& e) {
-  const double floor = e.in_standard_errors ? 1 : e.ceiling_after.error;
-  const bool leaves_more = e.in_standard_errors
-                               ? e.trained_after > beyond_errors
-                               : e.ceiling_after.known && e.ceiling_after.over_model.is_clear();
+  const auto [floor, leaves_more] = left_over(e);
   const double any = e.held_out_before * e.held_out_before - floor * floor;
   if (!leaves_more || !(any > 0)) return 1;
   const double told = e.held_out_before * e.held_out_before - e.held_out_after * e.held_out_after;
@@ -204,6 +213,12 @@ const char* to_string(ExplainVerdict verdict) noexcept {
   return "";
 }
 
+std::optional<double> noise_floor(const Explanation& explanation) {
+  if (explanation.self_null.known) return explanation.self_null.error / std::numbers::sqrt2;
+  if (explanation.ceiling_after.known) return explanation.ceiling_after.error;
+  return std::nullopt;
+}
+
 std::string error_text(double error, bool in_standard_errors) {
   return in_standard_errors ? fmt::format("{:.3g} σ", error) : fmt::format("{:.3g} %", 100 * error);
 }
@@ -241,6 +256,7 @@ Explanation explanation_of(const ForwardModel& model, const SelectionOptions& op
     double before = e.held_out_before;
     on.counts_as = independent_share(model, found.base.residuals);
     e.ceiling_before = flexible_ceiling(on, {found.base, found.base_held_out, {}});
+    on.counts_as = independent_share(model, found.fit.residuals);
     e.ceiling_after = flexible_ceiling(on, {found.fit, found.held_out, {}});
     for (Step step : found.steps) {
       step.equals = as_good_as_any_form(step, e.ceiling_after, found.held_out.rms);
@@ -262,9 +278,8 @@ Explanation explanation_of(const ForwardModel& model, const SelectionOptions& op
 
 Explanation explain(const ForwardModel& model, const SelectionOptions& options) {
   Explanation e = explanation_of(model, options);
-  const bool is_crumb = !e.in_standard_errors && !e.effects.empty() &&
-                        e.verdict == ExplainVerdict::none_of_the_above &&
-                        told_share(e) < worth_a_name;
+  const bool is_crumb =
+      !e.in_standard_errors && !e.effects.empty() && e.verdict == ExplainVerdict::none_of_the_above;
   if (!is_crumb) return e;
   SelectionOptions of_base = options;
   of_base.most_effects = 0;

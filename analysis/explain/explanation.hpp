@@ -77,13 +77,16 @@ struct Explanation {
   Selection selection;
 };
 
+/// Held-out error that noise alone leaves: one repeat differs from another by √2 of it. Without
+/// repeats, what a law of any shape leaves; nothing if that is not known either.
+std::optional<double> noise_floor(const Explanation& explanation);
+
 /// "1.2 σ" of one that counts standard errors; "2.6 %" of a relative one.
 std::string error_text(double error, bool in_standard_errors);
 
-/// Locates, names and sizes what a model leaves out of its recordings. Where the errors of
-/// the measurement are not known, and names do less than a tenth of what a law of any shape could,
-/// none is told, and nothing is added to the model: beside so much of no known form, so little may
-/// be a part of that.
+/// Locates, names and sizes what a model leaves out of its recordings. Where the errors of the
+/// measurement are not known, and names do less than half of what a law of any shape could, none is
+/// told, and nothing is added to the model: so little may be a part of what has no name.
 /// @throws what options.progress throws
 Explanation explain(const ForwardModel& model, const SelectionOptions& options = {});
 

@@ -25,6 +25,7 @@ constexpr double same_scatter = 0.9;       // of the one before
 constexpr int opening_iterations = 2;      // of each start
 constexpr int middle_iterations = 4;       // of those that go on after that
 constexpr std::size_t most_finalists = 3;  // starts that go on after that
+constexpr double part_of_screened = 0.3;   // another start in the same valley, from the safe side
 constexpr int sizes_tried = 7;             // of each start of a quick model,
 constexpr double size_step = 0.316;        // one after the other
 
@@ -120,7 +121,7 @@ void certify(const FitProblem& on, std::vector<Descent>& ends, const std::vector
     for (std::size_t i = 0; i < back.size(); ++i) back[i] += part * (start[i] - back[i]);
     Descent end =
         descend(on, std::move(back), most_iterations, still_held(on.model, ends.front().slopes));
-    if (!end.converged) return;
+    if (!end.converged || end.cost > before) continue;
     ends.push_back(std::move(end));
     std::ranges::stable_sort(ends, {}, &Descent::cost);
   }
@@ -230,7 +231,10 @@ Fit fit_with(const ForwardModel& model, const Fit& before, std::size_t added,
   effects.push_back(added);
   const Candidate& candidate = model.library().at(added);
   std::vector<std::vector<double>> all_own = candidate.starts;
-  if (!screened.empty()) all_own.push_back(screened);
+  if (!screened.empty()) {
+    all_own.push_back(screened);
+    all_own.push_back(candidate.resized(screened, part_of_screened));
+  }
   std::vector<std::vector<double>> starts = starts_from(before.values, all_own);
   if (model.is_quick() && candidate.when_small != Candidate::WhenSmall::structural) {
     const FitProblem on(model, effects, trained, before.scatter);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/explain/wave.hpp"
 #include "hal/types/parallel_for.hpp"
 
 namespace rvbench::analysis {
@@ -103,17 +104,32 @@ Eigen::MatrixXd information_of(const FitProblem& on, const Eigen::MatrixXd& slop
   return information;
 }
 
+namespace {
+
+std::vector<double> difference_steps(const FitProblem& on, const std::vector<double>& values) {
+  std::vector<double> steps;
+  for (const ModelParameter& p : on.parameters) steps.push_back(difference_step * p.scale);
+  for (const std::size_t at : waves_among(on.model, on.effects)) {
+    const double size = std::hypot(values[at], values[at + 1]);
+    for (const std::size_t i : {at, at + 1}) steps[i] = step_of_wave(steps[i], size);
+  }
+  return steps;
+}
+
+}  // namespace
+
 std::optional<Eigen::MatrixXd> jacobian(const FitProblem& on, const std::vector<double>& values,
                                         const Eigen::VectorXd& residuals,
                                         const Eigen::MatrixXd& held) {
   Eigen::MatrixXd slopes(residuals.size(), static_cast<Eigen::Index>(values.size()));
   if (held.cols() > 0) slopes.leftCols(held.cols()) = held;
   const auto first = static_cast<std::size_t>(held.cols());
+  const std::vector<double> steps = difference_steps(on, values);
   std::vector<char> known(values.size() - first, 0);
   parallel_for(known.size(), [&](std::size_t column) {
     const std::size_t i = first + column;
     std::vector<double> moved = values;
-    double step = difference_step * on.parameters[i].scale;
+    double step = steps[i];
     if (values[i] + step > on.parameters[i].high) step = -step;
     moved[i] += step;
     const auto there = on.model.residuals(on.effects, moved, on.trained);

@@ -51,6 +51,12 @@ struct Candidate {
     std::string name, where;
   };
   std::vector<Alike> alike = {};
+
+  /// A start with its sizes so many times as large.
+  std::vector<double> resized(std::vector<double> start, double by) const {
+    for (std::size_t i = 0; i < sizes; ++i) start[i] *= by;
+    return start;
+  }
 };
 
 /// A stretch of values that is one observation: values within may depend on each other, units do

@@ -16,6 +16,7 @@ namespace rvbench::analysis {
 namespace {
 
 constexpr std::size_t fewest_to_leave_one_out = 3;
+constexpr std::size_t fewest_conditions = 5;  // with fewer, one left out is beyond the others
 
 std::vector<Fold> folds_of(const std::vector<ObservedUnit>& units, std::string ObservedUnit::*label,
                            std::size_t fewest) {
@@ -40,7 +41,10 @@ std::vector<bool> Fold::trained() const {
 }
 
 std::vector<Fold> condition_folds(const std::vector<ObservedUnit>& units) {
-  return folds_of(units, &ObservedUnit::condition, 2);
+  std::vector<Fold> conditions = folds_of(units, &ObservedUnit::condition, 2);
+  if (conditions.size() >= fewest_conditions) return conditions;
+  std::vector<Fold> records = folds_of(units, &ObservedUnit::record, 2);
+  return records.size() > conditions.size() ? records : conditions;
 }
 
 std::vector<Fold> speed_folds(const std::vector<ObservedUnit>& units) {

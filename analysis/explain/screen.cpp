@@ -145,12 +145,6 @@ bool leave_one_mark(const Candidate& candidate, const std::vector<double>& a,
   return true;
 }
 
-// @param by  times the sizes of a start
-std::vector<double> with_sizes(const Candidate& candidate, std::vector<double> start, double by) {
-  for (std::size_t i = 0; i < candidate.sizes; ++i) start[i] *= by;
-  return start;
-}
-
 // Of several sizes one may be out of bounds, and the others still explain something.
 bool may_be(const Candidate& candidate, const std::vector<double>& values) {
   if (values.empty() || candidate.sizes > 1) return true;
@@ -182,7 +176,7 @@ Screened screened(const ForwardModel& model, const Fit& fit, std::size_t effect,
     Eigen::VectorXd scores = scores_of(model, mark, left_over.residuals(), trained);
     best = {effect, explains, p_value_of(scores), std::move(scores), std::move(mark), {}, true};
     if (!is_small_when_screened(candidate)) continue;
-    best.start = with_sizes(candidate, *start, -along / norm);
+    best.start = candidate.resized(*start, -along / norm);
     best.is_admissible = may_be(candidate, best.start);
   }
   return best;
@@ -249,7 +243,7 @@ bool pair_is_admissible(const ForwardModel& model, const Screened& a, const Scre
   const auto is_admissible = [&](const Screened& s, double own, double other) {
     const Candidate& candidate = model.library()[s.effect];
     const double by = (own - alike * other) / apart / own;
-    return s.start.empty() || may_be(candidate, with_sizes(candidate, s.start, by));
+    return s.start.empty() || may_be(candidate, candidate.resized(s.start, by));
   };
   return is_admissible(a, first, second) && is_admissible(b, second, first);
 }

@@ -53,7 +53,9 @@ class Selector {
     result.base_held_out = base->held_out;
     result.base_extrapolated = base->extrapolated;
     go_on_from(std::move(*base));
-    while (steps_.size() < options_.most_effects && advance()) exchange();
+    do {
+      while (steps_.size() < options_.most_effects && advance()) exchange(steps_.size() - 1);
+    } while (exchange(steps_.size()));
     drop_needless();
     result.steps = steps_;
     result.fit = now_.fit;
@@ -66,8 +68,14 @@ class Selector {
   }
 
  private:
+  // What is left tells what one of its values is worth: an effect that has been found no longer
+  // ties neighbours together.
   void go_on_from(Standing standing) {
     now_ = std::move(standing);
+    const double worth = independent_share(on_.model, now_.fit.residuals);
+    now_.held_out.log_density *= worth / on_.counts_as;
+    now_.extrapolated.log_density *= worth / on_.counts_as;
+    on_.counts_as = worth;
     foreseen_ = foreseen(now_);
   }
 
@@ -212,33 +220,55 @@ class Selector {
     return true;
   }
 
-  // Exchanges earlier effects for rivals that predict clearly better beside the newest one.
-  void exchange() {
-    for (std::size_t s = 0; s + 1 < steps_.size(); ++s) {
+  // Exchanges the first effects for rivals that predict clearly better beside the others: in the
+  // end the newest one, too, which may have been taken for being simple while more was to come.
+  // @return whether any was
+  bool exchange(std::size_t first_effects) {
+    bool any = false;
+    for (std::size_t s = 0; s < first_effects; ++s) {
+      const std::vector<std::size_t> rivals = rivals_of(s);
+      if (rivals.empty()) continue;
       const auto rest = refit_without(steps_[s].effect);
       if (!rest) continue;
-      std::vector<Trial> rivals = steps_[s].tried;
-      if (rivals.size() > most_rivals) rivals.resize(most_rivals);
-      for (const Trial& rival : rivals) {
-        if (rival.effect() == steps_[s].effect || !rival.fit.not_certified.empty()) continue;
-        const bool held =
-            std::ranges::find(now_.fit.effects, rival.effect()) != now_.fit.effects.end();
-        if (!held) try_exchange(s, *rest, rival.effect());
+      for (const std::size_t rival : rivals) {
+        const bool held = std::ranges::find(now_.fit.effects, rival) != now_.fit.effects.end();
+        if (!held && try_exchange(s, *rest, rival)) any = true;
       }
     }
+    return any;
+  }
+
+  // What may take an effect's place. Beside the newest one nothing has changed since it was chosen:
+  // only what predicted clearly better then.
+  std::vector<std::size_t> rivals_of(std::size_t s) const {
+    const std::vector<Trial>& tried = steps_[s].tried;
+    const auto own = std::ranges::find(tried, steps_[s].effect, &Trial::effect);
+    const bool is_newest = s + 1 == steps_.size() && own != tried.end();
+    std::vector<std::size_t> rivals;
+    for (std::size_t i = 0; i < std::min(tried.size(), most_rivals); ++i) {
+      const Trial& rival = tried[i];
+      if (rival.effect() == steps_[s].effect || !rival.fit.not_certified.empty()) continue;
+      if (rival.held_out.log_density.size() == 0) continue;
+      if (is_newest && !margin(rival.held_out, own->held_out).is_clear()) continue;
+      rivals.push_back(rival.effect());
+    }
+    return rivals;
   }
 
   // @param rest  the present model without the effect of step s
-  void try_exchange(std::size_t s, const Standing& rest, std::size_t effect) {
+  bool try_exchange(std::size_t s, const Standing& rest, std::size_t effect) {
     const double now = now_.fit.cost, without = rest.fit.cost;
     const MustBeat now_stands{without * std::pow(now / without, most_of_the_way), now};
     Trial trial = try_effect(on_, foreseen(rest), effect, now_stands);
-    if (!trial.refused.empty() || !margin(trial.held_out, foreseen_.held_out).is_clear()) return;
+    if (!trial.refused.empty() || !margin(trial.held_out, foreseen_.held_out).is_clear()) {
+      return false;
+    }
     const Trial tried = trial;
     auto standing = confirm(on_, rest, trial);
-    if (!trial.refused.empty() || !margin(trial.held_out, now_.held_out).is_clear()) return;
+    if (!trial.refused.empty() || !margin(trial.held_out, now_.held_out).is_clear()) return false;
     steps_[s] = step_of(trial, tried, {tried}, rest.fit.cost);
     go_on_from(std::move(*standing));
+    return true;
   }
 
   // The present model without one of its effects, fitted anew.

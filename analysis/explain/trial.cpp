@@ -38,17 +38,21 @@ std::string bound_reached(const Fit& fit, const std::vector<ModelParameter>& par
 // one.
 double size_p_value(const Tryout& on, Fit fit, std::size_t first, const Candidate& effect,
                     const Fit& before) {
+  const FitProblem problem(on.model, fit.effects, on.everything, fit.scatter);
   if (fit.slopes.cols() >= before.slopes.cols()) {
     fit.slopes.leftCols(before.slopes.cols()) = before.slopes;
-    add_covariance(FitProblem(on.model, fit.effects, on.everything, fit.scatter), fit);
+    add_covariance(problem, fit);
   }
+  const bool is_known = on.model.counts_standard_errors();
+  const Eigen::VectorXd variances =
+      is_known ? known_variances(problem, fit) : fit.covariance.diagonal();
+  const double freedom = is_known ? values_learned(problem) : fit.freedom;
   const std::size_t sizes = effect.phasor ? 1 : effect.sizes;
   const std::vector<double> values = as_waves(fit.values, waves_among(on.model, fit.effects));
   double least = 1;
   for (std::size_t i = first; i < first + sizes; ++i) {
-    const auto index = static_cast<Eigen::Index>(i);
-    const double error = std::sqrt(std::max(fit.covariance(index, index), 0.0));
-    if (error > 0) least = std::min(least, t_p_value(values[i] / error, fit.freedom));
+    const double error = std::sqrt(std::max(variances[static_cast<Eigen::Index>(i)], 0.0));
+    if (error > 0) least = std::min(least, t_p_value(values[i] / error, freedom));
   }
   return std::min(1.0, least * static_cast<double>(sizes));
 }

@@ -1,11 +1,14 @@
 #include "analysis/explain/wave.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rvbench::analysis {
 namespace {
 
 constexpr double next_to_nothing = 0.3;  // of the mark of a size that grows as far as a phase turns
+
+constexpr double part_of_wave = 0.01;
 
 }  // namespace
 
@@ -37,6 +40,10 @@ std::vector<double> from_waves(std::vector<double> values, const std::vector<std
     values[at + 1] = size * std::sin(phase_rad);
   }
   return values;
+}
+
+double step_of_wave(double usual, double size) {
+  return size > 0 ? std::min(usual, part_of_wave * size) : usual;
 }
 
 Eigen::MatrixXd slopes_of_waves(Eigen::MatrixXd slopes, const std::vector<double>& values,

@@ -3,6 +3,7 @@
 
 #include <cerrno>
 #include <filesystem>
+#include <iterator>
 #include <mutex>
 #include <system_error>
 
@@ -70,7 +71,7 @@ class ExplainCommand final : public Command {
   CampaignOrRefusal campaign(const sim::PlantSpec& plant) const;
   analysis::Explanation explained(Console& console, Twin& twin) const;
   int tell(Console& console, const Campaign& campaign, const Twin& twin,
-           const analysis::Explanation& explanation) const;
+           analysis::Explanation explanation) const;
   void write_out(const Twin& twin, const analysis::Explanation& explanation,
                  const Comparisons& comparisons, ExplainFacts& facts) const;
 
@@ -83,8 +84,8 @@ class ExplainCommand final : public Command {
   bool json_ = false;
 };
 
-void tell_notes(Console& console, const Campaign& campaign) {
-  for (const std::string& note : campaign.notes) console.err << "note: " << note << '\n';
+void tell_notes(Console& console, const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) console.err << "note: " << note << '\n';
 }
 
 void ExplainCommand::write_out(const Twin& twin, const analysis::Explanation& explanation,
@@ -117,15 +118,18 @@ analysis::Explanation ExplainCommand::explained(Console& console, Twin& twin) co
 }
 
 int ExplainCommand::tell(Console& console, const Campaign& campaign, const Twin& twin,
-                         const analysis::Explanation& explanation) const {
+                         analysis::Explanation explanation) const {
+  Located located = locate(twin, explanation.selection);
+  weigh_what_stays(located, explanation);
   const Comparisons comparisons = compare(twin, explanation.selection);
   ExplainFacts facts{plant_,
                      software_version(),
                      "",
                      record_errors(twin, explanation.selection, comparisons),
-                     locate(twin, explanation.selection),
+                     std::move(located),
                      campaign.notes,
                      campaign.hashes};
+  std::ranges::move(twin.notes(), std::back_inserter(facts.notes));
   try {
     if (!out_.empty()) write_out(twin, explanation, comparisons, facts);
   } catch (const std::system_error& error) {
@@ -134,7 +138,7 @@ int ExplainCommand::tell(Console& console, const Campaign& campaign, const Twin&
   if (json_) {
     console.out << explanation_to_json(explanation, facts);
   } else {
-    tell_notes(console, campaign);
+    tell_notes(console, facts.notes);
     print_explanation(console, explanation, facts);
     if (!out_.empty()) console.out << "\nReport: " << out_ << "/explain.html" << '\n';
   }
@@ -202,7 +206,7 @@ int ExplainCommand::run(Console& console) {
       const std::string at = fault.pointer.empty() ? "" : plant_ + ": " + fault.pointer + ": ";
       refuse_data(console, at + fault.message);
     }
-    tell_notes(console, campaign);
+    tell_notes(console, campaign.notes);
     return exit_codes::data_refused;
   }
   Twin& twin = *std::get<0>(made);

@@ -39,10 +39,12 @@ std::string explained_errors_section(const analysis::Explanation& e,
     bars.push_back({"with what was left out", e.held_out_after, "after"});
   }
   if (e.ceiling_after.known) {
-    bars.push_back({"a law of any shape added: the floor", e.ceiling_after.error, "floor"});
+    bars.push_back({e.self_null.known ? "a law of any shape added"
+                                      : "a law of any shape added: the floor",
+                    e.ceiling_after.error, "floor"});
   }
   if (e.self_null.known) {
-    bars.push_back({"one repeat as the model of another", e.self_null.error, "floor"});
+    bars.push_back({"what repeats differ by: the floor", *noise_floor(e), "floor"});
   }
   const std::string metric =
       e.in_standard_errors

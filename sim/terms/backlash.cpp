@@ -56,6 +56,7 @@ TermType backlash() {
                       .min = 0,
                       .max = unbounded,
                       .start = 0.02}},
+      .gate = {.in_place_of = "spring"},  // play is in a joint that would be elastic without it
       .make = [](const TermSite& at) { return std::make_unique<Backlash>(at); },
       .edit =
           [](PlantSpec plant, const EffectSite& site, const Parameters& parameters) {

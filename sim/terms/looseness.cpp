@@ -52,6 +52,7 @@ TermType looseness() {
                           .min = -unbounded,
                           .max = unbounded,
                           .start = 0.5}},
+          .gate = {.beside = "spring"},
           .make = [](const TermSite& at) { return std::make_unique<Looseness>(at); }};
 }
 

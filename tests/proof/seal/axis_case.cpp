@@ -68,9 +68,7 @@ std::vector<Motion> motions_of(const CasePlan& plan) {
   return {{0.05, 0.06}, {0.2, stroke_m}, {0.5, stroke_m}};
 }
 
-// @param knows_weight  that hangs on it: else an offset and dry friction make up one that brakes
-// one
-//                      way only
+// @param knows_weight  that hangs on it: else an offset does what friction of one direction does
 json plant_of(const Axis& axis, bool knows_drag, bool knows_weight) {
   json terms = json::array();
   if (knows_drag) {
@@ -172,19 +170,32 @@ json seal_axis(const CasePlan& plan, Draw& draw, const std::filesystem::path& fo
   json answer{{"effects", json::array()}};
   std::vector<Eigen::VectorXd> hidden(motions.size(), Eigen::VectorXd::Zero(bare[0].size()));
   if (plan.kind != "null") {
+    struct Hidden {
+      HiddenInSlide effect;
+      double size, shown_dB;  // above noise of 1 N
+    };
+    std::vector<Hidden> all;
     for (const std::string& name : plan.effects) {
-      const HiddenInSlide effect = all_effects.at(name)(usual, draw);
+      HiddenInSlide effect = all_effects.at(name)(usual, draw);
+      if (plan.variant == "one way") {
+        effect.also = {"coulomb_friction", "asymmetric_friction"};
+      }
       const double as_large = rms_of(forces_of(motions, effect, effect.size));
       const double size =
           effect.size * usual.force_N * std::pow(10, -plan.concealment_dB / 20) / as_large;
       const auto forces_N = forces_of(motions, effect, size, delay_s);
-      if (answer["effects"].empty()) {
-        noise_N = std::pow(10, (best_bin_snr_dB(forces_N, 1, slope, rate_Hz) - plan.snr_dB) / 20);
-        noise_N = std::max(noise_N, 1e-4 * usual.force_N);
-      }
-      answer["effects"].push_back(answer_of(effect, "slide", size, plan.concealment_dB,
-                                            best_bin_snr_dB(forces_N, noise_N, slope, rate_Hz)));
       for (std::size_t i = 0; i < hidden.size(); ++i) hidden[i] += forces_N[i];
+      all.push_back({std::move(effect), size,
+                     plan.variant == "one way" ? 20 * std::log10(rms_of(forces_N))
+                                               : middle_snr_dB(forces_N, 1, slope, rate_Hz)});
+    }
+    // The one that shows least is to stand so far above it.
+    const double least_dB = std::ranges::min(all, {}, &Hidden::shown_dB).shown_dB;
+    noise_N = std::pow(10, (least_dB - plan.snr_dB) / 20);
+    noise_N = std::max(noise_N, 1e-4 * usual.force_N);
+    for (const Hidden& one : all) {
+      answer["effects"].push_back(answer_of(one.effect, "slide", one.size, plan.concealment_dB,
+                                            one.shown_dB - 20 * std::log10(noise_N)));
     }
   }
   answer["noise_N"] = noise_N;
@@ -206,8 +217,9 @@ json seal_axis(const CasePlan& plan, Draw& draw, const std::filesystem::path& fo
     }
   }
   write_records(folder, {rate_Hz, "way", "force"}, records);
+  const bool knows_weight = hides("asymmetric_friction") || plan.variant == "one way";
   std::ofstream(folder / "plant.json")
-      << plant_of(drawn, !hides_drag, hides("asymmetric_friction")).dump(2) << '\n';
+      << plant_of(drawn, !hides_drag, knows_weight).dump(2) << '\n';
   return answer;
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -18,7 +19,7 @@ constexpr int repeats = 3;
 constexpr int sizings = 2;  // each as large as the one before came out too small
 // What mean torques differ by from record to record; friction of 0.15 N·m as on the drawing.
 const double scatter_Nm = Nuisance().friction_scatter * 0.15;
-constexpr double least_noise_Nm = 2e-4;  // of a good transducer's electronics
+constexpr double least_noise_Nm = 2e-5;  // of the best electronics
 
 const std::map<std::string, HiddenInBench (*)(const BenchNumbers&, Draw&)> all_effects{
     {"brake_ripple", brake_ripple},
@@ -104,9 +105,15 @@ Nuisance nuisance_of(const CasePlan& plan, const std::vector<Hidden>& hidden, Dr
     nuisance.noise_slope = draw.uniform(1, 2);
     nuisance.noise_Nm *= draw.uniform(2, 10);
   }
-  if (!hidden.empty() && !hidden.front().effect.in_means) {
-    const double power = power_over_noise(hidden.front().seen, nuisance.noise_slope);
-    nuisance.noise_Nm = std::max(least_noise_Nm, std::sqrt(power / std::pow(10, plan.snr_dB / 10)));
+  // The one that shows least is to stand so far above it.
+  double least_power = std::numeric_limits<double>::infinity();
+  for (const Hidden& one : hidden) {
+    if (one.effect.in_means) continue;
+    least_power = std::min(least_power, power_over_noise(one.seen, nuisance.noise_slope));
+  }
+  if (std::isfinite(least_power)) {
+    nuisance.noise_Nm =
+        std::max(least_noise_Nm, std::sqrt(least_power / std::pow(10, plan.snr_dB / 10)));
   }
   return nuisance;
 }

@@ -45,6 +45,8 @@ class BenchEffect {
   virtual ~BenchEffect() = default;
   virtual void join(Structure&) {}
   virtual void push(const Moment&, double /*step_s*/, Eigen::VectorXd& /*torque_Nm*/) {}
+  /// What the coupling passes beside what its spring and damper do: pushed, and seen.
+  virtual double coupling_Nm(const Moment&) { return 0; }
   virtual double mesh_error_m(int /*mesh*/, double /*sun_rad*/, double /*planet_rad*/) { return 0; }
   virtual double mesh_softening(int /*mesh*/, double /*sun_rad*/) { return 0; }  ///< relative
   virtual double stage_error_rad(int /*stage*/, double /*crank_rad*/) { return 0; }

@@ -136,7 +136,13 @@ void BenchTrain::find_remainder() {
   const Moment now{time_s_,   supply_Hz_, electrical_rad_,
                    brake_Nm_, motor_Nm,   turn * supply_Hz_ - pole_pairs * v_[motor],
                    q_,        v_};
-  for (BenchEffect* effect : effects_) effect->push(now, step_s_, remainder_Nm_);
+  passed_Nm_ = 0;
+  for (BenchEffect* effect : effects_) {
+    effect->push(now, step_s_, remainder_Nm_);
+    passed_Nm_ += effect->coupling_Nm(now);
+  }
+  remainder_Nm_[motor] -= passed_Nm_;
+  remainder_Nm_[sun] += passed_Nm_;
 }
 
 void BenchTrain::step() {
@@ -155,7 +161,7 @@ void BenchTrain::step() {
 
 double BenchTrain::coupling_Nm() const {
   double torque_Nm = numbers_.coupling_stiffness * (q_[motor] - q_[sun]) +
-                     numbers_.coupling_damping * (v_[motor] - v_[sun]);
+                     numbers_.coupling_damping * (v_[motor] - v_[sun]) + passed_Nm_;
   for (BenchEffect* effect : effects_) torque_Nm = effect->shown_torque_Nm(time_s_, torque_Nm);
   return torque_Nm;
 }

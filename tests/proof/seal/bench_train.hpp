@@ -38,6 +38,7 @@ class BenchTrain {
   Eigen::MatrixXd decay_, by_now_, by_change_;
   Eigen::VectorXd state_, q_, v_, remainder_Nm_, before_Nm_;
   double time_s_ = 0, electrical_rad_ = 0, asked_Hz_ = 0, supply_Hz_ = 0, brake_Nm_ = 0;
+  double passed_Nm_ = 0;  // by the coupling, beside its spring and damper
   double friction_factor_ = 1, error_factor_ = 1;
   bool is_first_ = true;
 };

@@ -6,8 +6,9 @@ namespace seal {
 namespace {
 
 constexpr Eigen::Index taps = 500;
+constexpr double memory = 80;  // taps
 
-// (1 − z⁻¹)^(−slope/2), cut off.
+// (1 − z⁻¹)^(−slope/2), faded out: white below where it has forgotten.
 // Source  Kasdin, Proc. IEEE 83(5), 802-827 (1995), eq. 104
 Eigen::VectorXd fractional_filter(double slope) {
   Eigen::VectorXd h(taps);
@@ -15,6 +16,7 @@ Eigen::VectorXd fractional_filter(double slope) {
   for (Eigen::Index k = 1; k < taps; ++k) {
     h[k] = h[k - 1] * (slope / 2 + static_cast<double>(k) - 1) / static_cast<double>(k);
   }
+  for (Eigen::Index k = 0; k < taps; ++k) h[k] *= std::exp(-static_cast<double>(k) / memory);
   return h / h.norm();
 }
 

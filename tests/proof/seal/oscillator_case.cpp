@@ -172,6 +172,7 @@ json seal_oscillator(const CasePlan& plan, Draw& draw, const std::filesystem::pa
   double noise_m = rms(bare.front()) * (like == "strong" ? 0.1 : 0.005);
   json answer{{"effects", json::array()}};
   if (plan.kind != "null") {
+    std::vector<double> shown_dB;  // above noise of 1 m
     for (const std::string& name : plan.effects) {
       Hidden one{all_effects.at(name)(usual, draw), 0};
       one.size = one.effect.size * 0.05;
@@ -183,12 +184,15 @@ json seal_oscillator(const CasePlan& plan, Draw& draw, const std::filesystem::pa
               std::pow(10, -plan.concealment_dB / 20) * rms(bare.back()) / rms(change.back());
         }
       }
-      if (hidden.empty()) {
-        noise_m = std::pow(10, (best_bin_snr_dB(change, 1, slope, rate_Hz) - plan.snr_dB) / 20);
-      }
-      answer["effects"].push_back(answer_of(one.effect, "mass", one.size, plan.concealment_dB,
-                                            best_bin_snr_dB(change, noise_m, slope, rate_Hz)));
+      shown_dB.push_back(middle_snr_dB(change, 1, slope, rate_Hz));
       hidden.push_back(std::move(one));
+    }
+    // The one that shows least is to stand so far above it.
+    noise_m = std::pow(10, (std::ranges::min(shown_dB) - plan.snr_dB) / 20);
+    for (std::size_t i = 0; i < hidden.size(); ++i) {
+      answer["effects"].push_back(answer_of(hidden[i].effect, "mass", hidden[i].size,
+                                            plan.concealment_dB,
+                                            shown_dB[i] - 20 * std::log10(noise_m)));
     }
   }
   answer["noise_m"] = noise_m;

@@ -36,10 +36,11 @@ void write_records(const std::filesystem::path& folder, const SlideChannels& cha
   std::ofstream(folder / "campaign.json") << campaign.dump(2) << '\n';
 }
 
-double best_bin_snr_dB(const std::vector<Eigen::VectorXd>& change, double noise, double slope,
-                       double rate_Hz) {
-  double best = 0;
+double middle_snr_dB(const std::vector<Eigen::VectorXd>& change, double noise, double slope,
+                     double rate_Hz) {
+  std::vector<double> best_of;
   for (const Eigen::VectorXd& record : change) {
+    double& best = best_of.emplace_back(0);
     Eigen::VectorXcd spectrum;
     Eigen::FFT<double>().fwd(spectrum, record);
     const auto count = static_cast<double>(record.size());
@@ -50,7 +51,9 @@ double best_bin_snr_dB(const std::vector<Eigen::VectorXd>& change, double noise,
       best = std::max(best, std::norm(spectrum[k]) / expected);
     }
   }
-  return 10 * std::log10(best);
+  const auto middle = best_of.begin() + std::ptrdiff_t(best_of.size() / 2);
+  std::ranges::nth_element(best_of, middle);
+  return 10 * std::log10(*middle);
 }
 
 nlohmann::json quantity(double value, const char* unit, const nlohmann::json& tolerance_pct) {

@@ -26,10 +26,10 @@ struct SlideChannels {
 void write_records(const std::filesystem::path& folder, const SlideChannels& channels,
                    const std::vector<SlideRecord>& records);
 
-/// How far a change stands above noise in its best bin, of all records [dB].
+/// How far a change stands above noise in its best bin, in the middle one of the records [dB].
 /// @param change  per record, without noise
-double best_bin_snr_dB(const std::vector<Eigen::VectorXd>& change, double noise, double slope,
-                       double rate_Hz);
+double middle_snr_dB(const std::vector<Eigen::VectorXd>& change, double noise, double slope,
+                     double rate_Hz);
 
 double rms(const Eigen::VectorXd& x);
 

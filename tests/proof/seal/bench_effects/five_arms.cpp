@@ -9,10 +9,8 @@ constexpr int arms = 5;
 class Arms final : public BenchEffect {
  public:
   Arms(double stiffness, double phase_rad) : stiffness_(stiffness), phase_rad_(phase_rad) {}
-  void push(const Moment& now, double, Eigen::VectorXd& torque_Nm) override {
-    const double twist_Nm = stiffness_ * std::cos(arms * now.q[motor] + phase_rad_);
-    torque_Nm[motor] -= twist_Nm;
-    torque_Nm[sun] += twist_Nm;
+  double coupling_Nm(const Moment& now) override {
+    return stiffness_ * std::cos(arms * now.q[motor] + phase_rad_);
   }
 
  private:

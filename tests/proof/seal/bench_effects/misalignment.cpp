@@ -9,12 +9,9 @@ constexpr double fourth = 0.1;  // order, of the second
 class Jaws final : public BenchEffect {
  public:
   Jaws(double stiffness, double phase_rad) : stiffness_(stiffness), phase_rad_(phase_rad) {}
-  void push(const Moment& now, double, Eigen::VectorXd& torque_Nm) override {
+  double coupling_Nm(const Moment& now) override {
     const double at = 2 * now.q[motor] + phase_rad_;
-    const double twist_Nm =
-        stiffness_ * (now.q[motor] - now.q[sun]) * (std::cos(at) + fourth * std::cos(2 * at));
-    torque_Nm[motor] -= twist_Nm;
-    torque_Nm[sun] += twist_Nm;
+    return stiffness_ * (now.q[motor] - now.q[sun]) * (std::cos(at) + fourth * std::cos(2 * at));
   }
 
  private:
