@@ -143,11 +143,9 @@ void scale_and_delay(const OutputSpec& output, Channel& channel) {
     const double samples = -output.delay.value * channel.rate_Hz;
     const double whole = std::floor(samples);
     const Interpolation at(0, samples - whole);
-    const auto last = channel.samples.size() - 1;
     const Eigen::VectorXd x = channel.samples;
-    for (Eigen::Index i = 0; i <= last; ++i) {
-      const Eigen::Index from = i + static_cast<Eigen::Index>(whole);
-      channel.samples[i] = at(x, std::clamp(from, Eigen::Index{0}, last));
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      channel.samples[i] = at(x, i + static_cast<Eigen::Index>(whole));
     }
   }
   channel.samples = output.gain.value * channel.samples.array() + output.offset.value;
