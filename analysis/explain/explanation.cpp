@@ -143,7 +143,9 @@ struct LeftOver {
 LeftOver left_over(const Explanation& e) {
   if (e.in_standard_errors) return {1, e.trained_after > beyond_errors};
   const double floor = noise_floor(e).value_or(0);
-  if (e.self_null.known) return {floor, e.held_out_after > beyond_errors * floor};
+  if (e.self_null.known && !e.effects.empty()) {
+    return {floor, e.held_out_after > beyond_errors * floor};
+  }
   return {floor, e.ceiling_after.known && e.ceiling_after.over_model.is_clear()};
 }
 
@@ -256,7 +258,6 @@ Explanation explanation_of(const ForwardModel& model, const SelectionOptions& op
     double before = e.held_out_before;
     on.counts_as = independent_share(model, found.base.residuals);
     e.ceiling_before = flexible_ceiling(on, {found.base, found.base_held_out, {}});
-    on.counts_as = independent_share(model, found.fit.residuals);
     e.ceiling_after = flexible_ceiling(on, {found.fit, found.held_out, {}});
     for (Step step : found.steps) {
       step.equals = as_good_as_any_form(step, e.ceiling_after, found.held_out.rms);
@@ -283,7 +284,10 @@ Explanation explain(const ForwardModel& model, const SelectionOptions& options) 
   if (!is_crumb) return e;
   SelectionOptions of_base = options;
   of_base.most_effects = 0;
-  return explanation_of(model, of_base);
+  Explanation without = explanation_of(model, of_base);
+  without.verdict = ExplainVerdict::none_of_the_above;
+  without.reason = sentence(without);
+  return without;
 }
 
 }  // namespace rvbench::analysis

@@ -42,7 +42,7 @@ std::vector<bool> Fold::trained() const {
 
 std::vector<Fold> condition_folds(const std::vector<ObservedUnit>& units) {
   std::vector<Fold> conditions = folds_of(units, &ObservedUnit::condition, 2);
-  if (conditions.size() >= fewest_conditions) return conditions;
+  if (conditions.empty() || conditions.size() >= fewest_conditions) return conditions;
   std::vector<Fold> records = folds_of(units, &ObservedUnit::record, 2);
   return records.size() > conditions.size() ? records : conditions;
 }

@@ -68,14 +68,8 @@ class Selector {
   }
 
  private:
-  // What is left tells what one of its values is worth: an effect that has been found no longer
-  // ties neighbours together.
   void go_on_from(Standing standing) {
     now_ = std::move(standing);
-    const double worth = independent_share(on_.model, now_.fit.residuals);
-    now_.held_out.log_density *= worth / on_.counts_as;
-    now_.extrapolated.log_density *= worth / on_.counts_as;
-    on_.counts_as = worth;
     foreseen_ = foreseen(now_);
   }
 
@@ -222,6 +216,7 @@ class Selector {
 
   // Exchanges the first effects for rivals that predict clearly better beside the others: in the
   // end the newest one, too, which may have been taken for being simple while more was to come.
+  // Those that predict as well there are its equals then.
   // @return whether any was
   bool exchange(std::size_t first_effects) {
     bool any = false;
@@ -232,7 +227,12 @@ class Selector {
       if (!rest) continue;
       for (const std::size_t rival : rivals) {
         const bool held = std::ranges::find(now_.fit.effects, rival) != now_.fit.effects.end();
-        if (!held && try_exchange(s, *rest, rival)) any = true;
+        if (held) continue;
+        const Beside beside = try_exchange(s, *rest, rival);
+        any = any || beside == Beside::better;
+        if (beside == Beside::better) break;  // the others were its rivals, not of this one
+        std::erase(steps_[s].equals, rival);
+        if (beside == Beside::equal) steps_[s].equals.push_back(rival);
       }
     }
     return any;
@@ -248,27 +248,33 @@ class Selector {
     for (std::size_t i = 0; i < std::min(tried.size(), most_rivals); ++i) {
       const Trial& rival = tried[i];
       if (rival.effect() == steps_[s].effect || !rival.fit.not_certified.empty()) continue;
-      if (rival.held_out.log_density.size() == 0) continue;
-      if (is_newest && !margin(rival.held_out, own->held_out).is_clear()) continue;
+      const bool could_be = rival.refused.empty() && rival.held_out.log_density.size() > 0;
+      if (is_newest && !(could_be && margin(rival.held_out, own->held_out).is_clear())) continue;
       rivals.push_back(rival.effect());
     }
     return rivals;
   }
 
+  // What a rival is in an effect's place, beside the other effects.
+  enum class Beside { worse, equal, better };
+
+  // Takes it where it is better.
   // @param rest  the present model without the effect of step s
-  bool try_exchange(std::size_t s, const Standing& rest, std::size_t effect) {
+  Beside try_exchange(std::size_t s, const Standing& rest, std::size_t effect) {
     const double now = now_.fit.cost, without = rest.fit.cost;
     const MustBeat now_stands{without * std::pow(now / without, most_of_the_way), now};
     Trial trial = try_effect(on_, foreseen(rest), effect, now_stands);
-    if (!trial.refused.empty() || !margin(trial.held_out, foreseen_.held_out).is_clear()) {
-      return false;
+    if (!trial.refused.empty()) return Beside::worse;
+    if (const Margin apart = margin(trial.held_out, foreseen_.held_out); !apart.is_clear()) {
+      return apart.delta >= -2 * apart.se ? Beside::equal : Beside::worse;
     }
     const Trial tried = trial;
     auto standing = confirm(on_, rest, trial);
-    if (!trial.refused.empty() || !margin(trial.held_out, now_.held_out).is_clear()) return false;
+    if (!trial.refused.empty()) return Beside::worse;
+    if (!margin(trial.held_out, now_.held_out).is_clear()) return Beside::equal;
     steps_[s] = step_of(trial, tried, {tried}, rest.fit.cost);
     go_on_from(std::move(*standing));
-    return true;
+    return Beside::better;
   }
 
   // The present model without one of its effects, fitted anew.

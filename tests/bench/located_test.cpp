@@ -36,13 +36,13 @@ TEST_CASE("a place is told by what it stays with", "[bench][explain][locate]") {
 }
 
 TEST_CASE("the page says what was off before, and what still is", "[bench][explain][locate]") {
-  const std::string html = bench::report::located_section({240, {pins, mean}, {mean, mains}});
+  const std::string html = bench::report::located_section({240, 3, {pins, mean}, {mean, mains}});
   CHECK_THAT(html, Contains("Of 240 means and lines"));
   CHECK_THAT(html, Contains("order 12.893") && Contains("2 conditions") && Contains("(166 σ)"));
   CHECK_THAT(html, Contains("within chance"));
   CHECK_THAT(html, Contains("50 Hz"));
   CHECK(bench::report::located_section({}).empty());
-  bench::Located noisy{240, {pins}, {}};
+  bench::Located noisy{240, 3, {pins}, {}};
   noisy.noise = {{"input_torque", "mean, from record to record", "N·m", 0.0021}};
   CHECK_THAT(bench::report::located_section(noisy),
              Contains("input_torque: mean, from record to record 0.0021 N·m"));
@@ -54,7 +54,7 @@ TEST_CASE("explain.json tells places, or null of a plant without any", "[bench][
     return nlohmann::json::parse(explanation_to_json({}, facts)).at("located");
   };
   CHECK(told().is_null());
-  facts.located = {240, {pins}, {}};
+  facts.located = {240, 3, {pins}, {}};
   facts.located.noise = {{"input_torque", "mean, from record to record", "N·m", 0.0021}};
   CHECK(told().at("cells") == 240);
   CHECK(told().at("after").empty());
@@ -64,4 +64,43 @@ TEST_CASE("explain.json tells places, or null of a plant without any", "[bench][
   CHECK(place.at("first") == 12.893);
   CHECK(place.at("conditions").size() == 2);
   CHECK(place.at("standard_errors") == 166);
+}
+
+TEST_CASE("what stays clearly off under most conditions is no chance", "[bench][explain][locate]") {
+  using analysis::ExplainVerdict;
+  const auto weighed = [](std::size_t conditions, std::vector<ResidualCluster> after) {
+    analysis::Explanation e;
+    bench::weigh_what_stays({240, conditions, {}, std::move(after)}, e);
+    return e;
+  };
+  SECTION("a line under two of three conditions: something is missing") {
+    const auto e = weighed(3, {pins});
+    CHECK(e.verdict == ExplainVerdict::none_of_the_above);
+    CHECK_THAT(e.reason, Contains("input_torque order 12.893"));
+  }
+  SECTION("under two of nine it may be one of them that is odd") {
+    CHECK(weighed(9, {pins}).verdict == ExplainVerdict::null);
+  }
+  SECTION("not clearly off") {
+    ResidualCluster slight = pins;
+    slight.standard_errors = -5;
+    CHECK(weighed(3, {slight}).verdict == ExplainVerdict::null);
+  }
+  SECTION("places of a programme: a single one may be a bump in the way") {
+    const auto at = [](const char* programme, double time_s) {
+      return ResidualCluster{"force", "N", LockedTo::programme, time_s, time_s, {programme}, 2, 9};
+    };
+    CHECK(weighed(1, {at("cycle", 5.6)}).verdict == ExplainVerdict::null);
+    const auto e = weighed(2, {at("fast", 1), at("slow", 2), at("slow", 3)});
+    CHECK(e.verdict == ExplainVerdict::none_of_the_above);
+    CHECK_THAT(e.reason, Contains("force at 2 s of slow"));
+    CHECK(weighed(9, {at("fast", 1), at("slow", 2), at("slow", 3)}).verdict ==
+          ExplainVerdict::null);
+  }
+  SECTION("an answer stays") {
+    analysis::Explanation named;
+    named.verdict = ExplainVerdict::named;
+    bench::weigh_what_stays({240, 3, {}, {pins}}, named);
+    CHECK(named.verdict == ExplainVerdict::named);
+  }
 }

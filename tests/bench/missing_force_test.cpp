@@ -131,7 +131,7 @@ TEST_CASE("a missing force is told in one line each", "[bench][explain][locate]"
 
 TEST_CASE("the page says where forces act that were left out, and where what is left over does",
           "[bench][explain][locate]") {
-  Located located{240, {}, {}};
+  Located located{240, 9, {}, {}};
   CHECK_THAT(report::located_section(located), !Contains("acts:"));
   located.missing_before = example();
   const std::string html = report::located_section(located);

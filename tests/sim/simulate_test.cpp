@@ -208,6 +208,15 @@ SCENARIO("inverse dynamics: what must push for a body to move as recorded", "[si
       CHECK(late[0].samples[i] == Approx(0.1 * drive_N(t[i] - 0.4e-3) + 0.5).margin(margin_V));
     }
   }
+  WHEN("it answers early: nothing jumps where the delay passes a whole sample, nor at the end") {
+    const auto shifted = [&](double delay_s) {
+      plant.outputs[0].delay.value = delay_s;
+      return run_of(plant, {channel_of("q", "m", 1000, q)})[0].samples;
+    };
+    const Eigen::VectorXd at = shifted(-2e-3), beside = shifted(-2e-3 + 1e-8);
+    const Eigen::VectorXd slope = (shifted(-1.9e-3) - at) / 1e-4;
+    CHECK((beside - at).norm() <= 2 * 1e-8 * slope.norm());
+  }
   WHEN("the speed is recorded instead") {
     plant.inputs[0] = {.name = "dq",
                        .channel = "dq",

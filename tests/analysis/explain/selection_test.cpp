@@ -123,4 +123,21 @@ TEST_CASE("the same data give the same answer on any number of cores", "[explain
   CHECK(names(model, first) == names(model, second));
 }
 
+TEST_CASE("of few conditions that were recorded again, records are left out", "[explain]") {
+  const auto units_of = [](int conditions, int repeats) {
+    std::vector<ObservedUnit> units;
+    for (int c = 0; c < conditions; ++c) {
+      for (int r = 0; r < repeats; ++r) {
+        const std::string condition = std::to_string(c);
+        units.push_back({condition + "/" + std::to_string(r), condition, "", "", 0, 1, ""});
+      }
+    }
+    return units;
+  };
+  CHECK(condition_folds(units_of(3, 2)).size() == 6);
+  CHECK(condition_folds(units_of(3, 1)).size() == 3);
+  CHECK(condition_folds(units_of(5, 2)).size() == 5);
+  CHECK(condition_folds(units_of(1, 4)).empty());
+}
+
 }  // namespace rvbench::analysis

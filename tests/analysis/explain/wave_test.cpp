@@ -70,3 +70,9 @@ TEST_CASE("estimates name size and phase, the size never below nothing", "[analy
   CHECK(all[2].value == Approx(pi / 2));
   CHECK(all[2].high - all[2].low == Approx(2 * pi));  // nothing is known of it
 }
+
+TEST_CASE("the slope of a small wave is told beside it, not across nothing", "[explain]") {
+  CHECK(step_of_wave(1e-6, 1) == 1e-6);
+  CHECK(step_of_wave(1e-6, 1e-7) == Approx(1e-9));
+  CHECK(step_of_wave(1e-6, 0) == 1e-6);
+}
