@@ -126,8 +126,8 @@ std::vector<CandidateProbe> OrderTwin::probe() {
       *family_, [&](const sim::PlantSpec& plant) { return states_of(plant, probed); });
   for (std::size_t i = 0; i < probes.size(); ++i) {
     if (!probes[i].fault.empty()) family_->cannot_show(i, probes[i].fault);
-    if (family_->gate_of(i).needs_reversal && !reverses(family_->site_of(i))) {
-      family_->cannot_show(i, "the direction of motion never changes");
+    if (!family_->gate_of(i).one_way_like.empty() && !reverses(family_->site_of(i))) {
+      family_->never_reverses(i);
     }
   }
   return probes;

@@ -69,6 +69,17 @@ void PlantFamily::stands_for(std::size_t candidate, std::size_t other) {
   cannot_show(other, "looks like " + tried.name + " (" + tried.where + ")");
 }
 
+void PlantFamily::never_reverses(std::size_t candidate) {
+  const std::string& name = gate_of(candidate).one_way_like;
+  const std::string& where = candidates_.at(candidate).where;
+  const auto is_it = [&](const auto& other) { return other.name == name && other.where == where; };
+  const auto like = std::ranges::find_if(candidates_, [&](const analysis::Candidate& other) {
+    return other.not_exercised.empty() && (is_it(other) || std::ranges::any_of(other.alike, is_it));
+  });
+  if (like != candidates_.end()) stands_for(std::size_t(like - candidates_.begin()), candidate);
+  cannot_show(candidate, "the direction of motion never changes");
+}
+
 sim::PlantSpec PlantFamily::with_usual(std::size_t candidate) const {
   std::vector<double> values;
   for (const analysis::ModelParameter& p : base_) values.push_back(p.nominal);

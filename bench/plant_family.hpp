@@ -39,6 +39,9 @@ class PlantFamily {
   /// In all that is compared, the one looks like the other: only the first is tried.
   void stands_for(std::size_t candidate, std::size_t other);
 
+  /// Where it would show, the direction of motion never changes: see TermGate::one_way_like.
+  void never_reverses(std::size_t candidate);
+
   /// The plant as it is, with one candidate of usual size.
   sim::PlantSpec with_usual(std::size_t candidate) const;
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -58,12 +59,20 @@ sim::NaturalScales TimeTwin::natural_scales() const {
                        {sim::OutputKind::position, sim::OutputKind::speed,
                         driven ? sim::OutputKind::drive : sim::OutputKind::acceleration});
   sim::NaturalScales scales;
-  const auto run = sim::simulate(probe, records_.first_learned().excitation, terms_);
-  const auto* shown = std::get_if<sim::Simulated>(&run);
-  if (shown == nullptr) return scales;
+  std::array<double, 3> squares{};
+  double count = 0;
+  for (const TimeRecord& record : records_.all) {
+    if (!record.about.learned_from) continue;
+    const auto run = sim::simulate(probe, record.excitation, terms_);
+    const auto* shown = std::get_if<sim::Simulated>(&run);
+    if (shown == nullptr) return scales;
+    for (std::size_t i = 0; i < squares.size(); ++i) {
+      squares[i] += std::pow(deviation(shown->channels[i].samples), 2);
+    }
+    ++count;
+  }
   const auto size = [&](std::size_t i) {
-    const double value = deviation(shown->channels[i].samples);
-    return value > 0 ? value : 1;
+    return squares[i] > 0 ? std::sqrt(squares[i] / count) : 1;
   };
   scales = {driven ? size(2) : size(2) * body.inertia.value, size(0), size(1)};
   return scales;
@@ -100,8 +109,8 @@ bool TimeTwin::reverses(const sim::EffectSite& site) const {
 
 void TimeTwin::leave_out_what_needs_reversal() {
   for (std::size_t i = 0; i < library().size(); ++i) {
-    if (!family_->gate_of(i).needs_reversal || reverses(family_->site_of(i))) continue;
-    family_->cannot_show(i, "the direction of motion never changes");
+    if (family_->gate_of(i).one_way_like.empty() || reverses(family_->site_of(i))) continue;
+    family_->never_reverses(i);
   }
 }
 

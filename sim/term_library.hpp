@@ -76,7 +76,9 @@ struct TermGate {
   /// Whether a sensor has it already; empty: none does.
   std::function<bool(const PlantSpec&, const OutputSpec&)> is_in = {};
   bool stands = false;          ///< only on a body that a term joins to the housing
-  bool needs_reversal = false;  ///< only what moves both ways can show it
+  /// What it looks like where nothing moves both ways: only a reversal parts them; empty: it needs
+  /// none.
+  std::string one_way_like = {};
 };
 
 /// What a type gets to make a term from: names resolved, values checked against the card.

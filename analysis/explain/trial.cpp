@@ -35,10 +35,14 @@ std::string bound_reached(const Fit& fit, const std::vector<ModelParameter>& par
 }
 
 // Of the sizes of an effect being nothing: the clearest one, for as many as there are; a wave has
-// one.
+// one. Its shape stays as it is: of what is nothing no shape is known, and a size that trades with
+// a shape is not the less there.
 double size_p_value(const Tryout& on, Fit fit, std::size_t first, const Candidate& effect,
                     const Fit& before) {
   const FitProblem problem(on.model, fit.effects, on.everything, fit.scatter);
+  const auto shape = static_cast<Eigen::Index>(first + effect.sizes);
+  const auto shapes = static_cast<Eigen::Index>(effect.parameters.size() - effect.sizes);
+  fit.slopes.middleCols(shape, shapes).setZero();
   if (fit.slopes.cols() >= before.slopes.cols()) {
     fit.slopes.leftCols(before.slopes.cols()) = before.slopes;
     add_covariance(problem, fit);

@@ -53,7 +53,7 @@ TermType asymmetric_friction() {
                       .start = 0.03,
                       .fallback = 0},
                      creep_speed_card()},
-      .gate = {.needs_reversal = true},
+      .gate = {.one_way_like = "coulomb_friction"},
       .make = [](const TermSite& at) { return std::make_unique<AsymmetricFriction>(at); }};
 }
 

@@ -64,7 +64,7 @@ TermType stiffness_hysteresis() {
                           .unit = UnitKind::coordinate,
                           .min = smallest,
                           .max = unbounded,
-                          .start = 0.1}},
+                          .start = 0.3}},
           .make = [](const TermSite& at) { return std::make_unique<StiffnessHysteresis>(at); }};
 }
 

@@ -104,17 +104,16 @@ const std::vector<CasePlan> outside{{0, "outside", "bench", "", {"oil_whirl"}, 2
                                     {0, "outside", "oscillator", "", {"pumped_spring"}, 10, 20}};
 
 // What these motions cannot tell from something else.
-const std::vector<CasePlan> twins{
-    {0, "twin", "bench", "", {"external_force"}, 20, 20},
-    {0, "twin", "bench", "", {"speed_modulation"}, 20, 20},
-    {0, "twin", "bench", "", {"mains_hum"}, 20, 20},
-    {0, "twin", "axis", "one way", {"coulomb_friction"}, 20, 20},
-    {0, "twin", "axis", "one way", {"asymmetric_friction"}, 20, 20},
-    {0, "twin", "axis", "one way", {"coulomb_friction"}, 20, 10},
-    {0, "twin", "oscillator", "one level", {"nonlinear_damping"}, 20, 20},
-    {0, "twin", "oscillator", "one level", {"nonlinear_damping"}, 20, 10},
-    {0, "twin", "oscillator", "one level", {"coulomb_friction"}, 30, 20},
-    {0, "twin", "oscillator", "one level", {"nonlinear_damping"}, 30, 20}};
+const std::vector<CasePlan> twins{{0, "twin", "bench", "", {"external_force"}, 20, 20},
+                                  {0, "twin", "bench", "", {"speed_modulation"}, 20, 20},
+                                  {0, "twin", "bench", "", {"mains_hum"}, 20, 20},
+                                  {0, "twin", "axis", "one way", {"coulomb_friction"}, 20, 20},
+                                  {0, "twin", "axis", "one way", {"asymmetric_friction"}, 20, 20},
+                                  {0, "twin", "axis", "one way", {"coulomb_friction"}, 20, 10},
+                                  {0, "twin", "axis", "one way", {"asymmetric_friction"}, 30, 20},
+                                  {0, "twin", "axis", "one way", {"coulomb_friction"}, 30, 10},
+                                  {0, "twin", "bench", "", {"mains_hum"}, 30, 10},
+                                  {0, "twin", "bench", "", {"external_force"}, 30, 20}};
 
 }  // namespace
 

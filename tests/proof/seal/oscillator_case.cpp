@@ -136,8 +136,7 @@ json seal_oscillator(const CasePlan& plan, Draw& draw, const std::filesystem::pa
   const Oscillator built{drawn.mass_kg * (1 + 0.1 * draw.uniform(-1, 1)),
                          drawn.stiffness * (1 + 0.15 * draw.uniform(-1, 1)),
                          drawn.damping * (1 + 0.5 * draw.uniform(-1, 1))};
-  const std::vector<double> levels_N =
-      plan.variant == "one level" ? std::vector{9.0, 10.0, 11.0} : std::vector{2.0, 5.0, 10.0};
+  const std::vector<double> levels_N{2, 5, 10};
   constexpr int realisations = 2;
   std::vector<Push> pushes;
   for (const double level_N : levels_N) {
