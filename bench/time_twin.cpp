@@ -37,7 +37,7 @@ TwinOrRefusal TimeTwin::make(sim::PlantSpec plant, const Campaign& campaign,
       new TimeTwin(std::move(plant), std::get<TimeRecords>(std::move(read)), library));
   ParameterScales scales{twin->natural_scales(),
                          1 / twin->records_.first_learned().excitation.rate_Hz(),
-                         twin->largest_deviation()};
+                         std::ranges::max(twin->records_.spread)};
   scales.rhythms_Hz.assign(sim::mains_frequencies_Hz.begin(), sim::mains_frequencies_Hz.end());
   scales.fits_rhythms = true;
   twin->family_.emplace(twin->plant_, scales, library);
@@ -76,14 +76,6 @@ sim::NaturalScales TimeTwin::natural_scales() const {
   };
   scales = {driven ? size(2) : size(2) * body.inertia.value, size(0), size(1)};
   return scales;
-}
-
-double TimeTwin::largest_deviation() const {
-  double largest = 0;
-  for (const Eigen::VectorXd& x : records_.first_learned().measured) {
-    largest = std::max(largest, deviation(x));
-  }
-  return largest;
 }
 
 // Whether what moves at a site goes both ways in what is learned from, by the plant as it is.

@@ -45,7 +45,6 @@ class TimeTwin final : public Twin {
   void leave_out_what_is_too_fast();
   void cut_units();
   sim::NaturalScales natural_scales() const;
-  double largest_deviation() const;
   Eigen::VectorXd below_band(const TimeRecord& record, const Eigen::VectorXd& x,
                              Eigen::Index step) const;
   Eigen::VectorXd compared(const TimeRecord& record, const Eigen::VectorXd& x) const;

@@ -69,6 +69,15 @@ double independent_values(const Tryout& on) {
   return sum;
 }
 
+// Where errors are those of the measurement, an effect may show under one condition and not under
+// others, which makes what it wins scatter: it must be enough without the record that it wins most
+// in, for one may be odd.
+bool wins_without_its_best(const Tryout& on, const HeldOut& now, const HeldOut& before) {
+  if (!on.model.counts_standard_errors()) return false;
+  const Eigen::VectorXd apart = now.log_density - before.log_density;
+  return apart.sum() - apart.maxCoeff() >= on.least_gain();
+}
+
 // Of what is fitted: whether its predictions speak for it.
 void judge_predictions(const Tryout& on, Trial& trial, const Standing& now,
                        const Standing& before) {
@@ -80,7 +89,9 @@ void judge_predictions(const Tryout& on, Trial& trial, const Standing& now,
     return;
   }
   trial.may_be = trial.over_before.delta >= on.least_gain();
-  if (!trial.may_be || !trial.over_before.is_clear()) {
+  const bool is_clear =
+      trial.over_before.is_clear() || wins_without_its_best(on, now.held_out, before.held_out);
+  if (!trial.may_be || !is_clear) {
     trial.refused = "does not predict left-out conditions clearly better";
   }
 }

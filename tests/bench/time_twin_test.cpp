@@ -94,7 +94,7 @@ TEST_CASE("two laws left out together are named as two", "[bench][explain]") {
 TEST_CASE("the updated plant leaves nothing to explain", "[bench][explain]") {
   if (test::too_long_under_sanitizer()) return;
   MovedSlide slide;
-  slide.law = [](double, double v) { return 2.5 * sign(v); };
+  slide.law = [](double, double v) { return 2.5 * std::tanh(v / 0.005); };  // contacts creep
   const auto twin = twin_of(MovedSlide::plant(), slide.campaign());
   const Explanation found = analysis::explain(*twin);
   const auto& fit = found.selection.fit;
@@ -238,6 +238,29 @@ TEST_CASE("recordings that do not fit the plant are refused, with the place", "[
              Contains("too short"));
   CHECK_THAT(refusal([](Channel& way, Channel&) { way.info.name = "angle"; }),
              Contains("record 3") && Contains("way"));
+}
+
+TEST_CASE("where nothing reverses, friction of one direction looks like Coulomb's",
+          "[bench][explain]") {
+  Campaign campaign = MovedSlide().campaign();
+  for (CampaignRecord& record : campaign.records) {
+    Eigen::VectorXd& way = record.recording.channels[0].samples;
+    way += Eigen::VectorXd::LinSpaced(way.size(), 0, 5 * MovedSlide().length_s);  // 5 m/s on top
+  }
+  const auto found = [](const Twin& twin, const char* name) {
+    return *std::ranges::find(twin.library(), name, &analysis::Candidate::name);
+  };
+  const auto one_way = twin_of(MovedSlide::plant(), campaign);
+  CHECK(found(*one_way, "asymmetric_friction").not_exercised ==
+        "the direction of motion never changes");
+  const analysis::Candidate coulomb = found(*one_way, "coulomb_friction");
+  REQUIRE(coulomb.alike.size() == 1);
+  CHECK(coulomb.alike.front().name == "asymmetric_friction");
+  CHECK(coulomb.not_exercised.empty());
+
+  const auto both_ways = twin_of(MovedSlide::plant(), MovedSlide().campaign());
+  CHECK(found(*both_ways, "asymmetric_friction").not_exercised.empty());
+  CHECK(found(*both_ways, "coulomb_friction").alike.empty());
 }
 
 }  // namespace rvbench::bench
