@@ -100,11 +100,11 @@ void keep_ceres_silent() {
   [[maybe_unused]] static const int once = FLAGS_minloglevel = google::GLOG_FATAL;
 }
 
-ceres::Solver::Options solver_options(const FitProblem& on, int iterations) {
+ceres::Solver::Options solver_options(const FitProblem& on, int iterations, double negligible) {
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   options.max_num_iterations = iterations;
-  options.function_tolerance = negligible_gain(on);
+  options.function_tolerance = std::max(negligible_gain(on), negligible);
   options.parameter_tolerance = 1e-6;
   options.line_search_interpolation_type = ceres::QUADRATIC;  // asks for no slopes on its way
   options.min_trust_region_radius = smallest_region;
@@ -116,7 +116,7 @@ ceres::Solver::Options solver_options(const FitProblem& on, int iterations) {
 }  // namespace
 
 Descent descend(const FitProblem& on, std::vector<double> values, int iterations,
-                const Eigen::MatrixXd& held) {
+                const Eigen::MatrixXd& held, double negligible) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   if (values.empty()) {
     auto residuals = on.model.residuals(on.effects, values, on.trained);
@@ -142,7 +142,7 @@ Descent descend(const FitProblem& on, std::vector<double> values, int iterations
   }
   ceres::Solver::Summary summary;
   keep_ceres_silent();
-  ceres::Solve(solver_options(on, iterations), &problem, &summary);
+  ceres::Solve(solver_options(on, iterations, negligible), &problem, &summary);
   values = cost.values_at(scaled.data());
   if (!summary.IsSolutionUsable()) return {values, infinite, false, {}, {}};
   Descent end{

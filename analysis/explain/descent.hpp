@@ -20,7 +20,9 @@ struct Descent {
 /// @param held  slopes of the first parameters, good enough not to be looked for anew: where they
 ///              hardly change, each step costs as many evaluations as there are other parameters,
 ///              and one
+/// @param negligible  part of the cost: who wins less with a step is at rest; 0 is as exact as
+///                    differences allow
 Descent descend(const FitProblem& on, std::vector<double> values, int iterations,
-                const Eigen::MatrixXd& held = {});
+                const Eigen::MatrixXd& held = {}, double negligible = 0);
 
 }  // namespace rvbench::analysis

@@ -16,6 +16,7 @@ constexpr int most_iterations = 30;       // of a fit, after the first moves
 constexpr int most_refit_iterations = 8;  // from where a fit on nearly the same data ended
 constexpr double least_same_cost = 1e-4;
 constexpr double little_of_gain = 0.02;
+constexpr double hardly_of_gain = 0.002;  // worth no step of a trial
 constexpr double same_value = 0.05;
 constexpr double same_in_errors = 0.1;  // of a standard error
 constexpr double part_way_back = 0.25;
@@ -29,10 +30,14 @@ constexpr double part_of_screened = 0.3;   // another start in the same valley, 
 constexpr int sizes_tried = 7;             // of each start of a quick model,
 constexpr double size_step = 0.316;        // one after the other
 
+double gained_over(double before, double cost) {
+  return before > cost ? std::log(before / cost) : 0;
+}
+
 // Costs that differ by less than one value's share in them are the same, or by little of what was
 // gained over the cost before.
 double same_cost(const FitProblem& on, const Descent& end, double before) {
-  const double gained = before > end.cost ? std::log(before / end.cost) : 0;
+  const double gained = gained_over(before, end.cost);
   const double one_share = 1 / std::max(1.0, values_learned(on));
   return std::max({least_same_cost, one_share, little_of_gain * gained});
 }
@@ -104,12 +109,13 @@ Eigen::MatrixXd still_held(const ForwardModel& model, const Eigen::MatrixXd& hel
 // Where all of them do, as happens round a circle of phases, one that goes part of the way back
 // toward the first start has to return.
 void certify(const FitProblem& on, std::vector<Descent>& ends, const std::vector<double>& start,
-             double before) {
+             double before, double hardly) {
   for (std::size_t i = 1; i < ends.size(); ++i) {
     Descent& end = ends[i];
-    end = descend(on, end.values, most_refit_iterations, still_held(on.model, ends.front().slopes));
+    end = descend(on, end.values, most_refit_iterations, still_held(on.model, ends.front().slopes),
+                  hardly);
     if (!same_place(on, ends.front(), end, before)) {
-      end = descend(on, end.values, most_iterations);
+      end = descend(on, end.values, most_iterations, {}, hardly);
     }
     if (!end.converged || same_place(on, ends.front(), end, before)) break;
   }
@@ -119,8 +125,8 @@ void certify(const FitProblem& on, std::vector<Descent>& ends, const std::vector
     std::vector<double> back = ends.front().values;
     const double part = std::pow(part_way_back, tried + 1);
     for (std::size_t i = 0; i < back.size(); ++i) back[i] += part * (start[i] - back[i]);
-    Descent end =
-        descend(on, std::move(back), most_iterations, still_held(on.model, ends.front().slopes));
+    Descent end = descend(on, std::move(back), most_iterations,
+                          still_held(on.model, ends.front().slopes), hardly);
     if (!end.converged || end.cost > before) continue;
     ends.push_back(std::move(end));
     std::ranges::stable_sort(ends, {}, &Descent::cost);
@@ -175,9 +181,11 @@ Fit fit_from(const ForwardModel& model, const std::vector<std::size_t>& effects,
   std::vector<Descent> ends = first_moves(on, starts, held);
   if (ends.front().cost > must_beat.after_first_moves) return given_up(on, ends.front());
   const Eigen::MatrixXd on_from_there = still_held(model, held);
-  ends.front() = descend(on, ends.front().values, most_iterations, on_from_there);
+  // Beside what else was left out the base goes a long way to little more.
+  const double hardly = hardly_of_gain * gained_over(must_beat.before, ends.front().cost);
+  ends.front() = descend(on, ends.front().values, most_iterations, on_from_there, hardly);
   if (ends.front().cost > must_beat.at_rest) return given_up(on, ends.front());
-  if (ends.front().converged) certify(on, ends, starts.front(), must_beat.before);
+  if (ends.front().converged) certify(on, ends, starts.front(), must_beat.before, hardly);
   Fit fit = fit_at(on, ends.front(), on_from_there);
   if (fit.not_certified.empty())
     fit.not_certified = certificate(on, ends, must_beat.before, fit.covariance);
@@ -244,12 +252,14 @@ Fit fit_with(const ForwardModel& model, const Fit& before, std::size_t added,
                   must_beat);
 }
 
-Fit polish(const ForwardModel& model, const Fit& fit, const std::vector<bool>& trained) {
+Fit polish(const ForwardModel& model, const Fit& fit, const std::vector<bool>& trained,
+           double before) {
   Fit polished = fit;
+  const double hardly = hardly_of_gain * gained_over(before, fit.cost);
   double scatter = scatter_of(model, fit.residuals, trained);
   for (int round = 0; round < most_scatters; ++round) {
     const FitProblem on(model, fit.effects, trained, scatter);
-    const Descent end = descend(on, polished.values, most_iterations);
+    const Descent end = descend(on, polished.values, most_iterations, {}, hardly);
     polished = fit_at(on, end);
     if (!end.converged) polished.not_certified = "the fit did not converge";
     if (!polished.not_certified.empty()) return polished;

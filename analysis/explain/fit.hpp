@@ -65,8 +65,11 @@ Fit fit_with(const ForwardModel& model, const Fit& before, std::size_t added,
 
 /// Goes to rest with all slopes looked for anew, and with the scatter that the residuals have
 /// there: a fit that was ranked with slopes held, and with the scatter of a poorer model.
+/// @param before  cost of the model that it adds to: a step that wins hardly anything of what was
+///                gained over it is the last one; 0 goes as far as differences are exact
 /// @return with the certificate that it had, or the reason why it has lost it
-Fit polish(const ForwardModel& model, const Fit& fit, const std::vector<bool>& trained);
+Fit polish(const ForwardModel& model, const Fit& fit, const std::vector<bool>& trained,
+           double before = 0);
 
 /// Where its slopes say that a fit would come to rest on other units; of a quick model, see
 /// refit().

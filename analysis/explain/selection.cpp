@@ -57,6 +57,7 @@ class Selector {
       while (steps_.size() < options_.most_effects && advance()) exchange(steps_.size() - 1);
     } while (exchange(steps_.size()));
     drop_needless();
+    if (!steps_.empty()) finish();
     result.steps = steps_;
     result.fit = now_.fit;
     result.held_out = now_.held_out;
@@ -302,6 +303,13 @@ class Selector {
         ++s;
       }
     }
+  }
+
+  // As exactly as differences allow, which is no use while effects are still missing.
+  void finish() {
+    const Fit exact = polish(on_.model, now_.fit, on_.everything);
+    if (!exact.not_certified.empty()) return;
+    if (auto standing = stand(on_, exact, LeftOut::refitted)) now_ = std::move(*standing);
   }
 
   Tryout on_;

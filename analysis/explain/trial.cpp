@@ -178,7 +178,7 @@ Trial try_effect(const Tryout& on, const Standing& before, std::size_t effect,
 }
 
 std::optional<Standing> confirm(const Tryout& on, const Standing& before, Trial& trial) {
-  trial.fit = polish(on.model, trial.fit, on.everything);
+  trial.fit = polish(on.model, trial.fit, on.everything, before.fit.cost);
   return judge(on, trial, before, LeftOut::refitted);
 }
 
