@@ -74,8 +74,7 @@ void add_covariance(const FitProblem& on, Fit& fit) {
 }
 
 Eigen::VectorXd known_variances(const FitProblem& on, const Fit& fit) {
-  return std::pow(on.scatter, 2) *
-         inverse_of(information_of(on, waves_slopes(on, fit))).diagonal();
+  return std::pow(on.scatter, 2) * inverse_of(information_of(on, waves_slopes(on, fit))).diagonal();
 }
 
 }  // namespace rvbench::analysis

@@ -15,6 +15,7 @@ namespace {
 constexpr double smallest_region =
     1e-4;  // of Levenberg and Marquardt: no step worth its evaluation
 constexpr int most_tries_along_bounds = 4;
+constexpr double worth_turning = 1e-5;  // a step, in scales: less shows the error of differences
 
 // The rows of the units that are learned from.
 std::vector<Eigen::Index> trained_rows(const FitProblem& on) {
@@ -33,8 +34,8 @@ std::vector<Eigen::Index> trained_rows(const FitProblem& on) {
 // where it gave slopes last, which is where Ceres stays if nothing further on is better.
 class Cost final : public ceres::CostFunction {
  public:
-  Cost(const FitProblem& on, const Eigen::MatrixXd& held)
-      : on_(on), held_(held), rows_(trained_rows(on)), prior_(on) {
+  Cost(const FitProblem& on, Eigen::MatrixXd held)
+      : on_(on), held_(std::move(held)), rows_(trained_rows(on)), prior_(on) {
     set_num_residuals(static_cast<int>(rows_.size() + prior_.of.size()));
     mutable_parameter_block_sizes()->push_back(static_cast<int>(on.parameters.size()));
   }
@@ -70,6 +71,7 @@ class Cost final : public ceres::CostFunction {
   bool give_slopes(double* out) const {
     auto slopes = jacobian(on_, here_.values, here_.residuals, held_);
     if (!slopes) return false;
+    if (held_.cols() > 0 && !sloped_at_.values.empty()) turn_held(*slopes);
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     Eigen::Map<RowMajor> all(out, num_residuals(), slopes->cols());
     all.setZero();
@@ -87,8 +89,26 @@ class Cost final : public ceres::CostFunction {
     return true;
   }
 
+  // By what the last step showed of them: Broyden, Math. Comp. 19, 577-593 (1965).
+  void turn_held(Eigen::MatrixXd& slopes) const {
+    Eigen::VectorXd step(slopes.cols()), scaled(held_.cols());
+    for (Eigen::Index i = 0; i < step.size(); ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      step[i] = here_.values[at] - sloped_at_.values[at];
+      if (i < scaled.size()) scaled[i] = step[i] / on_.parameters[at].scale;
+    }
+    if (scaled.norm() < worth_turning) return;
+    const Eigen::VectorXd missed =
+        here_.residuals - sloped_at_.residuals - 0.5 * (slopes_ + slopes) * step;
+    scaled /= scaled.squaredNorm();
+    for (Eigen::Index i = 0; i < scaled.size(); ++i) {
+      held_.col(i) += missed * (scaled[i] / on_.parameters[static_cast<std::size_t>(i)].scale);
+    }
+    slopes.leftCols(held_.cols()) = held_;
+  }
+
   const FitProblem& on_;
-  const Eigen::MatrixXd& held_;
+  mutable Eigen::MatrixXd held_;
   std::vector<Eigen::Index> rows_;
   Prior prior_;
   mutable Evaluated here_, sloped_at_;

@@ -261,6 +261,9 @@ Explanation explanation_of(const ForwardModel& model, const SelectionOptions& op
     e.ceiling_after = flexible_ceiling(on, {found.fit, found.held_out, {}});
     for (Step step : found.steps) {
       step.equals = as_good_as_any_form(step, e.ceiling_after, found.held_out.rms);
+      std::erase_if(step.equals, [&](std::size_t other) {
+        return std::ranges::find(found.fit.effects, other) != found.fit.effects.end();
+      });
       e.effects.push_back(explained(model, found, step, values, before));
       before = e.effects.back().error_after;
     }

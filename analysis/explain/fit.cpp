@@ -15,7 +15,7 @@ namespace {
 constexpr int most_iterations = 30;       // of a fit, after the first moves
 constexpr int most_refit_iterations = 8;  // from where a fit on nearly the same data ended
 constexpr double least_same_cost = 1e-4;
-constexpr double little_of_gain = 0.02;
+constexpr double little_of_gain = 0.1;
 constexpr double hardly_of_gain = 0.002;  // worth no step of a trial
 constexpr double same_value = 0.05;
 constexpr double same_in_errors = 0.1;  // of a standard error
@@ -42,8 +42,14 @@ double same_cost(const FitProblem& on, const Descent& end, double before) {
   return std::max({least_same_cost, one_share, little_of_gain * gained});
 }
 
-// Of the effects alone, and not of phases: what else the two chose is no matter where it costs the
-// same.
+std::size_t first_of_added(const FitProblem& on) {
+  const std::size_t added =
+      on.effects.empty() ? 0 : on.model.library()[on.effects.back()].parameters.size();
+  return on.parameters.size() - added;
+}
+
+// Of the effect that was added, and not of phases: what else the two chose is no matter where it
+// costs the same.
 std::string disagreement(const FitProblem& on, const Descent& best, const Descent& other,
                          double before, const Eigen::MatrixXd& covariance = {}) {
   if (other.cost > best.cost * (1 + same_cost(on, best, before))) {
@@ -52,7 +58,7 @@ std::string disagreement(const FitProblem& on, const Descent& best, const Descen
   const std::vector<std::size_t> waves = waves_among(on.model, on.effects);
   const std::vector<double> here = as_waves(best.values, waves);
   const std::vector<double> there = as_waves(other.values, waves);
-  for (std::size_t i = on.model.base().size(); i < here.size(); ++i) {
+  for (std::size_t i = first_of_added(on); i < here.size(); ++i) {
     const auto index = static_cast<Eigen::Index>(i);
     if (std::ranges::find(waves, i - 1) != waves.end()) continue;
     const double apart = std::abs(here[i] - there[i]);
@@ -100,11 +106,6 @@ std::vector<Descent> first_moves(const FitProblem& on,
   return ends;
 }
 
-// Slopes that are held on after the first moves: none of a quick model.
-Eigen::MatrixXd still_held(const ForwardModel& model, const Eigen::MatrixXd& held) {
-  return model.is_quick() ? Eigen::MatrixXd() : held;
-}
-
 // The others go where the first one did, in its own steps, unless they come to rest elsewhere.
 // Where all of them do, as happens round a circle of phases, one that goes part of the way back
 // toward the first start has to return.
@@ -112,8 +113,7 @@ void certify(const FitProblem& on, std::vector<Descent>& ends, const std::vector
              double before, double hardly) {
   for (std::size_t i = 1; i < ends.size(); ++i) {
     Descent& end = ends[i];
-    end = descend(on, end.values, most_refit_iterations, still_held(on.model, ends.front().slopes),
-                  hardly);
+    end = descend(on, end.values, most_refit_iterations, ends.front().slopes, hardly);
     if (!same_place(on, ends.front(), end, before)) {
       end = descend(on, end.values, most_iterations, {}, hardly);
     }
@@ -125,8 +125,7 @@ void certify(const FitProblem& on, std::vector<Descent>& ends, const std::vector
     std::vector<double> back = ends.front().values;
     const double part = std::pow(part_way_back, tried + 1);
     for (std::size_t i = 0; i < back.size(); ++i) back[i] += part * (start[i] - back[i]);
-    Descent end = descend(on, std::move(back), most_iterations,
-                          still_held(on.model, ends.front().slopes), hardly);
+    Descent end = descend(on, std::move(back), most_iterations, ends.front().slopes, hardly);
     if (!end.converged || end.cost > before) continue;
     ends.push_back(std::move(end));
     std::ranges::stable_sort(ends, {}, &Descent::cost);
@@ -180,13 +179,13 @@ Fit fit_from(const ForwardModel& model, const std::vector<std::size_t>& effects,
   const FitProblem on(model, effects, trained, scatter);
   std::vector<Descent> ends = first_moves(on, starts, held);
   if (ends.front().cost > must_beat.after_first_moves) return given_up(on, ends.front());
-  const Eigen::MatrixXd on_from_there = still_held(model, held);
   // Beside what else was left out the base goes a long way to little more.
   const double hardly = hardly_of_gain * gained_over(must_beat.before, ends.front().cost);
-  ends.front() = descend(on, ends.front().values, most_iterations, on_from_there, hardly);
+  ends.front() = descend(on, ends.front().values, most_iterations, held, hardly);
   if (ends.front().cost > must_beat.at_rest) return given_up(on, ends.front());
   if (ends.front().converged) certify(on, ends, starts.front(), must_beat.before, hardly);
-  Fit fit = fit_at(on, ends.front(), on_from_there);
+  if (model.is_quick()) ends.front().slopes.resize(0, 0);  // what is left out is refitted by them
+  Fit fit = fit_at(on, ends.front(), model.is_quick() ? Eigen::MatrixXd() : held);
   if (fit.not_certified.empty())
     fit.not_certified = certificate(on, ends, must_beat.before, fit.covariance);
   return fit;

@@ -36,8 +36,8 @@ struct MustBeat {
 /// Least squares by simulation, from several starts.
 ///
 /// The fit moves the base and every effect together. It is certified if at least two starts end
-/// within 1e-4 in cost, or one value's share of it, or 2 % of what is gained, and, of each
-/// parameter of the effects but phases, within 5 % or a tenth of its standard error. All starts
+/// within 1e-4 in cost, or one value's share of it, or a tenth of what is gained, and, of each
+/// parameter of the last effect but phases, within 5 % or a tenth of its standard error. All starts
 /// make their first moves; the best three go on until two come to rest in one place.
 ///
 /// Covariance  (JᵀJ)⁻¹ (Σ_u g_u g_uᵀ) (JᵀJ)⁻¹ with g_u = J_uᵀ r_u: dependence within a unit does

@@ -20,8 +20,8 @@ struct Fold {
   std::vector<bool> trained() const;  ///< the others
 };
 
-/// A fold for each condition. Of fewer than five, where some were recorded more than once, a fold for
-/// each record: what shows under one of few conditions alone cannot be learned from the others.
+/// A fold for each condition. Of fewer than five, where some were recorded more than once, a fold
+/// for each record: what shows under one of few conditions alone cannot be learned from the others.
 /// Empty if there is only one.
 std::vector<Fold> condition_folds(const std::vector<ObservedUnit>& units);
 

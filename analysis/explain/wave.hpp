@@ -18,8 +18,8 @@ std::vector<double> as_waves(std::vector<double> values, const std::vector<std::
 /// The other way.
 std::vector<double> from_waves(std::vector<double> values, const std::vector<std::size_t>& waves);
 
-/// A step of a wave's size or of its parts, to tell slopes by: the usual one, but a hundredth of the
-/// wave's size at most, for what shows in amplitudes has a corner where there is no wave.
+/// A step of a wave's size or of its parts, to tell slopes by: the usual one, but a hundredth of
+/// the wave's size at most, for what shows in amplitudes has a corner where there is no wave.
 double step_of_wave(double usual, double size);
 
 /// Slopes with respect to as_waves(values, waves), of slopes with respect to the values.

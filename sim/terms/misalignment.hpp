@@ -4,7 +4,8 @@
 
 namespace rvbench::sim {
 
-/// A coupling that is softer one way than across: its torque goes up and down twice per turn.
+/// A coupling that is softer one way than across: its torque goes up and down twice per
+/// turn, or four times.
 TermType misalignment();
 
 }  // namespace rvbench::sim
