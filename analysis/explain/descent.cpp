@@ -14,7 +14,7 @@ namespace {
 
 constexpr double smallest_region =
     1e-4;  // of Levenberg and Marquardt: no step worth its evaluation
-constexpr int most_tries_along_bounds = 4;
+constexpr int most_tries_along_bounds = 2;
 constexpr double worth_turning = 1e-5;  // a step, in scales: less shows the error of differences
 
 // The rows of the units that are learned from.

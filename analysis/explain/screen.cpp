@@ -11,6 +11,7 @@
 namespace rvbench::analysis {
 namespace {
 
+constexpr std::size_t most_marked_anew = 40;
 constexpr double screening_step = 1e-3;  // of a start's size: small, but not in the last digits
 
 // Takes out of a vector what the columns of a matrix span.
@@ -152,23 +153,35 @@ bool may_be(const Candidate& candidate, const std::vector<double>& values) {
   return values.front() > size.low && values.front() < size.high;
 }
 
-Screened screened(const ForwardModel& model, const Fit& fit, std::size_t effect,
-                  const LeftOver& left_over, const std::vector<bool>& trained) {
-  Screened best;
-  best.effect = effect;
+// Per start of a candidate: its mark; empty where an earlier start leaves the same, or none is
+// left.
+std::vector<Eigen::VectorXd> marks_of(const ForwardModel& model, const Fit& fit, std::size_t effect,
+                                      const std::vector<bool>& trained) {
   const Candidate& candidate = model.library()[effect];
+  std::vector<Eigen::VectorXd> marks;
   for (auto start = candidate.starts.begin(); start != candidate.starts.end(); ++start) {
     const bool is_seen = std::any_of(candidate.starts.begin(), start, [&](const auto& earlier) {
       return leave_one_mark(candidate, earlier, *start);
     });
-    if (is_seen) continue;
-    Eigen::VectorXd mark = mark_of(model, fit, effect, *start, trained);
-    if (mark.size() == 0) continue;
-    mark = only_trained(model, std::move(mark), trained);
-    const double whole = mark.norm();
-    mark = left_over.unknown_of(std::move(mark));
+    Eigen::VectorXd mark;
+    if (!is_seen) mark = mark_of(model, fit, effect, *start, trained);
+    if (mark.size() > 0) mark = only_trained(model, std::move(mark), trained);
+    marks.push_back(std::move(mark));
+  }
+  return marks;
+}
+
+Screened screened(const ForwardModel& model, std::size_t effect,
+                  const std::vector<Eigen::VectorXd>& marks, const LeftOver& left_over,
+                  const std::vector<bool>& trained) {
+  Screened best;
+  best.effect = effect;
+  const Candidate& candidate = model.library()[effect];
+  for (std::size_t s = 0; s < marks.size(); ++s) {
+    if (marks[s].size() == 0) continue;
+    Eigen::VectorXd mark = left_over.unknown_of(marks[s]);
     const double norm = mark.norm();
-    if (!(norm > 1e-6 * whole)) continue;  // all of it could be done by what is there already
+    if (!(norm > 1e-6 * marks[s].norm())) continue;  // what is there already could do all of it
     mark /= norm;
     const double along = mark.dot(left_over.residuals());
     const double explains = along * along / left_over.residuals().squaredNorm();
@@ -176,27 +189,46 @@ Screened screened(const ForwardModel& model, const Fit& fit, std::size_t effect,
     Eigen::VectorXd scores = scores_of(model, mark, left_over.residuals(), trained);
     best = {effect, explains, p_value_of(scores), std::move(scores), std::move(mark), {}, true};
     if (!is_small_when_screened(candidate)) continue;
-    best.start = candidate.resized(*start, -along / norm);
+    best.start = candidate.resized(candidate.starts[s], -along / norm);
     best.is_admissible = may_be(candidate, best.start);
   }
   return best;
 }
 
+// All of them by the marks that there are, strongest first.
+std::vector<Screened> by_marks(const ForwardModel& model, const std::vector<std::size_t>& effects,
+                               const Marks& marks, const LeftOver& left_over,
+                               const std::vector<bool>& trained) {
+  std::vector<Screened> all(effects.size());
+  parallel_for(effects.size(), [&](std::size_t i) {
+    all[i] = screened(model, effects[i], marks[effects[i]], left_over, trained);
+  });
+  std::erase_if(all, [](const Screened& s) { return s.direction.size() == 0; });
+  std::ranges::sort(all, std::ranges::greater{}, &Screened::explains);
+  return all;
+}
+
 }  // namespace
 
 std::vector<Screened> screen(const ForwardModel& model, const Fit& fit,
-                             const std::vector<bool>& trained) {
+                             const std::vector<bool>& trained, Marks& marks) {
   const LeftOver left_over(model, fit, trained);
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < model.library().size(); ++i) {
     const bool held = std::ranges::find(fit.effects, i) != fit.effects.end();
     if (!held && model.library()[i].not_exercised.empty()) open.push_back(i);
   }
-  std::vector<Screened> all(open.size());
+  if (!marks.empty()) {
+    const std::vector<Screened> earlier = by_marks(model, open, marks, left_over, trained);
+    open.clear();
+    for (const Screened& s : earlier) open.push_back(s.effect);
+    if (open.size() > most_marked_anew) open.resize(most_marked_anew);
+  }
+  Marks now(model.library().size());
   parallel_for(open.size(),
-               [&](std::size_t i) { all[i] = screened(model, fit, open[i], left_over, trained); });
-  std::erase_if(all, [](const Screened& s) { return s.direction.size() == 0; });
-  std::ranges::sort(all, std::ranges::greater{}, &Screened::explains);
+               [&](std::size_t i) { now[open[i]] = marks_of(model, fit, open[i], trained); });
+  std::vector<Screened> all = by_marks(model, open, now, left_over, trained);
+  if (marks.empty()) marks = std::move(now);
   return all;
 }
 

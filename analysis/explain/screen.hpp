@@ -20,14 +20,21 @@ struct Screened {
   bool is_admissible = true;  ///< false: its one size would have to be out of bounds for it
 };
 
+/// How the residuals change with each candidate's size, as a fit found them: per candidate and
+/// start; empty where the model cannot be evaluated.
+using Marks = std::vector<std::vector<Eigen::VectorXd>>;
+
 /// Score test of every candidate that the data can show and the fit does not hold yet, strongest
 /// first. What base and accepted effects can do within what is known of them is projected out: a
 /// candidate is credited only with what they cannot.
 ///
 /// A candidate's shape parameters stay at each of its starts in turn; the best one counts.
 /// Source  Rao, Proc. Camb. Phil. Soc. 44, 50-57 (1948)
+///
+/// @param marks  those of a fit with fewer effects: of the candidates that explain most by them
+///               marks are found anew, the others are left out; empty: filled with all of this fit
 std::vector<Screened> screen(const ForwardModel& model, const Fit& fit,
-                             const std::vector<bool>& trained);
+                             const std::vector<bool>& trained, Marks& marks);
 
 /// How much of what the last effect of a fit does, beyond what the base can do, each of the others
 /// could do as well: 0 to 1, as the slopes have it; 0 of one that changes the structure.

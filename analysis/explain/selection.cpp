@@ -99,7 +99,7 @@ class Selector {
 
   // Accepts one more effect. @return false if there is none
   bool advance() {
-    screened_ = screen(on_.model, now_.fit, on_.everything);
+    screened_ = screen(on_.model, now_.fit, on_.everything, marks_);
     if (screened_.size() > options_.tries) screened_.resize(options_.tries);
     std::vector<Trial> trials = try_all();
     std::ranges::sort(trials, predicts_better);
@@ -317,6 +317,7 @@ class Selector {
   Standing now_;       // left-out conditions by refits
   Standing foreseen_;  // the same, forecast
   std::vector<Step> steps_;
+  Marks marks_;                     // of the base
   std::vector<Screened> screened_;  // at the present step
   std::vector<Trial> last_tried_;
 };

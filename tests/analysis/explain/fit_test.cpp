@@ -19,6 +19,11 @@ Fit base_fit(const ToyModel& model) {
   return fit_from(model, {}, {{1.0, 0.0}, {2.0, 1.0}}, all(model));
 }
 
+std::vector<Screened> screen_base(const ToyModel& model) {
+  Marks marks;
+  return screen(model, base_fit(model), all(model), marks);
+}
+
 // A spring of 100 MN/m and a deviation of 60 µm, each with its own mark on four records.
 class SpringAndDeviation final : public test::PlainModel {
  public:
@@ -106,7 +111,7 @@ TEST_CASE("screening puts the effect that was left out first", "[explain]") {
            {"stribeck_friction", {0.1, 0.2}}}) {
     CAPTURE(name);
     const ToyModel model({{{name, values}}, 0.02, 0.5});
-    const auto screened = screen(model, base_fit(model), all(model));
+    const auto screened = screen_base(model);
     REQUIRE_FALSE(screened.empty());
     CHECK(model.library()[screened.front().effect].name == name);
     CHECK(screened.front().p_value < 0.01 / 5);  // of five candidates
@@ -117,7 +122,7 @@ TEST_CASE("screening says how large an effect would be, and whether it may be th
   ToyModel model({{{"coulomb_friction", {-0.3}}}, 0.01, 0.5});
   const std::size_t coulomb = model.index_of("coulomb_friction");
   const auto of_coulomb = [&] {
-    const auto all_screened = screen(model, base_fit(model), all(model));
+    const auto all_screened = screen_base(model);
     return *std::ranges::find(all_screened, coulomb, &Screened::effect);
   };
   CHECK(of_coulomb().is_admissible);
@@ -131,7 +136,7 @@ TEST_CASE("a pair may be what neither of the two may be alone", "[explain]") {
   // Drag makes up for friction: alone, what is missing looks like friction that pushes.
   ToyModel model({{{"coulomb_friction", {0.1}}, {"cubic_drag", {-0.2}}}, 0.01, 0.5});
   model.bound("coulomb_friction", 0, 10);
-  const auto screened = screen(model, base_fit(model), all(model));
+  const auto screened = screen_base(model);
   const auto of = [&](const std::string& name) {
     return *std::ranges::find(screened, model.index_of(name), &Screened::effect);
   };
@@ -155,7 +160,7 @@ TEST_CASE("what an effect does is told from what others could do as well", "[exp
 TEST_CASE("screening leaves out what the data cannot show", "[explain]") {
   ToyModel model({{{"load_friction", {0.3}}}});
   model.hide("load_friction", "the load never changes");
-  for (const Screened& s : screen(model, base_fit(model), all(model))) {
+  for (const Screened& s : screen_base(model)) {
     CHECK(model.library()[s.effect].name != "load_friction");
   }
 }

@@ -47,7 +47,8 @@ Screened screened(double spread_N) {
   fit.values = {1};
   fit.residuals = *axis.residuals({}, fit.values, everything);
   fit = polish(axis, fit, everything);
-  const auto all = screen(axis, fit, everything);
+  Marks marks;
+  const auto all = screen(axis, fit, everything, marks);
   REQUIRE(all.size() == 1);
   return all.front();
 }
