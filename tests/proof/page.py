@@ -150,8 +150,10 @@ def page(rows, baselines):
     card = [((quantity, target, value, *others), not met)
             for quantity, value, target, met, others in card_lines(rows, baselines)]
     right = sum(bool(r["right"]) for r in rows)
-    plots = [naming_by_noise(rows, baselines), confusion(rows), sizes(rows), held_out(rows),
-             seconds(rows)]
+    plots = [seconds(rows)]
+    if singles_of(rows):
+        plots = [naming_by_noise(rows, baselines), confusion(rows), sizes(rows), held_out(rows),
+                 *plots]
     images = "".join(f'<img src="data:image/svg+xml;base64,{data}" alt="plot">' for data in plots)
     return f"""<!doctype html><html lang="en"><head><meta charset="utf-8"><title>Proof by concealment</title>
 <style>{STYLE}</style></head><body>
