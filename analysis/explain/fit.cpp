@@ -43,9 +43,7 @@ double same_cost(const FitProblem& on, const Descent& end, double before) {
 }
 
 std::size_t first_of_added(const FitProblem& on) {
-  const std::size_t added =
-      on.effects.empty() ? 0 : on.model.library()[on.effects.back()].parameters.size();
-  return on.parameters.size() - added;
+  return first_value_of(on.model, on.effects, on.effects.empty() ? 0 : on.effects.size() - 1);
 }
 
 // Of the effect that was added, and not of phases: what else the two chose is no matter where it

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "hal/types/units.hpp"
+#include "sim/retuning.hpp"
 #include "sim/terms/one_axis_term.hpp"
 
 namespace rvbench::sim {
@@ -47,12 +48,7 @@ TermType external_force() {
             .min = 0,
             .max = unbounded,
             .start = 0.02},
-           {.name = "phase",
-            .unit = UnitKind::angle,
-            .min = -unbounded,
-            .max = unbounded,
-            .start = 0,
-            .is_phase = true},
+           phase_card("phase"),
            {.name = "frequency", .unit = UnitKind::frequency, .min = 0, .max = 1e6, .start = 1}},
       .make = [](const TermSite& at) { return std::make_unique<ExternalForce>(at); }};
 }

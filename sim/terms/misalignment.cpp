@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "sim/retuning.hpp"
+
 namespace rvbench::sim {
 namespace {
 
@@ -49,12 +51,7 @@ TermType misalignment() {
                           .min = 0,
                           .max = unbounded,
                           .start = 0.05},
-                         {.name = "phase",
-                          .unit = UnitKind::angle,
-                          .min = -unbounded,
-                          .max = unbounded,
-                          .start = 0,
-                          .is_phase = true},
+                         phase_card("phase"),
                          {.name = "per_turn",
                           .unit = UnitKind::ratio,
                           .min = 2,
