@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <complex>
+#include <functional>
 #include <set>
 
 #include "hal/types/units.hpp"
@@ -17,6 +18,7 @@ namespace {
 using Complex = std::complex<double>;
 using hal::ConfigFault;
 
+constexpr double negligible_push = 1e-9;  // of a rhythm's own, at twice its frequency
 constexpr double other_speed = 0.9;  // of the present one: whether a rhythm is the same at both
 
 // Each line to the column of its order; the others are empty.
@@ -75,39 +77,68 @@ Eigen::MatrixXcd shaft_lines(const SteadySensors& sensors, const SteadyMotion& m
   return lines;
 }
 
-// What a term's own rhythm does to the outputs: forces at quarter periods give its line, the
-// bodies answer it about their mean motion, and the sensors are taken as linear there, at all
-// angles alike: what goes round makes lines beside this one, and none of it.
-Eigen::VectorXcd timed_line(const SteadySensors& sensors, const SteadyMotion& motion,
-                            Eigen::Index outputs, const PhysicsTerm& term, double rhythm_Hz) {
-  const Eigen::Index n = motion.common().size();
-  const auto push_at = [&](double part) {
-    Eigen::VectorXd f = Eigen::VectorXd::Zero(n);
-    term.add_force(motion.mean_state(part / rhythm_Hz), f);
-    return f;
-  };
-  const Complex j(0, 1);
-  const Eigen::VectorXcd push = 0.5 * ((push_at(0) - push_at(0.5)).cast<Complex>() -
-                                       j * (push_at(0.25) - push_at(0.75)).cast<Complex>());
-  const double omega_rad_s = units::two_pi * rhythm_Hz;
-  const Eigen::VectorXcd way = motion.impedance(omega_rad_s).partialPivLu().solve(push);
-  const auto shown_at = [&](double part) {
-    const Complex turn = std::polar(1.0, units::two_pi * part);
-    PlantState s = motion.mean_state(part / rhythm_Hz);
-    const Eigen::VectorXd q = s.q + (turn * way).real();
-    s.v += (j * omega_rad_s * turn * way).real();
-    const Eigen::VectorXd acceleration = (-omega_rad_s * omega_rad_s * turn * way).real();
-    const std::vector<double> angles_rad = motion.mean_angles_rad();
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(outputs);
-    for (const double turned_rad : angles_rad) {
-      s.q = q + motion.common() * turned_rad;
-      sum += sensors.values(s, acceleration);
-    }
-    return (sum / double(angles_rad.size())).eval();
-  };
-  return 0.5 * ((shown_at(0) - shown_at(0.5)).cast<Complex>() -
-                j * (shown_at(0.25) - shown_at(0.75)).cast<Complex>());
+// Of what a rhythm brings over one of its periods, the line at so many times its frequency.
+Eigen::VectorXcd harmonic_of(int times, Eigen::Index size,
+                             const std::function<Eigen::VectorXd(double part)>& at) {
+  Eigen::VectorXcd line = Eigen::VectorXcd::Zero(size);
+  const int samples = 4 * times;
+  for (int i = 0; i < samples; ++i) {
+    const double part = static_cast<double>(i) / samples;
+    line += 2.0 / samples * std::polar(1.0, -units::two_pi * times * part) * at(part);
+  }
+  return line;
 }
+
+// What a term's own rhythm does to the outputs: what it pushes makes its line, and, as the bodies
+// swing by that, one at twice its frequency. The bodies answer about their mean motion, and the
+// sensors are taken as linear there, at all angles alike: what goes round makes lines beside
+// these, and none of them.
+struct Rhythm {
+  const SteadySensors& sensors;
+  const SteadyMotion& motion;
+  Eigen::Index outputs;
+  const PhysicsTerm& term;
+  double rhythm_Hz;
+
+  // @param way  of the bodies at `times` this rhythm
+  PlantState state(double part, int times, const Eigen::VectorXcd& way) const {
+    PlantState s = motion.mean_state(part / rhythm_Hz);
+    const Complex turn = std::polar(1.0, units::two_pi * times * part);
+    s.q += (turn * way).real();
+    s.v += (Complex(0, units::two_pi * times * rhythm_Hz) * turn * way).real();
+    return s;
+  }
+
+  // What it pushes at `times` its frequency while the bodies swing at that itself.
+  Eigen::VectorXcd push(int times, const Eigen::VectorXcd& way) const {
+    return harmonic_of(times, way.size(), [&](double part) {
+      Eigen::VectorXd f = Eigen::VectorXd::Zero(way.size());
+      term.add_force(state(part, 1, way), f);
+      return f;
+    });
+  }
+
+  Eigen::VectorXcd answer(int times, const Eigen::VectorXcd& push) const {
+    return motion.impedance(units::two_pi * times * rhythm_Hz).partialPivLu().solve(push);
+  }
+
+  Eigen::VectorXcd shown(int times, const Eigen::VectorXcd& way) const {
+    const double omega_rad_s = units::two_pi * times * rhythm_Hz;
+    const std::vector<double> angles_rad = motion.mean_angles_rad();
+    return harmonic_of(1, outputs, [&](double part) {
+      const Complex turn = std::polar(1.0, units::two_pi * part);
+      PlantState s = state(part / times, times, way);
+      const Eigen::VectorXd q = s.q;
+      const Eigen::VectorXd acceleration = (-omega_rad_s * omega_rad_s * turn * way).real();
+      Eigen::VectorXd sum = Eigen::VectorXd::Zero(outputs);
+      for (const double turned_rad : angles_rad) {
+        s.q = q + motion.common() * turned_rad;
+        sum += sensors.values(s, acceleration);
+      }
+      return (sum / double(angles_rad.size())).eval();
+    });
+  }
+};
 
 // Lines that outputs show and no body moves by, each in one output alone.
 void add_hums(const PlantSpec& plant, SteadyState& state, std::vector<Eigen::VectorXcd>& timed) {
@@ -143,7 +174,15 @@ SteadyState shown(const PlantSpec& plant, const PlantModel& model, const SteadyM
     result.rhythms_Hz.push_back(rhythm_Hz);
     const bool by_slip = term.rhythm_Hz(s) != rhythm_Hz;
     result.slip_of.push_back(by_slip ? plant.terms[i].reference : "");
-    timed.push_back(timed_line(sensors, motion, outputs, term, rhythm_Hz));
+    const Rhythm rhythm{sensors, motion, outputs, term, rhythm_Hz};
+    const Eigen::VectorXcd push = rhythm.push(1, Eigen::VectorXcd::Zero(motion.common().size()));
+    const Eigen::VectorXcd way = rhythm.answer(1, push);
+    timed.push_back(rhythm.shown(1, way));
+    const Eigen::VectorXcd again = rhythm.push(2, way);
+    if (again.norm() < negligible_push * push.norm()) continue;
+    result.rhythms_Hz.push_back(2 * rhythm_Hz);
+    result.slip_of.emplace_back();
+    timed.push_back(rhythm.shown(2, rhythm.answer(2, again)));
   }
   add_hums(plant, result, timed);
   for (Eigen::Index o = 0; o < outputs; ++o) {

@@ -40,7 +40,8 @@ struct SteadyState {
 /// body, at the orders that PeriodOrders tells: (K + jωC − ω²M)·x = f, with f taken from the terms
 /// themselves at the motion found so far, until no force line was open by more than 1e-5 of the
 /// largest before the last round; 1e-7 from a state that is near, so that slopes can be taken by
-/// differences. What follows time is taken as small beside the rest, one line for each such term.
+/// differences. What follows time is taken as small beside the rest: one line for each such term,
+/// and one at twice its frequency.
 ///
 /// What swings all bodies together, and slowly beside the fast ones, is left out of the angles that
 /// terms see: the fast lines are those over the angle, as order tracking shows them. Over time they

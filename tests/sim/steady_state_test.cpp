@@ -37,6 +37,20 @@ class Lobes final : public sim::OneAxisTerm {
   double push_Nm_, stiffness_, lobes_;
 };
 
+// A torque that follows time, and is the larger the faster its body: A·cos(2πft)·v/(1 rad/s).
+class SpeedyBeat final : public sim::OneAxisTerm {
+ public:
+  explicit SpeedyBeat(const sim::TermSite& at)
+      : OneAxisTerm("speedy_beat", at.axis), push_Nm_(at["push"]), frequency_Hz_(at["frequency"]) {}
+  double effort(const sim::PlantState& s) const override {
+    return -push_Nm_ * std::cos(2 * pi * frequency_Hz_ * s.t_s) * speed(s);
+  }
+  double rhythm_Hz(const sim::PlantState&) const override { return frequency_Hz_; }
+
+ private:
+  double push_Nm_, frequency_Hz_;
+};
+
 // A stiff gear: its first body turns three times for each turn of the second.
 class Gear final : public sim::PhysicsTerm {
  public:
@@ -75,6 +89,10 @@ sim::TermLibrary with_lobes() {
             {.name = "stiffness", .unit = sim::UnitKind::stiffness, .max = 1e9, .fallback = 0},
             {.name = "lobes", .unit = sim::UnitKind::ratio, .max = 100, .fallback = 3}},
        .make = [](const sim::TermSite& at) { return std::make_unique<Lobes>(at); }});
+  library.add({.card = {.name = "speedy_beat"},
+               .parameters = {{.name = "push", .unit = sim::UnitKind::force, .max = 1e9},
+                              {.name = "frequency", .unit = sim::UnitKind::frequency, .max = 1e9}},
+               .make = [](const sim::TermSite& at) { return std::make_unique<SpeedyBeat>(at); }});
   library.add({.card = {.name = "gear"},
                .parameters = {{.name = "stiffness", .unit = sim::UnitKind::stiffness, .max = 1e9}},
                .make = [](const sim::TermSite& at) { return std::make_unique<Gear>(at); }});
@@ -120,14 +138,20 @@ sim::SteadyState steady(const std::string& plant, double torque_Nm) {
 
 // What spring and damper of the shaft pass on for a torque of 1 N·m on the rotor: two equations,
 // solved by hand.
-Complex twist_per_Nm(double omega) {
+struct PerNm {
+  Complex rotor_rad, twist_Nm;
+};
+
+PerNm per_Nm(double omega) {
   const Complex j(0, 1);
   const Complex shaft = 30.0 + j * omega * 0.01;
   const Complex rotor = -omega * omega * 0.002 + shaft;
   const Complex wheel = -omega * omega * 0.05 + j * omega * 0.02 + shaft;
   const Complex det = rotor * wheel - shaft * shaft;
-  return shaft * (wheel - shaft) / det;
+  return {wheel / det, shaft * (wheel - shaft) / det};
 }
+
+Complex twist_per_Nm(double omega) { return per_Nm(omega).twist_Nm; }
 
 std::string lobes(const std::string& what, double value, const std::string& unit) {
   return R"(, {"type": "lobes", "body_a": "rotor", "body_b": "housing", "parameters": {")" + what +
@@ -165,6 +189,23 @@ SCENARIO("what follows time keeps its frequency at every speed", "[sim][steady]"
   const Complex expected = std::polar(0.05, 0.9) * twist_per_Nm(2 * pi * 50);
   CHECK(std::abs(state.outputs[1].timed_lines[0] - expected) < 1e-6 * std::abs(expected));
   CHECK(state.outputs[1].shaft_lines.tail(8).cwiseAbs().maxCoeff() < 1e-9);
+}
+
+SCENARIO("what follows time and feels its own swing has a line at twice its frequency",
+         "[sim][steady]") {
+  const double push = 0.002, torque_Nm = 0.5, omega = 2 * pi * 15;
+  const auto state = steady(two_wheels(R"(, {"type": "speedy_beat", "body_a": "rotor",
+    "parameters": {"push": {"value": 0.002, "unit": "N·m"},
+                   "frequency": {"value": 15, "unit": "Hz"}}})"),
+                            torque_Nm);
+  REQUIRE(state.rhythms_Hz == std::vector<double>{15, 30});
+  const Complex beat_Nm = push * state.speed_rad_s[0];
+  const Complex swing_rad_s = Complex(0, omega) * per_Nm(omega).rotor_rad * beat_Nm;
+  const auto& twist = state.outputs[1].timed_lines;
+  const Complex once = twist_per_Nm(omega) * beat_Nm;
+  const Complex twice = twist_per_Nm(2 * omega) * push * swing_rad_s / 2.0;
+  CHECK(std::abs(twist[0] - once) < 1e-6 * std::abs(once));
+  CHECK(std::abs(twist[1] - twice) < 1e-6 * std::abs(twice));
 }
 
 SCENARIO("a stiffness that goes round is none on average", "[sim][steady]") {
