@@ -69,13 +69,25 @@ void compare_speeds(OrderCampaign& made) {
   }
 }
 
-// What follows time, where the record itself has it: slip changes as a rotor warms.
+// What follows time, where the record itself has it: slip changes as a rotor warms. What goes round
+// is measured anew without it: a strong line leaks into weak ones that are not far.
 void measure_timed(const sim::PlantSpec& plant, const OrderCondition& condition,
-                   const Recording& recording, OrderRecord& record) {
+                   const Recording& recording, double period_turns, OrderRecord& record) {
+  const auto shaft = analysis::ShaftAngle::of(recording);
+  std::vector<Channel> without;
+  for (const sim::OutputSpec& output : plant.outputs) {
+    without.push_back(*recording.find(output.channel));
+  }
   for (const OrderFeature& line : timed_lines(plant, condition)) {
     const Channel& channel = *recording.find(plant.outputs[line.output].channel);
-    record.timed.push_back(
-        analysis::line_at(channel, frequency_Hz(plant, condition, line, record.speed_share)));
+    const double line_Hz = frequency_Hz(plant, condition, line, record.speed_share);
+    record.timed.push_back(analysis::line_at(channel, line_Hz));
+    analysis::take_out_line(without[line.output], line_Hz);
+  }
+  for (std::size_t o = 0; o < without.size(); ++o) {
+    if (condition.orders[o] == 0) continue;
+    analysis::PeriodLines& lines = record.measured.outputs[o];
+    if (auto alone = analysis::period_lines(without[o], *shaft, period_turns)) lines = *alone;
   }
 }
 
@@ -124,7 +136,8 @@ std::variant<OrderCampaign, Refusal> order_campaign(const sim::PlantSpec& plant,
   compare_speeds(made);
   for (std::size_t i = 0; i < made.records.size(); ++i) {
     OrderRecord& record = made.records[i];
-    measure_timed(plant, made.conditions[record.condition], campaign.records[i].recording, record);
+    measure_timed(plant, made.conditions[record.condition], campaign.records[i].recording,
+                  made.period_turns, record);
   }
   return made;
 }

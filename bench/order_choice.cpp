@@ -17,9 +17,23 @@ using analysis::LockedTo;
 
 constexpr double worth_comparing = 0.1;  // of an effect's largest line
 constexpr double again_above_noise =
-    3;                                // in more than half of the repeats: by chance 1 in 20 million
+    3;                               // in more than half of the repeats: by chance 1 in 20 million
+constexpr double strong_line = 0.1;  // of the strongest that goes round
+constexpr double same_line = 0.1;
 constexpr double fewest_periods = 3;  // of a line in a record: else its mean is in the way
 constexpr std::array<int, 4> supply_harmonics{1, 2, 6, 12};
+
+// Orders of the strong lines that go round.
+std::vector<int> strong_orders(const sim::SteadyOutput& nominal) {
+  const Eigen::VectorXd lines = nominal.shaft_lines.cwiseAbs();
+  std::vector<int> orders;
+  if (lines.size() < 2) return orders;
+  const double least = strong_line * lines.tail(lines.size() - 1).maxCoeff();
+  for (Eigen::Index k = 1; k < lines.size(); ++k) {
+    if (least > 0 && lines[k] >= least) orders.push_back(static_cast<int>(k));
+  }
+  return orders;
+}
 
 // Whether a line stands above noise again and again: once it may be what one record alone has.
 bool is_clear(const std::vector<const OrderRecord*>& repeats, std::size_t output,
@@ -75,15 +89,23 @@ void add_orders_of(const std::vector<CandidateProbe>& probes,
   }
 }
 
-// Where lines that follow time are, in orders of each record's period.
+// Where an output shows lines that follow time, in orders of each record's period, and where these
+// modulate what goes round: sums and differences, of which SteadyPlant tells nothing.
 std::vector<double> orders_of_timed(const sim::PlantSpec& plant, const OrderCondition& condition,
                                     const std::vector<const OrderRecord*>& records,
-                                    double period_turns, const std::vector<OrderFeature>& timed) {
+                                    double period_turns, const std::vector<OrderFeature>& timed,
+                                    std::size_t output) {
+  const std::vector<int> strong = strong_orders(condition.nominal.outputs[output]);
   std::vector<double> orders;
   for (const OrderRecord* record : records) {
     const double period_Hz = record->measured.speed_Hz / period_turns;
     for (const OrderFeature& line : timed) {
-      orders.push_back(frequency_Hz(plant, condition, line, record->speed_share) / period_Hz);
+      const double order = frequency_Hz(plant, condition, line, record->speed_share) / period_Hz;
+      orders.push_back(order);
+      for (const int other : strong) {
+        orders.push_back(order + other);
+        orders.push_back(std::abs(order - other));
+      }
     }
   }
   return orders;
@@ -165,6 +187,32 @@ std::vector<std::size_t> probed_conditions(const std::vector<OrderCondition>& co
   return some;
 }
 
+std::vector<double> strong_lines_Hz(const std::vector<OrderCondition>& conditions) {
+  std::vector<double> all_Hz;
+  const auto add = [&](double line_Hz) {
+    const bool is_known = std::ranges::any_of(all_Hz, [&](double known_Hz) {
+      return std::abs(known_Hz - line_Hz) < same_line * line_Hz;
+    });
+    if (!is_known && line_Hz > 0) all_Hz.push_back(line_Hz);
+  };
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    const OrderCondition& condition = conditions[(i + conditions.size() / 2) % conditions.size()];
+    const sim::SteadyState& nominal = condition.nominal;
+    for (std::size_t o = 0; o < nominal.outputs.size(); ++o) {
+      const double highest_Hz = condition.orders[o] * nominal.period_Hz;
+      const Eigen::VectorXd timed = nominal.outputs[o].timed_lines.cwiseAbs();
+      for (Eigen::Index line = 0; line < timed.size(); ++line) {
+        const double line_Hz = nominal.rhythms_Hz[std::size_t(line)];
+        if (timed[line] >= strong_line * timed.maxCoeff() && line_Hz < highest_Hz) add(line_Hz);
+      }
+      for (const int order : strong_orders(nominal.outputs[o])) {
+        if (order <= condition.orders[o]) add(order * nominal.period_Hz);
+      }
+    }
+  }
+  return all_Hz;
+}
+
 void choose_features(const sim::PlantSpec& plant, const std::vector<OrderRecord>& records,
                      const std::vector<CandidateProbe>& probes, double period_turns,
                      std::vector<OrderCondition>& conditions) {
@@ -173,9 +221,9 @@ void choose_features(const sim::PlantSpec& plant, const std::vector<OrderRecord>
   for (std::size_t c = 0; c < conditions.size(); ++c) {
     OrderCondition& condition = conditions[c];
     const std::vector<OrderFeature> timed = timed_lines(plant, condition);
-    const std::vector<double> timed_orders =
-        orders_of_timed(plant, condition, telling_of(c, records), period_turns, timed);
     for (std::size_t o = 0; o < plant.outputs.size(); ++o) {
+      const std::vector<double> timed_orders =
+          orders_of_timed(plant, condition, telling_of(c, records), period_turns, timed, o);
       condition.features.push_back({LockedTo::nothing, o, 0, 0});
       for (int k = 1; k <= condition.orders[o]; ++k) {
         if (!shown[o][std::size_t(k)]) continue;

@@ -22,6 +22,10 @@ int highest_order(const std::vector<OrderCondition>& conditions);
 /// First, middle and last condition: what no load or no speed shows, another may.
 std::vector<std::size_t> probed_conditions(const std::vector<OrderCondition>& conditions);
 
+/// Frequencies of the lines that the nominal plant shows strongly, those under the middle one of
+/// the conditions first. None is within a tenth of another.
+std::vector<double> strong_lines_Hz(const std::vector<OrderCondition>& conditions);
+
 /// Gives each condition its features: the outputs' means, lines of the orders that a recording
 /// shows or that the plant or a candidate would bring, but for those beside a line that follows
 /// time, and these.

@@ -9,6 +9,7 @@ namespace {
 using analysis::LockedTo;
 
 constexpr double least_jitter = 0.01;        // of a line: what a plant's own lines are good for
+constexpr double least_of_strongest = 1e-4;  // of its line: what a measuring chain shows elsewhere
 constexpr double least_mean_scatter = 5e-4;  // of a mean, likewise
 
 Eigen::VectorXd mean_of(const std::vector<const OrderRecord*>& records) {
@@ -66,6 +67,15 @@ class ScatterSums {
   std::vector<Sums> of_;  // each output
   double jitter_ = 0, power_ = 0;
 };
+
+// Of each output.
+std::vector<double> strongest_lines(const OrderRecord& record) {
+  std::vector<double> strongest;
+  for (const analysis::PeriodLines& lines : record.measured.outputs) {
+    strongest.push_back(lines.amplitude.size() > 0 ? lines.amplitude.maxCoeff() : 0);
+  }
+  return strongest;
+}
 
 double or_none(double scatter) { return std::isnan(scatter) ? 0 : scatter; }
 
@@ -139,12 +149,14 @@ void find_errors(const std::vector<OrderCondition>& conditions, const OrderScatt
     const std::vector<OrderFeature>& features = conditions[record.condition].features;
     const Eigen::VectorXd& mean = means[record.condition];
     record.errors.resize(record.values.size());
+    const std::vector<double> strongest = strongest_lines(record);
     for (std::size_t f = 0; f < features.size(); ++f) {
       const auto at = static_cast<Eigen::Index>(f);
       record.errors[at] = features[f].locked_to == LockedTo::nothing
                               ? std::hypot(or_none(scatter.of_means[features[f].output]),
                                            least_mean_scatter * mean[at])
-                              : std::hypot(std::sqrt(0.5) * record.noise[at], of_lines * mean[at]);
+                              : std::hypot(std::sqrt(0.5) * record.noise[at], of_lines * mean[at],
+                                           least_of_strongest * strongest[features[f].output]);
     }
   }
 }

@@ -41,7 +41,10 @@ std::optional<PeriodLines> period_lines(const Channel& signal, const ShaftAngle&
   return result;
 }
 
-TimedLine line_at(const Channel& signal, double frequency_Hz) {
+namespace {
+
+// Complex amplitude 0-to-peak at the first sample, under a Hann window.
+std::complex<double> amplitude_at(const Channel& signal, double frequency_Hz) {
   const auto n = signal.samples.size();
   const double mean = signal.samples.mean();
   std::complex<double> sum = 0;
@@ -53,12 +56,26 @@ TimedLine line_at(const Channel& signal, double frequency_Hz) {
     sum += weight * (signal.samples[i] - mean) * std::polar(1.0, -units::two_pi * turns);
     weights += weight;
   }
+  return 2.0 * sum / weights;
+}
+
+}  // namespace
+
+TimedLine line_at(const Channel& signal, double frequency_Hz) {
   const LineFloor lines =
       line_floor(amplitude_spectrum(signal.samples, signal.rate_Hz, Window::hann), 0);
-  const auto nearest =
-      std::clamp<Eigen::Index>(std::llround(frequency_Hz / signal.rate_Hz * static_cast<double>(n)),
-                               1, lines.floor.size() - 1);
-  return {2 * std::abs(sum) / weights, std::sqrt(lines.floor[nearest])};
+  const auto nearest = std::clamp<Eigen::Index>(
+      std::llround(frequency_Hz / signal.rate_Hz * static_cast<double>(signal.samples.size())), 1,
+      lines.floor.size() - 1);
+  return {std::abs(amplitude_at(signal, frequency_Hz)), std::sqrt(lines.floor[nearest])};
+}
+
+void take_out_line(Channel& signal, double frequency_Hz) {
+  const std::complex<double> line = amplitude_at(signal, frequency_Hz);
+  for (Eigen::Index i = 0; i < signal.samples.size(); ++i) {
+    const double turns = frequency_Hz * static_cast<double>(i) / signal.rate_Hz;
+    signal.samples[i] -= (line * std::polar(1.0, units::two_pi * turns)).real();
+  }
 }
 
 }  // namespace rvbench::analysis

@@ -36,4 +36,9 @@ struct TimedLine {
 /// @param frequency_Hz  in (0, half the sample rate)
 TimedLine line_at(const Channel& signal, double frequency_Hz);
 
+/// Subtracts the line at this frequency, so that none of it leaks into others. A line that lies
+/// four or more of 1/duration away is left as it is to a part in 10,000.
+/// @param frequency_Hz  in (0, half the sample rate)
+void take_out_line(Channel& signal, double frequency_Hz);
+
 }  // namespace rvbench::analysis

@@ -21,8 +21,7 @@ constexpr double bar_Nm = 0.05;
 
 // A record that a motor with this slip speed made: its bars' line, and the first harmonics of the
 // output's turn. Written down here: nothing simulated it.
-CampaignRecord record_of(double slip_Hz, bool learned_from = true) {
-  constexpr double rate_Hz = 200;
+CampaignRecord record_of(double slip_Hz, bool learned_from = true, double rate_Hz = 200) {
   const double speed_Hz = supply_Hz / 2 - slip_Hz;
   const double line_Hz = 2 * (supply_Hz - 2 * speed_Hz);
   const auto count = Eigen::Index(4.5 * 121 / (planned_rpm / 60) * 1.05 * rate_Hz);
@@ -120,4 +119,66 @@ TEST_CASE("a condition that is only predicted has its slip line at its nominal s
   CHECK(seen.conditions[1].speed_share == 1);
   CHECK(seen.records[1].timed[slip_line(seen.conditions[1])].amplitude ==
         Approx(bar_Nm).epsilon(0.01));
+}
+
+// Twice the supply's 20.2 Hz are 40.3 Hz: order 4.1, between two lines of the period.
+TEST_CASE("what follows time does not leak into what goes round", "[bench][orders]") {
+  CampaignRecord record = record_of(0.31);
+  Channel& torque = record.recording.channels[0];
+  for (Eigen::Index i = 0; i < torque.samples.size(); ++i) {
+    torque.samples[i] += std::cos(two_pi * 2 * supply_Hz * double(i) / torque.rate_Hz);
+  }
+  const OrderCampaign seen = seen_of({record});
+  const OrderRecord& shown = seen.records[0];
+  const analysis::PeriodLines& lines = shown.measured.outputs[0];
+  const double at = 121 * 2 * supply_Hz / shown.measured.speed_Hz;
+  for (const int beside : {-3, -2, 2, 3}) {
+    CHECK(lines.amplitude[Eigen::Index(std::lround(at)) + beside] < 1e-4);
+  }
+  CHECK(lines.amplitude[40] == Approx(0.02).epsilon(0.01));
+}
+
+TEST_CASE("no line is surer than a measuring chain is linear", "[bench][orders]") {
+  OrderCampaign seen = seen_of({record_of(0.31), record_of(0.31)});
+  OrderCondition& condition = seen.conditions[0];
+  condition.features = {{analysis::LockedTo::shaft, 0, 77, 0}};  // where there is nothing
+  for (OrderRecord& record : seen.records) {
+    record.timed.clear();
+    read_features(condition, record);
+    record.noise.setZero();
+  }
+  find_errors(seen.conditions, scatter_of(seen.conditions, 2, seen.records), seen.records);
+  CHECK(seen.records[0].errors[0] == Approx(1e-4 * 0.02).epsilon(0.1));
+}
+
+// Between the supply's second harmonic and the strongest line that goes round.
+TEST_CASE("where what follows time modulates what goes round, nothing is compared",
+          "[bench][orders]") {
+  constexpr double fast_Hz = 500;  // shows the meshes
+  const OrderCampaign plain = seen_of({record_of(0.31, true, fast_Hz)});
+  const double period_Hz = plain.records[0].measured.speed_Hz / plain.period_turns;
+  const Eigen::VectorXd lines = plain.conditions[0].nominal.outputs[0].shaft_lines.cwiseAbs();
+  Eigen::Index strongest = 0;  // but for the mean
+  REQUIRE(lines.tail(lines.size() - 1).maxCoeff() > 0);
+  lines.tail(lines.size() - 1).maxCoeff(&strongest);
+  const double difference = double(strongest + 1) - 2 * supply_Hz / period_Hz;
+  const auto between = static_cast<int>(std::lround(std::abs(difference)));
+  const std::vector<int> added{between, between + 31};
+  std::vector<CampaignRecord> records{record_of(0.31, true, fast_Hz),
+                                      record_of(0.31, true, fast_Hz)};
+  for (CampaignRecord& record : records) {
+    Eigen::VectorXd& torque_Nm = record.recording.channels[0].samples;
+    const Eigen::VectorXd& angle_rad = record.recording.channels[1].samples;
+    for (const int order : added)
+      torque_Nm.array() += 0.02 * (order * angle_rad.array() / 121).cos();
+  }
+  OrderCampaign seen = seen_of(std::move(records));
+  choose_features(sim::rv20e_bench(), seen.records, {}, seen.period_turns, seen.conditions);
+  const auto is_compared = [&](int order) {
+    return std::ranges::any_of(seen.conditions[0].features, [&](const OrderFeature& feature) {
+      return feature.locked_to == analysis::LockedTo::shaft && feature.order == order;
+    });
+  };
+  CHECK(!is_compared(between));
+  CHECK(is_compared(between + 31));
 }
