@@ -77,7 +77,9 @@ ParameterScales OrderTwin::scales() const {
           1e-3,
           force,
           {sim::mains_frequencies_Hz.begin(), sim::mains_frequencies_Hz.end()},
-          std::move(turns)};
+          std::move(turns),
+          false,
+          strong_lines_Hz(seen_.conditions)};
 }
 
 // What each candidate of usual size changes of the first record of each probed condition, in

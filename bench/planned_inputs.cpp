@@ -88,7 +88,8 @@ std::vector<Recording> points_of(const sequences::TestPlan& plan, double rate_Hz
       recording.planned_speed_rpm = point->speed_rpm;
       recording.load_pct = point->load_pct;
       recording.repeat = point->repeat;
-      const auto samples = static_cast<Eigen::Index>(std::lround(for_slip * segment.duration_s * rate_Hz));
+      const auto samples =
+          static_cast<Eigen::Index>(std::lround(for_slip * segment.duration_s * rate_Hz));
       recording.channels.push_back({{std::string(channel_names::input_torque), "", "", not_known},
                                     rate_Hz,
                                     0,

@@ -66,7 +66,7 @@ class Twin : public analysis::ForwardModel {
   /// Means and lines of all conditions that are learned from, beside what a model makes of them.
   struct Cells {
     std::vector<analysis::ResidualCell> all;  ///< empty if this twin compares nothing of the kind
-    double beside = 0;                        ///< orders, Hz, or s, within which cells are one place
+    double beside = 0;  ///< orders, Hz, or s, within which cells are one place
     std::vector<Noise> noise = {};
   };
   virtual Cells cells(const std::vector<std::size_t>& effects,

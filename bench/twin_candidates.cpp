@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "hal/types/units.hpp"
 #include "sim/named.hpp"
@@ -11,7 +13,9 @@
 namespace rvbench::bench {
 namespace {
 
-constexpr double part_of_value = 0.05;   // of a parameter: a noticeable change
+constexpr double part_of_value = 0.05;  // of a parameter: a noticeable change
+constexpr std::array beside_a_line{0.95, 1.05};
+constexpr double beyond_lines = 1.5;
 constexpr double part_of_mains = 0.001;  // of a frequency: more loses step within seconds
 constexpr double most_delay_samples = 2;
 constexpr double widest_shape = 5;  // times its usual scale, and its fifth
@@ -87,6 +91,31 @@ std::vector<std::vector<double>> starts_of(
   return starts;
 }
 
+// The place of a frequency among what shapes the candidate.
+std::optional<std::size_t> shape_in_Hz(const analysis::Candidate& candidate) {
+  for (std::size_t i = candidate.sizes; i < candidate.parameters.size(); ++i) {
+    if (candidate.parameters[i].unit == "Hz") return i;
+  }
+  return std::nullopt;
+}
+
+// A resonance does little to lines that are far from it: starts to both sides of each.
+void start_beside_lines(const std::vector<double>& lines_Hz, std::size_t frequency,
+                        analysis::Candidate& candidate) {
+  analysis::ModelParameter& p = candidate.parameters[frequency];
+  const auto [lowest, highest] = std::ranges::minmax(lines_Hz);
+  p.low = lowest / beyond_lines;
+  p.high = highest * beyond_lines;
+  p.scale = part_of_value * lines_Hz.front();
+  for (const double line_Hz : lines_Hz) {
+    for (const double part : beside_a_line) {
+      candidate.starts.push_back(scales_of(candidate.parameters));
+      candidate.starts.back()[frequency] = part * line_Hz;
+    }
+  }
+  candidate.has_far_starts = true;
+}
+
 // A size that is followed by its phase: both become the parts of a phasor.
 void make_wave(analysis::Candidate& candidate, const std::string& phase) {
   analysis::ModelParameter& size = candidate.parameters.front();
@@ -130,8 +159,9 @@ sim::NaturalScales natural_at(const sim::EffectSite& site, const sim::PlantSpec&
 
 // @param given  parameters that are known, and not fitted
 TwinCandidate candidate_at(const sim::PlantSpec& plant, const sim::TermType& type,
-                           const sim::EffectSite& site, const sim::NaturalScales& natural,
+                           const sim::EffectSite& site, const ParameterScales& scales,
                            const std::map<std::string, double>& given) {
+  const sim::NaturalScales natural = natural_at(site, plant, scales);
   TwinCandidate made{{}, given};
   analysis::Candidate& candidate = made.candidate;
   candidate.name = type.card.name;
@@ -160,8 +190,8 @@ TwinCandidate candidate_at(const sim::PlantSpec& plant, const sim::TermType& typ
     p.low = bound(card.min);
     p.high = bound(card.max);
     p.scale = size != 0 ? std::abs(size) : 1;
-    const bool one_way = card.min > -sim::unbounded;  // else it may be anything: a phase
-    if (candidate.parameters.size() >= candidate.sizes && size != 0 && one_way) {
+    const bool may_be_anything = card.min == -sim::unbounded || card.same_law;  // as a phase may
+    if (candidate.parameters.size() >= candidate.sizes && size != 0 && !may_be_anything) {
       // A shape far from what the motion covers is another law in disguise.
       p.scale = std::clamp(p.scale, p.low, p.high);
       p.low = std::max(p.low, p.scale / widest_shape);
@@ -171,6 +201,8 @@ TwinCandidate candidate_at(const sim::PlantSpec& plant, const sim::TermType& typ
   }
   if (candidate.phasor) {
     candidate.starts = starts_of_wave(candidate.parameters);
+  } else if (const auto frequency = shape_in_Hz(candidate); frequency && !scales.lines_Hz.empty()) {
+    start_beside_lines(scales.lines_Hz, *frequency, candidate);
   } else if (!candidate.parameters.empty()) {
     candidate.starts = starts_of(candidate.parameters);
   }
@@ -220,13 +252,12 @@ analysis::ModelParameter model_parameter(const sim::PlantSpec& plant,
 std::vector<TwinCandidate> candidates_at(const sim::PlantSpec& plant, const sim::TermType& type,
                                          const sim::EffectSite& site,
                                          const ParameterScales& scales) {
-  const sim::NaturalScales natural = natural_at(site, plant, scales);
   const auto chosen = std::ranges::find_if(
       type.parameters, [](const sim::ParameterCard& card) { return !card.choices.empty(); });
   if (chosen != type.parameters.end()) {
     std::vector<TwinCandidate> all;
     for (const auto& [value, what] : chosen->choices) {
-      all.push_back(candidate_at(plant, type, site, natural, {{chosen->name, value}}));
+      all.push_back(candidate_at(plant, type, site, scales, {{chosen->name, value}}));
       all.back().candidate.where += ", " + what;
     }
     return all;
@@ -238,12 +269,12 @@ std::vector<TwinCandidate> candidates_at(const sim::PlantSpec& plant, const sim:
   const bool keeps_its_time = is_wave && !type.card.touches.empty() &&
                               type.card.touches.front().ledger == sim::Ledger::fixed_frequency;
   if (frequency == type.parameters.end() || !keeps_its_time || scales.rhythms_Hz.empty()) {
-    return {candidate_at(plant, type, site, natural, {})};
+    return {candidate_at(plant, type, site, scales, {})};
   }
   std::vector<TwinCandidate> all;
-  if (scales.fits_rhythms) all.push_back(candidate_at(plant, type, site, natural, {}));
+  if (scales.fits_rhythms) all.push_back(candidate_at(plant, type, site, scales, {}));
   for (const double rhythm_Hz : scales.rhythms_Hz) {
-    all.push_back(candidate_at(plant, type, site, natural, {{frequency->name, rhythm_Hz}}));
+    all.push_back(candidate_at(plant, type, site, scales, {{frequency->name, rhythm_Hz}}));
     all.back().candidate.where += fmt::format(", at {:g} Hz", rhythm_Hz);
   }
   return all;

@@ -21,6 +21,8 @@ struct ParameterScales {
   /// all of them go as it does.
   std::vector<double> turns = {};
   bool fits_rhythms = false;  ///< besides rhythms_Hz, which are too far away for a fit
+  /// Where a resonance would show; empty: the natural scale tells.
+  std::vector<double> lines_Hz = {};
 };
 
 /// A quantity of the plant as a fit moves it: within its tolerance, within what the term's card

@@ -111,7 +111,12 @@ ParameterCard resonance_card(double start) {
 }
 
 ParameterCard damping_ratio_card(double start, double min) {
-  return {.name = "damping_ratio", .unit = UnitKind::ratio, .min = min, .max = 1, .start = start};
+  return {.name = "damping_ratio",
+          .unit = UnitKind::ratio,
+          .min = min,
+          .max = 1,
+          .start = start,
+          .same_law = true};
 }
 
 OutputSpec& output_of(PlantSpec& plant, const std::string& effect, const std::string& channel) {

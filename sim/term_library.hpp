@@ -25,6 +25,7 @@ struct ParameterCard {
   std::optional<double> fallback = {};  ///< of a plant file that says nothing; required if empty
   bool fitted = true;                   ///< false: chosen beforehand, not part of the effect
   bool is_phase = false;                ///< of a wave whose size is the parameter before it
+  bool same_law = false;  ///< at any value; false: one far from the start is another in disguise
   struct Choice {
     double value;
     std::string what;  ///< "inner race"
@@ -71,11 +72,11 @@ struct TermGate {
   std::string retunes = {};         ///< the type of terms that it deviates, instead of adding one
   bool each = false;                ///< one of them at a time
   std::string in_place_of = {};     ///< as an effect it only ever replaces a term of this type
-  std::string beside = {};  ///< only where a term of this type joins the same two
+  std::string beside = {};          ///< only where a term of this type joins the same two
   InChannel in_channel = InChannel::no;
   /// Whether a sensor has it already; empty: none does.
   std::function<bool(const PlantSpec&, const OutputSpec&)> is_in = {};
-  bool stands = false;          ///< only on a body that a term joins to the housing
+  bool stands = false;  ///< only on a body that a term joins to the housing
   /// What it looks like where nothing moves both ways: only a reversal parts them; empty: it needs
   /// none.
   std::string one_way_like = {};

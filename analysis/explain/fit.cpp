@@ -175,6 +175,11 @@ Fit fit_from(const ForwardModel& model, const std::vector<std::size_t>& effects,
              std::vector<std::vector<double>> starts, const std::vector<bool>& trained,
              double scatter, const Eigen::MatrixXd& held, const MustBeat& must_beat) {
   const FitProblem on(model, effects, trained, scatter);
+  for (std::vector<double>& start : starts) {
+    for (std::size_t i = 0; i < start.size(); ++i) {
+      start[i] = std::clamp(start[i], on.parameters[i].low, on.parameters[i].high);
+    }
+  }
   std::vector<Descent> ends = first_moves(on, starts, held);
   if (ends.front().cost > must_beat.after_first_moves) return given_up(on, ends.front());
   // Beside what else was left out the base goes a long way to little more.
@@ -237,6 +242,7 @@ Fit fit_with(const ForwardModel& model, const Fit& before, std::size_t added,
   const Candidate& candidate = model.library().at(added);
   std::vector<std::vector<double>> all_own = candidate.starts;
   if (!screened.empty()) {
+    if (candidate.has_far_starts) all_own.clear();
     all_own.push_back(screened);
     all_own.push_back(candidate.resized(screened, part_of_screened));
   }

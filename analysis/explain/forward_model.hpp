@@ -43,9 +43,10 @@ struct Candidate {
   enum class WhenSmall { in_proportion, drowns, structural };
   WhenSmall when_small = WhenSmall::in_proportion;
   std::vector<std::vector<double>> starts;  ///< values to start fits from, at least two
-  std::vector<std::string> mimics;          ///< names that can look alike
-  std::string experiment;                   ///< what would tell it from them
-  std::string not_exercised;                ///< why these data cannot show it; empty if they can
+  bool has_far_starts = false;      ///< each in a valley of its own: the best screened counts
+  std::vector<std::string> mimics;  ///< names that can look alike
+  std::string experiment;           ///< what would tell it from them
+  std::string not_exercised;        ///< why these data cannot show it; empty if they can
   /// Effects that these data cannot part from it: they are not tried by themselves.
   struct Alike {
     std::string name, where;

@@ -18,14 +18,14 @@ constexpr double least_odds = 20;
 constexpr double worth_going_on = 0.5;  // of the gain wanted, after the first moves of a fit
 
 // The first parameter of the effect that ended at a bound, in words; empty if none did. That a size
-// is small says nothing here: whether it is significant does.
+// is small says nothing here: whether it is significant does. Nor does a shape's being none.
 std::string bound_reached(const Fit& fit, const std::vector<ModelParameter>& parameters,
                           std::size_t first, const Candidate& effect) {
   for (std::size_t i = first; i < first + effect.parameters.size(); ++i) {
     const ModelParameter& p = parameters[i];
     const double near = at_bound * p.scale;
     const bool is_size = i < first + effect.sizes;
-    const bool at_low = fit.values[i] < p.low + near && !(is_size && p.low == 0);
+    const bool at_low = fit.values[i] < p.low + near && p.low != 0;
     const bool at_high = fit.values[i] > p.high - near && !(is_size && p.high == 0);
     if (at_low || at_high) {
       return fmt::format("{} ended at its bound, {:.4g} {}", p.name, fit.values[i], p.unit);

@@ -33,15 +33,16 @@ TermType torsional_mode() {
                    .mimics = {"series_compliance", "housing_mode", "speed_modulation"},
                    .experiment = "run-up or multisine; change of the controller's gain moves its "
                                  "loop's mode but not this one"},
-          .parameters = {resonance_card(3),
-                         damping_ratio_card(0.03),
-                         {.name = "inertia_share",
+          .parameters = {{.name = "inertia_share",
                           .unit = UnitKind::ratio,
-                          .min = 0.001,
-                          .max = 0.999,
-                          .start = 0.3}},
+                          .min = 1e-4,
+                          .max = 0.9,
+                          .start = 0.3},
+                         resonance_card(3),
+                         damping_ratio_card(0.03)},
           .gate = {.between_two = false},
-          .edit = attach};
+          .edit = attach,
+          .adds = true};
 }
 
 }  // namespace rvbench::sim

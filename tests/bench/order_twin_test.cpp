@@ -92,6 +92,21 @@ SCENARIO("noise is told by repeats and by what is beside the lines", "[bench][or
   }
 }
 
+TEST_CASE("a resonance is looked for beside the lines of the bench", "[bench][orders]") {
+  if (test::too_long_under_sanitizer()) return;
+  const auto twin = twin_of(nominal(), test::rv_campaign(nominal(), 1, two_records()));
+  const auto mode = std::ranges::find_if(twin->library(), [](const analysis::Candidate& c) {
+    return c.name == "torsional_mode" && c.where.starts_with("motor");
+  });
+  REQUIRE(mode != twin->library().end());
+  CHECK(mode->not_exercised.empty());
+  for (const double line_Hz : {121.0, 180.0}) {  // the supply's ripple, the mesh
+    CHECK(std::ranges::any_of(mode->starts, [&](const std::vector<double>& start) {
+      return std::abs(start[1] - line_Hz) < 0.1 * line_Hz;
+    }));
+  }
+}
+
 TEST_CASE("a plant without an angle of reference is not compared by orders", "[bench][orders]") {
   sim::PlantSpec blind = nominal();
   blind.outputs.pop_back();
