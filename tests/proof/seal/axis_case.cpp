@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <stdexcept>
 
@@ -9,6 +8,7 @@
 #include "tests/proof/seal/sealed_case.hpp"
 #include "tests/proof/seal/slide_effects/slide_effects.hpp"
 #include "tests/proof/seal/slide_records.hpp"
+#include "tests/proof/seal/write_text.hpp"
 
 namespace seal {
 namespace {
@@ -218,8 +218,7 @@ json seal_axis(const CasePlan& plan, Draw& draw, const std::filesystem::path& fo
   }
   write_records(folder, {rate_Hz, "way", "force"}, records);
   const bool knows_weight = hides("asymmetric_friction") || plan.variant == "one way";
-  std::ofstream(folder / "plant.json")
-      << plant_of(drawn, !hides_drag, knows_weight).dump(2) << '\n';
+  write_text(folder / "plant.json", plant_of(drawn, !hides_drag, knows_weight).dump(2) + '\n');
   return answer;
 }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <stdexcept>
@@ -8,6 +7,7 @@
 #include "tests/proof/seal/bench_lines.hpp"
 #include "tests/proof/seal/noise.hpp"
 #include "tests/proof/seal/sealed_case.hpp"
+#include "tests/proof/seal/write_text.hpp"
 
 namespace seal {
 namespace {
@@ -58,7 +58,7 @@ json without(json plant, const std::vector<std::string>& parameters) {
 
 // As large as it is to show: so far below the strongest line, or, of one in means, so far above
 // what records differ by.
-Hidden sized(const BenchSight& sight, HiddenInBench effect, const CasePlan& plan) {
+Hidden sized(BenchSight& sight, HiddenInBench effect, const CasePlan& plan) {
   Hidden hidden{std::move(effect), 0, {}};
   hidden.size = hidden.effect.size;
   for (int i = 0; i <= sizings; ++i) {
@@ -148,23 +148,23 @@ json seal_bench(const CasePlan& plan, Draw& draw, const std::filesystem::path& p
     }
   }
   const json nominal = without(drawing, left_out);
-  const BenchNumbers numbers = numbers_of(as_built(nominal, draw));
+  const json machine = as_built(nominal, draw);
   std::vector<Hidden> hidden;
   if (!chosen.empty()) {
-    const BenchSight sight(numbers, output_turns);
+    BenchSight sight(machine, output_turns);
     for (HiddenInBench& effect : chosen) hidden.push_back(sized(sight, std::move(effect), plan));
   }
   const Nuisance nuisance = nuisance_of(plan, hidden, draw);
-  const auto records =
-      run_bench(numbers, bench_matrix(repeats), output_turns, nuisance, draw.seed(), [&] {
-        std::vector<std::unique_ptr<BenchEffect>> acting;
-        for (const Hidden& one : hidden) {
-          acting.push_back(one.effect.make(one.size));
-        }
-        return acting;
-      });
+  const auto records = run_bench(numbers_of(machine), bench_matrix(repeats), output_turns, nuisance,
+                                 draw.seed(), [&] {
+                                   std::vector<std::unique_ptr<BenchEffect>> acting;
+                                   for (const Hidden& one : hidden) {
+                                     acting.push_back(one.effect.make(one.size));
+                                   }
+                                   return acting;
+                                 });
   write_recording(folder / "recording.h5", records);
-  std::ofstream(folder / "plant.json") << nominal.dump(2) << '\n';
+  write_text(folder / "plant.json", nominal.dump(2) + '\n');
   json answer{{"effects", json::array()}, {"noise_Nm", nuisance.noise_Nm}};
   for (const Hidden& one : hidden) answer["effects"].push_back(answer_of(one, nuisance));
   return answer;

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <complex>
+#include <functional>
 #include <stdexcept>
 #include <unsupported/Eigen/FFT>
 
@@ -15,6 +16,11 @@ constexpr int highest_order = 121 * 15;  // below half the rate at the highest s
 constexpr int turns_per_period = 121;
 constexpr int periods = 2;
 constexpr int samples_per_turn = 40;
+constexpr int own_lines_per_record = 4;   // the motor's ripple and three of the meshes
+constexpr double glance_turns = 0.3;      // of the output: enough for these
+constexpr double seen_share = 0.42;       // of the rate
+constexpr double lines_repeat_to = 0.01;  // from record to record
+constexpr double least_of_strongest = 0.03;
 constexpr double gain_tolerance = 0.03, drag_tolerance = 0.2;
 
 double mean_of_turns(const BenchRecord& record) {
@@ -33,11 +39,64 @@ double shaft_Hz(const BenchRecord& record) {
          bench_rate_Hz;
 }
 
+// What is left of a change when numbers take of it what they can within what is known of them.
+// @param moved  by a standard deviation of each number
+// @param known_to  what else the values differ by
+Eigen::VectorXd left_by_calibration(const Eigen::VectorXd& change, const Eigen::MatrixXd& moved,
+                                    const Eigen::VectorXd& known_to) {
+  const Eigen::MatrixXd j = known_to.cwiseInverse().asDiagonal() * moved;
+  const Eigen::MatrixXd information =
+      j.transpose() * j + Eigen::MatrixXd::Identity(j.cols(), j.cols());
+  return change - moved * information.ldlt().solve(j.transpose() * change.cwiseQuotient(known_to));
+}
+
 // A parabola through the three samples beside it.
 double at(const Eigen::VectorXd& x, double place) {
   const auto i = std::clamp<Eigen::Index>(std::lround(place), 1, x.size() - 2);
   const double t = place - static_cast<double>(i);
   return x[i] + t / 2 * (x[i + 1] - x[i - 1]) + t * t / 2 * (x[i + 1] - 2 * x[i] + x[i - 1]);
+}
+
+// Of a wave with this phase at each sample, under a Hann window.
+complex<double> line_along(const BenchRecord& record,
+                           const std::function<double(Eigen::Index)>& phase_rad) {
+  const auto count = static_cast<double>(record.torque_Nm.size());
+  complex<double> sum = 0;
+  for (Eigen::Index i = 0; i < record.torque_Nm.size(); ++i) {
+    sum += (1 - std::cos(turn * (static_cast<double>(i) + 0.5) / count)) * record.torque_Nm[i] *
+           std::polar(1.0, -phase_rad(i));
+  }
+  return 2.0 / count * sum;
+}
+
+std::vector<BenchRecord> run(const BenchNumbers& numbers, double turns,
+                             const HiddenInBench* effect = nullptr, double size = 0) {
+  Nuisance none;
+  none.noise_Nm = none.friction_scatter = 0;
+  return run_bench(numbers, bench_matrix(1), turns, none, 1, [&] {
+    std::vector<std::unique_ptr<BenchEffect>> acting;
+    if (effect != nullptr) acting.push_back(effect->make(size));
+    return acting;
+  });
+}
+
+// Amplitudes of the lines that a machine has without any effect, of each record: what comes with
+// its teeth, and six times the supply's frequency. 0 above half the rate.
+Eigen::VectorXd own_lines(const std::vector<BenchRecord>& records, double sun_teeth) {
+  const auto count = static_cast<Eigen::Index>(records.size());
+  Eigen::MatrixXd lines = Eigen::MatrixXd::Zero(own_lines_per_record, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const BenchRecord& record = records[std::size_t(i)];
+    const double mesh_order = sun_teeth * (turns_per_period - 1) / turns_per_period;
+    for (int h = 1; h < own_lines_per_record; ++h) {
+      if (h * mesh_order * shaft_Hz(record) > seen_share * bench_rate_Hz) continue;
+      lines(h, i) = std::abs(
+          line_along(record, [&](Eigen::Index k) { return h * mesh_order * record.angle_rad[k]; }));
+    }
+    const double ripple_Hz = 6 * record.point.speed_rpm / 60 * 2;
+    if (ripple_Hz < seen_share * bench_rate_Hz) lines(0, i) = std::abs(line_of(record, ripple_Hz));
+  }
+  return lines.reshaped();
 }
 
 }  // namespace
@@ -66,34 +125,23 @@ Eigen::VectorXcd orders_of(const BenchRecord& record, int highest) {
 }
 
 complex<double> line_of(const BenchRecord& record, double frequency_Hz) {
-  const auto count = static_cast<double>(record.torque_Nm.size());
-  complex<double> sum = 0;
-  for (Eigen::Index i = 0; i < record.torque_Nm.size(); ++i) {
-    const auto k = static_cast<double>(i);
-    sum += (1 - std::cos(turn * (k + 0.5) / count)) * record.torque_Nm[i] *
-           std::polar(1.0, -turn * frequency_Hz * k / bench_rate_Hz);
-  }
-  return 2.0 / count * sum;
-}
-
-BenchSight::BenchSight(const BenchNumbers& numbers, double output_turns)
-    : numbers_(numbers), output_turns_(output_turns), without_(run(nullptr, 0)) {
-  for (const BenchRecord& record : without_) lines_.push_back(orders_of(record, highest_order));
-}
-
-std::vector<BenchRecord> BenchSight::run(const HiddenInBench* effect, double size) const {
-  Nuisance none;
-  none.noise_Nm = none.friction_scatter = 0;
-  return run_bench(numbers_, bench_matrix(1), periods + 0.2, none, 1, [&] {
-    std::vector<std::unique_ptr<BenchEffect>> acting;
-    if (effect != nullptr) acting.push_back(effect->make(size));
-    return acting;
+  return line_along(record, [&](Eigen::Index k) {
+    return turn * frequency_Hz * static_cast<double>(k) / bench_rate_Hz;
   });
 }
 
-Visibility BenchSight::of(const HiddenInBench& effect, double size) const {
-  const auto with = run(&effect, size);
-  return effect.in_means ? in_means(with) : in_lines(effect, with);
+BenchSight::BenchSight(nlohmann::json machine, double output_turns)
+    : machine_(std::move(machine)),
+      numbers_(numbers_of(machine_)),
+      output_turns_(output_turns),
+      without_(run(numbers_, periods + 0.2)) {
+  for (const BenchRecord& record : without_) lines_.push_back(orders_of(record, highest_order));
+}
+
+Visibility BenchSight::of(const HiddenInBench& effect, double size) {
+  const auto with = run(numbers_, periods + 0.2, &effect, size);
+  if (effect.in_means) return in_means(with);
+  return effect.in_own_lines ? in_own_lines(with) : in_lines(effect, with);
 }
 
 Visibility BenchSight::in_lines(const HiddenInBench& effect,
@@ -143,13 +191,43 @@ Visibility BenchSight::in_means(const std::vector<BenchRecord>& with) const {
         drag_tolerance * numbers_.brake_drag * sun_rad_s / numbers_.ratio() / numbers_.ratio();
   }
   const double scatter_Nm = Nuisance().friction_scatter * numbers_.sun_friction_Nm;
-  const Eigen::MatrixXd j = known / std::sqrt(3.0) / scatter_Nm;  // evenly within: √3 deviations
-  const Eigen::MatrixXd information = j.transpose() * j + Eigen::MatrixXd::Identity(4, 4);
   const Eigen::VectorXd left =
-      change - j * scatter_Nm * information.ldlt().solve(j.transpose() * change / scatter_Nm);
+      left_by_calibration(change, known / std::sqrt(3.0),
+                          Eigen::VectorXd::Constant(count, scatter_Nm));  // evenly within
   Visibility seen;
   seen.line_Nm = std::sqrt(left.squaredNorm() / static_cast<double>(count));
   seen.strongest_Nm = 0;
+  return seen;
+}
+
+// What all numbers with a tolerance may take of it.
+Visibility BenchSight::in_own_lines(const std::vector<BenchRecord>& with) {
+  if (moved_Nm_.size() == 0) {
+    const auto machines = each_off(machine_);
+    const Eigen::VectorXd as_it_is = own_lines(run(numbers_, glance_turns), numbers_.sun_teeth);
+    moved_Nm_.resize(as_it_is.size(), static_cast<Eigen::Index>(machines.size()));
+    for (std::size_t i = 0; i < machines.size(); ++i) {
+      const auto records = run(numbers_of(machines[i]), glance_turns);
+      moved_Nm_.col(Eigen::Index(i)) = own_lines(records, numbers_.sun_teeth) - as_it_is;
+    }
+  }
+  const Eigen::VectorXd before = own_lines(without_, numbers_.sun_teeth);
+  const Eigen::VectorXd known_to =
+      (lines_repeat_to * before).cwiseMax(lines_repeat_to * least_of_strongest * before.maxCoeff());
+  const Eigen::VectorXd left =
+      left_by_calibration(own_lines(with, numbers_.sun_teeth) - before, moved_Nm_, known_to);
+  Visibility seen;
+  seen.strongest_Nm = before.maxCoeff();
+  seen.line_Nm = left.cwiseAbs().maxCoeff();
+  const auto of = left.reshaped(own_lines_per_record, Eigen::Index(with.size()));
+  for (std::size_t i = 0; i < with.size(); ++i) {
+    Eigen::Index line = 0;
+    const double amplitude_Nm = of.col(Eigen::Index(i)).cwiseAbs().maxCoeff(&line);
+    const double speed_rpm = with[i].point.speed_rpm, mesh_order = numbers_.sun_teeth;
+    const double line_Hz = line == 0 ? 6 * speed_rpm / 60 * 2
+                                     : static_cast<double>(line) * mesh_order * shaft_Hz(with[i]);
+    seen.under.push_back({amplitude_Nm, line_Hz, record_length_s(speed_rpm, output_turns_)});
+  }
   return seen;
 }
 

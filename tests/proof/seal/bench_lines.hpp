@@ -9,7 +9,9 @@ namespace seal {
 
 /// How large an effect is in the torque.
 struct Visibility {
-  double line_Nm = 0;       ///< its strongest line, or, of one in means, what calibration leaves
+  /// Its strongest line; of an effect that changes means or lines that the machine has anyway, what
+  /// a calibration within all tolerances leaves of that.
+  double line_Nm = 0;
   double strongest_Nm = 0;  ///< the strongest line of the meshes without it
   /// Its strongest line under each corner of the matrix.
   struct Line {
@@ -24,18 +26,21 @@ struct Visibility {
 /// @throws std::runtime_error if the machine does not come to turn steadily with it
 class BenchSight {
  public:
-  BenchSight(const BenchNumbers& numbers, double output_turns);
-  Visibility of(const HiddenInBench& effect, double size) const;
+  /// @param machine  as built: a plant file
+  BenchSight(nlohmann::json machine, double output_turns);
+  Visibility of(const HiddenInBench& effect, double size);
 
  private:
-  std::vector<BenchRecord> run(const HiddenInBench* effect, double size) const;
   Visibility in_lines(const HiddenInBench& effect, const std::vector<BenchRecord>& with) const;
   Visibility in_means(const std::vector<BenchRecord>& with) const;
+  Visibility in_own_lines(const std::vector<BenchRecord>& with);
 
+  nlohmann::json machine_;
   BenchNumbers numbers_;
   double output_turns_;
   std::vector<BenchRecord> without_;
   std::vector<Eigen::VectorXcd> lines_;  ///< of these
+  Eigen::MatrixXd moved_Nm_;  ///< own lines x numbers: by a standard deviation; empty: not looked
 };
 
 /// Amplitudes of a record's torque at k of 121 orders of its shaft, over two turns of the output.

@@ -1,5 +1,7 @@
 #include "tests/proof/seal/bench_numbers.hpp"
 
+#include <cmath>
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -33,11 +35,25 @@ BenchNumbers::Mesh mesh_of(const json& term) {
           number_or_0(term, "profile_phase")};
 }
 
-void build(json& quantity, Draw& draw) {
-  const auto tolerance = quantity.find("tolerance_pct");
-  if (tolerance == quantity.end() || !tolerance->is_number()) return;
-  quantity["value"] = quantity.at("value").get<double>() *
-                      (1 + tolerance->get<double>() / 100 * draw.uniform(-1, 1));
+// Each number of a plant that has a tolerance: see(quantity, tolerance as a share).
+void for_each_built(json& plant, const std::function<void(json&, double)>& see) {
+  const auto look = [&](json& quantity) {
+    const auto tolerance = quantity.find("tolerance_pct");
+    if (tolerance == quantity.end() || !tolerance->is_number()) return;
+    see(quantity, tolerance->get<double>() / 100);
+  };
+  for (json& body : plant.at("bodies")) {
+    for (auto& [key, value] : body.items()) {
+      if (value.is_object()) look(value);
+    }
+  }
+  for (json& term : plant.at("terms")) {
+    for (auto& [key, quantity] : term.at("parameters").items()) look(quantity);
+  }
+}
+
+void scale(json& quantity, double by) {
+  quantity["value"] = quantity.at("value").get<double>() * by;
 }
 
 }  // namespace
@@ -77,15 +93,24 @@ BenchNumbers numbers_of(const json& plant) {
 }
 
 json as_built(json plant, Draw& draw) {
-  for (json& body : plant.at("bodies")) {
-    for (auto& [key, value] : body.items()) {
-      if (value.is_object()) build(value, draw);
-    }
-  }
-  for (json& term : plant.at("terms")) {
-    for (auto& [key, quantity] : term.at("parameters").items()) build(quantity, draw);
-  }
+  for_each_built(plant, [&](json& quantity, double tolerance) {
+    scale(quantity, 1 + tolerance * draw.uniform(-1, 1));
+  });
   return plant;
+}
+
+std::vector<json> each_off(const json& plant) {
+  std::size_t count = 0;
+  json counted = plant;
+  for_each_built(counted, [&](json&, double) { ++count; });
+  std::vector<json> machines(count, plant);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::size_t number = 0;
+    for_each_built(machines[i], [&](json& quantity, double tolerance) {
+      if (number++ == i) scale(quantity, 1 + tolerance / std::sqrt(3.0));  // evenly within
+    });
+  }
+  return machines;
 }
 
 }  // namespace seal

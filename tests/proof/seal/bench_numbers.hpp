@@ -2,6 +2,7 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "tests/proof/seal/draw.hpp"
 
@@ -32,6 +33,9 @@ struct BenchNumbers {
 /// The numbers that a plant file states for the RV-20E's bench.
 /// @throws nlohmann::json::exception if it is another plant
 BenchNumbers numbers_of(const nlohmann::json& plant);
+
+/// Machines of which one number each lies a standard deviation of its tolerance beside the drawing.
+std::vector<nlohmann::json> each_off(const nlohmann::json& plant);
 
 /// A machine as it was built: each number that has a tolerance lies evenly within it.
 nlohmann::json as_built(nlohmann::json plant, Draw& draw);

@@ -76,19 +76,22 @@ BenchTrain::BenchTrain(const BenchNumbers& n, std::vector<BenchEffect*> effects,
   }
   const Eigen::MatrixXd mobility =
       Eigen::Map<const Eigen::VectorXd>(train.inertia.data(), bodies).cwiseInverse().asDiagonal();
-  // exp of [A B 0; 0 0 1; 0 0 0] holds what constant and growing forces do within one step.
-  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(4 * bodies, 4 * bodies);
+  // exp of [A B 0 0; 0 0 1 0; 0 0 0 1; 0 0 0 0] holds what forces that stay, grow and bend do
+  // within one step.
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(5 * bodies, 5 * bodies);
   all.block(0, bodies, bodies, bodies).setIdentity();
   all.block(bodies, 0, bodies, bodies) = -mobility * stiffness;
   all.block(bodies, bodies, bodies, bodies) = -mobility * damping;
   all.block(bodies, 2 * bodies, bodies, bodies) = mobility;
   all.block(2 * bodies, 3 * bodies, bodies, bodies).setIdentity() /= step_s;
+  all.block(3 * bodies, 4 * bodies, bodies, bodies).setIdentity() /= step_s;
   const Eigen::MatrixXd step = (all * step_s).exp();
   decay_ = step.topLeftCorner(2 * bodies, 2 * bodies);
   by_now_ = step.block(0, 2 * bodies, 2 * bodies, bodies);
   by_change_ = step.block(0, 3 * bodies, 2 * bodies, bodies);
+  by_bend_ = step.block(0, 4 * bodies, 2 * bodies, bodies);
   state_ = Eigen::VectorXd::Zero(2 * bodies);
-  q_ = v_ = remainder_Nm_ = before_Nm_ = Eigen::VectorXd::Zero(bodies);
+  q_ = v_ = remainder_Nm_ = before_Nm_ = before_that_Nm_ = Eigen::VectorXd::Zero(bodies);
 }
 
 void BenchTrain::push_meshes() {
@@ -149,9 +152,13 @@ void BenchTrain::step() {
   supply_Hz_ = asked_Hz_;
   for (BenchEffect* effect : effects_) supply_Hz_ = effect->supply_Hz(time_s_, supply_Hz_);
   find_remainder();
-  if (is_first_) before_Nm_ = remainder_Nm_;
+  if (is_first_) before_Nm_ = before_that_Nm_ = remainder_Nm_;
   is_first_ = false;
-  state_ = decay_ * state_ + by_now_ * remainder_Nm_ + by_change_ * (remainder_Nm_ - before_Nm_);
+  // A parabola through this force and the two before it goes on through the step.
+  const Eigen::VectorXd bend_Nm = remainder_Nm_ - 2 * before_Nm_ + before_that_Nm_;
+  state_ = decay_ * state_ + by_now_ * remainder_Nm_ +
+           by_change_ * (remainder_Nm_ - before_Nm_ + 0.5 * bend_Nm) + by_bend_ * bend_Nm;
+  before_that_Nm_ = before_Nm_;
   before_Nm_ = remainder_Nm_;
   q_ = state_.head(q_.size());
   v_ = state_.tail(v_.size());

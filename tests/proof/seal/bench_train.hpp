@@ -10,7 +10,8 @@
 namespace seal {
 
 /// The bench's train in time: the linear part is stepped exactly, what remains by its present and
-/// its last value (second order; Cox & Matthews, J. Comput. Phys. 176, 430-455 (2002), eq. 14).
+/// its last two values (third order; Cox & Matthews, J. Comput. Phys. 176, 430-455 (2002),
+/// sec. 2.1).
 class BenchTrain {
  public:
   /// @param effects  outlive the train
@@ -35,8 +36,8 @@ class BenchTrain {
   std::vector<BenchEffect*> effects_;
   double step_s_;
   TurnTable errors_[2], ripples_[2];
-  Eigen::MatrixXd decay_, by_now_, by_change_;
-  Eigen::VectorXd state_, q_, v_, remainder_Nm_, before_Nm_;
+  Eigen::MatrixXd decay_, by_now_, by_change_, by_bend_;
+  Eigen::VectorXd state_, q_, v_, remainder_Nm_, before_Nm_, before_that_Nm_;
   double time_s_ = 0, electrical_rad_ = 0, asked_Hz_ = 0, supply_Hz_ = 0, brake_Nm_ = 0;
   double passed_Nm_ = 0;  // by the coupling, beside its spring and damper
   double friction_factor_ = 1, error_factor_ = 1;

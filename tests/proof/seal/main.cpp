@@ -5,10 +5,10 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <iostream>
 
 #include "tests/proof/seal/sealed_case.hpp"
+#include "tests/proof/seal/write_text.hpp"
 
 using nlohmann::json;
 
@@ -52,10 +52,10 @@ int main(int argc, char** argv) {
     answer["seed"] = seed;
     answer["kind"] = plan.kind;
     answer["machine"] = plan.machine;
-    answer["variant"] = plan.variant;
+    answer["variant"] = plan.kind == "null" ? plan.effects.front() : plan.variant;
     answer["salt"] = fmt::format("{:016x}", draw.seed());  // or the few answers could be guessed
-    std::ofstream(std::filesystem::path(answers) / fmt::format("{}.json", plan.number))
-        << answer.dump(2) << '\n';
+    seal::write_text(std::filesystem::path(answers) / fmt::format("{}.json", plan.number),
+                     answer.dump(2) + '\n');
     return 0;
   } catch (const std::exception& problem) {
     std::cerr << "sealer: " << problem.what() << '\n';

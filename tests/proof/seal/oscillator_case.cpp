@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <numbers>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "tests/proof/seal/sealed_case.hpp"
 #include "tests/proof/seal/slide_effects/slide_effects.hpp"
 #include "tests/proof/seal/slide_records.hpp"
+#include "tests/proof/seal/write_text.hpp"
 
 namespace seal {
 namespace {
@@ -205,7 +205,7 @@ json seal_oscillator(const CasePlan& plan, Draw& draw, const std::filesystem::pa
     records.push_back(std::move(record));
   }
   write_records(folder, {rate_Hz, "push", "way"}, records);
-  std::ofstream(folder / "plant.json") << plant_of(drawn).dump(2) << '\n';
+  write_text(folder / "plant.json", plant_of(drawn).dump(2) + '\n');
   return answer;
 }
 

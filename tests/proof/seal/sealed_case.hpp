@@ -14,10 +14,11 @@ struct CasePlan {
   int number = 0;
   std::string kind;                  ///< "null", "single", "several", "outside", "twin"
   std::string machine;               ///< "bench", "axis", "oscillator"
-  std::string variant;               ///< of its motion: "", "one way", "one level"
+  std::string variant;               ///< of its motion: "", "one way"
   std::vector<std::string> effects;  ///< names of what is hidden; of a null: what it is like
   double concealment_dB = 20;        ///< the first line below the strongest of the meshes
-  double snr_dB = 20;                ///< that line above the noise in its bin, in the best record
+  double snr_dB =
+      20;  ///< its line above the noise in its bin, under the middle one of the conditions
 };
 
 /// All campaigns of the proof: the same for every seed.

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <fstream>
 #include <unsupported/Eigen/FFT>
 
 #include "tests/proof/seal/noise.hpp"
+#include "tests/proof/seal/write_text.hpp"
 
 namespace seal {
 namespace {
@@ -23,17 +23,17 @@ void write_records(const std::filesystem::path& folder, const SlideChannels& cha
   for (std::size_t i = 0; i < records.size(); ++i) {
     const SlideRecord& record = records[i];
     const std::string name = fmt::format("record_{}.csv", i + 1);
-    std::ofstream file(folder / name);
-    file << channels.input << ',' << channels.output << '\n';
+    std::string rows = channels.input + ',' + channels.output + '\n';
     for (Eigen::Index k = 0; k < record.input.size(); ++k) {
-      file << fmt::format("{:.8g},{:.8g}\n", record.input[k], record.output[k]);
+      rows += fmt::format("{:.8g},{:.8g}\n", record.input[k], record.output[k]);
     }
+    write_text(folder / name, rows);
     nlohmann::json about{{"condition", record.condition}};
     if (!record.programme.empty()) about["programme"] = record.programme;
     campaign["files"].push_back(
         {{"file", name}, {"rate_Hz", channels.rate_Hz}, {"records", {about}}});
   }
-  std::ofstream(folder / "campaign.json") << campaign.dump(2) << '\n';
+  write_text(folder / "campaign.json", campaign.dump(2) + '\n');
 }
 
 double middle_snr_dB(const std::vector<Eigen::VectorXd>& change, double noise, double slope,

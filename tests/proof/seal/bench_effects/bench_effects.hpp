@@ -28,7 +28,8 @@ struct HiddenInBench {
   double most = std::numeric_limits<double>::infinity();
   /// Where its line is, by supply and shaft; nothing: its lines are orders.
   std::function<double(double supply_Hz, double shaft_Hz)> line_Hz = {};
-  bool in_means = false;  ///< it has no lines
+  bool in_means = false;      ///< it has no lines
+  bool in_own_lines = false;  ///< it changes lines that the machine has anyway, and has no others
   std::function<std::unique_ptr<BenchEffect>(double size)> make;
 };
 

@@ -29,7 +29,7 @@ HiddenInBench crank_eccentricity(const BenchNumbers& n, Draw& draw) {
   const double phase_rad = draw.phase_rad();
   return {.name = "crank_eccentricity",
           .bodies = {planet_of(stage), "carrier"},
-          .parameter = "amplitude",
+          .parameter = "crank_error",
           .size = 1e-5,
           .make = [=](double size_m) {
             return std::make_unique<Crank>(stage, size_m, n.pin_circle_m, phase_rad);

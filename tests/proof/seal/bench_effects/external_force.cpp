@@ -26,6 +26,7 @@ HiddenInBench external_force(const BenchNumbers&, Draw& draw) {
   const bool on_motor = draw.below(2) == 0;
   const double phase_rad = draw.phase_rad();
   return {.name = "external_force",
+          .also = {"mains_hum", "speed_modulation"},
           .bodies = {on_motor ? "motor" : "input_shaft"},
           .anywhere = true,
           .parameter = "amplitude",

@@ -26,7 +26,7 @@ HiddenInBench gear_eccentricity(const BenchNumbers& n, Draw& draw) {
   const double phase_rad = draw.phase_rad();
   return {.name = "gear_eccentricity",
           .bodies = {"input_shaft", planet_of(mesh)},
-          .parameter = "amplitude",
+          .parameter = "planet_eccentricity",
           .size = 1e-5,
           .make = [=](double size_m) {
             return std::make_unique<Planet>(mesh, size_m, n.planet_radius_m, phase_rad);

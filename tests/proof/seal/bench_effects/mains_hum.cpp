@@ -24,7 +24,7 @@ class Hum final : public BenchEffect {
 HiddenInBench mains_hum(const BenchNumbers&, Draw& draw) {
   const double phase_rad = draw.phase_rad();
   return {.name = "mains_hum",
-          .also = {"external_force"},
+          .also = {"external_force", "speed_modulation"},
           .bodies = {},
           .parameter = "amplitude",
           .size = 1e-3,

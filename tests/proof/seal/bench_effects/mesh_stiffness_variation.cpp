@@ -37,9 +37,10 @@ HiddenInBench mesh_stiffness_variation(const BenchNumbers& n, Draw& draw) {
       .name = "mesh_stiffness_variation",
       .bodies = {"input_shaft", "planet_1", "planet_2"},
       .without = {"stiffness_ripple", "stiffness_ripple_phase"},
-      .parameter = "ripple",
-
+      .parameter = "stiffness_ripple",
       .size = 0.05,
+      .most = 0.4,
+      .in_own_lines = true,
       .make = [=](double size) { return std::make_unique<Pairs>(size, n.sun_teeth, phase_rad); }};
 }
 

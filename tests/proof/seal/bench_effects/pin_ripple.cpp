@@ -25,7 +25,7 @@ HiddenInBench pin_ripple(const BenchNumbers& n, Draw& draw) {
   const double phase_rad = draw.phase_rad();
   return {.name = "pin_ripple",
           .bodies = {"planet_1", "planet_2", "carrier"},
-          .parameter = "amplitude",
+          .parameter = "pin_error",
           .size = 1e-6,
           .make = [=](double size_m) {
             return std::make_unique<Lobes>(size_m / n.pin_circle_m, n.pins, phase_rad);

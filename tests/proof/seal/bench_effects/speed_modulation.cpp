@@ -22,7 +22,7 @@ class Supply final : public BenchEffect {
 HiddenInBench speed_modulation(const BenchNumbers&, Draw& draw) {
   const double phase_rad = draw.phase_rad();
   return {.name = "speed_modulation",
-          .also = {"external_force"},
+          .also = {"external_force", "mains_hum"},
           .bodies = {"motor"},
           .parameter = "depth",
           .size = 1e-3,

@@ -30,7 +30,6 @@ HiddenInBench tooth_damage(const BenchNumbers& n, Draw& draw) {
   return {.name = "tooth_damage",
           .also = {"gear_eccentricity"},
           .bodies = {"input_shaft", planet_of(mesh)},
-          .parameter = "depth",
           .size = 1e-5,
           .make = [=](double size_m) {
             return std::make_unique<Dent>(mesh, size_m, pitch_rad / pitches_per_width, place_rad);

@@ -33,8 +33,9 @@ HiddenInBench transmission_error(const BenchNumbers& n, Draw& draw) {
   return {.name = "transmission_error",
           .bodies = {"input_shaft", "planet_1", "planet_2"},
           .without = {"profile_error", "profile_phase"},
-          .parameter = "amplitude",
+          .parameter = "profile_error",
           .size = 1e-6,
+          .in_own_lines = true,
           .make = [=](double size_m) {
             return std::make_unique<Flanks>(size_m, n.sun_teeth, phase_rad);
           }};
