@@ -2,15 +2,18 @@
 import math
 import statistics
 
+ANY = "-"  # no target: for comparison
 TARGETS = [  # quantity, key, target as text, whether a value meets it
-    ("false alarms on nulls", "false_alarms", "0 (at most 5 %)", lambda v: v <= 0.05),
+    ("false alarms on nulls", "false_alarms", "0", lambda v: v == 0),
     ("self-null answered NULL", "self_null", ">= 95 %", lambda v: v >= 0.95),
     ("detection at 7 dB and above", "detection", ">= 90 %", lambda v: v >= 0.9),
+    ("the same on nulls", "null_detected", ANY, lambda v: True),
     ("localisation, given detection", "localisation", ">= 90 %", lambda v: v >= 0.9),
-    ("naming top-1 at 10 dB and above", "top1_10", ">= 90 %", lambda v: v >= 0.9),
-    ("naming top-3 at 10 dB and above", "top3_10", ">= 97 %", lambda v: v >= 0.97),
+    ("naming top-1 at 7 dB and above", "top1_10", ">= 90 %", lambda v: v >= 0.9),
+    ("naming top-3 at 7 dB and above", "top3_10", ">= 97 %", lambda v: v >= 0.97),
     ("naming top-1 at 3 dB", "top1_3", ">= 70 %", lambda v: v >= 0.7),
     ("naming top-3 at 3 dB", "top3_3", ">= 90 %", lambda v: v >= 0.9),
+    ("naming top-1 below 2.5 dB", "top1_low", ANY, lambda v: True),
     ("wrong name", "wrong", "<= 10 %", lambda v: v <= 0.1),
     ("two or three effects: exact set", "exact_set", ">= 65 %", lambda v: v >= 0.65),
     ("two or three effects: F1", "f1", ">= 0.85", lambda v: v >= 0.85),
@@ -19,18 +22,22 @@ TARGETS = [  # quantity, key, target as text, whether a value meets it
     ("out of library given a name", "outside_wrong", "<= 10 %", lambda v: v <= 0.1),
     ("median error of parameters", "parameter_error", "<= 10 %", lambda v: v <= 0.1),
     ("90 % intervals that hold the truth", "coverage", "83 to 96 %", lambda v: 0.83 <= v <= 0.96),
-    ("held-out error that remains: condition", "remaining_condition", "<= 0.10",
+    ("remaining held-out error where named: condition", "remaining_condition", "<= 0.10",
      lambda v: v <= 0.1),
-    ("held-out error that remains: speed", "remaining_speed", "<= 0.20", lambda v: v <= 0.2),
-    ("held-out error that remains: load", "remaining_load", "<= 0.15", lambda v: v <= 0.15),
+    ("remaining held-out error where named: speed", "remaining_speed", "<= 0.20",
+     lambda v: v <= 0.2),
+    ("remaining held-out error where named: load", "remaining_load", "<= 0.15",
+     lambda v: v <= 0.15),
     ("held-out error over its floor, median", "over_floor", "<= 1.3", lambda v: v <= 1.3),
-    ("named 30 dB below the strongest line", "named_30", "yes: >= half", lambda v: v >= 0.5),
+    ("bench: named 30 dB below the strongest line", "named_30", "yes: >= half",
+     lambda v: v >= 0.5),
     ("real recordings: the published name first", "real", "all", lambda v: v == 1),
-    ("seconds per case, median", "seconds", "<= 45", lambda v: v <= 45),
+    ("seconds per case, mean", "seconds", "<= 45", lambda v: v <= 45),
+    ("seconds per case, longest", "longest", ANY, lambda v: True),
 ]
 
 NOT_OF_BASELINES = {"self_null", "localisation", "parameter_error", "coverage", "over_floor",
-                    "remaining_speed", "remaining_load", "real", "seconds"}
+                    "remaining_speed", "remaining_load", "real", "seconds", "longest"}
 
 
 def wilson(hits, of, z=1.96):
@@ -58,16 +65,19 @@ def card_of(rows):
     singles = of("single")
     near = lambda low, high: [r for r in singles if low <= r["snr_dB"] < high]
     nulls, loud = of("null"), near(7, 999)
+    at_30_dB = [r for r in singles if r["machine"] == "bench" and 29 < (r["concealment_dB"] or 0) < 35]
     shares = {
         "false_alarms": share(nulls, "false_alarm"),
         "self_null": (sum(r["self_null"] == "NULL" for r in rows if r["self_null"]),
                       sum(bool(r["self_null"]) for r in rows)),
         "detection": share(loud, "detected"),
-        "localisation": share([r for r in loud if r["said"]], "located"),
-        "top1_10": share(near(9.5, 999), "top1"),
-        "top3_10": share(near(9.5, 999), "top3"),
+        "null_detected": share(nulls, "detected"),
+        "localisation": share([r for r in loud if r["detected"]], "located"),
+        "top1_10": share(loud, "top1"),
+        "top3_10": share(loud, "top3"),
         "top1_3": share(near(2.5, 7), "top1"),
         "top3_3": share(near(2.5, 7), "top3"),
+        "top1_low": share(near(-999, 2.5), "top1"),
         "wrong": share(singles, "wrong"),
         "exact_set": share(of("several"), "exact"),
         "twins": share(of("twin"), "right"),
@@ -75,7 +85,7 @@ def card_of(rows):
         "outside_wrong": share(of("outside"), "wrong"),
         "coverage": share(singles, "covered"),
         "real": share(of("real"), "right"),
-        "named_30": share([r for r in singles if (r["concealment_dB"] or 0) > 29], "top1"),
+        "named_30": share(at_30_dB, "top1"),
     }
     several = of("several")
     values = {
@@ -84,7 +94,8 @@ def card_of(rows):
         **{key: median(rows, key)
            for key in ("remaining_condition", "remaining_speed", "remaining_load")},
         "over_floor": median(rows, "over_floor"),
-        "seconds": median(rows, "seconds"),
+        "seconds": statistics.mean(r["seconds"] for r in rows) if rows else None,
+        "longest": max((r["seconds"] for r in rows), default=None),
     }
     return shares, values
 
@@ -105,11 +116,14 @@ def card_lines(rows, baselines):
         if key in shares:
             hits, of = shares[key]
             if not of:
+                yield quantity, "no cases", target, False, of_others
                 continue
             low, high = wilson(hits, of)
             yield (quantity, f"{hits}/{of} = {100 * hits / of:.0f} % ({100 * low:.0f} to "
                    f"{100 * high:.0f})", target, meets(hits / of), of_others)
-        elif values[key] is not None:
+        elif values[key] is None:
+            yield quantity, "no cases", target, False, of_others
+        else:
             yield quantity, f"{values[key]:.3g}", target, meets(values[key]), of_others
 
 

@@ -1,6 +1,7 @@
 """How a case is marked: what was sealed, beside what was said."""
 import hashlib
 import json
+import math
 import sys
 
 REFUSED = "REFUSED"  # by its exit code, or it never came to an answer: right for no case
@@ -14,59 +15,102 @@ def accepted(truth):
     return {truth["name"], *truth["also"]}
 
 
+def claims(said):
+    """The effects that are said to be left out. A plant that is called miscalibrated, or wrong in
+    something that no name fits, has none."""
+    return said["effects"] if said["verdict"] in ("NAMED", "CLASS") else []
+
+
 def is_named(effect, truth):
-    """By its name, or as one of a class that holds its name."""
-    return bool(accepted(truth) & set(names_of(effect)))
+    """By its name, or by one of a class that these records cannot part from it."""
+    return effect["name"] in accepted(truth)
 
 
-def is_located(effect, truth, machine):
-    """None where no answer could be wrong: what acts anywhere, or in the one body there is."""
-    if truth["anywhere"] or machine in ("axis", "oscillator"):
+def places_of(effect):
+    """Per place where it may act: the bodies that are told, without what they are told by."""
+    return [set(place.split(", by ")[0].replace(" against ", " and ").replace(", ", " and ")
+                .removesuffix(" alike").split(" and "))
+            for place in effect["location"]["where"].split(" or ")]
+
+
+def is_located(effects, truth, machine):
+    """None where no answer could be wrong: what acts anywhere, or in the one body there is. Two
+    places at the most: bodies that mirror each other."""
+    if truth["anywhere"] or not truth["bodies"] or machine in ("axis", "oscillator"):
         return None
-    return all(body in effect["location"]["where"] for body in truth["bodies"])
+    if not effects or not is_named(effects[0], truth):
+        return False
+    places = places_of(effects[0])
+    return len(places) <= 2 and any(set(truth["bodies"]) <= place for place in places)
+
+
+def mark_estimate(effect, truth, row):
+    """Its size beside the true one, where the two are the same quantity."""
+    is_comparable = truth["parameter"] and truth["value"] and effect["name"] == truth["name"]
+    if not is_comparable or not effect["parameters"]:  # baselines have none
+        return
+    parameters = {p["name"]: p for p in effect["parameters"]}
+    if truth["parameter"] not in parameters:
+        sys.exit(f"score: case {row['case']}: {effect['name']} has no {truth['parameter']}")
+    own = parameters[truth["parameter"]]
+    low, high = own["ci90"] or (math.nan, math.nan)
+    row["estimate"] = [v / truth["value"] for v in (own["value"], low, high)]
+    row["parameter_error"] = abs(row["estimate"][0] - 1)
+    row["covered"] = low <= truth["value"] <= high
 
 
 def mark_single(said, truth, row):
-    effects = said["effects"]
-    row["top1"] = row["top3"] = False
-    if not effects:
-        return
-    first = effects[0]
-    ranking = names_of(first) + [rival["name"] for rival in first["rivals"]]
+    effects = claims(said)
+    row["located"] = is_located(effects, truth, row["machine"])
+    ranking = [n for e in effects[:1] for n in names_of(e) + [r["name"] for r in e["rivals"]]]
     ranking = list(dict.fromkeys(ranking))
-    row["top1"] = is_named(first, truth)
-    row["top3"] = bool(accepted(truth) & set(ranking[:3])) or row["top1"]
-    row["wrong"] = not row["top1"]
-    row["located"] = is_located(first, truth, row["machine"])
-    if not row["top1"] or first["name"] != truth["name"]:
-        return
-    for parameter in first["parameters"]:
-        if truth["value"] and parameter["name"] == truth["parameter"]:
-            low, high = parameter["ci90"]
-            row["estimate"] = [v / truth["value"] for v in (parameter["value"], low, high)]
-            row["parameter_error"] = abs(row["estimate"][0] - 1)
-            row["covered"] = low <= truth["value"] <= high
+    row["top1"] = bool(effects) and is_named(effects[0], truth)
+    row["top3"] = row["top1"] or bool(accepted(truth) & set(ranking[:3]))
+    row["wrong"] = any(not accepted(truth) & set(names_of(e)) for e in effects)
+    if row["top1"]:
+        mark_estimate(effects[0], truth, row)
+
+
+def matched(effects, truths):
+    """How many can be paired, each with one of its own."""
+    if not effects or not truths:
+        return 0
+    first, *others = effects
+    best = matched(others, truths)
+    for i, truth in enumerate(truths):
+        if is_named(first, truth):
+            best = max(best, 1 + matched(others, truths[:i] + truths[i + 1:]))
+    return best
 
 
 def mark_several(said, truths, row):
-    effects = said["effects"]
-    found = [any(is_named(e, t) for e in effects) for t in truths]
-    meant = [any(is_named(e, t) for t in truths) for e in effects]
-    precision = sum(meant) / len(meant) if meant else 0.0
-    recall = sum(found) / len(found)
     # One effect may be told in two lines: once and twice a turn.
-    told = {e["name"] for e in effects}
-    row["exact"] = all(found) and all(meant) and len(told) == len(truths)
-    row["f1"] = 2 * precision * recall / (precision + recall) if precision + recall else 0.0
-    row["wrong"] = not all(meant)
+    effects = list({e["name"]: e for e in claims(said)}.values())
+    right = matched(effects, truths)
+    row["exact"] = right == len(truths) == len(effects)
+    row["f1"] = 2 * right / (len(truths) + len(effects))
+    row["wrong"] = right < len(effects)
+
+
+def mark_null(verdict, said, row):
+    """A machine that its plant describes but for nuisances may be called miscalibrated by these."""
+    row["false_alarm"] = bool(said["effects"]) or verdict not in (
+        "NULL", "MISCALIBRATED", "NOT_RESOLVABLE")
+    row["right"] = verdict == "NULL" or (verdict == "MISCALIBRATED" and row["variant"] != "clean")
+
+
+def is_class_of(said, truth):
+    """One class, of nothing but twins, the hidden one among them."""
+    effects = said["effects"]
+    return (len(effects) == 1 and effects[0]["verdict"] == "CLASS"
+            and truth["name"] in effects[0]["class"] and len(effects[0]["class"]) > 1
+            and set(effects[0]["class"]) <= accepted(truth))
 
 
 def mark_real(said, truths, row):
     """What a publication names must come first; what comes after it is not known to be wrong."""
     effects = said["effects"]
-    row["right"] = bool(effects) and is_named(effects[0], truths[0])
-    held_out = (said.get("fit") or {}).get("held_out") or {}
-    row["held_out"] = (held_out.get("before"), held_out.get("after"))
+    row["right"] = bool(effects) and bool(accepted(truths[0]) & set(names_of(effects[0])))
 
 
 def mark_fit(said, row):
@@ -100,21 +144,18 @@ def mark_case(sealed, said, run):
         mark_real(said, sealed["effects"], row)
         return row
     if kind == "null":
-        row["false_alarm"] = bool(said["effects"]) or verdict in ("NONE_OF_THE_ABOVE", REFUSED)
-        row["right"] = not row["false_alarm"]
+        mark_null(verdict, said, row)
     elif kind == "single":
         mark_single(said, sealed["effects"][0], row)
-        row["right"] = row["top1"]
+        row["right"] = row["top1"] and not row["wrong"]
     elif kind == "several":
         mark_several(said, sealed["effects"], row)
         row["right"] = row["exact"]
     elif kind == "twin":
-        is_class = any(
-            e["verdict"] == "CLASS" and is_named(e, sealed["effects"][0]) for e in said["effects"])
-        row["right"] = is_class or verdict == "NOT_RESOLVABLE"
+        row["right"] = verdict == "NOT_RESOLVABLE" or is_class_of(said, sealed["effects"][0])
     else:
-        row["right"] = verdict == "NONE_OF_THE_ABOVE"
         row["wrong"] = bool(said["effects"])
+        row["right"] = verdict == "NONE_OF_THE_ABOVE" and not row["wrong"]
     if kind in ("single", "several") and row["right"]:
         mark_fit(said, row)
     return row

@@ -5,15 +5,19 @@ explain made of them.
 A PROOF_FOLDER holds, per case N: sealed/N.json, said/N.json (explain.json), said/N.run (seconds,
 exit code and the SHA-256 of both) and said/N.baselines.json; several are parts of one proof. Prints
 a line per case, and the card, with what the baselines make of the same cases beside it. --html
-writes a page with plots, --readme puts the card between the marks in that file.
+writes a page with plots, --readme puts the card between the marks in that file, if all cases of one
+seed were asked of one rvbench.
 """
 import argparse
 import pathlib
 import re
+import sys
 
 from baselines_said import baselines_said
 from card import card_lines, card_markdown
 from marks import mark_case, read_cases
+
+ALL_CASES = 168
 
 
 def line_of(row):
@@ -41,6 +45,21 @@ def put_into(readme, card):
     readme.write_text(marked.sub(lambda m: m[1] + card + "\n" + m[2], text))
 
 
+def check_whole(cases, is_published):
+    """One answer to each case, all of one seed and one tool; and to all cases, for the README."""
+    numbers = [sealed["case"] for sealed, _, _ in cases]
+    if len(set(numbers)) < len(numbers):
+        sys.exit("score: a case was answered twice: the folders overlap")
+    if len({sealed["seed"] for sealed, _, _ in cases}) > 1:
+        sys.exit("score: the cases are of several seeds")
+    tools = {run["rvbench_sha256"] for _, _, run in cases}
+    missing = ALL_CASES - len(numbers)
+    print(f"{len(numbers)} of {ALL_CASES} cases, answered by "
+          f"{' and '.join(f'rvbench {tool[:12]}' for tool in sorted(tools))}\n")
+    if is_published and (missing or len(tools) > 1):
+        sys.exit("score: the README gets the card of all cases, answered by one rvbench")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("folders", type=pathlib.Path, nargs="+", metavar="PROOF_FOLDER")
@@ -48,6 +67,7 @@ def main():
     parser.add_argument("--readme", type=pathlib.Path)
     args = parser.parse_args()
     cases = [case for folder in args.folders for case in read_cases(folder)]
+    check_whole(cases, args.readme is not None)
     rows = sorted((mark_case(*case) for case in cases), key=lambda row: row["case"])
     baselines = {method: [mark_case(*case) for case in of_method]
                  for method, of_method in baselines_said(args.folders, cases).items()}
