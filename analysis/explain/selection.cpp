@@ -296,7 +296,7 @@ class Selector {
     if (steps_.size() < 2) return;
     for (std::size_t s = 0; s < steps_.size();) {
       const auto without = refit_without(steps_[s].effect);
-      if (without && !margin(now_.held_out, without->held_out).is_clear()) {
+      if (without && !foretells_more(on_, now_, *without)) {
         go_on_from(*without);
         steps_.erase(steps_.begin() + std::ptrdiff_t(s));
       } else {

@@ -69,15 +69,6 @@ double independent_values(const Tryout& on) {
   return sum;
 }
 
-// Where errors are those of the measurement, an effect may show under one condition and not under
-// others, which makes what it wins scatter: it must be enough without the record that it wins most
-// in, for one may be odd.
-bool wins_without_its_best(const Tryout& on, const HeldOut& now, const HeldOut& before) {
-  if (!on.model.counts_standard_errors()) return false;
-  const Eigen::VectorXd apart = now.log_density - before.log_density;
-  return apart.sum() - apart.maxCoeff() >= on.least_gain();
-}
-
 // Of what is fitted: whether its predictions speak for it.
 void judge_predictions(const Tryout& on, Trial& trial, const Standing& now,
                        const Standing& before) {
@@ -89,9 +80,7 @@ void judge_predictions(const Tryout& on, Trial& trial, const Standing& now,
     return;
   }
   trial.may_be = trial.over_before.delta >= on.least_gain();
-  const bool is_clear =
-      trial.over_before.is_clear() || wins_without_its_best(on, now.held_out, before.held_out);
-  if (!trial.may_be || !is_clear) {
+  if (!trial.may_be || !foretells_more(on, now, before)) {
     trial.refused = "does not predict left-out conditions clearly better";
   }
 }
@@ -113,6 +102,13 @@ std::optional<Standing> judge(const Tryout& on, Trial& trial, const Standing& be
 }
 
 }  // namespace
+
+bool foretells_more(const Tryout& on, const Standing& now, const Standing& before) {
+  if (margin(now.held_out, before.held_out).is_clear()) return true;
+  if (!on.model.counts_standard_errors()) return false;
+  const Eigen::VectorXd apart = now.held_out.log_density - before.held_out.log_density;
+  return apart.sum() - apart.maxCoeff() >= on.least_gain();
+}
 
 Standalone stands_alone(const Tryout& on, const Fit& fit, std::size_t place, const Fit& before) {
   const Candidate& effect = on.model.library()[fit.effects.at(place)];

@@ -36,6 +36,12 @@ struct Standing {
 /// @return nothing if the model cannot be evaluated in a fold
 std::optional<Standing> stand(const Tryout& on, Fit fit, LeftOut left_out);
 
+/// Whether left-out conditions are clearly better predicted. Where errors are those of the
+/// measurement, an effect may show under one condition and not under others, which makes what it
+/// wins scatter: then it may also be enough without the record that it wins most in, for one may be
+/// odd.
+bool foretells_more(const Tryout& on, const Standing& now, const Standing& before);
+
 /// Whether a fit may be ranked, for one of its effects.
 struct Standalone {
   double p_value = 1;   ///< of its size, times the number of candidates
