@@ -22,6 +22,7 @@ constexpr double seen_share = 0.42;       // of the rate
 constexpr double lines_repeat_to = 0.01;  // from record to record
 constexpr double least_of_strongest = 0.03;
 constexpr double gain_tolerance = 0.03, drag_tolerance = 0.2;
+constexpr double pole_pairs = 2;
 
 double mean_of_turns(const BenchRecord& record) {
   const Eigen::Index last = record.angle_rad.size() - 1;
@@ -80,21 +81,32 @@ std::vector<BenchRecord> run(const BenchNumbers& numbers, double turns,
   });
 }
 
-// Amplitudes of the lines that a machine has without any effect, of each record: what comes with
-// its teeth, and six times the supply's frequency. 0 above half the rate.
+double supply_Hz(const BenchRecord& record) { return record.point.speed_rpm / 60 * pole_pairs; }
+
+double mesh_order(double sun_teeth) {
+  return sun_teeth * (turns_per_period - 1) / turns_per_period;
+}
+
+// Of the lines a machine has without any effect: of the motor's ripple first, then of the meshes.
+double own_line_Hz(const BenchRecord& record, double sun_teeth, Eigen::Index line) {
+  return line == 0 ? 6 * supply_Hz(record)
+                   : static_cast<double>(line) * mesh_order(sun_teeth) * shaft_Hz(record);
+}
+
+// Amplitudes of these, of each record; 0 where they are not seen.
 Eigen::VectorXd own_lines(const std::vector<BenchRecord>& records, double sun_teeth) {
   const auto count = static_cast<Eigen::Index>(records.size());
   Eigen::MatrixXd lines = Eigen::MatrixXd::Zero(own_lines_per_record, count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const BenchRecord& record = records[std::size_t(i)];
-    const double mesh_order = sun_teeth * (turns_per_period - 1) / turns_per_period;
-    for (int h = 1; h < own_lines_per_record; ++h) {
-      if (h * mesh_order * shaft_Hz(record) > seen_share * bench_rate_Hz) continue;
-      lines(h, i) = std::abs(
-          line_along(record, [&](Eigen::Index k) { return h * mesh_order * record.angle_rad[k]; }));
+    for (Eigen::Index line = 0; line < own_lines_per_record; ++line) {
+      const double line_Hz = own_line_Hz(record, sun_teeth, line);
+      if (line_Hz > seen_share * bench_rate_Hz) continue;
+      const double order = static_cast<double>(line) * mesh_order(sun_teeth);
+      const auto along_angle = [&](Eigen::Index k) { return order * record.angle_rad[k]; };
+      lines(line, i) =
+          std::abs(line == 0 ? line_of(record, line_Hz) : line_along(record, along_angle));
     }
-    const double ripple_Hz = 6 * record.point.speed_rpm / 60 * 2;
-    if (ripple_Hz < seen_share * bench_rate_Hz) lines(0, i) = std::abs(line_of(record, ripple_Hz));
   }
   return lines.reshaped();
 }
@@ -163,7 +175,7 @@ Visibility BenchSight::in_lines(const HiddenInBench& effect,
     seen.strongest_Nm = std::max(seen.strongest_Nm, std::abs(before[mesh]));
     const double turns_Hz = shaft_Hz(with[i]);
     if (effect.line_Hz) {
-      const double line_Hz = effect.line_Hz(speed_rpm / 60 * 2, turns_Hz);
+      const double line_Hz = effect.line_Hz(supply_Hz(with[i]), turns_Hz);
       if (line_Hz > 1 / length_s) {
         see(std::abs(line_of(with[i], line_Hz) - line_of(without_[i], line_Hz)), line_Hz);
       }
@@ -191,9 +203,9 @@ Visibility BenchSight::in_means(const std::vector<BenchRecord>& with) const {
         drag_tolerance * numbers_.brake_drag * sun_rad_s / numbers_.ratio() / numbers_.ratio();
   }
   const double scatter_Nm = Nuisance().friction_scatter * numbers_.sun_friction_Nm;
-  const Eigen::VectorXd left =
-      left_by_calibration(change, known / std::sqrt(3.0),
-                          Eigen::VectorXd::Constant(count, scatter_Nm));  // evenly within
+  // Drawn evenly within its tolerance, a number is off by 1/sqrt(3) of it.
+  const Eigen::VectorXd left = left_by_calibration(change, known / std::sqrt(3.0),
+                                                   Eigen::VectorXd::Constant(count, scatter_Nm));
   Visibility seen;
   seen.line_Nm = std::sqrt(left.squaredNorm() / static_cast<double>(count));
   seen.strongest_Nm = 0;
@@ -223,10 +235,8 @@ Visibility BenchSight::in_own_lines(const std::vector<BenchRecord>& with) {
   for (std::size_t i = 0; i < with.size(); ++i) {
     Eigen::Index line = 0;
     const double amplitude_Nm = of.col(Eigen::Index(i)).cwiseAbs().maxCoeff(&line);
-    const double speed_rpm = with[i].point.speed_rpm, mesh_order = numbers_.sun_teeth;
-    const double line_Hz = line == 0 ? 6 * speed_rpm / 60 * 2
-                                     : static_cast<double>(line) * mesh_order * shaft_Hz(with[i]);
-    seen.under.push_back({amplitude_Nm, line_Hz, record_length_s(speed_rpm, output_turns_)});
+    seen.under.push_back({amplitude_Nm, own_line_Hz(with[i], numbers_.sun_teeth, line),
+                          record_length_s(with[i].point.speed_rpm, output_turns_)});
   }
   return seen;
 }
