@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
+#include <map>
 #include <set>
 #include <string>
 
@@ -11,7 +12,9 @@ namespace rvbench::bench {
 
 namespace {
 
-constexpr double clearly_off = 6;         // standard errors
+constexpr double clearly_off = 8;         // standard errors, of all conditions together
+constexpr double stretch_off = 6;         // likewise, of a stretch of one programme
+constexpr std::size_t fewest_in_row = 3;  // conditions
 constexpr std::size_t most_places = 3;    // told
 constexpr std::size_t fewest_places = 3;  // of programmes: a single one may be a bump in the way
 
@@ -21,16 +24,39 @@ std::size_t conditions_of(const std::vector<analysis::ResidualCell>& cells) {
   return conditions.size();
 }
 
+// Conditions that share a label, where there is one of each of the others.
+std::vector<std::vector<std::string>> rows_by(const std::vector<analysis::ResidualCell>& cells,
+                                              std::string analysis::ResidualCell::*shared) {
+  std::map<std::string, std::set<std::string>> rows;
+  for (const analysis::ResidualCell& cell : cells) {
+    if (!(cell.*shared).empty()) rows[cell.*shared].insert(cell.condition);
+  }
+  std::vector<std::vector<std::string>> all;
+  for (const auto& [label, conditions] : rows) {
+    if (conditions.size() >= fewest_in_row) all.emplace_back(conditions.begin(), conditions.end());
+  }
+  return all;
+}
+
+bool fills_a_row(const analysis::ResidualCluster& cluster, const Located& located) {
+  return std::ranges::any_of(located.rows, [&](const std::vector<std::string>& row) {
+    return std::ranges::all_of(row, [&](const std::string& condition) {
+      return std::ranges::find(cluster.conditions, condition) != cluster.conditions.end();
+    });
+  });
+}
+
 // What stays off under most conditions: places of a programme are its own, lines and means come
 // again under others.
 std::vector<std::string> what_stays(const Located& located) {
   std::vector<std::string> places;
   std::set<std::string> programmes;
   for (const analysis::ResidualCluster& cluster : located.after) {
-    if (std::abs(cluster.standard_errors) < clearly_off) continue;
     const bool in_programme = cluster.locked_to == analysis::LockedTo::programme;
+    if (cluster.together < (in_programme ? stretch_off : clearly_off)) continue;
     if (in_programme) programmes.insert(cluster.conditions.front());
-    if (in_programme || 2 * cluster.conditions.size() >= located.conditions) {
+    if (in_programme || 2 * cluster.conditions.size() >= located.conditions ||
+        (cluster.is_new && fills_a_row(cluster, located))) {
       places.push_back(place_text(cluster));
     }
     if (in_programme) places.back() += " of " + cluster.conditions.front();
@@ -85,6 +111,9 @@ Located locate(const Twin& twin, const analysis::Selection& found) {
   located.missing_before = missing(found.base, located.before);
   located.missing_after = missing(found.fit, located.after);
   located.noise = before.noise;
+  located.rows = rows_by(before.all, &analysis::ResidualCell::speed);
+  std::ranges::move(rows_by(before.all, &analysis::ResidualCell::load),
+                    std::back_inserter(located.rows));
   return located;
 }
 

@@ -20,13 +20,16 @@ struct Located {
   std::vector<analysis::ResidualCluster> before, after;
   MissingForce missing_before = {}, missing_after = {};
   std::vector<Twin::Noise> noise = {};  ///< what errors are made of
+  /// Conditions of one speed and all loads, or of one load and all speeds: three or more.
+  std::vector<std::vector<std::string>> rows = {};
 };
 
 /// @param found  with a base that was fitted, or nothing is located
 Located locate(const Twin& twin, const analysis::Selection& found);
 
 /// Where nothing was named but something stays clearly off under half of the conditions or more, no
-/// chance did that: NULL becomes NONE_OF_THE_ABOVE.
+/// chance did that: NULL becomes NONE_OF_THE_ABOVE. Of a line that the plant does not show at all,
+/// one speed under all loads will do, or one load at all speeds.
 void weigh_what_stays(const Located& located, analysis::Explanation& explanation);
 
 /// "input_torque: mean, from record to record 0.0021 N·m"

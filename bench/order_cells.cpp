@@ -63,10 +63,12 @@ Twin::Cells order_cells(const std::vector<sim::OutputSpec>& outputs, const Order
       const sim::OutputSpec& output = outputs[feature.output];
       const bool is_speed = feature.output == seen.angle;
       const auto at = static_cast<Eigen::Index>(f);
-      cells.all.push_back({output.channel, is_speed ? "rad/s" : output.unit,
-                           records.front()->about.condition, feature.locked_to,
-                           place_of(feature, seen.period_turns), apart.mean[at],
-                           apart.standard_error[at]});
+      const RecordLabels& about = records.front()->about;
+      const bool is_new =
+          feature.locked_to != LockedTo::nothing && expected[c][at] < records.front()->noise[at];
+      cells.all.push_back({output.channel, is_speed ? "rad/s" : output.unit, about.condition,
+                           feature.locked_to, place_of(feature, seen.period_turns), apart.mean[at],
+                           apart.standard_error[at], about.speed, about.load, is_new});
     }
   }
   return cells;

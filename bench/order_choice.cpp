@@ -89,28 +89,6 @@ void add_orders_of(const std::vector<CandidateProbe>& probes,
   }
 }
 
-// Where an output shows lines that follow time, in orders of each record's period, and where these
-// modulate what goes round: sums and differences, of which SteadyPlant tells nothing.
-std::vector<double> orders_of_timed(const sim::PlantSpec& plant, const OrderCondition& condition,
-                                    const std::vector<const OrderRecord*>& records,
-                                    double period_turns, const std::vector<OrderFeature>& timed,
-                                    std::size_t output) {
-  const std::vector<int> strong = strong_orders(condition.nominal.outputs[output]);
-  std::vector<double> orders;
-  for (const OrderRecord* record : records) {
-    const double period_Hz = record->measured.speed_Hz / period_turns;
-    for (const OrderFeature& line : timed) {
-      const double order = frequency_Hz(plant, condition, line, record->speed_share) / period_Hz;
-      orders.push_back(order);
-      for (const int other : strong) {
-        orders.push_back(order + other);
-        orders.push_back(std::abs(order - other));
-      }
-    }
-  }
-  return orders;
-}
-
 double supplied_Hz(const sim::PlantSpec& plant, const OrderCondition& condition,
                    std::size_t input) {
   const sim::InputSpec& supply = plant.inputs[input];
@@ -173,6 +151,26 @@ double frequency_Hz(const sim::PlantSpec& plant, const OrderCondition& condition
   return twice_slip_Hz(plant, condition, *plant.find_term(line.slip_of), speed_share);
 }
 
+std::vector<double> orders_of_timed(const sim::PlantSpec& plant, const OrderCondition& condition,
+                                    const std::vector<const OrderRecord*>& records,
+                                    double period_turns, std::size_t output) {
+  const std::vector<int> strong = strong_orders(condition.nominal.outputs[output]);
+  const std::vector<OrderFeature> timed = timed_lines(plant, condition);
+  std::vector<double> orders;
+  for (const OrderRecord* record : records) {
+    const double period_Hz = record->measured.speed_Hz / period_turns;
+    for (const OrderFeature& line : timed) {
+      const double order = frequency_Hz(plant, condition, line, record->speed_share) / period_Hz;
+      orders.push_back(order);
+      for (const int other : strong) {
+        orders.push_back(order + other);
+        orders.push_back(std::abs(order - other));
+      }
+    }
+  }
+  return orders;
+}
+
 int highest_order(const std::vector<OrderCondition>& conditions) {
   int highest = 0;
   for (const OrderCondition& condition : conditions) {
@@ -223,7 +221,7 @@ void choose_features(const sim::PlantSpec& plant, const std::vector<OrderRecord>
     const std::vector<OrderFeature> timed = timed_lines(plant, condition);
     for (std::size_t o = 0; o < plant.outputs.size(); ++o) {
       const std::vector<double> timed_orders =
-          orders_of_timed(plant, condition, telling_of(c, records), period_turns, timed, o);
+          orders_of_timed(plant, condition, telling_of(c, records), period_turns, o);
       condition.features.push_back({LockedTo::nothing, o, 0, 0});
       for (int k = 1; k <= condition.orders[o]; ++k) {
         if (!shown[o][std::size_t(k)]) continue;

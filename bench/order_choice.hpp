@@ -16,6 +16,14 @@ std::vector<OrderFeature> timed_lines(const sim::PlantSpec& plant, const OrderCo
 double frequency_Hz(const sim::PlantSpec& plant, const OrderCondition& condition,
                     const OrderFeature& line, double speed_share);
 
+/// Where an output shows lines that follow time, in orders of each record's period, and where these
+/// modulate what goes round: sums and differences, of which SteadyPlant tells nothing.
+/// @param records       of the condition
+/// @param period_turns  turns of the reference shaft per period
+std::vector<double> orders_of_timed(const sim::PlantSpec& plant, const OrderCondition& condition,
+                                    const std::vector<const OrderRecord*>& records,
+                                    double period_turns, std::size_t output);
+
 /// Of any record: the forces of all conditions bend alike, and are sampled alike.
 int highest_order(const std::vector<OrderCondition>& conditions);
 

@@ -9,7 +9,6 @@ namespace {
 using analysis::LockedTo;
 
 constexpr double least_jitter = 0.01;        // of a line: what a plant's own lines are good for
-constexpr double least_of_strongest = 1e-4;  // of its line: what a measuring chain shows elsewhere
 constexpr double least_mean_scatter = 5e-4;  // of a mean, likewise
 
 Eigen::VectorXd mean_of(const std::vector<const OrderRecord*>& records) {

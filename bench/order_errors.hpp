@@ -8,6 +8,9 @@ namespace rvbench::bench {
 
 inline constexpr double clearly_above_noise = 4;  ///< rms amplitudes: by chance 1 in 10 million
 
+/// Of the strongest line of its output: aliases and harmonics that a good measuring chain shows.
+inline constexpr double least_of_strongest = 1e-4;
+
 /// A condition's records that say what it shows: those that are learned from; all of them where
 /// none is.
 std::vector<const OrderRecord*> telling_of(std::size_t condition,

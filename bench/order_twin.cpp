@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
+#include "bench/order_between.hpp"
 #include "bench/order_cells.hpp"
 #include "bench/order_choice.hpp"
 #include "bench/order_errors.hpp"
@@ -216,7 +218,10 @@ Twin::Cells OrderTwin::cells(const std::vector<std::size_t>& effects,
   for (std::size_t c = 0; states && c < seen_.conditions.size(); ++c) {
     expected.push_back(features_of((*states)[c], seen_.conditions[c]));
   }
-  return order_cells(plant_.outputs, seen_, scatter_, expected);
+  Cells cells = order_cells(plant_.outputs, seen_, scatter_, expected);
+  if (cells.all.empty()) return cells;
+  std::ranges::move(cells_between_orders(plant_, seen_), std::back_inserter(cells.all));
+  return cells;
 }
 
 PushedFeatures OrderTwin::pushed_features(const std::vector<std::size_t>& effects,

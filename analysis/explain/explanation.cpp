@@ -143,7 +143,7 @@ struct LeftOver {
 LeftOver left_over(const Explanation& e) {
   if (e.in_standard_errors) return {1, e.trained_after > beyond_errors};
   const double floor = noise_floor(e).value_or(0);
-  if (e.self_null.known && !e.effects.empty()) {
+  if (e.self_null.known) {
     return {floor, e.held_out_after > beyond_errors * floor};
   }
   return {floor, e.ceiling_after.known && e.ceiling_after.over_model.is_clear()};

@@ -1,5 +1,6 @@
 #include "analysis/explain/held_out.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -31,6 +32,42 @@ std::vector<Fold> folds_of(const std::vector<ObservedUnit>& units, std::string O
   }
   return folds;
 }
+
+// What the units learned from leave open of the numbers: by it, a prediction is less sure.
+class Open {
+ public:
+  Open(const FitProblem& on, const Eigen::MatrixXd& slopes) {
+    if (slopes.cols() == 0 || slopes.cols() != Eigen::Index(on.parameters.size())) return;
+    const Eigen::MatrixXd learned = information_of(on, slopes);
+    Eigen::VectorXd even = learned.diagonal() + slopes.colwise().squaredNorm().transpose();
+    even = (even.array() > 0).select(even.cwiseSqrt().cwiseInverse(), 1.0);
+    slopes_ = slopes * even.asDiagonal();
+    learned_ = even.asDiagonal() * learned * even.asDiagonal();
+    learned_.diagonal().array() += not_told;
+    log_volume_ = log_volume(Eigen::LDLT<Eigen::MatrixXd>(learned_));
+  }
+
+  // What the log density of a unit's residuals gains by it over one with all numbers known.
+  double gain(const ObservedUnit& unit, const Eigen::VectorXd& residuals, double mean_square,
+              double counts_as) const {
+    if (learned_.size() == 0) return 0;
+    const auto j = slopes_.middleRows(unit.first, unit.size);
+    const Eigen::LDLT<Eigen::MatrixXd> with(learned_ + j.transpose() * j);
+    const Eigen::VectorXd gradient = j.transpose() * residuals.segment(unit.first, unit.size);
+    return 0.5 * (counts_as / mean_square * gradient.dot(with.solve(gradient)) -
+                  (log_volume(with) - log_volume_));
+  }
+
+ private:
+  static constexpr double not_told = 1e-10;  // of what all units tell of a number
+
+  static double log_volume(const Eigen::LDLT<Eigen::MatrixXd>& of) {
+    return of.vectorD().array().log().sum();
+  }
+
+  Eigen::MatrixXd slopes_, learned_;
+  double log_volume_ = 0;
+};
 
 }  // namespace
 
@@ -104,13 +141,15 @@ std::optional<HeldOut> predict_held_out(const ForwardModel& model, const Fit& fi
     double sum = 0, values = 0;
     const Eigen::VectorXd& all = without[i].residuals;
     if (all.size() == 0) return std::nullopt;
-    const double scatter =
-        std::max(mean_square_of(model, all, folds[i].trained()), model.least_mean_square());
+    const std::vector<bool> trained = folds[i].trained();
+    const double scatter = std::max(mean_square_of(model, all, trained), model.least_mean_square());
+    const Open open(FitProblem(model, fit.effects, trained, fit.scatter), fit.slopes);
     for (std::size_t u = 0; u < folds[i].held_out.size(); ++u) {
       if (!folds[i].held_out[u]) continue;
       const ObservedUnit& unit = model.units()[u];
       const auto residuals = all.segment(unit.first, unit.size);
-      densities.push_back(log_density_of(residuals, scatter, counts_as));
+      densities.push_back(log_density_of(residuals, scatter, counts_as) +
+                          open.gain(unit, all, scatter, counts_as));
       sum += residuals.squaredNorm();
       values += static_cast<double>(unit.size);
     }

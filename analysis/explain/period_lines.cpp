@@ -12,7 +12,15 @@ namespace rvbench::analysis {
 namespace {
 
 constexpr double fewest_periods = 4;
-constexpr double usable_share = 0.4;  // of the sample rate: what resampling leaves alone
+constexpr Eigen::Index main_lobe = 2;  // lines, to each side of a Hann window's
+constexpr double usable_share = 0.4;   // of the sample rate: what resampling leaves alone
+
+// The strongest of so many noise powers has so many times their mean.
+double harmonic(Eigen::Index count) {
+  double sum = 0;
+  for (Eigen::Index i = 1; i <= count; ++i) sum += 1 / static_cast<double>(i);
+  return sum;
+}
 
 }  // namespace
 
@@ -34,9 +42,18 @@ std::optional<PeriodLines> period_lines(const Channel& signal, const ShaftAngle&
   result.mean = x.mean();
   result.periods = static_cast<double>(apart);
   result.amplitude = result.noise = Eigen::VectorXd::Zero(orders + 1);
-  for (Eigen::Index k = 1; k <= orders; ++k) {
-    result.amplitude[k] = std::sqrt(lines.power[k * apart]);
-    result.noise[k] = std::sqrt(lines.floor[k * apart]);
+  result.between = result.between_noise = Eigen::VectorXd::Zero(orders);
+  for (Eigen::Index k = 0; k <= orders; ++k) {
+    const Eigen::Index on = k * apart;
+    if (k > 0) {
+      result.amplitude[k] = std::sqrt(lines.power[on]);
+      result.noise[k] = std::sqrt(lines.floor[on]);
+    }
+    if (k < orders) {
+      const auto free = lines.power.segment(on + main_lobe, apart - 2 * main_lobe + 1);
+      result.between[k] = std::sqrt(free.maxCoeff());
+      result.between_noise[k] = std::sqrt(lines.floor[on + apart / 2] * harmonic(free.size()));
+    }
   }
   return result;
 }

@@ -15,6 +15,8 @@ struct PeriodLines {
   double periods = 0;         ///< whole ones that it was taken over
   Eigen::VectorXd amplitude;  ///< 0-to-peak; element k: k times per period; element 0 is unused
   Eigen::VectorXd noise;      ///< rms amplitude that noise alone shows there
+  /// The same of the strongest line between orders k and k + 1, where nothing that repeats shows.
+  Eigen::VectorXd between, between_noise;
 };
 
 /// Amplitudes at every whole order of the period, by averaging over whole periods of the shaft

@@ -56,25 +56,39 @@ std::vector<Cells> families_of(const std::vector<ResidualCell>& cells) {
   return all;
 }
 
-// Of one family, in order of their places.
-std::vector<ResidualCluster> gathered(Cells found, double beside) {
-  std::ranges::stable_sort(found, {}, &ResidualCell::place);
-  std::vector<ResidualCluster> clusters;
-  for (const ResidualCell* cell : found) {
-    if (clusters.empty() || cell->place - clusters.back().last > beside) {
-      clusters.push_back(
-          {cell->channel, cell->unit, cell->locked_to, cell->place, cell->place, {}, 0, 0});
-    }
-    ResidualCluster& cluster = clusters.back();
-    cluster.last = cell->place;
-    if (std::ranges::find(cluster.conditions, cell->condition) == cluster.conditions.end()) {
-      cluster.conditions.push_back(cell->condition);
-    }
+// Of cells beside each other.
+ResidualCluster cluster_of(const Cells& cells) {
+  const ResidualCell& first = *cells.front();
+  ResidualCluster cluster{
+      first.channel, first.unit, first.locked_to, first.place, cells.back()->place, {}, 0, 0};
+  cluster.is_new = std::ranges::all_of(cells, &ResidualCell::is_new);
+  std::map<std::string, double> most;
+  for (const ResidualCell* cell : cells) {
+    if (most.try_emplace(cell->condition).second) cluster.conditions.push_back(cell->condition);
     const double standard_errors = cell->apart / cell->standard_error;
+    most[cell->condition] = std::max(most[cell->condition], std::abs(standard_errors));
     if (std::abs(standard_errors) > std::abs(cluster.standard_errors)) {
       cluster.apart = cell->apart;
       cluster.standard_errors = standard_errors;
     }
+  }
+  for (const auto& [condition, errors] : most) {
+    cluster.together = std::hypot(cluster.together, errors);
+  }
+  return cluster;
+}
+
+// Of one family, in order of their places.
+std::vector<ResidualCluster> gathered(Cells found, double beside) {
+  std::ranges::stable_sort(found, {}, &ResidualCell::place);
+  std::vector<ResidualCluster> clusters;
+  for (auto from = found.begin(); from != found.end();) {
+    const auto to = std::adjacent_find(from, found.end(), [&](const auto* one, const auto* next) {
+      return next->place - one->place > beside;
+    });
+    const auto end = to == found.end() ? to : to + 1;
+    clusters.push_back(cluster_of(Cells(from, end)));
+    from = end;
   }
   return clusters;
 }

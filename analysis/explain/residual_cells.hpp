@@ -22,7 +22,9 @@ struct ResidualCell {
   LockedTo locked_to = LockedTo::nothing;
   double place = 0;  ///< order of the reference shaft, Hz, or s of a programme; 0 of a mean
   double apart = 0;  ///< measured − predicted, in `unit`, mean of the condition's records
-  double standard_error = 1;  ///< of that, > 0
+  double standard_error = 1;          ///< of that, > 0
+  std::string speed = {}, load = {};  ///< labels of the condition's
+  bool is_new = false;                ///< a line that the plant itself does not show
 };
 
 /// Where measurement and prediction differ by more than chance: a mean, or lines beside each other,
@@ -34,6 +36,8 @@ struct ResidualCluster {
   std::vector<std::string> conditions;
   double apart = 0;            ///< of the cell that is off by most standard errors
   double standard_errors = 0;  ///< of that cell, with its sign
+  double together = 0;         ///< root of the sum of squares of the most of each condition
+  bool is_new = false;  ///< see ResidualCell; of none of its cells does the plant show a line
 };
 
 /// Which hypotheses to reject so that, of those rejected, a share of q is rejected wrongly on

@@ -114,11 +114,13 @@ Standalone stands_alone(const Tryout& on, const Fit& fit, std::size_t place, con
   const Candidate& effect = on.model.library()[fit.effects.at(place)];
   const std::size_t first = first_value_of(on.model, fit.effects, place);
   Standalone result;
-  result.p_value = std::min(1.0, size_p_value(on, fit, first, effect, before) *
-                                     static_cast<double>(on.model.library().size()));
   if (!fit.not_certified.empty()) {
     result.refused = "not fitted: " + fit.not_certified;
-  } else if (result.p_value > least_p) {
+    return result;
+  }
+  result.p_value = std::min(1.0, size_p_value(on, fit, first, effect, before) *
+                                     static_cast<double>(on.model.library().size()));
+  if (result.p_value > least_p) {
     result.refused = "its size is not significant";
   } else {
     result.refused = bound_reached(fit, parameters_of(on.model, fit.effects), first, effect);

@@ -15,7 +15,7 @@ namespace {
 
 const ResidualCluster pins{"input_torque", "N·m",  LockedTo::shaft,
                            12.893,         12.893, {"605 rpm, 0 %", "605 rpm, 75 %"},
-                           0.0062,         166};
+                           0.0062,         166,    235};
 const ResidualCluster mean{"input_torque", "N·m", LockedTo::nothing, 0, 0, {"605 rpm, 0 %"},
                            -0.02,          -9};
 const ResidualCluster mains{"input_torque", "N·m", LockedTo::time, 50, 50, {"605 rpm, 0 %"},
@@ -84,11 +84,36 @@ TEST_CASE("what stays clearly off under most conditions is no chance", "[bench][
   SECTION("not clearly off") {
     ResidualCluster slight = pins;
     slight.standard_errors = -5;
+    slight.together = 6.5;
     CHECK(weighed(3, {slight}).verdict == ExplainVerdict::null);
+  }
+  SECTION("a little under each of five of nine is a lot") {
+    ResidualCluster weak = pins;
+    weak.conditions = {"1", "2", "3", "4", "5"};
+    weak.standard_errors = 5.4;
+    weak.together = 10;
+    CHECK(weighed(9, {weak}).verdict == ExplainVerdict::none_of_the_above);
+  }
+  SECTION("one speed under all loads will do where the plant has no line") {
+    ResidualCluster arms = pins;
+    arms.conditions = {"1815 rpm, 0 %", "1815 rpm, 75 %", "1815 rpm, 150 %"};
+    bench::Located located{240, 9, {}, {arms}};
+    located.rows = {{"1815 rpm, 0 %", "1815 rpm, 150 %", "1815 rpm, 75 %"}};
+    const auto verdict = [&] {
+      analysis::Explanation e;
+      bench::weigh_what_stays(located, e);
+      return e.verdict;
+    };
+    CHECK(verdict() == ExplainVerdict::null);  // that line of the plant may be a little wrong
+    located.after[0].is_new = true;
+    CHECK(verdict() == ExplainVerdict::none_of_the_above);
+    located.after[0].conditions.pop_back();
+    CHECK(verdict() == ExplainVerdict::null);
   }
   SECTION("places of a programme: a single one may be a bump in the way") {
     const auto at = [](const char* programme, double time_s) {
-      return ResidualCluster{"force", "N", LockedTo::programme, time_s, time_s, {programme}, 2, 9};
+      return ResidualCluster{"force", "N", LockedTo::programme, time_s, time_s, {programme}, 2,
+                             9,       9};
     };
     CHECK(weighed(1, {at("cycle", 5.6)}).verdict == ExplainVerdict::null);
     const auto e = weighed(2, {at("fast", 1), at("slow", 2), at("slow", 3)});

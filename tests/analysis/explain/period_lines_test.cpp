@@ -43,3 +43,27 @@ TEST_CASE("where there is no line, hardly any noise is taken out", "[analysis][e
   analysis::take_out_line(signal, 50);
   CHECK((signal.samples - before).cwiseAbs().maxCoeff() < 1e-5);
 }
+
+// A shaft of 10 turns/s whose machine repeats after 11 turns, and a cage of 0.4 of its speed.
+TEST_CASE("what turns with the machine but does not repeat with it shows between its orders",
+          "[analysis][explain]") {
+  Channel torque = signal_of({{0.5, 10}, {0.01, 10 * 4.45 / 11}});
+  Channel angle = torque;
+  angle.info = {"input_angle", "rad", "", not_known};
+  for (Eigen::Index i = 0; i < angle.samples.size(); ++i) {
+    angle.samples[i] = two_pi * 10 * double(i) / rate_Hz;
+  }
+  Recording record;
+  record.channels = {torque, angle};
+  const auto shaft = analysis::ShaftAngle::of(record);
+  REQUIRE(shaft);
+  const auto lines = analysis::period_lines(torque, *shaft, 11);
+  REQUIRE(lines);
+  CHECK(lines->amplitude[11] == Approx(0.5).epsilon(1e-3));
+  CHECK(lines->between[4] > 0.0085);  // half a line beside it, a Hann window passes 0.85
+  CHECK(lines->between[4] < 0.0101);
+  for (const Eigen::Index k : {0, 1, 7, 9, 10, 11, 12, 15, 40}) {
+    INFO("order " << double(k) + 0.5);
+    CHECK(lines->between[k] < 2e-4);
+  }
+}

@@ -74,6 +74,20 @@ TEST_CASE("what is off is gathered by where it is, over the conditions where it 
   CHECK(found[1].last == Approx(40 / 121.0));
   CHECK(found[1].conditions.size() == 2);
   CHECK(found[1].standard_errors < -10);
+  CHECK(found[1].together == Approx(15 * std::sqrt(2)).epsilon(0.3));  // of two conditions
+}
+
+TEST_CASE("a cluster is new where the plant shows none of its lines",
+          "[analysis][explain][locate]") {
+  std::vector<ResidualCell> cells;
+  for (int i = 0; i < conditions; ++i) {
+    const double off = i == 3 || i == 4 || i == 8 || i == 9 ? 0.2 : 0;
+    cells.push_back({"torque", "N·m", "usual", LockedTo::shaft, i + 1.0, off, 0.01});
+    cells.back().is_new = i != 4;
+  }
+  const auto found = locate(cells, 1.5);
+  REQUIRE(found.size() == 2);
+  for (const auto& cluster : found) CHECK(cluster.is_new == (cluster.first > 5));
 }
 
 TEST_CASE("times of two programmes are two places", "[analysis][explain][locate]") {
