@@ -20,6 +20,7 @@ constexpr double length_s = 6;
 constexpr int repeats = 3;
 constexpr int steps_per_sample = 4;
 constexpr double stroke_m = 0.2;
+constexpr double weight_known_pct = 5;
 
 const std::map<std::string, HiddenInSlide (*)(const SlideScales&, Draw&)> all_effects{
     {"asymmetric_friction", asymmetric_friction},
@@ -76,11 +77,11 @@ json plant_of(const Axis& axis, bool knows_drag, bool knows_weight) {
                      {"body_a", "slide"},
                      {"parameters", {{"damping", quantity(axis.drag, "N·s/m", 20)}}}});
   }
-  terms.push_back(
-      {{"type", "torque_offset"},
-       {"body_a", "slide"},
-       {"parameters",
-        {{"level", quantity(axis.offset_N, "N", knows_weight ? json(5) : json("free"))}}}});
+  terms.push_back({{"type", "torque_offset"},
+                   {"body_a", "slide"},
+                   {"parameters",
+                    {{"level", quantity(axis.offset_N, "N",
+                                        knows_weight ? json(weight_known_pct) : json("free"))}}}});
   return {{"plant", "axis"},
           {"about", "a slide that a servo moves: the force that its motion needs"},
           {"bodies",
@@ -155,8 +156,11 @@ json seal_axis(const CasePlan& plan, Draw& draw, const std::filesystem::path& fo
     return std::ranges::find(plan.effects, effect) != plan.effects.end();
   };
   const bool hides_drag = hides("viscous_friction") || hides("shear_thinning");
+  // Some have none though none is hidden, lest a plant file without it gives away that one is.
+  const bool has_drag = !hides_drag && !draw.one_in(3);
   Axis built{drawn.mass_kg * (1 + 0.1 * draw.uniform(-1, 1)),
-             hides_drag ? 0 : drawn.drag * (1 + 0.2 * draw.uniform(-1, 1)), drawn.offset_N};
+             has_drag ? drawn.drag * (1 + 0.2 * draw.uniform(-1, 1)) : 0,
+             drawn.offset_N * (1 + weight_known_pct / 100 * draw.uniform(-1, 1))};
   const std::vector<Motion> motions = motions_of(plan);
   std::vector<Eigen::VectorXd> bare;
   for (const Motion& motion : motions) bare.push_back(force_of(built, motion, 0));
@@ -217,8 +221,9 @@ json seal_axis(const CasePlan& plan, Draw& draw, const std::filesystem::path& fo
     }
   }
   write_records(folder, {rate_Hz, "way", "force"}, records);
-  const bool knows_weight = hides("asymmetric_friction") || plan.variant == "one way";
-  write_text(folder / "plant.json", plant_of(drawn, !hides_drag, knows_weight).dump(2) + '\n');
+  const bool knows_weight =
+      hides("asymmetric_friction") || plan.variant == "one way" || draw.one_in(2);
+  write_text(folder / "plant.json", plant_of(drawn, has_drag, knows_weight).dump(2) + '\n');
   return answer;
 }
 

@@ -26,6 +26,7 @@ class Draw {
   std::size_t below(std::size_t count) {
     return static_cast<std::size_t>(uniform(0, static_cast<double>(count)));
   }
+  bool one_in(std::size_t times) { return below(times) == 0; }
   std::uint64_t seed() { return engine_(); }
 
  private:
