@@ -38,8 +38,9 @@ OrderScatter scatter_of(const std::vector<OrderCondition>& conditions, std::size
                         const std::vector<OrderRecord>& records);
 
 /// Standard errors of all records' values. A mean has that of its output, a line the share that
-/// lines differ by and the noise beside it; both at least what a plant is good for, and a line what
-/// aliases and harmonics of a good measuring chain are, 80 dB below the strongest.
+/// lines differ by and the noise beside it. To both comes what a plant is good for, and to a line
+/// what aliases and harmonics of a good measuring chain are, 80 dB below the strongest: these are
+/// the same in all repeats, which together tell no more of them than one record would.
 void find_errors(const std::vector<OrderCondition>& conditions, const OrderScatter& scatter,
                  std::vector<OrderRecord>& records);
 

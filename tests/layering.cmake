@@ -9,7 +9,7 @@ set(may_tests/proof/seal tests/proof/seal hal)  # whoever hides physics shares n
 foreach(file IN ITEMS  # the only users of sim
     candidate_probes.cpp candidate_probes.hpp channel_fault.cpp channel_fault.hpp
     envelope_features.cpp envelope_features.hpp envelope_records.cpp envelope_records.hpp envelope_twin.cpp envelope_twin.hpp
-    order_campaign.cpp order_campaign.hpp order_choice.cpp order_choice.hpp order_features.cpp order_features.hpp order_pushes.cpp
+    order_between.hpp order_campaign.cpp order_campaign.hpp order_choice.cpp order_choice.hpp order_features.cpp order_features.hpp order_pushes.cpp
     order_pushes.hpp order_records.hpp order_twin.cpp
     order_twin.hpp planned_inputs.cpp planned_inputs.hpp plant_family.cpp plant_family.hpp programme_cells.cpp programme_cells.hpp
     rig_factory.cpp standstill.cpp standstill.hpp time_records.cpp time_records.hpp time_twin.cpp time_twin.hpp twin.cpp twin.hpp twin_candidates.cpp

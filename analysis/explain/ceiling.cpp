@@ -50,7 +50,7 @@ Ceiling flexible_ceiling(const Tryout& on, const Standing& standing) {
   if (states.rows() != standing.fit.residuals.size() || states.cols() == 0) return ceiling;
   const Eigen::MatrixXd features = features_of(states);
 
-  HeldOut stiff{{}, standing.held_out.log_density, 0}, flexible = stiff;
+  HeldOut flexible{{}, standing.held_out.log_density, 0};
   Eigen::Index at = 0;
   double sum = 0, values = 0;
   for (const Fold& fold : on.conditions) {
@@ -78,8 +78,6 @@ Ceiling flexible_ceiling(const Tryout& on, const Standing& standing) {
       const ObservedUnit& unit = on.model.units()[u];
       const Eigen::VectorXd apart = residuals.segment(unit.first, unit.size) -
                                     features.middleRows(unit.first, unit.size) * weights;
-      stiff.log_density[at] =
-          log_density_of(residuals.segment(unit.first, unit.size), power / count, on.counts_as);
       flexible.log_density[at++] = log_density_of(apart, scatter, on.counts_as);
       sum += apart.squaredNorm();
       values += static_cast<double>(unit.size);
@@ -87,7 +85,7 @@ Ceiling flexible_ceiling(const Tryout& on, const Standing& standing) {
   }
   ceiling.known = true;
   ceiling.error = values > 0 ? std::sqrt(sum / values) : 0;
-  ceiling.over_model = margin(flexible, stiff);
+  ceiling.over_model = margin(flexible, standing.held_out);
   return ceiling;
 }
 

@@ -95,6 +95,7 @@ std::vector<Fold> load_folds(const std::vector<ObservedUnit>& units) {
 std::vector<Fold> extrapolation_folds(const std::vector<ObservedUnit>& units) {
   std::vector<Fold> folds = speed_folds(units);
   std::ranges::move(load_folds(units), std::back_inserter(folds));
+  for (Fold& fold : folds) fold.is_beyond = true;
   return folds;
 }
 
@@ -143,13 +144,16 @@ std::optional<HeldOut> predict_held_out(const ForwardModel& model, const Fit& fi
     if (all.size() == 0) return std::nullopt;
     const std::vector<bool> trained = folds[i].trained();
     const double scatter = std::max(mean_square_of(model, all, trained), model.least_mean_square());
-    const Open open(FitProblem(model, fit.effects, trained, fit.scatter), fit.slopes);
+    std::optional<Open> open;
+    if (folds[i].is_beyond) {
+      open.emplace(FitProblem(model, fit.effects, trained, fit.scatter), fit.slopes);
+    }
     for (std::size_t u = 0; u < folds[i].held_out.size(); ++u) {
       if (!folds[i].held_out[u]) continue;
       const ObservedUnit& unit = model.units()[u];
       const auto residuals = all.segment(unit.first, unit.size);
-      densities.push_back(log_density_of(residuals, scatter, counts_as) +
-                          open.gain(unit, all, scatter, counts_as));
+      densities.push_back(log_density_of(residuals, scatter, counts_as));
+      if (open) densities.back() += open->gain(unit, all, scatter, counts_as);
       sum += residuals.squaredNorm();
       values += static_cast<double>(unit.size);
     }

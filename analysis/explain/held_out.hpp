@@ -17,6 +17,9 @@ inline constexpr std::size_t fewest_units = 8;
 struct Fold {
   std::string left_out;
   std::vector<bool> held_out;
+  /// Whether the others lie to one side of it: what they leave open of the numbers makes it less
+  /// sure what it shows.
+  bool is_beyond = false;
   std::vector<bool> trained() const;  ///< the others
 };
 
@@ -52,7 +55,8 @@ enum class LeftOut {
 
 /// Fits anew without each fold, starting where `fit` ended, and predicts the fold.
 ///
-/// The density is normal with the scatter of the units learned from.
+/// The density is normal with the scatter of the units learned from; of a fold that is beyond them,
+/// also with what they leave open of the numbers, as straight as the fit's slopes.
 /// @param counts_as  how many independent values one value of a unit is worth, in (0, 1]; the same
 ///                   for all models that are compared
 /// @return nothing if the model cannot be evaluated in a fold

@@ -143,7 +143,10 @@ double Tryout::gain_of(double share) const {
 }
 
 double Tryout::cost_worth(double gain, double cost_before) const {
-  return cost_before * std::exp(-2 * gain / independent_values(*this));
+  double values = 0;
+  for (const ObservedUnit& unit : model.units()) values += static_cast<double>(unit.size);
+  const double scatter = std::max(cost_before, values * model.least_mean_square());
+  return cost_before + scatter * std::expm1(-2 * gain / independent_values(*this));
 }
 
 std::optional<Standing> stand(const Tryout& on, Fit fit, LeftOut left_out) {

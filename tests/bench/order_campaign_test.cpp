@@ -148,7 +148,8 @@ TEST_CASE("no line is surer than a measuring chain is linear", "[bench][orders]"
     record.noise.setZero();
   }
   find_errors(seen.conditions, scatter_of(seen.conditions, 2, seen.records), seen.records);
-  CHECK(seen.records[0].errors[0] == Approx(1e-4 * 0.02).epsilon(0.1));
+  // What both repeats show alike, they do not tell better than one.
+  CHECK(seen.records[0].errors[0] == Approx(std::sqrt(2) * 1e-4 * 0.02).epsilon(0.1));
 }
 
 // Between the supply's second harmonic and the strongest line that goes round.

@@ -58,7 +58,8 @@ json without(json plant, const std::vector<std::string>& parameters) {
 
 // What a machine does without though nothing of the kind is hidden, lest a number that its plant
 // file lacks gives away what is. Something stays that excites the meshes.
-std::vector<std::string> does_without(const std::vector<std::string>& left_out, Draw& draw) {
+std::vector<std::string> does_without(const std::vector<std::string>& left_out,
+                                      const std::vector<std::string>& needed, Draw& draw) {
   const std::vector<std::string> profile{"profile_error", "profile_phase"},
       stiffness{"stiffness_ripple", "stiffness_ripple_phase"};
   std::vector<std::string> lacks;
@@ -66,6 +67,9 @@ std::vector<std::string> does_without(const std::vector<std::string>& left_out, 
                        std::ranges::find(left_out, stiffness.front()) == left_out.end();
   if (has_all && draw.one_in(2)) lacks = draw.one_in(2) ? profile : stiffness;
   if (draw.one_in(3)) lacks.emplace_back("ripple");
+  std::erase_if(lacks, [&](const std::string& name) {
+    return std::ranges::find(needed, name) != needed.end();
+  });
   return lacks;
 }
 
@@ -151,16 +155,18 @@ json answer_of(const Hidden& hidden, const Nuisance& nuisance) {
 json seal_bench(const CasePlan& plan, Draw& draw, const std::filesystem::path& plants,
                 const std::filesystem::path& folder) {
   const json drawing = bench_drawing(plants);
-  std::vector<std::string> left_out;
+  std::vector<std::string> left_out, needed;
   std::vector<HiddenInBench> chosen;
   if (plan.kind != "null") {
     for (const std::string& name : plan.effects) {
       chosen.push_back(all_effects.at(name)(numbers_of(drawing), draw));
       const auto& own = chosen.back().without;
       left_out.insert(left_out.end(), own.begin(), own.end());
+      const auto& needs = chosen.back().needs;
+      needed.insert(needed.end(), needs.begin(), needs.end());
     }
   }
-  const json nominal = without(without(drawing, left_out), does_without(left_out, draw));
+  const json nominal = without(without(drawing, left_out), does_without(left_out, needed, draw));
   const json machine = as_built(nominal, draw);
   std::vector<Hidden> hidden;
   if (!chosen.empty()) {

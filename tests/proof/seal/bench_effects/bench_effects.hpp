@@ -23,6 +23,7 @@ struct HiddenInBench {
   std::vector<std::string> bodies = {};   ///< of the joint that it acts in; empty: none, or all
   bool anywhere = false;                  ///< these records do not tell where
   std::vector<std::string> without = {};  ///< parameters that the nominal plant then lacks
+  std::vector<std::string> needs = {};    ///< that the machine must not do without
   std::string parameter = {};             ///< of rvbench's term, that the size is comparable with
   double size = 1;                        ///< what a search for the right one starts with
   double most = std::numeric_limits<double>::infinity();

@@ -39,6 +39,7 @@ HiddenInBench torsional_mode(const BenchNumbers& n, Draw& draw) {
   return {.name = "torsional_mode",
           .also = {"series_compliance"},
           .bodies = {"motor"},
+          .needs = {"ripple"},
           .parameter = "inertia_share",
           .size = 0.1,
           .most = 0.5,
