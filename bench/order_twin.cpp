@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 
+#include "analysis/explain/pressed.hpp"
 #include "bench/order_between.hpp"
 #include "bench/order_cells.hpp"
 #include "bench/order_choice.hpp"
@@ -20,20 +21,8 @@
 #include "sim/plant_check.hpp"
 
 namespace rvbench::bench {
-namespace {
 
 using analysis::LockedTo;
-
-constexpr double believable = 5;  // standard errors: farther off counts for little more
-
-// The root of Cauchy's loss, with its sign: where physics is missing, lines are a hundred standard
-// errors off, and must not bend the numbers that the other lines tell.
-double pressed(double standard_errors) {
-  const double part = standard_errors / believable;
-  return std::copysign(believable * std::sqrt(std::log1p(part * part)), standard_errors);
-}
-
-}  // namespace
 
 TwinOrRefusal OrderTwin::make(sim::PlantSpec plant, const Campaign& campaign,
                               const sim::TermLibrary& library) {
@@ -205,7 +194,7 @@ std::optional<Eigen::VectorXd> OrderTwin::residuals(const std::vector<std::size_
         (record.values -
          shown_by(features[record.condition], seen_.conditions[record.condition], record))
             .cwiseQuotient(record.errors)
-            .unaryExpr(&pressed);
+            .unaryExpr([&](double r) { return analysis::pressed(r, believable()); });
     ++unit;
   }
   return apart;

@@ -29,6 +29,7 @@ class OrderTwin final : public Twin {
                             const sim::TermLibrary& library = sim::standard_terms());
 
   bool counts_standard_errors() const override { return true; }
+  double believable() const override { return 5; }
   double least_mean_square() const override { return 1; }
   std::optional<Eigen::VectorXd> residuals(const std::vector<std::size_t>& effects,
                                            const std::vector<double>& values,

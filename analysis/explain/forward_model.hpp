@@ -98,6 +98,9 @@ class ForwardModel {
   /// record shows.
   virtual bool counts_standard_errors() const { return false; }
 
+  /// Standard errors that residuals are pressed beyond: see pressed(). Infinite: none is.
+  virtual double believable() const { return std::numeric_limits<double>::infinity(); }
+
   /// What residuals scatter by at least, squared, however well a model fits them: of errors that
   /// repeat from unit to unit and count for each of them.
   virtual double least_mean_square() const { return 0; }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/explain/base_fit.hpp"
 #include "analysis/explain/miscalibration.hpp"
 #include "analysis/explain/pairs.hpp"
 #include "analysis/explain/trial.hpp"
@@ -39,7 +40,7 @@ class Selector {
   Selection run() {
     Selection result;
     tell("base", 0, "calibrating");
-    result.base = fit_base();
+    result.base = fit_base(on_.model, on_.everything);
     if (result.base.residuals.size() == 0) {
       result.miscalibrated = "the base cannot be evaluated: " + result.base.not_certified;
       return result;
@@ -81,20 +82,6 @@ class Selector {
 
   void tell(const std::string& stage, double share, const std::string& doing) const {
     if (options_.progress) options_.progress(stage, share, doing);
-  }
-
-  Fit fit_base() const {
-    std::vector<double> nominal;
-    for (const ModelParameter& p : on_.model.base()) nominal.push_back(p.nominal);
-    auto residuals = on_.model.residuals({}, nominal, on_.everything);
-    Fit fit;
-    fit.values = std::move(nominal);
-    if (!residuals) {
-      fit.not_certified = "not at its nominal values";
-      return fit;
-    }
-    fit.residuals = *std::move(residuals);
-    return polish(on_.model, fit, on_.everything);
   }
 
   // Accepts one more effect. @return false if there is none

@@ -1,0 +1,13 @@
+#pragma once
+
+namespace rvbench::analysis {
+
+/// The root of Cauchy's loss, with its sign: b·√log(1 + (r/b)²). Where physics is missing, values
+/// are a hundred standard errors off, and must not bend the numbers that the others tell.
+/// @param believable  b: what is farther off counts for little more
+double pressed(double standard_errors, double believable);
+
+/// What pressed() makes this of.
+double unpressed(double pressed, double believable);
+
+}  // namespace rvbench::analysis
