@@ -62,8 +62,14 @@ struct Motion {
   }
 };
 
+bool hides(const CasePlan& plan, const char* effect) {
+  return std::ranges::find(plan.effects, effect) != plan.effects.end();
+}
+
+bool is_one_way(const CasePlan& plan) { return plan.variant == "one way"; }
+
 std::vector<Motion> motions_of(const CasePlan& plan) {
-  if (plan.variant == "one way") {
+  if (is_one_way(plan)) {
     return {{0.05, 0.06, false}, {0.2, stroke_m, false}, {0.5, stroke_m, false}};
   }
   return {{0.05, 0.06}, {0.2, stroke_m}, {0.5, stroke_m}};
@@ -148,83 +154,90 @@ double rms_of(const std::vector<Eigen::VectorXd>& all) {
   return std::sqrt(square);
 }
 
-}  // namespace
+// As a drawing has it, and as it was built.
+struct Axes {
+  Axis drawn, built;
+  bool has_drag = true;
+};
 
-json seal_axis(const CasePlan& plan, Draw& draw, const std::filesystem::path& folder) {
+Axes draw_axes(const CasePlan& plan, Draw& draw) {
   const Axis drawn{60 * draw.within_factor(2), 120 * draw.within_factor(2), draw.uniform(-5, 5)};
-  const auto hides = [&](const char* effect) {
-    return std::ranges::find(plan.effects, effect) != plan.effects.end();
-  };
-  const bool hides_drag = hides("viscous_friction") || hides("shear_thinning");
+  const bool hides_drag = hides(plan, "viscous_friction") || hides(plan, "shear_thinning");
   // Some have none though none is hidden, lest a plant file without it gives away that one is.
   const bool has_drag = !hides_drag && !draw.one_in(3);
-  Axis built{drawn.mass_kg * (1 + 0.1 * draw.uniform(-1, 1)),
-             has_drag ? drawn.drag * (1 + 0.2 * draw.uniform(-1, 1)) : 0,
-             drawn.offset_N * (1 + weight_known_pct / 100 * draw.uniform(-1, 1))};
-  const std::vector<Motion> motions = motions_of(plan);
-  std::vector<Eigen::VectorXd> bare;
-  for (const Motion& motion : motions) bare.push_back(force_of(built, motion, 0));
-  const SlideScales usual{rms_of(bare), stroke_m / 2, 0.5};
+  const Axis built{drawn.mass_kg * (1 + 0.1 * draw.uniform(-1, 1)),
+                   has_drag ? drawn.drag * (1 + 0.2 * draw.uniform(-1, 1)) : 0,
+                   drawn.offset_N * (1 + weight_known_pct / 100 * draw.uniform(-1, 1))};
+  return {drawn, built, has_drag};
+}
 
-  const std::string like = plan.kind == "null" ? plan.effects.front() : "usual";
-  const double gain = like == "clean" ? 1 : 1 + draw.uniform(-0.02, 0.02);
-  const double delay_s = like == "clean" ? 0 : draw.uniform(-1, 1) / rate_Hz;
-  const double slope = like == "clean" ? 0 : draw.uniform(0, like == "strong" ? 1 : 0.5);
-  double noise_N = usual.force_N * (like == "strong" ? 0.1 : 0.01);
-  json answer{{"effects", json::array()}};
-  std::vector<Eigen::VectorXd> hidden(motions.size(), Eigen::VectorXd::Zero(bare[0].size()));
-  if (plan.kind != "null") {
-    struct Hidden {
-      HiddenInSlide effect;
-      double size, shown_dB;  // above noise of 1 N
-    };
-    std::vector<Hidden> all;
-    for (const std::string& name : plan.effects) {
-      HiddenInSlide effect = all_effects.at(name)(usual, draw);
-      if (plan.variant == "one way") {
-        effect.also = {"coulomb_friction", "asymmetric_friction"};
-      }
-      const double as_large = rms_of(forces_of(motions, effect, effect.size));
-      const double size =
-          effect.size * usual.force_N * std::pow(10, -plan.concealment_dB / 20) / as_large;
-      const auto forces_N = forces_of(motions, effect, size, delay_s);
-      for (std::size_t i = 0; i < hidden.size(); ++i) hidden[i] += forces_N[i];
-      all.push_back({std::move(effect), size,
-                     plan.variant == "one way" ? 20 * std::log10(rms_of(forces_N))
-                                               : middle_snr_dB(forces_N, 1, slope, rate_Hz)});
-    }
-    // The one that shows least is to stand so far above it.
-    const double least_dB = std::ranges::min(all, {}, &Hidden::shown_dB).shown_dB;
-    noise_N = std::pow(10, (least_dB - plan.snr_dB) / 20);
-    noise_N = std::max(noise_N, 1e-4 * usual.force_N);
-    for (const Hidden& one : all) {
-      answer["effects"].push_back(answer_of(one.effect, "slide", one.size, plan.concealment_dB,
-                                            one.shown_dB - 20 * std::log10(noise_N)));
-    }
+// The effects of a plan, each as far below the usual force as it is to be.
+std::vector<HiddenSlide> hidden_in(const CasePlan& plan, const std::vector<Motion>& motions,
+                                   const SlideScales& usual, const SlideChain& chain, Draw& draw) {
+  std::vector<HiddenSlide> all;
+  if (plan.kind == "null") return all;
+  for (const std::string& name : plan.effects) {
+    HiddenInSlide effect = all_effects.at(name)(usual, draw);
+    if (is_one_way(plan)) effect.also = {"coulomb_friction", "asymmetric_friction"};
+    const double as_large = rms_of(forces_of(motions, effect, effect.size));
+    const double size =
+        effect.size * usual.force_N * std::pow(10, -plan.concealment_dB / 20) / as_large;
+    auto forces_N = forces_of(motions, effect, size, chain.delay_s);
+    const double shown_dB = is_one_way(plan) ? 20 * std::log10(rms_of(forces_N))
+                                             : middle_snr_dB(forces_N, chain.noise_slope, rate_Hz);
+    all.push_back({std::move(effect), size, std::move(forces_N), shown_dB});
   }
-  answer["noise_N"] = noise_N;
+  return all;
+}
 
+double noise_of(const CasePlan& plan, const std::vector<HiddenSlide>& hidden, double usual_N) {
+  if (plan.kind == "null") return usual_N * (plan.effects.front() == "strong" ? 0.1 : 0.01);
+  return std::max(noise_under(hidden, plan), 1e-4 * usual_N);
+}
+
+std::vector<SlideRecord> records_of(const Axis& built, const std::vector<Motion>& motions,
+                                    const std::vector<HiddenSlide>& hidden, const SlideChain& chain,
+                                    double noise_N, Draw& draw) {
   std::vector<SlideRecord> records;
   for (std::size_t i = 0; i < motions.size(); ++i) {
+    const Motion& motion = motions[i];
+    const double period_s = 2 * (motion.move_s() + motion.rest_s());
+    Eigen::VectorXd force_N = force_of(built, motion, chain.delay_s);
+    for (const HiddenSlide& one : hidden) force_N += one.change[i];
     for (int repeat = 1; repeat <= repeats; ++repeat) {
-      const double period_s = 2 * (motions[i].move_s() + motions[i].rest_s());
-      SlideRecord record{fmt::format("{:g} m/s", motions[i].peak_m_s),
-                         fmt::format("to and fro at {:g} m/s", motions[i].peak_m_s),
+      SlideRecord record{fmt::format("{:g} m/s", motion.peak_m_s),
+                         fmt::format("to and fro at {:g} m/s", motion.peak_m_s),
                          {},
                          {}};
-      record.input = Eigen::VectorXd::NullaryExpr(bare[i].size(), [&](Eigen::Index k) {
-        return motions[i].at(static_cast<double>(k) / rate_Hz + period_s)[0] + 2e-7 * draw.normal();
+      record.input = Eigen::VectorXd::NullaryExpr(force_N.size(), [&](Eigen::Index k) {
+        return motion.at(static_cast<double>(k) / rate_Hz + period_s)[0] + 2e-7 * draw.normal();
       });
-      record.output = gain * (force_of(built, motions[i], delay_s) + hidden[i]) +
-                      noise_N * coloured_noise(bare[i].size(), slope, draw);
+      record.output =
+          chain.gain * force_N + noise_N * coloured_noise(force_N.size(), chain.noise_slope, draw);
       records.push_back(std::move(record));
     }
   }
-  write_records(folder, {rate_Hz, "way", "force"}, records);
+  return records;
+}
+
+}  // namespace
+
+json seal_axis(const CasePlan& plan, Draw& draw, const std::filesystem::path& folder) {
+  const Axes axes = draw_axes(plan, draw);
+  const std::vector<Motion> motions = motions_of(plan);
+  std::vector<Eigen::VectorXd> bare;
+  for (const Motion& motion : motions) bare.push_back(force_of(axes.built, motion, 0));
+  const SlideScales usual{rms_of(bare), stroke_m / 2, 0.5};
+  const SlideChain chain = chain_of(plan, rate_Hz, draw);
+  const auto hidden = hidden_in(plan, motions, usual, chain, draw);
+  const double noise_N = noise_of(plan, hidden, usual.force_N);
+  write_records(folder, {rate_Hz, "way", "force"},
+                records_of(axes.built, motions, hidden, chain, noise_N, draw));
   const bool knows_weight =
-      hides("asymmetric_friction") || plan.variant == "one way" || draw.one_in(2);
-  write_text(folder / "plant.json", plant_of(drawn, has_drag, knows_weight).dump(2) + '\n');
-  return answer;
+      hides(plan, "asymmetric_friction") || is_one_way(plan) || draw.one_in(2);
+  write_text(folder / "plant.json",
+             plant_of(axes.drawn, axes.has_drag, knows_weight).dump(2) + '\n');
+  return answer_of(hidden, "slide", plan, noise_N);
 }
 
 }  // namespace seal

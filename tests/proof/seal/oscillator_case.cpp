@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 #include <numbers>
 #include <vector>
@@ -21,6 +22,7 @@ constexpr double rate_Hz = 250;
 constexpr double length_s = 16.384;
 constexpr double lowest_Hz = 2, highest_Hz = 28;
 constexpr int steps_per_sample = 16;
+constexpr int sizings = 3;  // each as large as the one before came out too small
 constexpr double two_pi = 2 * std::numbers::pi;
 
 const std::map<std::string, HiddenInSlide (*)(const SlideScales&, Draw&)> all_effects{
@@ -126,87 +128,103 @@ Eigen::VectorXd way_of(const Oscillator& machine, const Push& push, const Effect
   return shown;
 }
 
-}  // namespace
+// As a drawing has it, and as it was built.
+struct Oscillators {
+  Oscillator drawn, built;
+};
 
-json seal_oscillator(const CasePlan& plan, Draw& draw, const std::filesystem::path& folder) {
+Oscillators draw_oscillators(Draw& draw) {
   const double natural_Hz = draw.uniform(9, 14), ratio = draw.uniform(0.02, 0.05);
   const double mass_kg = draw.within_factor(3);
   const double rate = two_pi * natural_Hz;
   const Oscillator drawn{mass_kg, mass_kg * rate * rate, 2 * ratio * rate * mass_kg};
-  const Oscillator built{drawn.mass_kg * (1 + 0.1 * draw.uniform(-1, 1)),
-                         drawn.stiffness * (1 + 0.15 * draw.uniform(-1, 1)),
-                         drawn.damping * (1 + 0.5 * draw.uniform(-1, 1))};
-  const std::vector<double> levels_N{2, 5, 10};
-  constexpr int realisations = 2;
-  std::vector<Push> pushes;
-  for (const double level_N : levels_N) {
-    for (int i = 0; i < realisations; ++i) pushes.emplace_back(level_N, draw);
+  return {drawn,
+          {drawn.mass_kg * (1 + 0.1 * draw.uniform(-1, 1)),
+           drawn.stiffness * (1 + 0.15 * draw.uniform(-1, 1)),
+           drawn.damping * (1 + 0.5 * draw.uniform(-1, 1))}};
+}
+
+// A machine under each of the pushes.
+class Shaker {
+ public:
+  Shaker(const Oscillator& machine, Draw& draw) : machine_(machine) {
+    for (const double level_N : levels_N) {
+      for (int i = 0; i < realisations; ++i) pushes_.emplace_back(level_N, draw);
+    }
   }
-  struct Hidden {
-    HiddenInSlide effect;
-    double size;
-  };
-  std::vector<Hidden> hidden;
-  const std::string like = plan.kind == "null" ? plan.effects.front() : "usual";
-  const double gain = like == "clean" ? 1 : 1 + draw.uniform(-0.02, 0.02);
-  const double delay_s = like == "clean" ? 0 : draw.uniform(-1, 1) / rate_Hz;
-  const auto ways_of = [&](const std::vector<Hidden>& acting, double late_s) {
-    std::vector<Eigen::VectorXd> ways(pushes.size());
-    rvbench::parallel_for(pushes.size(), [&](std::size_t i) {
+
+  std::vector<Eigen::VectorXd> ways_of(const std::vector<HiddenSlide>& acting,
+                                       double late_s) const {
+    std::vector<Eigen::VectorXd> ways(pushes_.size());
+    rvbench::parallel_for(pushes_.size(), [&](std::size_t i) {
       Effects effects;
-      for (const Hidden& one : acting) effects.push_back(one.effect.make(one.size));
-      ways[i] = way_of(built, pushes[i], effects, late_s);
+      for (const HiddenSlide& one : acting) effects.push_back(one.effect.make(one.size));
+      ways[i] = way_of(machine_, pushes_[i], effects, late_s);
     });
     return ways;
-  };
-  const auto bare = ways_of({}, 0);
+  }
+
+  std::vector<SlideRecord> records_of(const std::vector<HiddenSlide>& hidden,
+                                      const SlideChain& chain, double noise_m, Draw& draw) const {
+    const auto ways = ways_of(hidden, chain.delay_s);
+    std::vector<SlideRecord> records;
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+      SlideRecord record{fmt::format("{:g} N", levels_N[i / realisations]), "", {}, {}};
+      record.input = Eigen::VectorXd::NullaryExpr(
+          ways[i].size(), [&](Eigen::Index k) { return pushes_[i].at(2 * k * steps_per_sample); });
+      record.output =
+          chain.gain * ways[i] + noise_m * coloured_noise(ways[i].size(), chain.noise_slope, draw);
+      records.push_back(std::move(record));
+    }
+    return records;
+  }
+
+ private:
+  static constexpr std::array<double, 3> levels_N{2, 5, 10};
+  static constexpr int realisations = 2;
+  const Oscillator& machine_;
+  std::vector<Push> pushes_;
+};
+
+// The effects of a plan, each as far below the way under the strongest push as it is to be.
+std::vector<HiddenSlide> hidden_in(const CasePlan& plan, const Shaker& shaker,
+                                   const std::vector<Eigen::VectorXd>& bare,
+                                   const SlideScales& usual, const SlideChain& chain, Draw& draw) {
+  std::vector<HiddenSlide> all;
+  if (plan.kind == "null") return all;
+  for (const std::string& name : plan.effects) {
+    HiddenSlide one{all_effects.at(name)(usual, draw)};
+    one.size = one.effect.size * 0.05;
+    for (int sizing = 0; sizing < sizings; ++sizing) {
+      one.change = shaker.ways_of({one}, 0);
+      for (std::size_t i = 0; i < bare.size(); ++i) one.change[i] -= bare[i];
+      if (sizing + 1 == sizings) break;
+      one.size *=
+          std::pow(10, -plan.concealment_dB / 20) * rms(bare.back()) / rms(one.change.back());
+    }
+    one.shown_dB = middle_snr_dB(one.change, chain.noise_slope, rate_Hz);
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+}  // namespace
+
+json seal_oscillator(const CasePlan& plan, Draw& draw, const std::filesystem::path& folder) {
+  const Oscillators machine = draw_oscillators(draw);
+  const Shaker shaker(machine.built, draw);
+  const SlideChain chain = chain_of(plan, rate_Hz, draw);
+  const auto bare = shaker.ways_of({}, 0);
   const double way_m = 1.5 * rms(bare.back());
-  const SlideScales usual{built.stiffness * way_m, way_m, way_m * rate};
-  const auto change_by = [&](const Hidden& one) {
-    auto change = ways_of({one}, 0);
-    for (std::size_t i = 0; i < change.size(); ++i) change[i] -= bare[i];
-    return change;
-  };
-  const double slope = like == "clean" ? 0 : draw.uniform(0, like == "strong" ? 1 : 0.5);
-  double noise_m = rms(bare.front()) * (like == "strong" ? 0.1 : 0.005);
-  json answer{{"effects", json::array()}};
-  if (plan.kind != "null") {
-    std::vector<double> shown_dB;  // above noise of 1 m
-    for (const std::string& name : plan.effects) {
-      Hidden one{all_effects.at(name)(usual, draw), 0};
-      one.size = one.effect.size * 0.05;
-      std::vector<Eigen::VectorXd> change;
-      for (int sizing = 0; sizing < 3; ++sizing) {
-        change = change_by(one);
-        if (sizing < 2) {
-          one.size *=
-              std::pow(10, -plan.concealment_dB / 20) * rms(bare.back()) / rms(change.back());
-        }
-      }
-      shown_dB.push_back(middle_snr_dB(change, 1, slope, rate_Hz));
-      hidden.push_back(std::move(one));
-    }
-    // The one that shows least is to stand so far above it.
-    noise_m = std::pow(10, (std::ranges::min(shown_dB) - plan.snr_dB) / 20);
-    for (std::size_t i = 0; i < hidden.size(); ++i) {
-      answer["effects"].push_back(answer_of(hidden[i].effect, "mass", hidden[i].size,
-                                            plan.concealment_dB,
-                                            shown_dB[i] - 20 * std::log10(noise_m)));
-    }
-  }
-  answer["noise_m"] = noise_m;
-  const auto ways = ways_of(hidden, delay_s);
-  std::vector<SlideRecord> records;
-  for (std::size_t i = 0; i < ways.size(); ++i) {
-    SlideRecord record{fmt::format("{:g} N", levels_N[i / realisations]), "", {}, {}};
-    record.input = Eigen::VectorXd::NullaryExpr(
-        ways[i].size(), [&](Eigen::Index k) { return pushes[i].at(2 * k * steps_per_sample); });
-    record.output = gain * ways[i] + noise_m * coloured_noise(ways[i].size(), slope, draw);
-    records.push_back(std::move(record));
-  }
-  write_records(folder, {rate_Hz, "push", "way"}, records);
-  write_text(folder / "plant.json", plant_of(drawn).dump(2) + '\n');
-  return answer;
+  const double rate = std::sqrt(machine.drawn.stiffness / machine.drawn.mass_kg);
+  const SlideScales usual{machine.built.stiffness * way_m, way_m, way_m * rate};
+  const auto hidden = hidden_in(plan, shaker, bare, usual, chain, draw);
+  const double noise_m = plan.kind == "null"
+                             ? rms(bare.front()) * (plan.effects.front() == "strong" ? 0.1 : 0.005)
+                             : noise_under(hidden, plan);
+  write_records(folder, {rate_Hz, "push", "way"}, shaker.records_of(hidden, chain, noise_m, draw));
+  write_text(folder / "plant.json", plant_of(machine.drawn).dump(2) + '\n');
+  return answer_of(hidden, "mass", plan, noise_m);
 }
 
 }  // namespace seal

@@ -36,8 +36,14 @@ void write_records(const std::filesystem::path& folder, const SlideChannels& cha
   write_text(folder / "campaign.json", campaign.dump(2) + '\n');
 }
 
-double middle_snr_dB(const std::vector<Eigen::VectorXd>& change, double noise, double slope,
-                     double rate_Hz) {
+SlideChain chain_of(const CasePlan& plan, double rate_Hz, Draw& draw) {
+  const std::string like = plan.kind == "null" ? plan.effects.front() : "usual";
+  if (like == "clean") return {};
+  const double gain = 1 + draw.uniform(-0.02, 0.02), delay_s = draw.uniform(-1, 1) / rate_Hz;
+  return {gain, delay_s, draw.uniform(0, like == "strong" ? 1 : 0.5)};
+}
+
+double middle_snr_dB(const std::vector<Eigen::VectorXd>& change, double slope, double rate_Hz) {
   std::vector<double> best_of;
   for (const Eigen::VectorXd& record : change) {
     double& best = best_of.emplace_back(0);
@@ -46,8 +52,7 @@ double middle_snr_dB(const std::vector<Eigen::VectorXd>& change, double noise, d
     const auto count = static_cast<double>(record.size());
     for (Eigen::Index k = 1; k < std::min(highest_bin, record.size() / 2); ++k) {
       const double frequency_Hz = static_cast<double>(k) * rate_Hz / count;
-      const double expected =
-          noise * noise * noise_density(slope, frequency_Hz, rate_Hz) * count * rate_Hz / 2;
+      const double expected = noise_density(slope, frequency_Hz, rate_Hz) * count * rate_Hz / 2;
       best = std::max(best, std::norm(spectrum[k]) / expected);
     }
   }
@@ -60,16 +65,25 @@ nlohmann::json quantity(double value, const char* unit, const nlohmann::json& to
   return {{"value", value}, {"unit", unit}, {"tolerance_pct", tolerance_pct}};
 }
 
-nlohmann::json answer_of(const HiddenInSlide& effect, const std::string& body, double size,
-                         double concealment_dB, double snr_dB) {
-  return {{"name", effect.name},
-          {"also", effect.also},
-          {"bodies", {body}},
-          {"anywhere", false},
-          {"parameter", effect.parameter},
-          {"value", size},
-          {"concealment_dB", concealment_dB},
-          {"snr_dB", snr_dB}};
+double noise_under(const std::vector<HiddenSlide>& hidden, const CasePlan& plan) {
+  const double least_dB = std::ranges::min(hidden, {}, &HiddenSlide::shown_dB).shown_dB;
+  return std::pow(10, (least_dB - plan.snr_dB) / 20);
+}
+
+nlohmann::json answer_of(const std::vector<HiddenSlide>& hidden, const std::string& body,
+                         const CasePlan& plan, double noise) {
+  nlohmann::json effects = nlohmann::json::array();
+  for (const HiddenSlide& one : hidden) {
+    effects.push_back({{"name", one.effect.name},
+                       {"also", one.effect.also},
+                       {"bodies", {body}},
+                       {"anywhere", false},
+                       {"parameter", one.effect.parameter},
+                       {"value", one.size},
+                       {"concealment_dB", plan.concealment_dB},
+                       {"snr_dB", one.shown_dB - 20 * std::log10(noise)}});
+  }
+  return {{"effects", effects}, {"noise", noise}};
 }
 
 double rms(const Eigen::VectorXd& x) {

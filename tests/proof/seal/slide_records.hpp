@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/proof/seal/sealed_case.hpp"
 #include "tests/proof/seal/slide_effects/slide_effects.hpp"
 
 namespace seal {
@@ -26,18 +27,35 @@ struct SlideChannels {
 void write_records(const std::filesystem::path& folder, const SlideChannels& channels,
                    const std::vector<SlideRecord>& records);
 
-/// How far a change stands above noise in its best bin, in the middle one of the records [dB].
-/// @param change  per record, without noise
-double middle_snr_dB(const std::vector<Eigen::VectorXd>& change, double noise, double slope,
-                     double rate_Hz);
+/// What stands between a machine and its records.
+struct SlideChain {
+  double gain = 1, delay_s = 0;
+  double noise_slope = 0;  ///< its power falls as 1/f^slope
+};
+SlideChain chain_of(const CasePlan& plan, double rate_Hz, Draw& draw);
+
+/// An effect in a machine, as large as it is.
+struct HiddenSlide {
+  HiddenInSlide effect;
+  double size = 0;
+  std::vector<Eigen::VectorXd> change = {};  ///< of each record, without noise
+  double shown_dB = 0;                       ///< above noise of 1 in the output's unit
+};
+
+/// How far a change stands above noise of 1 in its best bin, in the middle one of the records [dB].
+double middle_snr_dB(const std::vector<Eigen::VectorXd>& change, double slope, double rate_Hz);
+
+/// Noise that the one that shows least stands so far above as it is to.
+/// @param hidden  one at least
+double noise_under(const std::vector<HiddenSlide>& hidden, const CasePlan& plan);
 
 double rms(const Eigen::VectorXd& x);
 
 /// A number of a plant file.
 nlohmann::json quantity(double value, const char* unit, const nlohmann::json& tolerance_pct);
 
-/// What the right answer says of one effect in the slide's body.
-nlohmann::json answer_of(const HiddenInSlide& effect, const std::string& body, double size,
-                         double concealment_dB, double snr_dB);
+/// What the right answer says of the effects in the machine's body.
+nlohmann::json answer_of(const std::vector<HiddenSlide>& hidden, const std::string& body,
+                         const CasePlan& plan, double noise);
 
 }  // namespace seal
