@@ -18,17 +18,19 @@ constexpr double least_same_cost = 1e-4;
 constexpr double little_of_gain = 0.1;
 constexpr double hardly_of_gain = 0.002;  // worth no step of a trial
 constexpr double same_value = 0.05;
-constexpr double same_in_errors = 0.1;  // of a standard error
+constexpr double same_angle_rad = 0.05;  // of a shape: 0 is no special angle
+constexpr double same_in_errors = 0.1;   // of a standard error
 constexpr double part_way_back = 0.25;
-constexpr int most_ways_back = 3;          // each a quarter of the one before
-constexpr int most_scatters = 4;           // tried in turn, each what the last fit left
-constexpr double same_scatter = 0.9;       // of the one before
-constexpr int opening_iterations = 2;      // of each start
-constexpr int middle_iterations = 4;       // of those that go on after that
-constexpr std::size_t most_finalists = 3;  // starts that go on after that
-constexpr double part_of_screened = 0.3;   // another start in the same valley, from the safe side
-constexpr int sizes_tried = 7;             // of each start of a quick model,
-constexpr double size_step = 0.316;        // one after the other
+constexpr int most_ways_back = 3;           // each a quarter of the one before
+constexpr int most_scatters = 4;            // tried in turn, each what the last fit left
+constexpr double same_scatter = 0.9;        // of the one before
+constexpr int opening_iterations = 2;       // of each start
+constexpr int free_opening_iterations = 8;  // where all slopes are looked for anew
+constexpr int middle_iterations = 4;        // of those that go on after that
+constexpr std::size_t most_finalists = 3;   // starts that go on after that
+constexpr double part_of_screened = 0.3;    // another start in the same valley, from the safe side
+constexpr int sizes_tried = 7;              // of each start of a quick model,
+constexpr double size_step = 0.316;         // one after the other
 
 double gained_over(double before, double cost) {
   return before > cost ? std::log(before / cost) : 0;
@@ -56,13 +58,18 @@ std::string disagreement(const FitProblem& on, const Descent& best, const Descen
   const std::vector<std::size_t> waves = waves_among(on.model, on.effects);
   const std::vector<double> here = as_waves(best.values, waves);
   const std::vector<double> there = as_waves(other.values, waves);
-  for (std::size_t i = first_of_added(on); i < here.size(); ++i) {
+  const std::size_t first = first_of_added(on);
+  const std::size_t first_shape =
+      on.effects.empty() ? first : first + on.model.library()[on.effects.back()].sizes;
+  for (std::size_t i = first; i < here.size(); ++i) {
     const auto index = static_cast<Eigen::Index>(i);
     if (std::ranges::find(waves, i - 1) != waves.end()) continue;
     const double apart = std::abs(here[i] - there[i]);
+    const bool is_angle = on.parameters[i].unit == "rad" && i >= first_shape;
+    const double same = is_angle ? same_angle_rad : same_value * std::abs(here[i]);
     const double error =
         covariance.size() > 0 ? std::sqrt(std::max(covariance(index, index), 0.0)) : 0;
-    if (apart > same_value * std::abs(here[i]) && apart > same_in_errors * error) {
+    if (apart > same && apart > same_in_errors * error) {
       return fmt::format("starts end at {} = {:.4g} and {:.4g} {}", on.parameters[i].name, here[i],
                          there[i], on.parameters[i].unit);
     }
@@ -93,8 +100,9 @@ std::vector<Descent> first_moves(const FitProblem& on,
                                  const std::vector<std::vector<double>>& starts,
                                  const Eigen::MatrixXd& held) {
   std::vector<Descent> ends(starts.size());
+  const int iterations = held.size() > 0 ? opening_iterations : free_opening_iterations;
   parallel_for(starts.size(),
-               [&](std::size_t i) { ends[i] = descend(on, starts[i], opening_iterations, held); });
+               [&](std::size_t i) { ends[i] = descend(on, starts[i], iterations, held); });
   std::ranges::stable_sort(ends, {}, &Descent::cost);
   if (ends.size() > most_finalists) ends.resize(most_finalists);
   parallel_for(ends.size(), [&](std::size_t i) {
@@ -251,8 +259,10 @@ Fit fit_with(const ForwardModel& model, const Fit& before, std::size_t added,
     const FitProblem on(model, effects, trained, before.scatter);
     starts = scaled_down(on, starts, before.values.size(), candidate.sizes);
   }
-  return fit_from(model, effects, std::move(starts), trained, before.scatter, before.slopes,
-                  must_beat);
+  // Far from where its slopes were found the base must be free to follow.
+  const bool goes_far = candidate.has_far_starts && screened.empty();
+  return fit_from(model, effects, std::move(starts), trained, before.scatter,
+                  goes_far ? Eigen::MatrixXd() : before.slopes, must_beat);
 }
 
 Fit polish(const ForwardModel& model, const Fit& fit, const std::vector<bool>& trained,

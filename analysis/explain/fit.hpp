@@ -37,8 +37,9 @@ struct MustBeat {
 ///
 /// The fit moves the base and every effect together. It is certified if at least two starts end
 /// within 1e-4 in cost, or one value's share of it, or a tenth of what is gained, and, of each
-/// parameter of the last effect but phases, within 5 % or a tenth of its standard error. All starts
-/// make their first moves; the best three go on until two come to rest in one place.
+/// parameter of the last effect but phases, within 5 %, an angle within 0.05 rad, or a tenth of its
+/// standard error. All starts make their first moves; the best three go on until two come to rest
+/// in one place.
 ///
 /// Covariance  (JᵀJ)⁻¹ (Σ_u g_u g_uᵀ) (JᵀJ)⁻¹ with g_u = J_uᵀ r_u: dependence within a unit does
 ///             not count as knowledge
@@ -58,7 +59,8 @@ std::vector<std::vector<double>> starts_from(const std::vector<double>& before,
                                              const std::vector<std::vector<double>>& all_own);
 
 /// The fit of `before` with `added` as one more effect, from that effect's own starts.
-/// @param screened  one more start: see Screened; may be empty
+/// @param screened  one more start, or, of an effect with far starts, the only one: see Screened;
+///                  may be empty
 Fit fit_with(const ForwardModel& model, const Fit& before, std::size_t added,
              const std::vector<bool>& trained, const MustBeat& must_beat = {},
              const std::vector<double>& screened = {});

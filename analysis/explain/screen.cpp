@@ -191,6 +191,9 @@ Screened screened(const ForwardModel& model, std::size_t effect,
     if (!is_small_when_screened(candidate)) continue;
     best.start = candidate.resized(candidate.starts[s], -along / norm);
     best.is_admissible = may_be(candidate, best.start);
+    if (best.is_admissible || !candidate.has_far_starts) continue;
+    best.start.clear();  // what a small one does says nothing of a large one in another valley
+    best.is_admissible = true;
   }
   return best;
 }

@@ -15,7 +15,8 @@ struct Screened {
   Eigen::VectorXd scores;  ///< of each unit: its part in it
   /// Unit length: the candidate's own mark on the residuals, then on what is known beforehand.
   Eigen::VectorXd direction;
-  /// Its values where it explains that; empty if it leaves no small mark.
+  /// Its values where it explains that; empty if it leaves no small mark, or if one with far starts
+  /// would have to be out of bounds for it: then a large one may be elsewhere.
   std::vector<double> start;
   bool is_admissible = true;  ///< false: its one size would have to be out of bounds for it
 };

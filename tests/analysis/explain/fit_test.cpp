@@ -132,6 +132,20 @@ TEST_CASE("screening says how large an effect would be, and whether it may be th
   CHECK_FALSE(of_coulomb().is_admissible);
 }
 
+TEST_CASE("what may not be when small is tried from far starts, if it has such", "[explain]") {
+  ToyModel model({{{"stribeck_friction", {-0.3, 0.2}}}, 0.01, 0.5});
+  model.bound("stribeck_friction", 0, 10);
+  const std::size_t stribeck = model.index_of("stribeck_friction");
+  const auto of_stribeck = [&] {
+    const auto all_screened = screen_base(model);
+    return *std::ranges::find(all_screened, stribeck, &Screened::effect);
+  };
+  CHECK_FALSE(of_stribeck().is_admissible);
+  model.start_far("stribeck_friction");
+  CHECK(of_stribeck().is_admissible);
+  CHECK(of_stribeck().start.empty());
+}
+
 TEST_CASE("a pair may be what neither of the two may be alone", "[explain]") {
   // Drag makes up for friction: alone, what is missing looks like friction that pushes.
   ToyModel model({{{"coulomb_friction", {0.1}}, {"cubic_drag", {-0.2}}}, 0.01, 0.5});

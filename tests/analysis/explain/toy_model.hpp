@@ -75,6 +75,7 @@ class ToyModel final : public PlainModel {
   void hide(const std::string& name, const std::string& why) {
     library_[by_name_.at(name)].not_exercised = why;
   }
+  void start_far(const std::string& name) { library_[by_name_.at(name)].has_far_starts = true; }
   void bound(const std::string& name, double low, double high) {
     library_[by_name_.at(name)].parameters.front().low = low;
     library_[by_name_.at(name)].parameters.front().high = high;
