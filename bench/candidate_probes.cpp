@@ -11,7 +11,18 @@ namespace {
 // Standard errors, of all values together: among noise, ten times the usual size leaves a hundred
 // times as much.
 constexpr double least_mark = 0.03;
-constexpr double same_mark = 0.995;  // cosine: no data of this kind would part them
+// Cosines: no data of this kind would part two laws that are known to look alike; of others, only
+// what is the same law here but for rounding stands for both.
+constexpr double same_mark = 0.995;
+constexpr double one_law = 0.99999;
+
+// Whether one's card says that the other can look alike.
+bool are_known_to_look_alike(const analysis::Candidate& a, const analysis::Candidate& b) {
+  const auto lists = [](const analysis::Candidate& of, const std::string& name) {
+    return std::ranges::find(of.mimics, name) != of.mimics.end();
+  };
+  return a.name == b.name || lists(a, b.name) || lists(b, a.name);
+}
 
 }  // namespace
 
@@ -43,7 +54,10 @@ void group_candidates(PlantFamily& family, const Eigen::MatrixXd& marks) {
     }
     const auto same = std::ranges::find_if(kept, [&](std::size_t k) {
       const auto other = marks.col(static_cast<Eigen::Index>(k));
-      return std::abs(mark.dot(other)) > same_mark * mark.norm() * other.norm();
+      const double alike = are_known_to_look_alike(family.candidates()[i], family.candidates()[k])
+                               ? same_mark
+                               : one_law;
+      return std::abs(mark.dot(other)) > alike * mark.norm() * other.norm();
     });
     if (same == kept.end()) {
       kept.push_back(i);

@@ -23,7 +23,9 @@ std::vector<CandidateProbe> probe_candidates(
         const sim::PlantSpec&)>& solve);
 
 /// Settles which candidates need not be tried, by their marks on what is compared: those that leave
-/// none, and those whose mark is that of an earlier one, which then stands for both.
+/// none, and those whose mark is that of an earlier one, which then stands for both: within a
+/// cosine of 0.995 if they have one name or one's card lists the other, else only if they agree but
+/// for rounding.
 /// @param marks  one column for each candidate, in standard errors; zero if it was not probed
 void group_candidates(PlantFamily& family, const Eigen::MatrixXd& marks);
 
