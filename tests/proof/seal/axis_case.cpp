@@ -6,6 +6,7 @@
 
 #include "tests/proof/seal/noise.hpp"
 #include "tests/proof/seal/sealed_case.hpp"
+#include "tests/proof/seal/slide_calibration.hpp"
 #include "tests/proof/seal/slide_effects/slide_effects.hpp"
 #include "tests/proof/seal/slide_records.hpp"
 #include "tests/proof/seal/write_text.hpp"
@@ -171,9 +172,25 @@ Axes draw_axes(const CasePlan& plan, Draw& draw) {
   return {drawn, built, has_drag};
 }
 
+// Mass, drag and offset where the plant file leaves them open, and the delay. A gain is in them.
+SlideCalibration calibration_of(const Axes& axes, bool knows_weight,
+                                const std::vector<Motion>& motions, double delay_s) {
+  std::vector<std::vector<Eigen::VectorXd>> moved;
+  const auto add = [&](const Axis& by, double late_s) {
+    auto& change = moved.emplace_back();
+    for (const Motion& motion : motions) change.push_back(force_of(by, motion, late_s));
+  };
+  add({1, 0, 0}, delay_s);
+  if (axes.has_drag) add({0, 1, 0}, delay_s);
+  if (!knows_weight) add({0, 0, 1}, delay_s);
+  add(axes.built, delay_s + 1 / rate_Hz);
+  return SlideCalibration(moved);
+}
+
 // The effects of a plan, each as far below the usual force as it is to be.
 std::vector<HiddenSlide> hidden_in(const CasePlan& plan, const std::vector<Motion>& motions,
-                                   const SlideScales& usual, const SlideChain& chain, Draw& draw) {
+                                   const SlideScales& usual, const SlideChain& chain,
+                                   const SlideCalibration& calibration, Draw& draw) {
   std::vector<HiddenSlide> all;
   if (plan.kind == "null") return all;
   for (const std::string& name : plan.effects) {
@@ -183,9 +200,14 @@ std::vector<HiddenSlide> hidden_in(const CasePlan& plan, const std::vector<Motio
     const double size =
         effect.size * usual.force_N * std::pow(10, -plan.concealment_dB / 20) / as_large;
     auto forces_N = forces_of(motions, effect, size, chain.delay_s);
-    const double shown_dB = is_one_way(plan) ? 20 * std::log10(rms_of(forces_N))
-                                             : middle_snr_dB(forces_N, chain.noise_slope, rate_Hz);
-    all.push_back({std::move(effect), size, std::move(forces_N), shown_dB});
+    const double shown_dB =
+        is_one_way(plan) ? 20 * std::log10(rms_of(forces_N))
+                         : middle_snr_dB(calibration.leaves(forces_N), chain.noise_slope, rate_Hz);
+    const double value =
+        effect.law
+            ? calibration.times(forces_of(motions, as_law(effect), 1, chain.delay_s), forces_N)
+            : size;
+    all.push_back({std::move(effect), size, std::move(forces_N), shown_dB, value});
   }
   return all;
 }
@@ -229,12 +251,13 @@ json seal_axis(const CasePlan& plan, Draw& draw, const std::filesystem::path& fo
   for (const Motion& motion : motions) bare.push_back(force_of(axes.built, motion, 0));
   const SlideScales usual{rms_of(bare), stroke_m / 2, 0.5};
   const SlideChain chain = chain_of(plan, rate_Hz, draw);
-  const auto hidden = hidden_in(plan, motions, usual, chain, draw);
+  const bool knows_weight =
+      hides(plan, "asymmetric_friction") || is_one_way(plan) || draw.one_in(2);
+  const auto hidden = hidden_in(plan, motions, usual, chain,
+                                calibration_of(axes, knows_weight, motions, chain.delay_s), draw);
   const double noise_N = noise_of(plan, hidden, usual.force_N);
   write_records(folder, {rate_Hz, "way", "force"},
                 records_of(axes.built, motions, hidden, chain, noise_N, draw));
-  const bool knows_weight =
-      hides(plan, "asymmetric_friction") || is_one_way(plan) || draw.one_in(2);
   write_text(folder / "plant.json",
              plant_of(axes.drawn, axes.has_drag, knows_weight).dump(2) + '\n');
   return answer_of(hidden, "slide", plan, noise_N);

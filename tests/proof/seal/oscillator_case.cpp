@@ -9,6 +9,7 @@
 #include "hal/types/parallel_for.hpp"
 #include "tests/proof/seal/noise.hpp"
 #include "tests/proof/seal/sealed_case.hpp"
+#include "tests/proof/seal/slide_calibration.hpp"
 #include "tests/proof/seal/slide_effects/slide_effects.hpp"
 #include "tests/proof/seal/slide_records.hpp"
 #include "tests/proof/seal/write_text.hpp"
@@ -22,7 +23,9 @@ constexpr double rate_Hz = 250;
 constexpr double length_s = 16.384;
 constexpr double lowest_Hz = 2, highest_Hz = 28;
 constexpr int steps_per_sample = 16;
-constexpr int sizings = 3;  // each as large as the one before came out too small
+constexpr double little = 1e-3;  // of a number, for its slope
+constexpr int law_rounds = 2;    // a law's way is nearly as large as the law
+constexpr int sizings = 3;       // each as large as the one before came out too small
 constexpr double two_pi = 2 * std::numbers::pi;
 
 const std::map<std::string, HiddenInSlide (*)(const SlideScales&, Draw&)> all_effects{
@@ -144,29 +147,31 @@ Oscillators draw_oscillators(Draw& draw) {
            drawn.damping * (1 + 0.5 * draw.uniform(-1, 1))}};
 }
 
-// A machine under each of the pushes.
+// What pushes a machine, level by level.
 class Shaker {
  public:
-  Shaker(const Oscillator& machine, Draw& draw) : machine_(machine) {
+  explicit Shaker(Draw& draw) {
     for (const double level_N : levels_N) {
       for (int i = 0; i < realisations; ++i) pushes_.emplace_back(level_N, draw);
     }
   }
 
-  std::vector<Eigen::VectorXd> ways_of(const std::vector<HiddenSlide>& acting,
+  std::vector<Eigen::VectorXd> ways_of(const Oscillator& machine,
+                                       const std::vector<HiddenSlide>& acting,
                                        double late_s) const {
     std::vector<Eigen::VectorXd> ways(pushes_.size());
     rvbench::parallel_for(pushes_.size(), [&](std::size_t i) {
       Effects effects;
       for (const HiddenSlide& one : acting) effects.push_back(one.effect.make(one.size));
-      ways[i] = way_of(machine_, pushes_[i], effects, late_s);
+      ways[i] = way_of(machine, pushes_[i], effects, late_s);
     });
     return ways;
   }
 
-  std::vector<SlideRecord> records_of(const std::vector<HiddenSlide>& hidden,
+  std::vector<SlideRecord> records_of(const Oscillator& machine,
+                                      const std::vector<HiddenSlide>& hidden,
                                       const SlideChain& chain, double noise_m, Draw& draw) const {
-    const auto ways = ways_of(hidden, chain.delay_s);
+    const auto ways = ways_of(machine, hidden, chain.delay_s);
     std::vector<SlideRecord> records;
     for (std::size_t i = 0; i < ways.size(); ++i) {
       SlideRecord record{fmt::format("{:g} N", levels_N[i / realisations]), "", {}, {}};
@@ -182,27 +187,60 @@ class Shaker {
  private:
   static constexpr std::array<double, 3> levels_N{2, 5, 10};
   static constexpr int realisations = 2;
-  const Oscillator& machine_;
   std::vector<Push> pushes_;
 };
 
+using Ways = std::vector<Eigen::VectorXd>;
+
+Ways less(Ways ways, const Ways& than) {
+  for (std::size_t i = 0; i < ways.size(); ++i) ways[i] -= than[i];
+  return ways;
+}
+
+// Mass, stiffness, damping, gain, offset and delay.
+SlideCalibration calibration_of(const Oscillator& machine, const Shaker& shaker, const Ways& bare) {
+  std::vector<Ways> moved{bare, bare};
+  for (Eigen::VectorXd& way : moved.back()) way.setOnes();
+  for (double Oscillator::*number :
+       {&Oscillator::mass_kg, &Oscillator::stiffness, &Oscillator::damping}) {
+    Oscillator other = machine;
+    other.*number *= 1 + little;
+    moved.push_back(less(shaker.ways_of(other, {}, 0), bare));
+  }
+  moved.push_back(less(shaker.ways_of(machine, {}, 1 / rate_Hz / steps_per_sample), bare));
+  return SlideCalibration(moved);
+}
+
+// Of rvbench's law, the size that comes nearest to what an effect does.
+double value_of(const HiddenSlide& hidden, const Oscillator& machine, const Shaker& shaker,
+                const Ways& bare, const SlideCalibration& calibration) {
+  if (!hidden.effect.law) return hidden.size;
+  double value = hidden.size;
+  for (int round = 0; round < law_rounds; ++round) {
+    const HiddenSlide law{as_law(hidden.effect), value};
+    value *= calibration.times(less(shaker.ways_of(machine, {law}, 0), bare), hidden.change);
+  }
+  return value;
+}
+
 // The effects of a plan, each as far below the way under the strongest push as it is to be.
-std::vector<HiddenSlide> hidden_in(const CasePlan& plan, const Shaker& shaker,
-                                   const std::vector<Eigen::VectorXd>& bare,
-                                   const SlideScales& usual, const SlideChain& chain, Draw& draw) {
+std::vector<HiddenSlide> hidden_in(const CasePlan& plan, const Oscillator& machine,
+                                   const Shaker& shaker, const Ways& bare, const SlideScales& usual,
+                                   const SlideChain& chain, Draw& draw) {
   std::vector<HiddenSlide> all;
   if (plan.kind == "null") return all;
+  const SlideCalibration calibration = calibration_of(machine, shaker, bare);
   for (const std::string& name : plan.effects) {
     HiddenSlide one{all_effects.at(name)(usual, draw)};
     one.size = one.effect.size * 0.05;
     for (int sizing = 0; sizing < sizings; ++sizing) {
-      one.change = shaker.ways_of({one}, 0);
-      for (std::size_t i = 0; i < bare.size(); ++i) one.change[i] -= bare[i];
+      one.change = less(shaker.ways_of(machine, {one}, 0), bare);
       if (sizing + 1 == sizings) break;
       one.size *=
           std::pow(10, -plan.concealment_dB / 20) * rms(bare.back()) / rms(one.change.back());
     }
-    one.shown_dB = middle_snr_dB(one.change, chain.noise_slope, rate_Hz);
+    one.shown_dB = middle_snr_dB(calibration.leaves(one.change), chain.noise_slope, rate_Hz);
+    one.value = value_of(one, machine, shaker, bare, calibration);
     all.push_back(std::move(one));
   }
   return all;
@@ -212,17 +250,18 @@ std::vector<HiddenSlide> hidden_in(const CasePlan& plan, const Shaker& shaker,
 
 json seal_oscillator(const CasePlan& plan, Draw& draw, const std::filesystem::path& folder) {
   const Oscillators machine = draw_oscillators(draw);
-  const Shaker shaker(machine.built, draw);
+  const Shaker shaker(draw);
   const SlideChain chain = chain_of(plan, rate_Hz, draw);
-  const auto bare = shaker.ways_of({}, 0);
+  const auto bare = shaker.ways_of(machine.built, {}, 0);
   const double way_m = 1.5 * rms(bare.back());
   const double rate = std::sqrt(machine.drawn.stiffness / machine.drawn.mass_kg);
   const SlideScales usual{machine.built.stiffness * way_m, way_m, way_m * rate};
-  const auto hidden = hidden_in(plan, shaker, bare, usual, chain, draw);
+  const auto hidden = hidden_in(plan, machine.built, shaker, bare, usual, chain, draw);
   const double noise_m = plan.kind == "null"
                              ? rms(bare.front()) * (plan.effects.front() == "strong" ? 0.1 : 0.005)
                              : noise_under(hidden, plan);
-  write_records(folder, {rate_Hz, "push", "way"}, shaker.records_of(hidden, chain, noise_m, draw));
+  write_records(folder, {rate_Hz, "push", "way"},
+                shaker.records_of(machine.built, hidden, chain, noise_m, draw));
   write_text(folder / "plant.json", plant_of(machine.drawn).dump(2) + '\n');
   return answer_of(hidden, "mass", plan, noise_m);
 }

@@ -79,7 +79,7 @@ nlohmann::json answer_of(const std::vector<HiddenSlide>& hidden, const std::stri
                        {"bodies", {body}},
                        {"anywhere", false},
                        {"parameter", one.effect.parameter},
-                       {"value", one.size},
+                       {"value", one.value},
                        {"concealment_dB", plan.concealment_dB},
                        {"snr_dB", one.shown_dB - 20 * std::log10(noise)}});
   }

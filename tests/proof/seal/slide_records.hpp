@@ -39,7 +39,8 @@ struct HiddenSlide {
   HiddenInSlide effect;
   double size = 0;
   std::vector<Eigen::VectorXd> change = {};  ///< of each record, without noise
-  double shown_dB = 0;                       ///< above noise of 1 in the output's unit
+  double shown_dB = 0;  ///< what a calibration leaves of it, above noise of 1 in the output's unit
+  double value = 0;     ///< of its parameter
 };
 
 /// How far a change stands above noise of 1 in its best bin, in the middle one of the records [dB].

@@ -29,7 +29,8 @@ HiddenInSlide cubic_stiffness(const SlideScales& usual, Draw& draw) {
           .also = {},
           .parameter = "stiffness",
           .size = usual.force_N / (way_m * way_m * way_m),
-          .make = [=](double size) { return std::make_unique<String>(size, way_m); }};
+          .make = [=](double size) { return std::make_unique<String>(size, way_m); },
+          .law = [](double x_m, double) { return x_m * x_m * x_m; }};
 }
 
 }  // namespace seal

@@ -25,7 +25,8 @@ HiddenInSlide nonlinear_damping(const SlideScales& usual, Draw& draw) {
           .also = {"displacement_damping"},
           .parameter = "damping",
           .size = usual.force_N / (speed_m_s * speed_m_s),
-          .make = [=](double size) { return std::make_unique<Drag>(size, speed_m_s); }};
+          .make = [=](double size) { return std::make_unique<Drag>(size, speed_m_s); },
+          .law = [](double, double v_m_s) { return v_m_s * std::abs(v_m_s); }};
 }
 
 }  // namespace seal

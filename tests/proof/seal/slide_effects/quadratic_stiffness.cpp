@@ -26,7 +26,8 @@ HiddenInSlide quadratic_stiffness(const SlideScales& usual, Draw& draw) {
           .also = {},
           .parameter = "stiffness",
           .size = side * usual.force_N / (way_m * way_m),
-          .make = [=](double size) { return std::make_unique<Arch>(size, way_m); }};
+          .make = [=](double size) { return std::make_unique<Arch>(size, way_m); },
+          .law = [](double x_m, double) { return x_m * x_m; }};
 }
 
 }  // namespace seal

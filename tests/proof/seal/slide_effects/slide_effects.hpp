@@ -30,7 +30,13 @@ struct HiddenInSlide {
   std::string parameter = {};          ///< of rvbench's term, that the size is comparable with
   double size = 1;                     ///< that would be much
   std::function<std::unique_ptr<SlideEffect>(double size)> make;
+  /// Of a size of one: the law of rvbench's term where it is not quite this one's; the parameter is
+  /// then compared with the size of that which comes nearest.
+  std::function<double(double way_m, double speed_m_s)> law = {};
 };
+
+/// A law of rvbench's as an effect.
+HiddenInSlide as_law(const HiddenInSlide& effect);
 
 HiddenInSlide asymmetric_friction(const SlideScales& usual, Draw& draw);
 HiddenInSlide coulomb_friction(const SlideScales& usual, Draw& draw);

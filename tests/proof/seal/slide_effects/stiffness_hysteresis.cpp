@@ -35,7 +35,6 @@ HiddenInSlide stiffness_hysteresis(const SlideScales& usual, Draw& draw) {
   const double yield_m = usual.way_m * draw.uniform(0.1, 0.3);
   return {.name = "stiffness_hysteresis",
           .also = {"coulomb_friction"},
-          .parameter = "stiffness",
           .size = usual.force_N / yield_m,
           .make = [=](double size) { return std::make_unique<Slipping>(size, yield_m); }};
 }

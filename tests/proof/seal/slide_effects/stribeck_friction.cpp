@@ -25,13 +25,10 @@ class Sticking final : public SlideEffect {
 HiddenInSlide stribeck_friction(const SlideScales& usual, Draw& draw) {
   const double creep_m_s = usual.speed_m_s * draw.uniform(0.05, 0.2);
   const double bending_m = usual.way_m * 1e-3 * draw.within_factor(2);
-  return {.name = "stribeck_friction",
-          .also = {},
-          .parameter = "excess",
-          .size = usual.force_N,
-          .make = [=](double size_N) {
-            return std::make_unique<Sticking>(size_N, creep_m_s, bending_m);
-          }};
+  return {
+      .name = "stribeck_friction", .also = {}, .size = usual.force_N, .make = [=](double size_N) {
+        return std::make_unique<Sticking>(size_N, creep_m_s, bending_m);
+      }};
 }
 
 }  // namespace seal
