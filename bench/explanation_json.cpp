@@ -106,7 +106,9 @@ ordered_json located_json(const Located& located) {
 
 ordered_json left_out_json(const analysis::LeftOutError& error) {
   if (!error.known) return nullptr;
-  return {{"before", number(error.before)}, {"after", number(error.after)}};
+  return {{"before", number(error.before)},
+          {"after", number(error.after)},
+          {"floor", error.floor ? number(*error.floor) : ordered_json(nullptr)}};
 }
 
 ordered_json effect_json(const analysis::ExplainedEffect& effect, const ordered_json& floor,

@@ -74,10 +74,13 @@ std::vector<std::size_t> as_good_as_any_form(const Step& step, const Ceiling& ce
   return equals;
 }
 
-LeftOutError left_out_error(const Selection& found, std::size_t first_fold, std::size_t folds) {
+LeftOutError left_out_error(const Explanation& e, std::size_t first_fold, std::size_t folds) {
   if (folds == 0) return {};
+  const Selection& found = e.selection;
+  std::optional<double> floor = noise_floor(e);
+  if (floor) *floor *= found.extrapolated.expected_of(first_fold, folds);
   return {true, found.base_extrapolated.rms_of(first_fold, folds),
-          found.extrapolated.rms_of(first_fold, folds)};
+          found.extrapolated.rms_of(first_fold, folds), floor};
 }
 
 ExplainedEffect explained(const ForwardModel& model, const Selection& found, const Step& step,
@@ -218,6 +221,7 @@ const char* to_string(ExplainVerdict verdict) noexcept {
 std::optional<double> noise_floor(const Explanation& explanation) {
   if (explanation.self_null.known) return explanation.self_null.error / std::numbers::sqrt2;
   if (explanation.ceiling_after.known) return explanation.ceiling_after.error;
+  if (explanation.in_standard_errors) return 1;
   return std::nullopt;
 }
 
@@ -267,12 +271,10 @@ Explanation explanation_of(const ForwardModel& model, const SelectionOptions& op
       e.effects.push_back(explained(model, found, step, values, before));
       before = e.effects.back().error_after;
     }
-    if (!e.effects.empty()) {
-      const std::size_t speeds = speed_folds(model.units()).size();
-      e.speeds_out = left_out_error(found, 0, speeds);
-      e.loads_out = left_out_error(found, speeds, on.extrapolations.size() - speeds);
-    }
     e.self_null = self_null_of(model, found.fit, options);
+    const std::size_t speeds = speed_folds(model.units()).size();
+    e.speeds_out = left_out_error(e, 0, speeds);
+    e.loads_out = left_out_error(e, speeds, on.extrapolations.size() - speeds);
   }
   conclude(model, e);
   return e;

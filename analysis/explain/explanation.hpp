@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,9 @@ struct SelfNull {
 struct LeftOutError {
   bool known = false;
   double before = 0, after = 0;
+  /// What noise alone leaves there, the numbers being as open as the other records leave them;
+  /// nothing where noise_floor() has nothing.
+  std::optional<double> floor = {};
 };
 
 struct Explanation {
@@ -70,7 +74,7 @@ struct Explanation {
   std::vector<Estimate> nuisances, base;
   double trained_before = 0, trained_after = 0;
   double held_out_before = 0, held_out_after = 0;  ///< likewise, on left-out conditions
-  LeftOutError speeds_out, loads_out;  ///< whole ones left out; known if effects are found
+  LeftOutError speeds_out, loads_out;              ///< whole ones left out
   Ceiling ceiling_before, ceiling_after;
   SelfNull self_null;
   std::vector<RivalEffect> cannot_exclude;  ///< tried last and refused, the nearest three
@@ -78,7 +82,8 @@ struct Explanation {
 };
 
 /// Held-out error that noise alone leaves: one repeat differs from another by √2 of it. Without
-/// repeats, what a law of any shape leaves; nothing if that is not known either.
+/// repeats, what a law of any shape leaves, or one standard error where these are counted; nothing
+/// if neither is known.
 std::optional<double> noise_floor(const Explanation& explanation);
 
 /// "1.2 σ" of one that counts standard errors; "2.6 %" of a relative one.

@@ -47,6 +47,14 @@ class Open {
     log_volume_ = log_volume(Eigen::LDLT<Eigen::MatrixXd>(learned_));
   }
 
+  // By how much the numbers add to the sum of squares of a unit's residuals that scatter by one.
+  double expected_more(const ObservedUnit& unit, double counts_as) const {
+    if (learned_.size() == 0) return 0;
+    const auto j = slopes_.middleRows(unit.first, unit.size);
+    const Eigen::LDLT<Eigen::MatrixXd> learned(learned_);
+    return (j * learned.solve(j.transpose())).trace() / counts_as;
+  }
+
   // What the log density of a unit's residuals gains by it over one with all numbers known.
   double gain(const ObservedUnit& unit, const Eigen::VectorXd& residuals, double mean_square,
               double counts_as) const {
@@ -68,6 +76,17 @@ class Open {
   Eigen::MatrixXd slopes_, learned_;
   double log_volume_ = 0;
 };
+
+// Over some folds in a row.
+double root_mean(const std::vector<double>& sums, const std::vector<double>& counts,
+                 std::size_t first, std::size_t folds) {
+  double sum = 0, values = 0;
+  for (std::size_t i = first; i < first + folds; ++i) {
+    sum += sums[i];
+    values += counts[i];
+  }
+  return values > 0 ? std::sqrt(sum / values) : 0;
+}
 
 }  // namespace
 
@@ -100,12 +119,11 @@ std::vector<Fold> extrapolation_folds(const std::vector<ObservedUnit>& units) {
 }
 
 double HeldOut::rms_of(std::size_t first_fold, std::size_t folds) const {
-  double sum = 0, values = 0;
-  for (std::size_t i = first_fold; i < first_fold + folds; ++i) {
-    sum += square_sums[i];
-    values += counts[i];
-  }
-  return values > 0 ? std::sqrt(sum / values) : 0;
+  return root_mean(square_sums, counts, first_fold, folds);
+}
+
+double HeldOut::expected_of(std::size_t first_fold, std::size_t folds) const {
+  return root_mean(expected_sums, counts, first_fold, folds);
 }
 
 double log_density_of(const Eigen::Ref<const Eigen::VectorXd>& residuals, double mean_square,
@@ -139,7 +157,7 @@ std::optional<HeldOut> predict_held_out(const ForwardModel& model, const Fit& fi
   HeldOut result{fit.effects, {}, 0};
   std::vector<double> densities;
   for (std::size_t i = 0; i < folds.size(); ++i) {
-    double sum = 0, values = 0;
+    double sum = 0, values = 0, expected = 0;
     const Eigen::VectorXd& all = without[i].residuals;
     if (all.size() == 0) return std::nullopt;
     const std::vector<bool> trained = folds[i].trained();
@@ -156,7 +174,10 @@ std::optional<HeldOut> predict_held_out(const ForwardModel& model, const Fit& fi
       if (open) densities.back() += open->gain(unit, all, scatter, counts_as);
       sum += residuals.squaredNorm();
       values += static_cast<double>(unit.size);
+      expected +=
+          static_cast<double>(unit.size) + (open ? open->expected_more(unit, counts_as) : 0);
     }
+    result.expected_sums.push_back(expected);
     result.square_sums.push_back(sum);
     result.counts.push_back(values);
   }

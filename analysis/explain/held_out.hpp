@@ -43,8 +43,13 @@ struct HeldOut {
   double rms = 0;  ///< of all their residuals
   /// Per fold: the sum of their squares, and how many there are.
   std::vector<double> square_sums = {}, counts = {};
+  /// Per fold: the sum of squares to be expected of residuals that scatter by one where they were
+  /// learned from; of a fold that is beyond, with what is left open of the numbers.
+  std::vector<double> expected_sums = {};
   /// Of the residuals of some folds in a row.
   double rms_of(std::size_t first_fold, std::size_t folds) const;
+  /// What that would be with a scatter of one.
+  double expected_of(std::size_t first_fold, std::size_t folds) const;
 };
 
 /// How a fit without a fold is come by.

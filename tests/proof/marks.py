@@ -45,8 +45,10 @@ def is_located(effects, truth, machine):
 
 
 def mark_estimate(effect, truth, row):
-    """Its size beside the true one, where the two are the same quantity."""
-    is_comparable = truth["parameter"] and truth["value"] and effect["name"] == truth["name"]
+    """Its size beside the true one, where the two are the same quantity: of what may act anywhere
+    the same lines need another size at each place."""
+    is_comparable = (truth["parameter"] and truth["value"] and not truth["anywhere"]
+                     and effect["name"] == truth["name"])
     if not is_comparable or not effect["parameters"]:  # baselines have none
         return
     parameters = {p["name"]: p for p in effect["parameters"]}
@@ -114,17 +116,16 @@ def mark_real(said, truths, row):
 
 
 def mark_fit(said, row):
-    """What remains of the held-out error, above what noise leaves."""
+    """What remains of the held-out error, above what noise leaves there."""
     held_out = (said.get("fit") or {}).get("held_out") or {}
-    floor = held_out.get("floor")
     out = {"condition": held_out, "speed": held_out.get("speeds"), "load": held_out.get("loads")}
     for left_out, error in out.items():
-        before, after = ((error or {}).get(k) for k in ("before", "after"))
+        before, after, floor = ((error or {}).get(k) for k in ("before", "after", "floor"))
         if None in (before, after, floor) or before <= floor:
             continue
         row[f"remaining_{left_out}"] = max(0.0, after - floor) / (before - floor)
-    if held_out.get("after") and floor:
-        row["over_floor"] = held_out["after"] / floor
+    if held_out.get("after") and held_out.get("floor"):
+        row["over_floor"] = held_out["after"] / held_out["floor"]
 
 
 def mark_case(sealed, said, run):

@@ -94,6 +94,25 @@ class Sizes(unittest.TestCase):
             mark("single", [hidden("a", parameter="level")], [told("a", parameters=[size])])
 
 
+    def test_what_may_act_anywhere_has_no_one_size(self):
+        size = {"name": "depth", "value": 1.1, "ci90": [1, 2]}
+        truth = hidden("a", parameter="depth", anywhere=True)
+        row = mark("single", [truth], [told("a", parameters=[size])])
+        self.assertNotIn("parameter_error", row)
+
+
+class HeldOut(unittest.TestCase):
+    def test_each_error_has_the_floor_of_what_was_left_out(self):
+        fit = {"held_out": {"before": 3, "after": 1.2, "floor": 1,
+                            "speeds": {"before": 5, "after": 3, "floor": 2.5},
+                            "loads": {"before": 2, "after": 1.5, "floor": 2.5}}}
+        row = mark("single", [hidden("a")], [told("a")], fit=fit)
+        self.assertAlmostEqual(row["remaining_condition"], 0.1)
+        self.assertAlmostEqual(row["remaining_speed"], 0.2)
+        self.assertNotIn("remaining_load", row)
+        self.assertAlmostEqual(row["over_floor"], 1.2)
+
+
 class Several(unittest.TestCase):
     TRUTHS = [hidden("a"), hidden("b")]
 

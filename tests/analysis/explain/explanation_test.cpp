@@ -30,6 +30,24 @@ class InErrors final : public ForwardModel {
   ToyModel toy_;
 };
 
+// One value a record, each at a speed of its own, and their mean.
+class MeanOfRecords final : public test::PlainModel {
+ public:
+  explicit MeanOfRecords(int records) {
+    base_ = {{"mean", "N", 0, -10, 10, std::numeric_limits<double>::infinity(), 0.1}};
+    for (int i = 0; i < records; ++i) {
+      const std::string name = std::to_string(i);
+      units_.push_back({name, name, name, "", i, 1});
+    }
+  }
+  std::optional<Eigen::VectorXd> residuals(const std::vector<std::size_t>&,
+                                           const std::vector<double>& values,
+                                           const std::vector<bool>&) const override {
+    return Eigen::VectorXd(Eigen::ArrayXd::LinSpaced(Eigen::Index(units_.size()), -1, 1).sin() -
+                           values[0]);
+  }
+};
+
 }  // namespace
 
 TEST_CASE("what is named must be most of what errors do not account for", "[explain]") {
@@ -65,8 +83,34 @@ TEST_CASE("a law that holds predicts left-out speeds and loads as well as the no
   CHECK(e.speeds_out.after == Approx(1).epsilon(0.1));  // in units of the noise
   CHECK(e.loads_out.after == Approx(1).epsilon(0.1));
   CHECK(e.speeds_out.before > 1.5);  // what was learned at two speeds misses the third
-  const Explanation nothing = explain(InErrors({{}, noise_N, 0.0}));
-  CHECK_FALSE(nothing.speeds_out.known);
+  REQUIRE(e.speeds_out.floor);
+  CHECK(e.speeds_out.after == Approx(*e.speeds_out.floor).epsilon(0.1));
+}
+
+TEST_CASE("where nothing is missing, left-out speeds and loads are off by what noise leaves there",
+          "[explain]") {
+  const Explanation e = explain(InErrors({{}, noise_N, 0.0}));
+  REQUIRE(e.effects.empty());
+  for (const LeftOutError& error : {e.speeds_out, e.loads_out}) {
+    REQUIRE(error.known);
+    REQUIRE(error.floor);
+    CHECK(error.before == error.after);
+    CHECK(error.after == Approx(*error.floor).epsilon(0.1));
+  }
+}
+
+TEST_CASE("the fewer a number is learned from, the more it misses where it counts", "[explain]") {
+  // A mean of n values misses a value left out by sqrt(1 + 1/n) of the scatter.
+  for (const int records : {3, 9}) {
+    const MeanOfRecords model(records);
+    const std::vector<bool> all(model.units().size(), true);
+    const Fit fit = fit_from(model, {}, {{0.0}, {1.0}}, all);
+    std::vector<Fold> folds = speed_folds(model.units());
+    for (Fold& fold : folds) fold.is_beyond = true;
+    const auto held_out = predict_held_out(model, fit, folds, 1, LeftOut::refitted);
+    REQUIRE(held_out);
+    CHECK(held_out->expected_of(0, folds.size()) == Approx(std::sqrt(1 + 1.0 / (records - 1))));
+  }
 }
 
 TEST_CASE("where no law's form is right, rivals that miss less than it does are its class",
