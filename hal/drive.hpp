@@ -15,6 +15,7 @@ struct DriveStatus {
   double current_A = not_known;
   bool running = false;
   bool tripped = false;
+  bool remote = true;  ///< it obeys the wire; false: somebody took it over at its panel
   int fault_code = 0;  ///< the drive's own number; 0 = none
 };
 

@@ -8,6 +8,7 @@
 #include "hal/can/can_frames.hpp"
 #include "hal/can/can_torque_sensor.hpp"
 #include "hal/daq_accelerometers.hpp"
+#include "hal/modbus/drive_profile_json.hpp"
 #include "hal/modbus/modbus_inverter.hpp"
 
 namespace rvbench::hal {
@@ -46,13 +47,13 @@ class PlantSafetyInputs final : public SafetyInputs {
 std::unique_ptr<Drive> make_drive(const PlantPort& port, const SimulatedRigOptions& options,
                                   Clock& clock) {
   return std::make_unique<ModbusInverter>(
-      ModbusInverterOptions{.host = "127.0.0.1",
-                            .port = port.inverter_tcp_port(),
+      ModbusInverterOptions{.profile = drive_profile("rvbench_generic"),
+                            .path = ModbusTcp{"127.0.0.1", port.inverter_tcp_port()},
                             .unit_id = options.inverter_unit_id,
                             .response_timeout_s = options.response_timeout_s,
                             .stall_s = options.stall_s,
                             .limits = options.drive,
-                            .pole_pairs = options.pole_pairs},
+                            .motor = {.pole_pairs = options.pole_pairs}},
       clock);
 }
 

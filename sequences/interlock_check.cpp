@@ -74,6 +74,9 @@ std::optional<Ending> check_devices(const FreshValues& fresh) {
     return device_lost(
         fmt::format("the drive has tripped, fault code {}", fresh.drive->fault_code));
   }
+  if (fresh.drive && !fresh.drive->remote) {
+    return device_lost("the drive obeys its panel: somebody took it over");
+  }
   if (fresh.brake && fresh.brake->tripped) {
     return device_lost("the brake has tripped");
   }

@@ -40,7 +40,8 @@ void InverterModel::advance(double dt_s) {
   time_s_ += dt_s;
   silence_s_ += dt_s;
   const bool watched = parameters_.comm_loss_timeout_s > 0 && state_.output_enabled &&
-                       !state_.tripped && parameters_.comm_loss_action != CommLossAction::ignore;
+                       !state_.local && !state_.tripped &&
+                       parameters_.comm_loss_action != CommLossAction::ignore;
   if (watched && silence_s_ > parameters_.comm_loss_timeout_s) {
     trip_locked(fault_comm_loss, parameters_.comm_loss_action == CommLossAction::ramp_to_stop);
   }
@@ -81,10 +82,20 @@ bool InverterModel::command(RunCommand run, double setpoint_Hz) {
   const std::lock_guard lock(mutex_);
   if (!(setpoint_Hz >= 0 && setpoint_Hz <= parameters_.max_frequency_Hz)) return false;
   if (run != RunCommand::stop && state_.tripped) return false;
-  state_.run = run;
-  state_.setpoint_Hz = setpoint_Hz;
-  if (run != RunCommand::stop) state_.output_enabled = true;
+  if (!state_.local) follow_locked(run, setpoint_Hz);
   return true;
+}
+
+void InverterModel::take_over(RunCommand run, double setpoint_Hz) {
+  const std::lock_guard lock(mutex_);
+  state_.local = true;
+  follow_locked(run, setpoint_Hz);
+}
+
+void InverterModel::give_back() {
+  const std::lock_guard lock(mutex_);
+  follow_locked(RunCommand::stop, 0);
+  state_.local = false;
 }
 
 void InverterModel::set_reset(bool level) {
@@ -94,6 +105,12 @@ void InverterModel::set_reset(bool level) {
   if (!rising || state_.run != RunCommand::stop) return;
   state_.tripped = false;
   state_.fault_code = 0;
+}
+
+void InverterModel::follow_locked(RunCommand run, double setpoint_Hz) {
+  state_.run = run;
+  state_.setpoint_Hz = setpoint_Hz;
+  if (run != RunCommand::stop) state_.output_enabled = true;
 }
 
 void InverterModel::trip_locked(int fault_code, bool ramp_down) {

@@ -29,6 +29,7 @@ struct InverterState {
   double output_frequency_Hz = 0;  ///< signed: negative turns backwards
   bool output_enabled = false;     ///< false: the motor coasts
   bool tripped = false;
+  bool local = false;  ///< it obeys its panel
   int fault_code = 0;
   double speed_rpm = 0;  ///< as told by set_measured()
   double current_A = 0;
@@ -54,7 +55,11 @@ class InverterModel {
   double output_frequency_Hz() const;
   bool output_enabled() const;
   InverterState state() const;
-  double time_s() const;      ///< the sum of all dt_s
+  double time_s() const;  ///< the sum of all dt_s
+  /// Somebody at the panel takes the drive over, and turns the motor as they like; requests are
+  /// answered, commands are not followed. Giving it back leaves it stopped.
+  void take_over(RunCommand run, double setpoint_Hz);
+  void give_back();
   void trip(int fault_code);  ///< switches the output off at once; the motor coasts
 
   // The wire's side.
@@ -68,6 +73,7 @@ class InverterModel {
   void set_reset(bool level);
 
  private:
+  void follow_locked(RunCommand run, double setpoint_Hz);
   void trip_locked(int fault_code, bool ramp_down);
   void ramp_locked(double dt_s);
 

@@ -39,6 +39,7 @@ std::vector<std::uint16_t> status_block(const InverterState& state) {
   unsigned word = state.output_enabled ? 1 : 0;
   if (state.tripped) word |= 2;
   if (state.output_frequency_Hz < 0) word |= 4;
+  if (state.local) word |= 8;
   return {static_cast<std::uint16_t>(word),
           unsigned_word(std::abs(state.output_frequency_Hz), 0.01),
           unsigned_word(state.current_A, 0.01), signed_word(state.speed_rpm, 0.1),

@@ -19,7 +19,8 @@ enum class TableAnswer : std::uint8_t {
 /// The holding registers of the simulated drive, read from the prose of its manual:
 ///
 ///     0x0000  identity, always 0x5242          0x0200  status: bit 0 output on, bit 1 tripped,
-///     0x0001  pole pairs of the motor                  bit 2 turning backwards
+///     0x0001  pole pairs of the motor                  bit 2 turning backwards, bit 3 obeys its
+///                                                      panel: commands are not followed
 ///     0x0002  comm-loss time-out, 0.1 s        0x0201  output frequency, magnitude, 0.01 Hz
 ///     0x0003  comm-loss action: 0 ignore,      0x0202  motor current, 0.01 A
 ///             1 ramp to stop, 2 coast          0x0203  motor speed, 0.1 rpm, two's complement

@@ -2,30 +2,52 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
 namespace rvbench::hal {
+namespace {
 
-namespace registers = inverter_registers;
+constexpr int largest_block = 125;  // registers in one request, by the specification
+
+// The largest speed that the drive can tell.
+double largest_speed_rpm(const DriveRegister& at) {
+  if (at.words == 2) return at.scale * (at.is_signed ? 2147483647.0 : 4294967295.0);
+  return at.scale * (at.is_signed ? 32767 : 65535);
+}
+
+}  // namespace
 
 ModbusInverter::ModbusInverter(ModbusInverterOptions options, Clock& clock)
     : options_(std::move(options)),
+      status_blocks_(status_blocks(options_.profile)),
       clock_(clock),
-      link_(options_.host, options_.port, options_.unit_id,
-            options_.response_timeout_s + options_.stall_s) {
+      link_({.path = options_.path,
+             .unit_id = options_.unit_id,
+             .timeout_s = options_.response_timeout_s + options_.stall_s,
+             .turnaround_s = options_.profile.turnaround_s,
+             .writable = options_.profile.writable}) {
   const double max_rpm = options_.limits.max_speed_rpm;
-  if (!(max_rpm > 0 && max_rpm <= registers::max_speed_rpm)) {
-    throw std::invalid_argument(
-        fmt::format("ModbusInverter: max_speed_rpm is {}, must be above 0, at most {}", max_rpm,
-                    registers::max_speed_rpm));
+  const auto& speed_rpm = options_.profile.speed_rpm;
+  if (!(max_rpm > 0) || (speed_rpm && max_rpm > largest_speed_rpm(*speed_rpm))) {
+    throw std::invalid_argument(fmt::format(
+        "ModbusInverter: max_speed_rpm is {}, must be above 0{}", max_rpm,
+        speed_rpm ? fmt::format(", at most {}", largest_speed_rpm(*speed_rpm)) : std::string()));
   }
-  if (options_.pole_pairs < 1) {
+  const auto& [pole_pairs, rated_Hz] = options_.motor;
+  if (pole_pairs < 1) {
     throw std::invalid_argument(
-        fmt::format("ModbusInverter: pole_pairs is {}, at least 1", options_.pole_pairs));
+        fmt::format("ModbusInverter: pole_pairs is {}, at least 1", pole_pairs));
   }
-  (void)registers::words_from_speed(max_rpm, options_.pole_pairs);  // throws if it cannot be told
+  if (!(rated_Hz > 0)) {
+    throw std::invalid_argument(
+        fmt::format("ModbusInverter: rated_Hz is {}, must be above 0", rated_Hz));
+  }
+  // Throws if it cannot be told.
+  (void)words_for_speed(options_.profile, max_rpm, options_.motor);
 }
 
 Status ModbusInverter::connect() {
@@ -33,22 +55,22 @@ Status ModbusInverter::connect() {
     was_connected_ = true;
     connected_ = false;
     link_.close();
-    const Status ready = attempt([this] { return write_command("stop", registers::stop_words); });
-    if (!ready) return ready;
-    const Status reset = reset_trip();
-    connected_ = static_cast<bool>(reset);
-    return reset;
+    Status done = attempt([this] { return write_words("stop", words_for_stop(options_.profile)); });
+    if (done) done = reset_trip();
+    connected_ = static_cast<bool>(done);
+    return done;
   });
 }
 
 Result<DriveWatchdog> ModbusInverter::read_watchdog() {
-  registers::Settings settings;
+  DriveWords words;
   const Status status = charged([&]() -> Status {
     if (!connected_) return link_.failure(IoErrc::disconnected, "read watchdog");
-    return attempt_twice([&] { return identify(settings); });
+    return attempt_twice(
+        [&] { return read_words("read watchdog", watchdog_blocks(options_.profile), words); });
   });
   if (!status) return status.error();
-  return settings.watchdog;
+  return drive_watchdog(options_.profile, words);
 }
 
 Status ModbusInverter::set_speed(double speed_rpm) {
@@ -59,8 +81,7 @@ Status ModbusInverter::set_speed(double speed_rpm) {
   }
   return charged([&]() -> Status {
     if (!connected_) return link_.failure(IoErrc::disconnected, "set speed");
-    const auto words = registers::words_from_speed(speed_rpm, options_.pole_pairs);
-    return attempt([&] { return write_command("set speed", words); });
+    return attempt([&] { return command_speed(speed_rpm); });
   });
 }
 
@@ -80,7 +101,7 @@ void ModbusInverter::stop() noexcept {
     const std::lock_guard lock(mutex_);
     stop_waits_ = false;
     if (!was_connected_) return;
-    (void)attempt_twice([this] { return write_command("stop", registers::stop_words); });
+    (void)attempt_twice([this] { return write_words("stop", words_for_stop(options_.profile)); });
   } catch (...) {
     // Out of memory or no mutex: the drive's own watchdog does the rest.
   }
@@ -107,8 +128,7 @@ Status ModbusInverter::attempt(const std::function<Status()>& request) {
   if (!link_.is_open()) {
     const Status opened = link_.open();
     if (!opened) return opened;
-    registers::Settings settings;
-    const Status identified = identify(settings);
+    const Status identified = identify();
     if (!identified) {
       link_.close();  // an exception reply leaves it open: the next request would go to a stranger
       return identified;
@@ -127,48 +147,111 @@ Status ModbusInverter::attempt_twice(const std::function<Status()>& request) {
   return attempt(request);
 }
 
-Status ModbusInverter::identify(registers::Settings& settings) {
-  registers::SettingsWords words{};
-  const Status status = link_.read("identify", registers::settings.address, words);
+// A family without constants of its own is known by having all the registers of its state.
+Status ModbusInverter::identify() {
+  const DriveProfile& profile = options_.profile;
+  std::vector<DriveBlock> blocks = identity_blocks(profile);
+  if (blocks.empty()) blocks = status_blocks_;
+  DriveWords words;
+  const Status status = read_words("identify", blocks, words);
   if (!status) return status;
-  const auto parsed = registers::settings_from_words(words);
-  if (parsed && parsed->pole_pairs == options_.pole_pairs) {
-    settings = *parsed;
-    return Done{};
+  const auto stranger = [&](const std::string& why) {
+    return link_.failure(IoErrc::bad_reply, "identify: " + why);
+  };
+  if (!std::ranges::all_of(profile.identity, [&](const DrivePattern& constant) {
+        return constant.holds(words.at(constant.address));
+      })) {
+    return stranger("not a drive of the profile " + profile.name);
   }
-  link_.close();
-  if (!parsed) return link_.failure(IoErrc::bad_reply, "identify: not an rvbench generic inverter");
-  return link_.failure(IoErrc::bad_reply, fmt::format("identify: {} pole pairs, configured are {}",
-                                                      parsed->pole_pairs, options_.pole_pairs));
+  if (!profile.pole_pairs) return Done{};
+  const int pole_pairs = static_cast<int>(value_of(*profile.pole_pairs, words));
+  if (pole_pairs == options_.motor.pole_pairs) return Done{};
+  return stranger(
+      fmt::format("{} pole pairs, configured are {}", pole_pairs, options_.motor.pole_pairs));
 }
 
-Status ModbusInverter::read_status(DriveStatus& status) {
-  registers::StatusWords words{};
-  const Status done = link_.read("read status", registers::status.address, words);
-  if (!done) return done;
-  const auto parsed = registers::status_from_words(words);
-  if (!parsed) {
-    link_.close();
-    return link_.failure(IoErrc::bad_reply, "read status: bits that the drive never sets");
+Status ModbusInverter::read_words(const char* operation, const std::vector<DriveBlock>& blocks,
+                                  DriveWords& words) {
+  std::array<std::uint16_t, largest_block> block_words{};
+  for (const DriveBlock& block : blocks) {
+    const auto count = static_cast<std::size_t>(block.count);
+    const Status done = link_.read(operation, block.address, {block_words.data(), count});
+    if (!done) return done;
+    for (std::size_t i = 0; i < count; ++i) {
+      words[static_cast<std::uint16_t>(block.address + i)] = block_words[i];
+    }
   }
-  status = *parsed;
   return Done{};
 }
 
-Status ModbusInverter::write_command(const char* operation, const registers::CommandWords& words) {
-  return link_.write(operation, registers::command.address, words);
+Status ModbusInverter::read_status(DriveStatus& status) {
+  DriveWords words;
+  const Status done = read_words("read status", status_blocks_, words);
+  if (!done) return done;
+  const auto told = drive_status(options_.profile, words, options_.motor);
+  if (!told) {
+    link_.close();
+    return link_.failure(IoErrc::bad_reply, "read status: bits that the drive never sets");
+  }
+  status = *told;
+  state_ = state_of(options_.profile, words);
+  return Done{};
+}
+
+Status ModbusInverter::write_words(const char* operation, const std::vector<DriveWrite>& words) {
+  const bool is_block = options_.profile.writes_blocks && words.size() == 2 &&
+                        std::abs(words[0].address - words[1].address) == 1;
+  if (is_block) {
+    const bool in_order = words[0].address < words[1].address;
+    const DriveWrite& low = words[in_order ? 0 : 1];
+    const std::array block{low.word, words[in_order ? 1 : 0].word};
+    return link_.write(operation, low.address, block);
+  }
+  for (const DriveWrite& write : words) {
+    const Status done = link_.write_one(operation, write.address, write.word);
+    if (!done) return done;
+  }
+  return Done{};
+}
+
+// The state is the one last read: a word that was sent counts only once the drive shows it.
+Status ModbusInverter::command_speed(double speed_rpm) {
+  const DriveProfile& profile = options_.profile;
+  const std::vector<DriveWrite> words = words_for_speed(profile, speed_rpm, options_.motor);
+  const bool is_start = words != words_for_stop(profile);
+  if (is_start && (state_ == DriveState::fault || state_ == DriveState::fault_reaction)) {
+    return link_.failure(IoErrc::refused, "set speed: the drive has tripped");
+  }
+  const auto step = std::ranges::find(profile.steps, state_, &DriveProfile::Step::from);
+  if (!is_start || profile.steps.empty() || state_ == DriveState::running) {
+    return write_words("set speed", words);
+  }
+  const double now_s = clock_.now_s();
+  if (now_s < next_step_s_) return Done{};
+  if (step == profile.steps.end()) return write_words("set speed", words);
+  next_step_s_ = now_s + step->wait_s;
+  return write_words("set speed", {{profile.control, step->word}, {profile.reference.address, 0}});
 }
 
 Status ModbusInverter::reset_trip() {
   DriveStatus status;
   Status done = read_status(status);
-  if (!done || !status.tripped) return done;
-  done = write_command("reset", registers::reset_words);
-  if (done) done = write_command("stop", registers::stop_words);
-  if (done) done = read_status(status);
-  if (!done || !status.tripped) return done;
-  return link_.failure(IoErrc::refused,
-                       fmt::format("reset: still tripped, fault code {}", status.fault_code));
+  if (done && status.tripped) {
+    for (const DriveWrite& write : options_.profile.reset) {
+      if (done) done = link_.write_one("reset", write.address, write.word);
+    }
+    if (done) done = write_words("stop", words_for_stop(options_.profile));
+    if (done) done = read_status(status);
+  }
+  if (!done) return done;
+  if (status.tripped) {
+    return link_.failure(IoErrc::refused,
+                         fmt::format("reset: still tripped, fault code {}", status.fault_code));
+  }
+  if (!status.remote) {
+    return link_.failure(IoErrc::refused, "connect: the drive obeys its panel, not the wire");
+  }
+  return Done{};
 }
 
 }  // namespace rvbench::hal

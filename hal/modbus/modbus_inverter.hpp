@@ -5,34 +5,39 @@
 #include <functional>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "hal/clock.hpp"
 #include "hal/drive.hpp"
-#include "hal/modbus/inverter_registers.hpp"
+#include "hal/modbus/drive_profile.hpp"
+#include "hal/modbus/drive_words.hpp"
 #include "hal/modbus/modbus_link.hpp"
 
 namespace rvbench::hal {
 
 struct ModbusInverterOptions {
-  std::string host = "127.0.0.1";  ///< IPv4 address
-  std::uint16_t port = 502;
+  DriveProfile profile = {};
+  ModbusPath path = {};
   std::uint8_t unit_id = 1;
   double response_timeout_s = 0.1;  ///< on the rig's clock; with stall_s from 0.001 to 10
   double stall_s = 0;               ///< real time granted on top, where the rig's clock is virtual:
                                     ///< a busy computer is no dead drive
   DriveLimits limits{.max_speed_rpm = 3000};
-  int pole_pairs = 2;  ///< of the motor; must agree with the drive's own setting
+  MotorPlate motor =
+      {};  ///< its pole pairs must agree with the drive's own setting, where it tells it
 };
 
-/// Drive over Modbus TCP: the rvbench generic inverter (hal/modbus/inverter_registers.hpp).
+/// Drive over Modbus TCP or RTU, of any family that has a profile (hal/modbus/drives/).
 ///
 /// Link     after a time-out or a garbled reply the connection is closed. The next request goes
 ///          over a new one, after the drive was identified again: so a late reply is never taken
 ///          for the next one
+/// Start    a drive that wants several words to start gets one with each set_speed(), as the state
+///          last read asks for
 /// Retries  a failed read() is sent once more, counted; a setpoint never; a stop() once more
-/// Time     no call blocks longer than 4 response time-outs, stall_s included, connect() 7;
-///          stop() from another thread also waits for the request under way, which is then not
-///          repeated
+/// Time     no call blocks longer than 4 response time-outs, stall_s included, connect() 7, for
+///          each block of registers that the family needs; on a serial line 3 more. stop() from
+///          another thread also waits for the request under way, which is then not repeated
 /// Clock    real time passes while a reply is awaited; each time-out is charged to a virtual
 ///          clock, so that a simulated drive's own watchdog runs on. stop() charges nothing: it
 ///          may come from another thread
@@ -44,7 +49,8 @@ class ModbusInverter final : public Drive {
 
   DriveLimits limits() const override { return options_.limits; }
 
-  /// Also resets a trip left over from earlier; refused if the drive stays tripped.
+  /// Also resets a trip left over from earlier; refused if the drive stays tripped, or obeys its
+  /// panel.
   Status connect() override;
   Result<DriveWatchdog> read_watchdog() override;
   Status set_speed(double speed_rpm) override;
@@ -56,17 +62,23 @@ class ModbusInverter final : public Drive {
   Status charged(const std::function<Status()>& call);
   Status attempt(const std::function<Status()>& request);
   Status attempt_twice(const std::function<Status()>& request);
-  Status identify(inverter_registers::Settings& settings);
+  Status identify();
+  Status read_words(const char* operation, const std::vector<DriveBlock>& blocks,
+                    DriveWords& words);
   Status read_status(DriveStatus& status);
-  Status write_command(const char* operation, const inverter_registers::CommandWords& words);
+  Status write_words(const char* operation, const std::vector<DriveWrite>& words);
+  Status command_speed(double speed_rpm);
   Status reset_trip();
 
   const ModbusInverterOptions options_;
+  const std::vector<DriveBlock> status_blocks_;
   Clock& clock_;
-  std::mutex mutex_;  ///< guards the link and the flags below
+  std::mutex mutex_;  ///< guards the link and what follows
   ModbusLink link_;
-  bool was_connected_ = false;  ///< connect() was called
-  bool connected_ = false;      ///< connect() has succeeded
+  bool was_connected_ = false;                ///< connect() was called
+  bool connected_ = false;                    ///< connect() has succeeded
+  DriveState state_ = DriveState::not_ready;  ///< as last read
+  double next_step_s_ = 0;                    ///< not before, on the rig's clock
   std::atomic<bool> stop_waits_ = false;
   std::atomic<int> retries_ = 0;
 };

@@ -3,10 +3,17 @@
 #include <arpa/inet.h>
 #include <fmt/format.h>
 #include <modbus/modbus.h>
+#include <poll.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cmath>
+#include <new>
 #include <stdexcept>
+#include <string_view>
+#include <thread>
 #include <utility>
 
 namespace rvbench::hal {
@@ -29,10 +36,41 @@ IoErrc code_from_errno(int error) {
   }
 }
 
+void require(bool holds, const std::string& what) {
+  if (!holds) throw std::invalid_argument("ModbusLink: " + what);
+}
+
+void check(const ModbusTcp& tcp) {
+  in_addr address{};
+  require(::inet_pton(AF_INET, tcp.host.c_str(), &address) == 1,
+          "host \"" + tcp.host + "\" is not an IPv4 address");
+  require(tcp.port != 0, "port is 0, must be 1 to 65535");
+}
+
+void check(const ModbusRtu& rtu) {
+  require(!rtu.device.empty(), "no serial device");
+  require(rtu.baud >= 1200 && rtu.baud <= 115200,
+          fmt::format("baud is {}, must be 1200 to 115200", rtu.baud));
+  require(std::string_view("NEO").find(rtu.parity) != std::string_view::npos,
+          fmt::format("parity is {}, must be N, E or O", rtu.parity));
+  require(rtu.stop_bits == 1 || rtu.stop_bits == 2,
+          fmt::format("stop_bits is {}, must be 1 or 2", rtu.stop_bits));
+}
+
+std::string shown(const ModbusTcp& tcp) { return fmt::format("{}:{}", tcp.host, tcp.port); }
+std::string shown(const ModbusRtu& rtu) { return rtu.device; }
+
+modbus_t* new_context(const ModbusTcp& tcp) { return modbus_new_tcp(tcp.host.c_str(), tcp.port); }
+
+modbus_t* new_context(const ModbusRtu& rtu) {
+  return modbus_new_rtu(rtu.device.c_str(), rtu.baud, rtu.parity, 8, rtu.stop_bits);
+}
+
 }  // namespace
 
 struct ModbusLink::Connection {
-  Connection(const std::string& host, int port) : context(modbus_new_tcp(host.c_str(), port)) {
+  explicit Connection(const ModbusPath& path)
+      : context(std::visit([](const auto& kind) { return new_context(kind); }, path)) {
     if (context == nullptr) throw std::bad_alloc();
   }
   ~Connection() {
@@ -45,40 +83,75 @@ struct ModbusLink::Connection {
   modbus_t* context;
 };
 
-ModbusLink::ModbusLink(std::string host, std::uint16_t port, std::uint8_t unit_id, double timeout_s)
-    : host_(std::move(host)), port_(port), unit_id_(unit_id), timeout_s_(timeout_s) {
-  in_addr address{};
-  if (::inet_pton(AF_INET, host_.c_str(), &address) != 1) {
-    throw std::invalid_argument("ModbusLink: host \"" + host_ + "\" is not an IPv4 address");
-  }
-  if (port_ == 0) throw std::invalid_argument("ModbusLink: port is 0, must be 1 to 65535");
-  if (!(timeout_s_ >= 0.001 && timeout_s_ <= 10)) {
-    throw std::invalid_argument(
-        fmt::format("ModbusLink: timeout_s is {}, must be 0.001 to 10", timeout_s_));
-  }
+ModbusLink::ModbusLink(ModbusLinkOptions options) : options_(std::move(options)) {
+  std::visit([](const auto& kind) { check(kind); }, options_.path);
+  require(options_.timeout_s >= 0.001 && options_.timeout_s <= 10,
+          fmt::format("timeout_s is {}, must be 0.001 to 10", options_.timeout_s));
+  require(options_.turnaround_s >= 0 && options_.turnaround_s <= 1,
+          fmt::format("turnaround_s is {}, must be 0 to 1", options_.turnaround_s));
 }
 
 ModbusLink::~ModbusLink() = default;
 
 Status ModbusLink::open() {
-  connection_ = std::make_unique<Connection>(host_, port_);
+  connection_ = std::make_unique<Connection>(options_.path);
   modbus_t* const context = connection_->context;
-  modbus_set_slave(context, unit_id_);
-  const auto timeout_us = static_cast<std::uint32_t>(std::lround(1e6 * timeout_s_));
+  modbus_set_slave(context, options_.unit_id);
+  const auto timeout_us = static_cast<std::uint32_t>(std::lround(1e6 * options_.timeout_s));
   modbus_set_response_timeout(context, timeout_us / 1'000'000, timeout_us % 1'000'000);
   modbus_set_byte_timeout(context, 0, 0);  // the response time-out bounds the whole reply
-  if (modbus_connect(context) == 0) return Done{};
-  const IoErrc code = code_from_errno(errno);
+  if (modbus_connect(context) == 0) {
+    if (std::holds_alternative<ModbusRtu>(options_.path) && may_be_late_) drop_late_bytes();
+    may_be_late_ = false;
+    return Done{};
+  }
+  const int error = errno;
+  const IoErrc code = code_from_errno(error);
   if (code == IoErrc::timeout) ++timeouts_;
-  close();
-  return failure(code, "connect");
+  connection_.reset();
+  return failure(code, fmt::format("connect: {}", modbus_strerror(error)));
 }
 
-void ModbusLink::close() { connection_.reset(); }
+void ModbusLink::close() {
+  if (is_open()) may_be_late_ = true;
+  connection_.reset();
+}
+
+// Silence for a time-out means that nothing is under way any more; a line that never falls silent
+// is left after three, and what it tells is refused by whoever identifies the drive.
+void ModbusLink::drop_late_bytes() {
+  using Clock = std::chrono::steady_clock;
+  const auto patience = std::chrono::duration<double>(options_.timeout_s);
+  const auto end = Clock::now() + 3 * patience;
+  pollfd line{modbus_get_socket(connection_->context), POLLIN, 0};
+  std::array<char, 256> late{};
+  while (Clock::now() < end) {
+    const int wait_ms = std::max(1, static_cast<int>(std::lround(1000 * options_.timeout_s)));
+    if (::poll(&line, 1, wait_ms) <= 0) return;
+    const auto count = ::read(line.fd, late.data(), late.size());
+    if (count <= 0) return;
+    dropped_bytes_ += static_cast<int>(count);
+  }
+}
+
+void ModbusLink::keep_turnaround() const {
+  if (options_.turnaround_s == 0) return;
+  const std::chrono::duration<double> silence(options_.turnaround_s);
+  std::this_thread::sleep_until(
+      quiet_since_ + std::chrono::duration_cast<std::chrono::steady_clock::duration>(silence));
+}
+
+void ModbusLink::require_writable(std::uint16_t address, std::size_t count) const {
+  for (std::size_t i = 0; i < count; ++i) {
+    require(std::ranges::find(options_.writable, address + i) != options_.writable.end(),
+            fmt::format("register 0x{:04X} is not to be written", address + i));
+  }
+}
 
 Status ModbusLink::read(const char* operation, std::uint16_t address,
                         std::span<std::uint16_t> words) {
   if (!is_open()) return failure(IoErrc::disconnected, operation);
+  keep_turnaround();
   const int done = modbus_read_registers(connection_->context, address,
                                          static_cast<int>(words.size()), words.data());
   return settle(done, words.size(), operation, address);
@@ -86,16 +159,27 @@ Status ModbusLink::read(const char* operation, std::uint16_t address,
 
 Status ModbusLink::write(const char* operation, std::uint16_t address,
                          std::span<const std::uint16_t> words) {
+  require_writable(address, words.size());
   if (!is_open()) return failure(IoErrc::disconnected, operation);
+  keep_turnaround();
   const int done = modbus_write_registers(connection_->context, address,
                                           static_cast<int>(words.size()), words.data());
   return settle(done, words.size(), operation, address);
 }
 
+Status ModbusLink::write_one(const char* operation, std::uint16_t address, std::uint16_t word) {
+  require_writable(address, 1);
+  if (!is_open()) return failure(IoErrc::disconnected, operation);
+  keep_turnaround();
+  const int done = modbus_write_register(connection_->context, address, word);
+  return settle(done, 1, operation, address);
+}
+
 Status ModbusLink::settle(int words_done, std::size_t words_asked, const char* operation,
                           std::uint16_t address) {
-  if (words_done == static_cast<int>(words_asked)) return Done{};
   const int error = words_done < 0 ? errno : EMBBADDATA;
+  quiet_since_ = std::chrono::steady_clock::now();
+  if (words_done == static_cast<int>(words_asked)) return Done{};
   const IoErrc code = code_from_errno(error);
   if (code == IoErrc::timeout) ++timeouts_;
   if (!is_exception_reply(error)) close();
@@ -104,7 +188,8 @@ Status ModbusLink::settle(int words_done, std::size_t words_asked, const char* o
 }
 
 IoError ModbusLink::failure(IoErrc code, const std::string& operation) const {
-  return {code, fmt::format("inverter {}:{}: {}", host_, port_, operation)};
+  const std::string at = std::visit([](const auto& kind) { return shown(kind); }, options_.path);
+  return {code, fmt::format("inverter {}: {}", at, operation)};
 }
 
 }  // namespace rvbench::hal

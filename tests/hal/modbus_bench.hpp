@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 
+#include "hal/modbus/drive_profile_json.hpp"
 #include "hal/modbus/modbus_inverter.hpp"
 #include "sim/inverter_model.hpp"
 #include "sim/inverter_server.hpp"
@@ -32,10 +33,11 @@ struct ModbusBench {
       : model(parameters),
         server(std::make_unique<sim::InverterServer>(model)),
         clock(model),
-        drive({.port = server->port(),
+        drive({.profile = hal::drive_profile("rvbench_generic"),
+               .path = hal::ModbusTcp{"127.0.0.1", server->port()},
                .response_timeout_s = response_timeout_s,
                .limits = {.max_speed_rpm = 3000},
-               .pole_pairs = pole_pairs},
+               .motor = {.pole_pairs = pole_pairs}},
               clock) {
     server->set_lateness_s(1.3 * response_timeout_s);
   }

@@ -114,7 +114,9 @@ SCENARIO("connect refuses what is not the drive configured", "[hal][modbus]") {
   GIVEN("a drive with another unit id") {
     Bench bench;
     sim::InverterServer other(bench.model, 7);
-    hal::ModbusInverter drive({.port = other.port(), .response_timeout_s = response_timeout_s},
+    hal::ModbusInverter drive({.profile = hal::drive_profile("rvbench_generic"),
+                               .path = hal::ModbusTcp{"127.0.0.1", other.port()},
+                               .response_timeout_s = response_timeout_s},
                               bench.clock);
     const auto connected = drive.connect();
     REQUIRE_FALSE(connected);
@@ -139,15 +141,40 @@ TEST_CASE("options that make no sense are the caller's bug", "[hal][modbus]") {
   sim::InverterModel model;
   test::InverterClock clock(model);
   const auto make = [&](hal::ModbusInverterOptions options) {
+    options.profile = hal::drive_profile("rvbench_generic");
     return std::make_unique<hal::ModbusInverter>(options, clock);
   };
   CHECK_NOTHROW(make({}));
-  CHECK_THROWS_AS(make({.host = "inverter"}), std::invalid_argument);
-  CHECK_THROWS_AS(make({.port = 0}), std::invalid_argument);
+  CHECK_THROWS_AS(make({.path = hal::ModbusTcp{"inverter"}}), std::invalid_argument);
+  CHECK_THROWS_AS(make({.path = hal::ModbusTcp{"127.0.0.1", 0}}), std::invalid_argument);
   CHECK_THROWS_AS(make({.response_timeout_s = 0}), std::invalid_argument);
   CHECK_THROWS_AS(make({.limits = {.max_speed_rpm = 3300}}), std::invalid_argument);
   CHECK_THROWS_AS(make({.limits = {.max_speed_rpm = 0}}), std::invalid_argument);
-  CHECK_THROWS_AS(make({.pole_pairs = 0}), std::invalid_argument);
-  CHECK_THROWS_AS(make({.limits = {.max_speed_rpm = 3000}, .pole_pairs = 14}),
+  CHECK_THROWS_AS(make({.path = hal::ModbusRtu{""}}), std::invalid_argument);
+  CHECK_THROWS_AS(make({.path = hal::ModbusRtu{"/dev/ttyS0", 300}}), std::invalid_argument);
+  CHECK_THROWS_AS(make({.path = hal::ModbusRtu{"/dev/ttyS0", 9600, 'X'}}), std::invalid_argument);
+  CHECK_THROWS_AS(make({.motor = {.pole_pairs = 0}}), std::invalid_argument);
+  CHECK_THROWS_AS(make({.motor = {.rated_Hz = 0}}), std::invalid_argument);
+  CHECK_THROWS_AS(make({.limits = {.max_speed_rpm = 3000}, .motor = {.pole_pairs = 14}}),
                   std::invalid_argument);
+}
+
+SCENARIO("a drive that was taken over at its panel is not believed to obey", "[hal][modbus]") {
+  Bench bench;
+  REQUIRE(bench.drive.connect());
+  REQUIRE(bench.drive.read().value().remote);
+  bench.model.take_over(sim::RunCommand::forward, 10);
+  WHEN("its state is read, and a stop is sent") {
+    const auto status = bench.drive.read();
+    REQUIRE(status);
+    CHECK_FALSE(status.value().remote);
+    bench.drive.stop();
+    THEN("it runs on as its panel says") { CHECK(bench.model.state().setpoint_Hz == 10); }
+  }
+  WHEN("one connects to it") {
+    const auto connected = bench.drive.connect();
+    REQUIRE_FALSE(connected);
+    CHECK(connected.error().code == IoErrc::refused);
+    CHECK_THAT(connected.error().where, Catch::Contains("obeys its panel"));
+  }
 }

@@ -1,0 +1,118 @@
+#include "sim/inverter_line.hpp"
+
+#include <fcntl.h>
+#include <modbus/modbus.h>
+#include <poll.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+#include <thread>
+
+#include "sim/inverter_requests.hpp"
+
+namespace rvbench::sim {
+namespace {
+
+struct FreeModbus {
+  void operator()(modbus_t* context) const { modbus_free(context); }
+};
+
+// A pseudo-terminal that hands bytes on as they are.
+class PseudoTerminal {
+ public:
+  PseudoTerminal() : master_(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)) {
+    if (master_ < 0 || ::grantpt(master_) != 0 || ::unlockpt(master_) != 0) refuse();
+    device_ = ::ptsname(master_);
+    // Held open by us too: else the line would break when a client leaves.
+    slave_ = ::open(device_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+    termios settings{};
+    if (slave_ < 0 || ::tcgetattr(slave_, &settings) != 0) refuse();
+    ::cfmakeraw(&settings);
+    if (::tcsetattr(slave_, TCSANOW, &settings) != 0) refuse();
+  }
+  ~PseudoTerminal() { close(); }
+  PseudoTerminal(const PseudoTerminal&) = delete;
+  PseudoTerminal& operator=(const PseudoTerminal&) = delete;
+
+  int master() const { return master_; }
+  const std::string& device() const { return device_; }
+
+ private:
+  [[noreturn]] void refuse() {
+    const std::string reason = std::strerror(errno);
+    close();
+    throw std::runtime_error("InverterLine: no pseudo-terminal: " + reason);
+  }
+  void close() {
+    if (slave_ >= 0) ::close(slave_);
+    if (master_ >= 0) ::close(master_);
+  }
+
+  int master_ = -1;
+  int slave_ = -1;
+  std::string device_;
+};
+
+}  // namespace
+
+class InverterLine::Service {
+ public:
+  Service(InverterModel& model, std::uint8_t unit_id)
+      : requests(model, unit_id),
+        context_(modbus_new_rtu(terminal_.device().c_str(), 115200, 'N', 8, 1)) {
+    if (!context_ || modbus_set_slave(context_.get(), unit_id) != 0) {
+      throw std::runtime_error(std::string("InverterLine: ") + std::strerror(errno));
+    }
+    modbus_set_byte_timeout(context_.get(), 0, 100'000);
+    thread_ = std::thread([this] { serve(); });
+  }
+
+  ~Service() {
+    requests.end();
+    thread_.join();
+  }
+
+  Service(const Service&) = delete;
+  Service& operator=(const Service&) = delete;
+
+  const std::string& device() const { return terminal_.device(); }
+
+  InverterRequests requests;
+
+ private:
+  void serve() {
+    for (;;) {
+      std::array<pollfd, 2> watched{
+          {{requests.ending(), POLLIN, 0}, {terminal_.master(), POLLIN, 0}}};
+      if (::poll(watched.data(), watched.size(), -1) < 0 && errno != EINTR) return;
+      if (watched[0].revents != 0) return;
+      if (watched[1].revents == 0) continue;
+      // What is no request: silence ends it, as on any serial line.
+      if (!requests.serve(context_.get(), terminal_.master())) modbus_flush(context_.get());
+    }
+  }
+
+  PseudoTerminal terminal_;
+  std::unique_ptr<modbus_t, FreeModbus> context_;
+  std::thread thread_;
+};
+
+InverterLine::InverterLine(InverterModel& model, std::uint8_t unit_id)
+    : service_(std::make_unique<Service>(model, unit_id)) {}
+
+InverterLine::~InverterLine() = default;
+
+const std::string& InverterLine::device() const { return service_->device(); }
+
+void InverterLine::inject(const WireFaultPlan& plan) { service_->requests.faults.inject(plan); }
+
+void InverterLine::set_lateness_s(double lateness_s) { service_->requests.lateness_s = lateness_s; }
+
+int InverterLine::requests() const { return service_->requests.count; }
+
+}  // namespace rvbench::sim

@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <stdexcept>
+
+#include "hal/drive_files.hpp"
+#include "hal/modbus/drive_profile_json.hpp"
+#include "hal/modbus/drive_words.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+using namespace rvbench;
+using namespace rvbench::hal;
+
+namespace {
+
+std::string text_of(const std::string& drive) {
+  for (const EmbeddedFile& file : drive_files()) {
+    if (file.name == drive) return file.text;
+  }
+  return "";
+}
+
+std::string changed(const std::string& drive, const std::string& from, const std::string& to) {
+  std::string text = text_of(drive);
+  const auto at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+// What is wrong with a profile, as a user sees it.
+std::string faults_of(const std::string& text) {
+  const test::ScratchFolder folder;
+  const auto file = folder.path() / "drive.json";
+  std::ofstream(file) << text;
+  const auto read = read_drive_profile(file.string());
+  std::string all;
+  if (read.index() == 0) return all;
+  for (const ConfigFault& fault : std::get<1>(read)) {
+    all += fault.pointer + ": " + fault.message + "\n";
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("every built-in drive can be read, and is called what its file is called",
+          "[hal][modbus]") {
+  CHECK(drive_names() == std::vector<std::string>{"abb_acs", "danfoss_fc", "delta_ms300",
+                                                  "rvbench_generic", "schneider_altivar",
+                                                  "siemens_v20"});
+  for (const std::string& name : drive_names()) {
+    INFO(name);
+    CHECK(faults_of(text_of(name)) == "");
+    CHECK(drive_profile(name).name == name);
+  }
+  CHECK_THROWS_AS(drive_profile("abb"), std::invalid_argument);
+}
+
+TEST_CASE("nothing but commands is ever written", "[hal][modbus]") {
+  for (const std::string& name : drive_names()) {
+    INFO(name);
+    const DriveProfile profile = drive_profile(name);
+    const std::size_t commands = name == "delta_ms300" ? 3 : 2;
+    CHECK(profile.writable.size() == commands);
+    for (const DriveBlock& block : watchdog_blocks(profile)) {
+      CHECK(std::ranges::find(profile.writable, block.address) == profile.writable.end());
+    }
+  }
+}
+
+TEST_CASE("a register is told as the manual prints it, and the profile says how that is",
+          "[hal][modbus]") {
+  CHECK(drive_profile("siemens_v20").control == 0x63);  // 40100
+  CHECK(drive_profile("abb_acs").control == 0);         // 40001
+  CHECK(drive_profile("abb_acs").watchdog->timeout_s.address == 3018);
+  CHECK(drive_profile("danfoss_fc").control == 49999);  // 50000 of one-based numbers
+  CHECK(drive_profile("schneider_altivar").control == 8501);
+  CHECK_THAT(faults_of(changed("abb_acs", "  \"addressing\": \"4x\",\n", "")),
+             Catch::Contains("/addressing: this key is missing"));
+  CHECK_THAT(faults_of(changed("abb_acs", "\"40002\", \"unit\"", "\"2\", \"unit\"")),
+             Catch::Contains("there is no register 2 where the addressing is 4x"));
+}
+
+TEST_CASE("what was found in one source only is told", "[hal][modbus]") {
+  CHECK(drive_profile("rvbench_generic").unverified.empty());
+  CHECK(drive_profile("delta_ms300").unverified ==
+        std::vector<std::string>{"is_remote", "is_reverse", "current_A", "watchdog time-out"});
+}
+
+TEST_CASE("a profile's faults come all at once, each with its place", "[hal][modbus]") {
+  std::string text = changed("delta_ms300", "\"0x2001\", \"unit\"", "\"2o01\", \"unit\"");
+  text.replace(text.find("\"source\": \"gs10\""), 16, "\"source\": \"hearsay\"");
+  text.replace(text.find("\"0x0012\""), 8, "\"0x10012\"");
+  const std::string faults = faults_of(text);
+  CHECK_THAT(faults, Catch::Contains("/reference/register: expected a number such as"));
+  CHECK_THAT(faults, Catch::Contains("\"hearsay\" is not among \"sources\""));
+  CHECK_THAT(faults, Catch::Contains("/control/forward: 0x10012 does not fit into 16 bits"));
+}
+
+TEST_CASE("a profile that would write beyond its own list is refused", "[hal][modbus]") {
+  CHECK_THAT(faults_of(changed("delta_ms300", "\"0x2001\", \"0x2002\"]", "\"0x2001\"]")),
+             Catch::Contains("/reset: its register is not among \"writable\""));
+  CHECK_THAT(faults_of(changed("delta_ms300", "[\"0x2000\", ", "[")),
+             Catch::Contains("/control: its register is not among \"writable\""));
+}
+
+TEST_CASE("a state that no word leads to is missed", "[hal][modbus]") {
+  CHECK_THAT(faults_of(changed("delta_ms300", "\"state\": \"fault\"", "\"state\": \"ready\"")),
+             Catch::Contains("/states: none of them is fault"));
+  CHECK_THAT(faults_of(changed("delta_ms300", "\"state\": \"fault\"", "\"state\": \"falut\"")),
+             Catch::Contains("did you mean \"fault\"?"));
+}

@@ -1,0 +1,187 @@
+#include <modbus/modbus.h>
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "hal/modbus/drive_profile_json.hpp"
+#include "hal/modbus/modbus_inverter.hpp"
+#include "sim/inverter_line.hpp"
+#include "tests/hal/modbus_bench.hpp"
+
+using namespace rvbench;
+using sim::WireFault;
+using test::real_seconds;
+using test::response_timeout_s;
+
+namespace {
+
+hal::ModbusInverterOptions over(const sim::InverterLine& line) {
+  return {.profile = hal::drive_profile("rvbench_generic"),
+          .path = hal::ModbusRtu{line.device()},
+          .response_timeout_s = response_timeout_s,
+          .limits = {.max_speed_rpm = 3000}};
+}
+
+// The driver against a simulated inverter, over a serial line.
+struct SerialBench {
+  SerialBench() { line.set_lateness_s(1.3 * response_timeout_s); }
+
+  sim::InverterModel model;
+  sim::InverterLine line{model};
+  test::InverterClock clock{model};
+  hal::ModbusInverter drive{over(line), clock};
+};
+
+// A plain Modbus master that knows nothing of rvbench.
+class BareMaster {
+ public:
+  explicit BareMaster(const std::string& device)
+      : context_(modbus_new_rtu(device.c_str(), 9600, 'N', 8, 1), modbus_free) {
+    modbus_set_slave(context_.get(), 1);
+    modbus_set_response_timeout(context_.get(), 0,
+                                static_cast<std::uint32_t>(1e6 * response_timeout_s));
+    REQUIRE(modbus_connect(context_.get()) == 0);
+  }
+  ~BareMaster() { modbus_close(context_.get()); }
+  BareMaster(const BareMaster&) = delete;
+  BareMaster& operator=(const BareMaster&) = delete;
+
+  // The motor's speed in 0.1 rpm, or nothing.
+  std::optional<int> read_speed() {
+    std::uint16_t word = 0;
+    if (modbus_read_registers(context_.get(), 0x0203, 1, &word) != 1) return std::nullopt;
+    return word;
+  }
+
+ private:
+  std::unique_ptr<modbus_t, decltype(&modbus_free)> context_;
+};
+
+}  // namespace
+
+SCENARIO("a drive on a serial line is driven as one on a network", "[hal][modbus][rtu]") {
+  SerialBench bench;
+  REQUIRE(bench.drive.connect());
+  CHECK(bench.drive.read_watchdog().value().timeout_s == Approx(1));
+  REQUIRE(bench.drive.set_speed(605));
+  bench.clock.wait_until(bench.clock.now_s() + 0.5);
+  bench.model.set_measured(298.5, 2.5);
+  const auto status = bench.drive.read();
+  REQUIRE(status);
+  CHECK(status.value().output_frequency_Hz == Approx(10).margin(0.025));
+  CHECK(status.value().speed_rpm == Approx(298.5));
+  CHECK(status.value().running);
+  bench.drive.stop();
+  CHECK(bench.model.state().run == sim::RunCommand::stop);
+  CHECK(bench.drive.retries() == 0);
+}
+
+TEST_CASE("libmodbus alone hands a late reply on a serial line to the next request",
+          "[hal][modbus][rtu]") {
+  sim::InverterModel model;
+  sim::InverterLine line(model);
+  line.set_lateness_s(1.3 * response_timeout_s);
+  BareMaster master(line.device());
+  model.set_measured(10, 0);
+  line.inject({.fault = WireFault::late, .requests = 1});
+  CHECK_FALSE(master.read_speed());
+  model.set_measured(20, 0);
+  CHECK(master.read_speed() == 100);  // the old value, as if it were the new one
+}
+
+SCENARIO("a late reply on a serial line is never taken for the next one", "[hal][modbus][rtu]") {
+  SerialBench bench;
+  REQUIRE(bench.drive.connect());
+  WHEN("every second reading is answered late, and the value changes before each") {
+    int fresh = 0;
+    for (int i = 1; i <= 6; ++i) {
+      bench.model.set_measured(100 * i, 0);
+      if (i % 2 == 0) bench.line.inject({.fault = WireFault::late, .requests = 1});
+      const auto status = bench.drive.read();
+      if (status && status.value().speed_rpm == 100 * i) ++fresh;
+    }
+    THEN("each reading has the value of its own time") { CHECK(fresh == 6); }
+    THEN("the readings sent again are counted") { CHECK(bench.drive.retries() == 3); }
+  }
+  WHEN("a setpoint is confirmed late") {
+    bench.line.inject({.fault = WireFault::late, .requests = 1});
+    const auto set = bench.drive.set_speed(300);
+    REQUIRE_FALSE(set);
+    THEN("that is a time-out, and the next reading has its own answer") {
+      CHECK(set.error().code == IoErrc::timeout);
+      bench.model.set_measured(123.4, 5);
+      CHECK(bench.drive.read().value().speed_rpm == Approx(123.4));
+    }
+  }
+}
+
+SCENARIO("a serial line that is silent or noisy is an error in time", "[hal][modbus][rtu]") {
+  SerialBench bench;
+  REQUIRE(bench.drive.connect());
+  const double limit_s = 7 * response_timeout_s + 0.1;
+  WHEN("the cable is pulled") {
+    bench.line.inject({.fault = WireFault::silent});
+    const double took_s = real_seconds([&] {
+      const auto status = bench.drive.read();
+      REQUIRE_FALSE(status);
+      CHECK(status.error().code == IoErrc::timeout);
+    });
+    CHECK(took_s < limit_s);
+    THEN("a stop after it is back arrives") {
+      bench.model.command(sim::RunCommand::forward, 20);
+      bench.line.inject({});
+      bench.drive.stop();
+      CHECK(bench.model.state().run == sim::RunCommand::stop);
+    }
+  }
+  WHEN("replies have bad checksums") {
+    bench.line.inject({.fault = WireFault::garbled});
+    const auto status = bench.drive.read();
+    REQUIRE_FALSE(status);
+    CHECK(status.error().code == IoErrc::bad_reply);
+    bench.line.inject({});
+    CHECK(bench.drive.read());
+  }
+}
+
+TEST_CASE("silence is kept between a reply and the next request, where a drive needs it",
+          "[hal][modbus][rtu]") {
+  SerialBench bench;
+  auto options = over(bench.line);
+  options.profile.turnaround_s = 0.02;
+  hal::ModbusInverter slow(options, bench.clock);
+  REQUIRE(slow.connect());
+  const double took_s = real_seconds([&] {
+    for (int i = 0; i < 10; ++i) REQUIRE(slow.read());
+  });
+  CHECK(took_s >= 10 * 0.02);
+}
+
+TEST_CASE("what is not on a profile's list is never written", "[hal][modbus]") {
+  sim::InverterModel model;
+  sim::InverterLine line(model);
+  hal::ModbusLink link({.path = hal::ModbusRtu{line.device()}, .writable = {0x0100, 0x0101}});
+  REQUIRE(link.open());
+  CHECK(link.write_one("set", 0x0101, 100));
+  CHECK_THROWS_AS(link.write_one("set", 0x0002, 0), std::invalid_argument);
+  const std::array<std::uint16_t, 3> words{};
+  CHECK_THROWS_AS(link.write("set", 0x0100, words), std::invalid_argument);
+  CHECK(line.requests() == 1);
+}
+
+TEST_CASE("a serial device that is not there is told", "[hal][modbus][rtu]") {
+  sim::InverterModel model;
+  test::InverterClock clock(model);
+  hal::ModbusInverter drive({.profile = hal::drive_profile("rvbench_generic"),
+                             .path = hal::ModbusRtu{"/dev/no_such_line"}},
+                            clock);
+  const auto connected = drive.connect();
+  REQUIRE_FALSE(connected);
+  CHECK(connected.error().code == IoErrc::disconnected);
+  CHECK_THAT(connected.error().where, Catch::Contains("/dev/no_such_line"));
+  CHECK_THAT(connected.error().where, Catch::Contains("No such file"));
+}
