@@ -10,7 +10,7 @@
 #include "tests/hal/mat5_builder.hpp"
 #include "tests/hal/recording_fixture.hpp"
 #include "tests/spec/bench_run.hpp"
-#include "tests/spec/program.hpp"
+#include "tests/spec/rvbench.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace rvbench {

@@ -9,7 +9,7 @@
 #include "bench/run_folder.hpp"
 #include "tests/hal/mat5_builder.hpp"
 #include "tests/hal/recording_fixture.hpp"
-#include "tests/spec/program.hpp"
+#include "tests/spec/rvbench.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 // A 2 GB claim must be refused by its header, not tried out.

@@ -6,7 +6,7 @@
 #include "bench/run_folder.hpp"
 #include "bench/sha256.hpp"
 #include "tests/spec/bench_run.hpp"
-#include "tests/spec/program.hpp"
+#include "tests/spec/rvbench.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace rvbench {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/spec/program.hpp"
+#include "tests/spec/rvbench.hpp"
 #include "tests/support/real_data.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/under_sanitizer.hpp"

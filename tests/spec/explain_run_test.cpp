@@ -11,7 +11,7 @@
 #include "bench/verdict_json.hpp"
 #include "sim/rv_plant.hpp"
 #include "tests/spec/bench_run.hpp"
-#include "tests/spec/program.hpp"
+#include "tests/spec/rvbench.hpp"
 #include "tests/support/rv_campaign.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/under_sanitizer.hpp"

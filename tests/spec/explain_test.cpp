@@ -9,7 +9,7 @@
 
 #include "sim/plant_json.hpp"
 #include "tests/bench/moved_slide.hpp"
-#include "tests/spec/program.hpp"
+#include "tests/spec/rvbench.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 // The program `explain` from outside: files in, files out, exit codes.

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/spec/program.hpp"
+#include "tests/spec/rvbench.hpp"
 #include "tests/support/real_data.hpp"
 
 // What each file shows is stated by those who measured it: the Bearing Data Center in the names

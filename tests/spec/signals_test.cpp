@@ -7,7 +7,7 @@
 #include "bench/sha256.hpp"
 #include "hal/recording_file.hpp"
 #include "tests/spec/bench_run.hpp"
-#include "tests/spec/program.hpp"
+#include "tests/spec/rvbench.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace rvbench {

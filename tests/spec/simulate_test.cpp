@@ -6,7 +6,7 @@
 #include "bench/simulated_recording.hpp"
 #include "hal/formats/read_recordings.hpp"
 #include "hal/types/units.hpp"
-#include "tests/spec/program.hpp"
+#include "tests/spec/rvbench.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace rvbench {

@@ -17,9 +17,6 @@ struct Answer {
   std::string err;
 };
 
-/// The path of the program rvbench.
-const std::string& rvbench_path();
-
 /// A process of its own, working in `folder`. It is killed if it is not waited for.
 class Program {
  public:
@@ -34,6 +31,7 @@ class Program {
 
   /// Waits until standard error holds `text`; false if the process ended without.
   bool says(const std::string& text);
+  std::string said() const;  ///< on standard error, up to now
   Answer wait();
 
  private:
@@ -42,8 +40,5 @@ class Program {
   pid_t process_ = -1;
   int status_ = -1;
 };
-
-/// Runs rvbench with these arguments to its end.
-Answer rvbench(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
 
 }  // namespace rvbench::test

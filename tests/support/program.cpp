@@ -1,4 +1,4 @@
-#include "tests/spec/program.hpp"
+#include "tests/support/program.hpp"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -21,11 +21,6 @@ std::string text_of(const std::filesystem::path& file) {
 }
 
 }  // namespace
-
-const std::string& rvbench_path() {
-  static const std::string path = RVBENCH_PROGRAM;
-  return path;
-}
 
 Program::Program(const std::filesystem::path& folder, const std::vector<std::string>& words)
     : out_(said_ / "out"), err_(said_ / "err") {
@@ -64,17 +59,13 @@ bool Program::says(const std::string& text) {
   }
 }
 
+std::string Program::said() const { return text_of(err_); }
+
 Answer Program::wait() {
   if (process_ > 0) ::waitpid(process_, &status_, 0);
   process_ = -1;
   const int code = WIFEXITED(status_) ? WEXITSTATUS(status_) : -WTERMSIG(status_);
   return {code, text_of(out_), text_of(err_)};
-}
-
-Answer rvbench(const std::filesystem::path& folder, const std::vector<std::string>& arguments) {
-  std::vector<std::string> words{rvbench_path()};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  return Program(folder, words).wait();
 }
 
 }  // namespace rvbench::test
