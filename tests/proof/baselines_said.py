@@ -7,6 +7,7 @@ METHODS = ("sindy", "frols", "gaussian_process")
 NEAREST = "nearest_fingerprint"
 CLEARLY_LESS = 0.98  # of the error: what has no names says so much that something is missing
 NOTHING = ""  # the label of a machine that lacks nothing
+OUTSIDE = "?"  # of one that lacks what has no name
 
 
 def as_answer(names, remaining=None):
@@ -24,6 +25,8 @@ def as_answer(names, remaining=None):
 
 
 def label_of(sealed):
+    if sealed["kind"] == "outside":
+        return OUTSIDE
     return sealed["effects"][0]["name"] if sealed["effects"] else NOTHING
 
 
@@ -40,7 +43,9 @@ def nearest(sealed, fingerprints):
         told = KNeighborsClassifier(3, weights="distance")
         told.fit([f for _, f in others], [label for label, _ in others])
         label = told.predict([list(own_print.values())])[0]
-        answers.append(as_answer([label] if label != NOTHING else []))
+        is_name = label not in (NOTHING, OUTSIDE)
+        answer = as_answer([label] if is_name else [])
+        answers.append(answer | ({"verdict": "NONE_OF_THE_ABOVE"} if label == OUTSIDE else {}))
     return answers
 
 

@@ -22,7 +22,7 @@ def claims(said):
 
 
 def is_named(effect, truth):
-    """By its name, or by one of a class that these records cannot part from it."""
+    """By its name, or by another that these records cannot part from it."""
     return effect["name"] in accepted(truth)
 
 
@@ -67,8 +67,11 @@ def mark_single(said, truth, row):
     ranking = [n for e in effects[:1] for n in names_of(e) + [r["name"] for r in e["rivals"]]]
     ranking = list(dict.fromkeys(ranking))
     row["top1"] = bool(effects) and is_named(effects[0], truth)
+    row["own_name"] = row["top1"] and effects[0]["name"] == truth["name"]
     row["top3"] = row["top1"] or bool(accepted(truth) & set(ranking[:3]))
     row["wrong"] = any(not accepted(truth) & set(names_of(e)) for e in effects)
+    row["wrong_beside"] = not effects and any(not accepted(truth) & set(names_of(e))
+                                              for e in said["effects"])
     if row["top1"]:
         mark_estimate(effects[0], truth, row)
 
@@ -111,8 +114,8 @@ def is_class_of(said, truth):
 
 def mark_real(said, truths, row):
     """What a publication names must come first; what comes after it is not known to be wrong."""
-    effects = said["effects"]
-    row["right"] = bool(effects) and bool(accepted(truths[0]) & set(names_of(effects[0])))
+    effects = claims(said)
+    row["right"] = bool(effects) and is_named(effects[0], truths[0])
 
 
 def mark_fit(said, row):

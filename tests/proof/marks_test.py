@@ -37,6 +37,18 @@ class Singles(unittest.TestCase):
         row = mark("single", [hidden("pin_ripple")], [told("pin_ripple")], "MISCALIBRATED")
         self.assertFalse(row["top1"] or row["top3"] or row["right"] or row["wrong"])
 
+    def test_another_name_that_fits_is_right_and_not_its_own(self):
+        row = mark("single", [hidden("a", also=["b"])], [told("b")])
+        self.assertTrue(row["top1"] and row["right"] and not row["own_name"])
+        row = mark("single", [hidden("a", also=["b"])], [told("a")])
+        self.assertTrue(row["own_name"])
+
+    def test_a_wrong_effect_under_another_verdict_is_counted_beside(self):
+        row = mark("single", [hidden("a")], [told("b")], "MISCALIBRATED")
+        self.assertTrue(row["wrong_beside"] and not row["wrong"])
+        row = mark("single", [hidden("a")], [told("a")], "MISCALIBRATED")
+        self.assertFalse(row["wrong_beside"])
+
     def test_a_class_counts_by_its_first_name(self):
         row = mark("single", [hidden("c")], [told("a", ["a", "b", "c"])])
         self.assertTrue(row["top3"] and not row["top1"] and not row["wrong"])
@@ -51,6 +63,16 @@ class Singles(unittest.TestCase):
         row = mark("single", [hidden("a")], [])
         self.assertFalse(row["top1"] or row["detected"] or row["right"] or row["wrong"])
         self.assertIs(row["located"], False)
+
+
+class RealMachines(unittest.TestCase):
+    def test_the_published_name_is_claimed_and_first(self):
+        right = lambda *said: mark("real", [hidden("a")], *said)["right"]
+        self.assertTrue(right([told("a"), told("b")]))
+        self.assertFalse(right([told("b"), told("a")]))
+        self.assertFalse(right([told("b", ["b", "a"])]))
+        self.assertFalse(right([told("a")], "MISCALIBRATED"))
+        self.assertFalse(right([]))
 
 
 class Places(unittest.TestCase):

@@ -12,6 +12,7 @@ from card import card_lines, wilson  # noqa: E402
 
 STEPS_DB = (-10, -3, 3, 10, 20)  # as cases are planned; each takes what lies nearest
 OWN = "rvbench explain"
+LARGEST_SIZE = 2.5  # of what is drawn, in true sizes
 STYLE = """
 body { font: 15px/1.45 system-ui, sans-serif; margin: 2rem auto; max-width: 70rem; padding: 0 1rem;
        color: #1a1a1a; background: #fff; }
@@ -73,15 +74,18 @@ def naming_by_noise(rows, baselines):
 def sizes(rows):
     with_size = [r for r in rows if r.get("estimate")]
     figure, axes = plt.subplots(figsize=(6, max(2.5, 0.22 * len(with_size) + 1)))
+    shown = lambda of: min(max(of, 0), LARGEST_SIZE)
     for place, row in enumerate(with_size):
         value, low, high = row["estimate"]
         colour = "tab:blue" if row["covered"] else "tab:red"
-        axes.plot([low, high], [place, place], color=colour)
-        axes.plot(value, place, "o", color=colour, markersize=4)
+        axes.plot([shown(low), shown(high)], [place, place], color=colour)
+        mark = "<" if value < 0 else ">" if value > LARGEST_SIZE else "o"
+        axes.plot(shown(value), place, mark, color=colour, markersize=4, clip_on=False)
     axes.axvline(1, color="black", linewidth=0.8)
     axes.set_yticks(range(len(with_size)), [f"{r['case']} {r['truth'][0]}" for r in with_size],
                     fontsize=7)
-    axes.set(xlabel="estimate over truth, with its 90 % interval", title="Sizes", xlim=(0, 2.5))
+    axes.set(xlabel="estimate over truth, with its 90 % interval", title="Sizes (arrows: beyond)",
+             xlim=(0, LARGEST_SIZE))
     return image(figure)
 
 
@@ -140,7 +144,9 @@ def table(head, body):
 
 
 def case_cells(row):
-    snr = "" if row.get("snr_dB") is None else f"{row['snr_dB']:.0f}"
+    # Twins show at all frequencies: their ratio to the noise is none in a bin.
+    has_bin = row.get("snr_dB") is not None and row["kind"] != "twin"
+    snr = f"{row['snr_dB']:.0f}" if has_bin else ""
     return (row["case"], row["kind"], f"{row['machine']} {row['variant']}".strip(),
             " + ".join(row["truth"]) or "-", snr, row["verdict"],
             " + ".join("|".join(names) for names in row["said"]) or "-", f"{row['seconds']:.0f}")

@@ -52,6 +52,8 @@ def check_whole(cases, is_published):
         sys.exit("score: a case was answered twice: the folders overlap")
     if len({sealed["seed"] for sealed, _, _ in cases}) > 1:
         sys.exit("score: the cases are of several seeds")
+    if len({run.get("sealer_sha256") for _, _, run in cases}) > 1:
+        sys.exit("score: the cases were sealed by several sealers")
     tools = {run["rvbench_sha256"] for _, _, run in cases}
     missing = ALL_CASES - len(numbers)
     print(f"{len(numbers)} of {ALL_CASES} cases, answered by "
