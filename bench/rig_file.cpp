@@ -32,7 +32,7 @@ SimRig read_sim(hal::ConfigReader& root, const RigOptions& options) {
     sim.faults.push_back(
         {.at_s = entry.number("at_s", {0, 1e6}),
          .device = entry.choice("device", {"inverter"}),
-         .fault = entry.choice("fault", {"late", "silent", "garbled", "busy", "dead"})});
+         .fault = entry.choice("fault", {"none", "late", "silent", "garbled", "busy", "dead"})});
   }
   return sim;
 }
@@ -44,6 +44,13 @@ ReplayRig read_replay(hal::ConfigReader& root) {
       root.number("rated_output_torque_Nm", {1e-3, 1e6}, replay.rated_output_torque_Nm);
   replay.plant = root.text("plant", replay.plant);
   return replay;
+}
+
+BenchRig read_bench(hal::ConfigReader& root) {
+  BenchRig bench;
+  bench.drive = read_drive_section(root);
+  bench.plant = root.text("plant", bench.plant);
+  return bench;
 }
 
 }  // namespace
@@ -67,11 +74,10 @@ std::variant<RigFile, std::vector<hal::ConfigFault>> read_rig(const std::string&
   hal::ConfigReader root = hal::ConfigReader::from_file(rig);
   if (auto fault = other_kind_fault(root, "rig")) return Faults{*fault};
   RigFile file = SimRig{};
-  if (root.choice("rig", {"sim", "replay"}, "sim") == "replay") {
-    file = read_replay(root);
-  } else {
-    file = read_sim(root, options);
-  }
+  const std::string kind = root.choice("rig", {"sim", "replay", "bench"}, "sim");
+  if (kind == "sim") file = read_sim(root, options);
+  if (kind == "replay") file = read_replay(root);
+  if (kind == "bench") file = read_bench(root);
   root.finish();
   if (!root.faults().empty()) return root.faults();
   return file;

@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "bench/drive_section.hpp"
 #include "bench/rig_factory.hpp"
 
 namespace rvbench::bench {
@@ -12,7 +13,7 @@ namespace rvbench::bench {
 struct ScheduledFault {
   double at_s = 0;
   std::string device;  ///< "inverter"
-  std::string fault;   ///< "late", "silent", "garbled", "busy", "dead"
+  std::string fault;   ///< "late", "silent", "garbled", "busy", "dead"; "none" heals it
 };
 
 /// {"rig": "sim"}
@@ -31,7 +32,13 @@ struct ReplayRig {
   std::string plant = "rv20e_bench";  ///< shipped, or a plant file: what was recorded
 };
 
-using RigFile = std::variant<SimRig, ReplayRig>;
+/// {"rig": "bench"}: real devices.
+struct BenchRig {
+  DriveSection drive;
+  std::string plant = "rv20e_bench";  ///< shipped, or a plant file: what turns
+};
+
+using RigFile = std::variant<SimRig, ReplayRig, BenchRig>;
 
 /// The plant that stands for what the rig turns.
 std::string plant_of(const RigFile& rig);

@@ -15,6 +15,7 @@ std::vector<std::unique_ptr<Command>> make_commands() {
   std::vector<std::unique_ptr<Command>> commands;
   commands.push_back(make_run_command());
   commands.push_back(make_check_command());
+  commands.push_back(make_probe_command());
   commands.push_back(make_judge_command());
   commands.push_back(make_explain_command());
   commands.push_back(make_simulate_command());
