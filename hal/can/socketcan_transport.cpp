@@ -6,6 +6,7 @@
 #include <linux/can/error.h>
 #include <linux/can/raw.h>
 #include <net/if.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -19,6 +20,8 @@
 
 namespace rvbench::hal {
 namespace {
+
+constexpr int longest_leaving_ms = 2;  // a frame takes 0.6 ms at 250 kbit/s, and may have to wait
 
 IoErrc code_from_errno(int error) {
   switch (error) {
@@ -53,6 +56,19 @@ Remarks remarks_of(msghdr& message) {
   return remarks;
 }
 
+std::vector<can_filter> filters_for(const std::vector<std::uint32_t>& ids) {
+  std::vector<can_filter> filters;
+  for (const std::uint32_t id : ids) {
+    filters.push_back({id, CAN_SFF_MASK | CAN_EFF_FLAG | CAN_RTR_FLAG});
+  }
+  return filters;
+}
+
+template <typename T>
+bool set(int socket, int level, int option, const T& value) {
+  return ::setsockopt(socket, level, option, &value, sizeof value) == 0;
+}
+
 }  // namespace
 
 SocketcanTransport::SocketcanTransport(std::string interface, std::vector<std::uint32_t> ids,
@@ -75,58 +91,106 @@ SocketcanTransport::~SocketcanTransport() { close(); }
 
 Status SocketcanTransport::open() {
   close();
-  socket_ = ::socket(PF_CAN, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, CAN_RAW);
-  if (socket_ < 0) {
-    const bool absent = errno == EAFNOSUPPORT || errno == EPROTONOSUPPORT;
-    return failure(absent ? "open: this kernel has no CAN support" : "open", errno);
+  const auto receiver = open_socket();
+  if (!receiver) return receiver.error();
+  receiver_ = receiver.value();
+  const auto sender = open_socket();
+  if (!sender) {
+    close();
+    return sender.error();
   }
-  Status status = configure();
-  if (status) status = bind_to_interface();
+  sender_ = sender.value();
+  const Status status = configure_receiver();
   if (!status) close();
   return status;
 }
 
-Status SocketcanTransport::configure() {
-  std::vector<can_filter> filters;
-  for (const std::uint32_t id : ids_) {
-    filters.push_back({id, CAN_SFF_MASK | CAN_EFF_FLAG | CAN_RTR_FLAG});
+Result<int> SocketcanTransport::open_socket() {
+  const int opened = ::socket(PF_CAN, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, CAN_RAW);
+  if (opened < 0) {
+    const bool absent = errno == EAFNOSUPPORT || errno == EPROTONOSUPPORT;
+    return failure(absent ? "open: this kernel has no CAN support" : "open", errno);
   }
-  const can_err_mask_t errors = CAN_ERR_BUSOFF | CAN_ERR_RESTARTED;
+  sockaddr_can address{};
+  address.can_family = AF_CAN;
+  address.can_ifindex = static_cast<int>(::if_nametoindex(interface_.c_str()));
+  const char* what = "open: no such interface";
+  // Nothing comes in before the filters are set.
+  if (address.can_ifindex != 0 &&
+      ::setsockopt(opened, SOL_CAN_RAW, CAN_RAW_FILTER, nullptr, 0) == 0 &&
+      ::bind(opened, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0) {
+    return opened;
+  }
+  if (address.can_ifindex != 0) what = "open: bind";
+  const IoError error = failure(what, errno);
+  ::close(opened);
+  return error;
+}
+
+Status SocketcanTransport::configure_receiver() {
+  const std::vector<can_filter> filters = filters_for(ids_);
+  const can_err_mask_t errors =
+      CAN_ERR_BUSOFF | CAN_ERR_RESTARTED | CAN_ERR_CRTL | CAN_ERR_TX_TIMEOUT;
   const int on = 1;
-  const auto size = static_cast<socklen_t>(filters.size() * sizeof(can_filter));
-  if (::setsockopt(socket_, SOL_CAN_RAW, CAN_RAW_FILTER, filters.data(), size) != 0 ||
-      ::setsockopt(socket_, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, &errors, sizeof errors) != 0 ||
-      ::setsockopt(socket_, SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof on) != 0 ||
-      ::setsockopt(socket_, SOL_SOCKET, SO_RXQ_OVFL, &on, sizeof on) != 0) {
+  if (!set(receiver_, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, errors) ||
+      !set(receiver_, SOL_SOCKET, SO_TIMESTAMPNS, on) ||
+      !set(receiver_, SOL_SOCKET, SO_RXQ_OVFL, on) ||
+      !set(sender_, SOL_CAN_RAW, CAN_RAW_RECV_OWN_MSGS, on) ||
+      ::setsockopt(receiver_, SOL_CAN_RAW, CAN_RAW_FILTER, filters.data(),
+                   static_cast<socklen_t>(filters.size() * sizeof(can_filter))) != 0) {
     return failure("open: set options", errno);
   }
   return Done{};
 }
 
-Status SocketcanTransport::bind_to_interface() {
-  sockaddr_can address{};
-  address.can_family = AF_CAN;
-  address.can_ifindex = static_cast<int>(::if_nametoindex(interface_.c_str()));
-  if (address.can_ifindex == 0) return failure("open: no such interface", errno);
-  if (::bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
-    return failure("open: bind", errno);
+// From now on the sender hears frames of this identifier, its own among them.
+Status SocketcanTransport::watch_own(std::uint32_t id) {
+  if (std::ranges::find(sent_ids_, id) != sent_ids_.end()) return Done{};
+  sent_ids_.push_back(id);
+  const std::vector<can_filter> filters = filters_for(sent_ids_);
+  if (::setsockopt(sender_, SOL_CAN_RAW, CAN_RAW_FILTER, filters.data(),
+                   static_cast<socklen_t>(filters.size() * sizeof(can_filter))) != 0) {
+    return failure("send: set filter", errno);
   }
-  dropped_ = 0;
   return Done{};
 }
 
+// Whether the frame that was sent before has been on the bus; waits for it a little.
+bool SocketcanTransport::has_left() {
+  pollfd waiting{sender_, POLLIN, 0};
+  while (is_leaving_ && ::poll(&waiting, 1, longest_leaving_ms) > 0) {
+    can_frame raw{};
+    iovec buffer{&raw, sizeof raw};
+    msghdr message{};
+    message.msg_iov = &buffer;
+    message.msg_iovlen = 1;
+    if (::recvmsg(sender_, &message, 0) != sizeof raw) break;
+    // Frames of others with the same identifier come without this mark.
+    if ((message.msg_flags & MSG_CONFIRM) != 0) is_leaving_ = false;
+  }
+  return !is_leaving_;
+}
+
 Status SocketcanTransport::send(const CanFrame& frame) {
-  if (socket_ < 0) return failure("send", ENOTCONN);
+  if (sender_ < 0) return failure("send", ENOTCONN);
+  if (!has_left()) return failure("send: the frame before is still on its way", EAGAIN);
+  const Status watched = watch_own(frame.id & CAN_SFF_MASK);
+  if (!watched) return watched;
   can_frame raw{};
   raw.can_id = frame.id & CAN_SFF_MASK;
   raw.can_dlc = std::min<std::uint8_t>(frame.length, CAN_MAX_DLEN);
   std::copy(frame.data.begin(), frame.data.end(), raw.data);
-  if (::write(socket_, &raw, sizeof raw) != sizeof raw) return failure("send", errno);
-  return Done{};
+  if (::write(sender_, &raw, sizeof raw) == sizeof raw) {
+    is_leaving_ = true;
+    return Done{};
+  }
+  if (errno != ENOBUFS || !is_passive_) return failure("send", errno);
+  close();
+  return failure("send: the queue is full, and nobody on the bus listens", ENETDOWN);
 }
 
 Result<CanFrame> SocketcanTransport::receive() {
-  if (socket_ < 0) return failure("receive", ENOTCONN);
+  if (receiver_ < 0) return failure("receive", ENOTCONN);
   can_frame raw{};
   iovec buffer{&raw, sizeof raw};
   alignas(cmsghdr) std::array<char, 128> control{};
@@ -135,10 +199,12 @@ Result<CanFrame> SocketcanTransport::receive() {
   message.msg_iovlen = 1;
   message.msg_control = control.data();
   message.msg_controllen = control.size();
-  if (::recvmsg(socket_, &message, 0) != sizeof raw) return failure("receive", errno);
-  if ((raw.can_id & CAN_ERR_FLAG) != 0) {
-    close();
-    return failure("receive: the controller went bus-off", ENETDOWN);
+  for (;;) {
+    if (::recvmsg(receiver_, &message, 0) != sizeof raw) return failure("receive", errno);
+    if ((raw.can_id & CAN_ERR_FLAG) == 0) break;
+    const auto error = bus_error(raw.can_id, raw.data[1]);
+    if (error) return *error;
+    message.msg_controllen = control.size();
   }
   const Remarks remarks = remarks_of(message);
   if (std::exchange(dropped_, remarks.dropped) != remarks.dropped) {
@@ -150,14 +216,39 @@ Result<CanFrame> SocketcanTransport::receive() {
   return frame;
 }
 
+// What an error frame means: the end of the link, lost frames, or only a note.
+std::optional<IoError> SocketcanTransport::bus_error(std::uint32_t kind, std::uint8_t controller) {
+  if ((kind & CAN_ERR_CRTL) != 0) {
+    constexpr unsigned passive = CAN_ERR_CRTL_RX_PASSIVE | CAN_ERR_CRTL_TX_PASSIVE;
+    is_passive_ = (controller & passive) != 0;
+  }
+  const char* lost = nullptr;
+  if ((kind & CAN_ERR_TX_TIMEOUT) != 0) lost = "receive: the controller cannot send";
+  if ((kind & CAN_ERR_RESTARTED) != 0) lost = "receive: the controller was restarted";
+  if ((kind & CAN_ERR_BUSOFF) != 0) lost = "receive: the controller went bus-off";
+  if (lost != nullptr) {
+    close();
+    return failure(lost, ENETDOWN);
+  }
+  constexpr unsigned overflow = CAN_ERR_CRTL_RX_OVERFLOW | CAN_ERR_CRTL_TX_OVERFLOW;
+  if ((kind & CAN_ERR_CRTL) != 0 && (controller & overflow) != 0) {
+    return failure("receive: the controller lost frames", ENOBUFS);
+  }
+  return std::nullopt;
+}
+
 IoError SocketcanTransport::failure(const char* operation, int error) const {
   return {code_from_errno(error),
           fmt::format("CAN {}: {} ({})", interface_, operation, std::strerror(error))};
 }
 
 void SocketcanTransport::close() {
-  if (socket_ >= 0) ::close(socket_);
-  socket_ = -1;
+  if (receiver_ >= 0) ::close(receiver_);
+  if (sender_ >= 0) ::close(sender_);
+  receiver_ = sender_ = -1;
+  sent_ids_.clear();
+  dropped_ = 0;
+  is_leaving_ = is_passive_ = false;
 }
 
 }  // namespace rvbench::hal

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,9 +13,13 @@ namespace rvbench::hal {
 /// Classic CAN over a Linux network interface ("can0", "vcan0"), raw and non-blocking.
 ///
 /// Filter   only the given 11-bit identifiers come in, and the controller's error frames
-/// Errors   disconnected: no such interface, no CAN in this kernel, interface down, bus-off. After
-///          bus-off it stays disconnected until open() is called again: nothing resumes by itself.
-///          overrun: the send queue is full, or the kernel dropped received frames
+/// Errors   disconnected: no such interface, no CAN in this kernel, interface down, bus-off, a
+///          controller that was restarted, a send queue that is full while nobody on the bus
+///          listens. Then it stays disconnected until open() is called again: nothing resumes by
+///          itself. overrun: the send queue is full, or frames were dropped on their way in
+/// Sending  one frame at a time: the next is refused (timeout) while the one before has not been
+///          on the bus, and send() waits 2 ms at most for that. So no setpoint waits in a queue to
+///          be sent when nobody means it any more
 /// Time     frames carry the kernel's time of arrival, moved to the rig's clock
 class SocketcanTransport final : public CanTransport {
  public:
@@ -32,16 +37,23 @@ class SocketcanTransport final : public CanTransport {
   Result<CanFrame> receive() override;
 
  private:
-  Status configure();
-  Status bind_to_interface();
+  Result<int> open_socket();
+  Status configure_receiver();
+  Status watch_own(std::uint32_t id);
+  bool has_left();
+  std::optional<IoError> bus_error(std::uint32_t kind, std::uint8_t controller);
   IoError failure(const char* operation, int error) const;
   void close();
 
   std::string interface_;
   std::vector<std::uint32_t> ids_;
   const Clock& clock_;
-  int socket_ = -1;
-  std::uint32_t dropped_ = 0;  ///< by the kernel since open(), as it last said
+  int receiver_ = -1;
+  int sender_ = -1;                      ///< hears its own frames only, when they are on the bus
+  std::vector<std::uint32_t> sent_ids_;  ///< that it hears
+  std::uint32_t dropped_ = 0;            ///< by the kernel since open(), as it last said
+  bool is_leaving_ = false;              ///< a frame was sent, and not yet seen on the bus
+  bool is_passive_ = false;  ///< the controller has met so many errors that it keeps back
 };
 
 }  // namespace rvbench::hal

@@ -1,0 +1,147 @@
+#include <vector>
+
+#include "hal/can/socketcan_transport.hpp"
+#include "tests/kernel/can_interface.hpp"
+#include "tests/support/program.hpp"
+
+using namespace rvbench;
+using hal::SocketcanTransport;
+using test::next;
+using test::numbered;
+using test::shell;
+
+TEST_CASE("two ends exchange frames, each hearing only what it asked for") {
+  hal::SteadyClock clock;
+  SocketcanTransport bench("vcan0", {0x281}, clock);
+  SocketcanTransport node("vcan0", {0x201}, clock);
+  REQUIRE(bench.open());
+  REQUIRE(node.open());
+  REQUIRE(node.send(numbered(0x181, 1)));
+  REQUIRE(node.send(numbered(0x281, 2)));
+  REQUIRE(bench.send(numbered(0x201, 3)));
+  CHECK(next(bench).value().data[0] == 2);
+  CHECK(bench.receive().error().code == IoErrc::timeout);
+  CHECK(next(node).value().data[0] == 3);
+}
+
+TEST_CASE("frames of can-utils arrive as they were sent, and nothing that only looks alike") {
+  hal::SteadyClock clock;
+  SocketcanTransport bench("vcan0", {0x281}, clock);
+  REQUIRE(bench.open());
+  shell("cansend vcan0 00000281#EE");  // 29 bits
+  shell("cansend vcan0 281#R");        // a request for a frame
+  shell("cansend vcan0 280#EE");
+  shell("cansend vcan0 281#0102030405060708");
+  const auto frame = next(bench);
+  REQUIRE(frame);
+  CHECK(frame.value().id == 0x281);
+  CHECK(frame.value().length == 8);
+  CHECK(frame.value().data == std::array<std::uint8_t, 8>{1, 2, 3, 4, 5, 6, 7, 8});
+  CHECK(bench.receive().error().code == IoErrc::timeout);
+}
+
+TEST_CASE("can-utils see the frames that we send") {
+  hal::SteadyClock clock;
+  SocketcanTransport bench("vcan0", {}, clock);
+  REQUIRE(bench.open());
+  test::Program dump(".", {"/usr/bin/candump", "-n", "1", "-T", "5000", "vcan0,201:7FF"});
+  // candump does not say when it listens: it gets the frame again until it has ended.
+  std::jthread sender([&](const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      (void)bench.send({.id = 0x201, .length = 3, .data = {0xA1, 0xB2, 0xC3}});
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  });
+  CHECK_THAT(dump.wait().out, Catch::Contains("201   [3]  A1 B2 C3"));
+}
+
+TEST_CASE("a frame has the time at which it came, not at which it was fetched") {
+  hal::SteadyClock clock;
+  SocketcanTransport bench("vcan0", {0x281}, clock);
+  SocketcanTransport node("vcan0", {}, clock);
+  REQUIRE(bench.open());
+  REQUIRE(node.open());
+  const double sent_s = clock.now_s();
+  REQUIRE(node.send(numbered(0x281, 1)));
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  const auto frame = next(bench);
+  REQUIRE(frame);
+  CHECK(frame.value().time_s - sent_s < 0.1);
+  CHECK(frame.value().time_s - sent_s > -0.01);
+}
+
+TEST_CASE("a flood that nobody reads is told as loss, once, and then goes on") {
+  hal::SteadyClock clock;
+  SocketcanTransport bench("vcan0", {0x281}, clock);
+  SocketcanTransport node("vcan0", {}, clock);
+  REQUIRE(bench.open());
+  REQUIRE(node.open());
+  for (int i = 0; i < 5000; ++i) REQUIRE(node.send(numbered(0x281, 1)));
+  int frames = 0, losses = 0;
+  for (auto got = bench.receive();; got = bench.receive()) {
+    if (got) {
+      ++frames;
+    } else if (got.error().code == IoErrc::overrun) {
+      ++losses;
+    } else {
+      break;
+    }
+  }
+  CHECK(frames < 5000);
+  // The kernel tells of the loss with the first frame behind it.
+  REQUIRE(node.send(numbered(0x281, 2)));
+  CHECK(next(bench).error().code == IoErrc::overrun);
+  REQUIRE(node.send(numbered(0x281, 3)));
+  CHECK(next(bench).value().data[0] == 3);
+  CHECK(losses == 0);
+}
+
+SCENARIO("an interface that goes down is lost until it is opened again") {
+  hal::SteadyClock clock;
+  SocketcanTransport bench("vcan0", {0x281}, clock);
+  REQUIRE(bench.open());
+  shell("ip link set vcan0 down");
+  const auto lost = next(bench);
+  REQUIRE_FALSE(lost);
+  CHECK(lost.error().code == IoErrc::disconnected);
+  const auto sent = bench.send(numbered(0x201, 1));
+  REQUIRE_FALSE(sent);
+  CHECK(sent.error().code == IoErrc::disconnected);
+  shell("ip link set vcan0 up");
+  REQUIRE(bench.open());
+  CHECK(bench.send(numbered(0x201, 1)));
+}
+
+TEST_CASE("two controllers on one bus exchange frames at 250 kbit/s") {
+  hal::SteadyClock clock;
+  SocketcanTransport bench("can0", {0x281}, clock);
+  SocketcanTransport node("can1", {0x201}, clock);
+  REQUIRE(bench.open());
+  REQUIRE(node.open());
+  for (std::uint8_t i = 0; i < 100; ++i) {
+    REQUIRE(bench.send(numbered(0x201, i)));
+    CHECK(next(node).value().data[0] == i);
+    REQUIRE(node.send(numbered(0x281, i)));
+    CHECK(next(bench).value().data[0] == i);
+  }
+}
+
+SCENARIO("no setpoint waits in a queue behind another") {
+  hal::SteadyClock clock;
+  SocketcanTransport bench("can0", {}, clock);
+  SocketcanTransport node("can1", {0x201}, clock);
+  REQUIRE(bench.open());
+  REQUIRE(node.open());
+  shell("tc qdisc replace dev can0 root netem delay 100ms");
+  REQUIRE(bench.send(numbered(0x201, 1)));
+  const auto second = bench.send(numbered(0x201, 2));
+  REQUIRE_FALSE(second);
+  CHECK(second.error().code == IoErrc::timeout);
+  CHECK_THAT(second.error().where, Catch::Contains("still on its way"));
+  CHECK(next(node).value().data[0] == 1);
+  THEN("the next one goes as soon as the first is on the bus") {
+    CHECK(bench.send(numbered(0x201, 3)));
+    CHECK(next(node).value().data[0] == 3);
+  }
+  shell("tc qdisc delete dev can0 root");
+}
