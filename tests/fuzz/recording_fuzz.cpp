@@ -1,0 +1,18 @@
+#include <cmath>
+
+#include "hal/formats/read_recordings.hpp"
+#include "tests/fuzz/scratch_file.hpp"
+
+using namespace rvbench;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  // HDF5 and MAT are told by their first bytes; the rest is a table.
+  static const test::ScratchFile file(".csv");
+  const auto recordings = hal::read_recordings(file.holding(data, size));
+  if (!recordings) {
+    test::must(!recordings.error().where.empty());
+    return 0;
+  }
+  test::must(!recordings.value().empty());
+  return 0;
+}
