@@ -86,7 +86,7 @@ Status CanTorqueSensor::take_waiting_frames(Track& track, TorqueBlock& block) {
       if (received.error().code == IoErrc::timeout) return Done{};
       return received.error();
     }
-    const auto frame = can_frames::torque_from_frame(received.value());
+    const auto frame = options_.decode(received.value());
     if (!frame) return failure(IoErrc::bad_reply, "read: not a torque frame");
     if (const char* what = flaw(*frame)) return failure(IoErrc::bad_reply, what);
     append(*frame, received.value().time_s, track, block);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "hal/can/can_frames.hpp"
@@ -14,9 +16,12 @@ namespace rvbench::hal {
 struct CanTorqueSensorOptions {
   double rate_Hz = 500;     ///< the transducer's own sample rate
   double deadline_s = 0.2;  ///< how old the newest sample may be
+  /// What a frame says; nothing if it says nothing that can be used.
+  std::function<std::optional<can_frames::TorqueFrame>(const CanFrame&)> decode =
+      can_frames::torque_from_frame;
 };
 
-/// Torque transducer over CAN frames 0x181, one per sample.
+/// Torque transducer over CAN frames, one per sample: 0x181 of can_frames, or those of a DBC file.
 ///
 /// Samples  lost frames are found by the rolling counter (and by the time of arrival, for 256 and
 ///          more) and filled with NaN; the angle is unwrapped over gaps at the last known speed,

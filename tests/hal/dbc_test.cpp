@@ -1,0 +1,180 @@
+#include "hal/can/dbc.hpp"
+
+#include <catch2/catch.hpp>
+#include <stdexcept>
+
+using namespace rvbench;
+using namespace rvbench::hal;
+
+namespace {
+
+constexpr const char* transducer = R"(VERSION "1.0"
+
+NS_ :
+	NS_DESC_
+	CM_
+	BO_
+	VAL_
+
+BS_:
+
+BU_: Transducer Bench
+
+BO_ 385 TorqueData: 8 Transducer
+ SG_ Torque : 0|32@1- (1e-06,0) [-2147.48|2147.48] "Nm" Bench
+ SG_ Angle : 32|16@1+ (0.0054931640625,0) [0|360] "deg" Bench
+ SG_ Counter : 48|8@1+ (1,0) [0|255] "" Bench
+ SG_ State : 56|8@1+ (1,0) [0|255] "" Bench
+
+BO_ 2566851328 Status: 8 Transducer
+ SG_ Page M : 7|2@0+ (1,0) [0|3] "" Bench
+ SG_ Temperature m0 : 15|16@0- (0.1,-40) [-40|200] "degC" Bench
+ SG_ Serial m1 : 15|24@0+ (1,0) [0|16777215] "" Bench
+
+CM_ BO_ 385 "one frame per sample
+BO_ 999 NotAMessage: 8 X";
+CM_ SG_ 385 Torque "at the input shaft";
+BA_DEF_ BO_ "GenMsgCycleTime" INT 0 65535;
+VAL_ 385 State 0 "sound" 1 "zeroing" 4 "shunt on" ;
+)";
+
+dbc::Database read(const std::string& text) {
+  auto parsed = dbc::parse(text);
+  if (parsed.index() == 1) {
+    FAIL(std::get<1>(parsed).front().line << ": " << std::get<1>(parsed).front().message);
+  }
+  return std::get<0>(std::move(parsed));
+}
+
+std::string faults_of(const std::string& text) {
+  const auto parsed = dbc::parse(text);
+  std::string all;
+  if (parsed.index() == 0) return all;
+  for (const ConfigFault& fault : std::get<1>(parsed)) {
+    all += std::to_string(fault.line) + ": " + fault.message + "\n";
+  }
+  return all;
+}
+
+double value(const dbc::Message& message, const char* signal, const CanFrame& frame) {
+  return dbc::value_of(message, *message.find(signal), frame).value();
+}
+
+// One signal in eight bytes; each test says where.
+double one(const std::string& where, const std::array<std::uint8_t, 8>& data) {
+  const dbc::Database database = read("BO_ 1 M: 8 X\n SG_ S : " + where + " (1,0) [0|0] \"\" X\n");
+  return value(database.messages.front(), "S", {.id = 1, .length = 8, .data = data});
+}
+
+}  // namespace
+
+TEST_CASE("a database names messages, signals, units and words", "[hal][can][dbc]") {
+  const dbc::Database database = read(transducer);
+  REQUIRE(database.messages.size() == 2);  // the one inside a comment is none
+  const dbc::Message& torque = *database.find("TorqueData");
+  CHECK(torque.id == 0x181);
+  CHECK_FALSE(torque.is_extended);
+  CHECK(torque.length == 8);
+  CHECK(torque.find("Torque")->unit == "Nm");
+  CHECK(torque.find("State")->words.at(4) == "shunt on");
+  CHECK(torque.find("Speed") == nullptr);
+  const dbc::Message& status = *database.find("Status");
+  CHECK(status.is_extended);
+  CHECK(status.id == 0x18FF0B00);
+}
+
+TEST_CASE("numbers are taken out of frames in both byte orders", "[hal][can][dbc]") {
+  // The lowest byte first: 0x0012D687 = 1234567.
+  CHECK(one("0|32@1-", {0x87, 0xD6, 0x12, 0x00}) == 1234567);
+  CHECK(one("0|32@1-", {0x79, 0x29, 0xED, 0xFF}) == -1234567);
+  CHECK(one("4|8@1+", {0xA0, 0x05}) == 0x5A);  // across a byte's end
+  // The highest byte first; the first bit is the highest one of byte 0.
+  CHECK(one("7|16@0+", {0x12, 0x34}) == 0x1234);
+  CHECK(one("7|16@0-", {0xFF, 0xFE}) == -2);
+  CHECK(one("3|8@0+", {0x0A, 0x50}) == 0xA5);
+  CHECK(one("0|64@1+", {0, 0, 0, 0, 0, 0, 0, 0x80}) == 9223372036854775808.0);
+  CHECK(one("7|64@0-", {0x80, 0, 0, 0, 0, 0, 0, 0}) == -9223372036854775808.0);
+  CHECK(one("63|1@1+", {0, 0, 0, 0, 0, 0, 0, 0x80}) == 1);
+}
+
+TEST_CASE("a frame of the transducer means what its table says", "[hal][can][dbc]") {
+  const dbc::Database database = read(transducer);
+  const dbc::Message& torque = *database.find("TorqueData");
+  const CanFrame frame{
+      .id = 0x181, .length = 8, .data = {0x87, 0xD6, 0x12, 0x00, 0x00, 0x40, 0x05, 0x04}};
+  CHECK(value(torque, "Torque", frame) == Approx(1.234567));
+  CHECK(value(torque, "Angle", frame) == Approx(90));
+  CHECK(value(torque, "Counter", frame) == 5);
+  CHECK(dbc::word_of(torque, *torque.find("State"), frame) == "shunt on");
+  CHECK_FALSE(dbc::word_of(torque, *torque.find("Counter"), frame));
+}
+
+TEST_CASE("what a frame does not carry is not read out of it", "[hal][can][dbc]") {
+  const dbc::Database database = read(transducer);
+  const dbc::Message& status = *database.find("Status");
+  const CanFrame page_0{.id = 0x18FF0B00, .length = 8, .data = {0x00, 0x02, 0x9E}};
+  const CanFrame page_1{.id = 0x18FF0B00, .length = 8, .data = {0x40, 0x01, 0x02, 0x03}};
+  const dbc::Signal& temperature = *status.find("Temperature");
+  CHECK(dbc::value_of(status, temperature, page_0).value() == Approx(27));  // 670 * 0.1 - 40
+  CHECK_FALSE(dbc::value_of(status, temperature, page_1));
+  CHECK(value(status, "Serial", page_1) == 0x010203);
+  CanFrame other = page_0;
+  other.id = 0x181;
+  CHECK_FALSE(dbc::value_of(status, temperature, other));
+  CanFrame cut = page_0;
+  cut.length = 7;
+  CHECK_FALSE(dbc::value_of(status, temperature, cut));
+}
+
+TEST_CASE("what is put into a frame is read out of it, and its neighbours stay",
+          "[hal][can][dbc]") {
+  const dbc::Database database = read(
+      "BO_ 1 M: 8 X\n SG_ A : 0|12@1+ (0.1,0) [0|0] \"\" X\n SG_ B : 12|5@1- (1,0) [0|0] \"\" X\n"
+      " SG_ C : 39|20@0- (0.5,-3) [0|0] \"\" X\n");
+  const dbc::Message& message = database.messages.front();
+  CanFrame frame{.id = 1, .length = 8};
+  for (const double a : {0.0, 0.1, 123.4, 409.5}) {
+    for (const double b : {-16.0, -1.0, 0.0, 15.0}) {
+      for (const double c : {-262147.0, -3.0, 7.5, 262140.5}) {
+        dbc::put(message.signals[0], a, frame);
+        dbc::put(message.signals[1], b, frame);
+        dbc::put(message.signals[2], c, frame);
+        CHECK(value(message, "A", frame) == Approx(a));
+        CHECK(value(message, "B", frame) == b);
+        CHECK(value(message, "C", frame) == c);
+      }
+    }
+  }
+  CHECK_THROWS_AS(dbc::put(message.signals[0], 409.6, frame), std::invalid_argument);
+  CHECK_THROWS_AS(dbc::put(message.signals[0], -0.1, frame), std::invalid_argument);
+  CHECK_THROWS_AS(dbc::put(message.signals[1], 16, frame), std::invalid_argument);
+}
+
+TEST_CASE("a database's faults come all at once, each with its line", "[hal][can][dbc]") {
+  CHECK(faults_of(transducer) == "");
+  const std::string faults = faults_of(R"(BO_ 385 TorqueData: 9 X
+ SG_ Lost : 0|8@1+ (1,0) [0|0] "" X
+BO_ 386 Other: 8 X
+ SG_ Long : 60|8@1+ (1,0) [0|0] "" X
+ SG_ Down : 0|2@0+ (1,0) [0|0] "" X
+ SG_ Motorola : 56|2@0+ (1,0) [0|0] "" X
+ SG_ Zero : 0|8@1+ (0,0) [0|0] "" X
+ SG_ Twice : 0|8@1+ (1,0) [0|0] "" X
+ SG_ Twice : 8|8@1+ (1,0) [0|0] "" X
+ SG_ Odd : 0|8@1* (1,0) [0|0] "" X
+VAL_ 386 Nobody 0 "a" ;
+SIG_VALTYPE_ 386 Twice : 1;
+)");
+  CHECK_THAT(faults, Catch::Contains("1: TorqueData has 9 bytes"));
+  CHECK_THAT(faults, Catch::Contains("2: a signal (SG_) that belongs to no message"));
+  CHECK_THAT(faults, Catch::Contains("4: Long: ends outside of its message"));
+  CHECK_THAT(faults, !Catch::Contains("5: "));
+  CHECK_THAT(faults, Catch::Contains("6: Motorola: ends outside of its message"));
+  CHECK_THAT(faults, Catch::Contains("7: Zero: has the factor 0"));
+  CHECK_THAT(faults, Catch::Contains("9: Twice: is there twice"));
+  CHECK_THAT(faults, Catch::Contains("10: "));
+  CHECK_THAT(faults, Catch::Contains("11: words for Nobody, which is not there"));
+  CHECK_THAT(faults, Catch::Contains("12: floating-point signals"));
+  CHECK_THAT(faults_of(""), Catch::Contains("no message"));
+  CHECK_THAT(faults_of("BO_ 1 M: 8 \"X"), Catch::Contains("a text without an end"));
+}

@@ -1,0 +1,106 @@
+#include "hal/can/dbc_torque.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "hal/can/can_torque_sensor.hpp"
+#include "tests/hal/can_bench.hpp"
+
+using namespace rvbench;
+using namespace rvbench::hal;
+
+namespace {
+
+// The simulated transducer's frame, as a supplier's sheet would have it.
+constexpr const char* sheet = R"(
+BO_ 385 TorqueData: 8 Transducer
+ SG_ Torque : 0|32@1- (1e-06,0) [-2147|2147] "Nm" Bench
+ SG_ Angle : 32|16@1+ (0.0054931640625,0) [0|360] "deg" Bench
+ SG_ Counter : 48|8@1+ (1,0) [0|255] "" Bench
+ SG_ State : 56|8@1+ (1,0) [0|255] "" Bench
+BO_ 386 Slow: 2 Transducer
+ SG_ Temperature : 0|16@1- (0.1,0) [0|0] "degC" Bench
+ SG_ Nibble : 0|4@1+ (1,0) [0|0] "" Bench
+)";
+
+const DbcTorqueNames names{.message = "TorqueData",
+                           .torque = "Torque",
+                           .angle = "Angle",
+                           .counter = "Counter",
+                           .status = "State"};
+
+dbc::Database database() { return std::get<0>(dbc::parse(sheet)); }
+
+std::string faults_of(const DbcTorqueNames& of) {
+  const auto decoder = torque_decoder(database(), of);
+  std::string all;
+  if (decoder.index() == 0) return all;
+  for (const ConfigFault& fault : std::get<1>(decoder)) {
+    all += fault.pointer + ": " + fault.message + "\n";
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("a transducer that is told by a database reads as one that is built in",
+          "[hal][can][dbc]") {
+  const auto decode = std::get<0>(torque_decoder(database(), names));
+  for (int i = 0; i < 256; ++i) {
+    const auto byte = static_cast<std::uint8_t>(i);
+    const CanFrame frame{
+        .id = 0x181,
+        .length = 8,
+        .data = {byte, static_cast<std::uint8_t>(7 * i), 3,
+                 static_cast<std::uint8_t>(i % 2 == 0 ? 0 : 0xFF), byte, byte, byte, 0}};
+    const auto built_in = can_frames::torque_from_frame(frame);
+    const auto told = decode(frame);
+    REQUIRE(built_in);
+    REQUIRE(told);
+    CHECK(told->torque_Nm == Approx(built_in->torque_Nm));
+    CHECK(told->angle_turns == Approx(built_in->angle_turns).margin(1e-12));
+    CHECK(told->counter == built_in->counter);
+  }
+}
+
+TEST_CASE("a transducer that says that something is wrong gives no torque", "[hal][can][dbc]") {
+  const auto decode = std::get<0>(torque_decoder(database(), names));
+  CHECK(decode({.id = 0x181, .length = 8}));
+  CHECK_FALSE(decode({.id = 0x181, .length = 8, .data = {0, 0, 0, 0, 0, 0, 0, 4}}));
+  CHECK_FALSE(decode({.id = 0x181, .length = 7}));
+  CHECK_FALSE(decode({.id = 0x182, .length = 8}));
+}
+
+TEST_CASE("the sensor follows a shaft by its database", "[hal][can][dbc]") {
+  test::CanBench world;
+  world.brake.set_fault(sim::NodeFault::silent);  // no frames but the transducer's
+  CanTorqueSensor sensor(std::move(world.bus.bench),
+                         {.rate_Hz = test::CanBench::rate_Hz,
+                          .decode = std::get<0>(torque_decoder(database(), names))},
+                         world);
+  REQUIRE(sensor.connect());
+  world.wait_until(0.15);
+  const auto block = sensor.read();
+  REQUIRE(block);
+  CHECK(block.value().lost == 0);
+  CHECK(block.value().samples.back().torque_Nm ==
+        Approx(test::CanBench::torque_Nm).margin(1e-6).epsilon(0));
+  CHECK(block.value().samples.back().angle_rad ==
+        Approx(test::CanBench::angle_rad(0.15)).margin(0.02));
+}
+
+TEST_CASE("names and units that a transducer cannot have are told all at once", "[hal][can][dbc]") {
+  CHECK(faults_of(names) == "");
+  CHECK_THAT(faults_of({.message = "Torque", .torque = "", .angle = "", .counter = ""}),
+             Catch::Contains("/message: no message \"Torque\""));
+  const std::string faults = faults_of(
+      {.message = "TorqueData", .torque = "Torqe", .angle = "Torque", .counter = "Count"});
+  CHECK_THAT(faults, Catch::Contains("/torque: TorqueData has no signal \"Torqe\""));
+  CHECK_THAT(faults, Catch::Contains("did you mean \"Torque\"?"));
+  CHECK_THAT(faults, Catch::Contains("/angle: Torque is in \"Nm\", expected deg"));
+  CHECK_THAT(faults, Catch::Contains("/counter: "));
+  CHECK_THAT(faults_of({.message = "Slow",
+                        .torque = "Temperature",
+                        .angle = "Temperature",
+                        .counter = "Nibble"}),
+             Catch::Contains("/counter: Nibble has fewer than 8 bits"));
+}
