@@ -1,0 +1,135 @@
+#include "hal/can/canopen_torque_sensor.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "hal/types/require_positive.hpp"
+
+namespace rvbench::hal {
+namespace {
+
+constexpr std::uint32_t network_management = 0x000;
+constexpr std::uint32_t first_tpdo = 0x180;
+constexpr std::uint32_t second_tpdo = 0x280;
+constexpr std::uint32_t heartbeat = 0x700;
+constexpr std::uint8_t start_node = 0x01;
+constexpr unsigned operational = 0x05;
+constexpr unsigned booted = 0x00;
+constexpr unsigned zeroing = 0x01;
+constexpr unsigned shunt_on = 0x04;
+
+IoError failure(IoErrc code, const std::string& what) {
+  return {code, "torque transducer: " + what};
+}
+
+}  // namespace
+
+CanopenTorqueSensor::CanopenTorqueSensor(std::unique_ptr<CanTransport> transport,
+                                         const CanopenTorqueOptions& options, Clock& clock)
+    : transport_(std::move(transport)), options_(options), clock_(clock) {
+  if (!transport_) throw std::invalid_argument("CanopenTorqueSensor: transport is null");
+  if (options.node < 1 || options.node > 127) {
+    throw std::invalid_argument("CanopenTorqueSensor: node is " + std::to_string(options.node) +
+                                ", must be 1 to 127");
+  }
+  require_positive(options.rate_Hz, "CanopenTorqueSensor", "rate_Hz");
+  require_positive(options.Nm_per_count, "CanopenTorqueSensor", "Nm_per_count");
+  require_positive(options.deadline_s, "CanopenTorqueSensor", "deadline_s");
+}
+
+std::vector<std::uint32_t> CanopenTorqueSensor::ids(int node) {
+  const auto id = static_cast<std::uint32_t>(node);
+  return {first_tpdo + id, second_tpdo + id, heartbeat + id};
+}
+
+Status CanopenTorqueSensor::connect() {
+  connected_ = false;
+  const Status opened = transport_->open();
+  if (!opened) return opened;
+  while (transport_->receive()) continue;  // of an earlier time
+  const Status started =
+      transport_->send({.id = network_management,
+                        .length = 2,
+                        .data = {start_node, static_cast<std::uint8_t>(options_.node)}});
+  if (!started) return started;
+  torque_Nm_ = not_known;
+  const double end_s = clock_.now_s() + options_.deadline_s;
+  for (;;) {
+    TorqueBlock none;
+    made_ = 0;
+    start_s_ = clock_.now_s();
+    const Status taken = take_waiting_frames(none);
+    if (!taken) return taken;
+    if (!std::isnan(torque_Nm_)) break;
+    if (clock_.now_s() >= end_s) {
+      return failure(IoErrc::timeout, "connect: no value after it was told to operate");
+    }
+    clock_.wait_until(clock_.now_s() + 1 / options_.rate_Hz);
+  }
+  start_s_ = clock_.now_s();
+  made_ = 0;
+  lost_ = 0;
+  connected_ = true;
+  return Done{};
+}
+
+Result<TorqueBlock> CanopenTorqueSensor::read() {
+  if (!connected_) return failure(IoErrc::disconnected, "read");
+  TorqueBlock block;
+  block.lost = lost_;
+  block.t0_s = start_s_ + static_cast<double>(made_ - lost_) / options_.rate_Hz;
+  block.samples.resize(static_cast<std::size_t>(lost_));  // of not_known
+  const double now_s = clock_.now_s();
+  Status taken = take_waiting_frames(block);
+  if (taken && now_s - alive_s_ > options_.deadline_s) {
+    taken = failure(IoErrc::timeout, "read: neither value nor heartbeat");
+  }
+  hold_until(now_s, block);
+  lost_ = taken ? 0 : static_cast<int>(block.samples.size());
+  if (!taken) return taken.error();
+  return block;
+}
+
+Status CanopenTorqueSensor::take_waiting_frames(TorqueBlock& block) {
+  for (;;) {
+    const Result<CanFrame> received = transport_->receive();
+    if (received) {
+      const Status taken = take(received.value(), block);
+      if (!taken) return taken;
+      continue;
+    }
+    if (received.error().code == IoErrc::timeout) return Done{};
+    return received.error();
+  }
+}
+
+Status CanopenTorqueSensor::take(const CanFrame& frame, TorqueBlock& block) {
+  const std::uint32_t kind = frame.id - static_cast<std::uint32_t>(options_.node);
+  alive_s_ = frame.time_s;
+  if (kind == first_tpdo) {
+    if (frame.length < 4) return failure(IoErrc::bad_reply, "a value of less than 4 bytes");
+    hold_until(frame.time_s, block);
+    std::uint32_t counts = 0;
+    for (std::size_t i = 4; i-- > 0;) counts = counts << 8U | frame.data[i];
+    torque_Nm_ = options_.Nm_per_count * static_cast<std::int32_t>(counts);
+    return Done{};
+  }
+  const unsigned byte = frame.length > 0 ? frame.data[0] : 0xFFU;
+  if (kind == second_tpdo && (byte & zeroing) != 0) return failure(IoErrc::bad_reply, "zeroing");
+  if (kind == second_tpdo && (byte & shunt_on) != 0) {
+    return failure(IoErrc::bad_reply, "shunt calibration is on");
+  }
+  const bool lives_on = kind != heartbeat || byte == operational || !connected_;
+  if (lives_on) return Done{};
+  connected_ = false;  // what it sends from now on may be scaled or zeroed anew
+  return failure(IoErrc::disconnected, byte == booted ? "it has restarted" : "it was stopped");
+}
+
+// Samples before that time: a value that was not sent anew has not changed.
+void CanopenTorqueSensor::hold_until(double time_s, TorqueBlock& block) {
+  const auto due = static_cast<std::int64_t>(std::floor((time_s - start_s_) * options_.rate_Hz));
+  for (; made_ < due; ++made_) block.samples.push_back({.torque_Nm = torque_Nm_});
+}
+
+}  // namespace rvbench::hal
