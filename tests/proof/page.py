@@ -67,7 +67,7 @@ def naming_by_noise(rows, baselines):
         axes.plot([p[0] for p in detected], [p[1] for p in detected], "k:", label="detected")
     axes.set(xlabel="signal to noise in the effect's own bin [dB]", ylabel="share of single effects",
              ylim=(-0.03, 1.03), title="Named first, by noise")
-    axes.legend(fontsize=8)
+    axes.legend(fontsize=8, loc="upper left")
     return image(figure)
 
 
