@@ -95,7 +95,7 @@ void score_imfs(const Channel& channel, const Emd& modes, const Task& task, Chan
 
 ChannelResult examine_channel(const Channel& channel, const Task& task) {
   ChannelResult out;
-  out.quality = channel_quality(channel, task.options.clip_level);
+  out.quality = accelerometer_quality(channel, task.options.clip_level);
   out.examination.name = channel.info.name;
   out.examination.unit = channel.info.unit;
   out.scores.resize(task.kinematics.signatures.size());

@@ -9,6 +9,8 @@ namespace rvbench::analysis {
 namespace {
 
 constexpr Eigen::Index fewest_samples = 256;
+// No accelerometer on a machine that turns shows one and the same value for that long.
+constexpr double standstill_s = 0.5;
 
 // Samples in runs of three or more that stay at the largest magnitude: what clipping leaves.
 Eigen::Index samples_at_extreme(const Eigen::VectorXd& x) {
@@ -24,6 +26,17 @@ Eigen::Index samples_at_extreme(const Eigen::VectorXd& x) {
     }
   }
   return count;
+}
+
+// The longest stretch of samples that are all the same.
+Eigen::Index longest_standstill(const Eigen::VectorXd& x) {
+  Eigen::Index longest = 1;
+  Eigen::Index run = 1;
+  for (Eigen::Index i = 1; i < x.size(); ++i) {
+    run = x[i] == x[i - 1] ? run + 1 : 1;
+    longest = std::max(longest, run);
+  }
+  return longest;
 }
 
 bool is_locked(const Finding& finding, const Kinematics& kinematics) {
@@ -62,6 +75,18 @@ std::vector<QualityNote> channel_quality(const Channel& channel, double clip_lev
                                    : samples_at_extreme(x);
   if (clipped > 0) return bad("clipped: " + std::to_string(clipped) + " samples at full scale");
   return {};
+}
+
+std::vector<QualityNote> accelerometer_quality(const Channel& channel, double clip_level) {
+  std::vector<QualityNote> notes = channel_quality(channel, clip_level);
+  if (!notes.empty()) return notes;
+  const Eigen::Index stood = longest_standstill(channel.samples);
+  if (stood >= fewest_samples && double(stood) > standstill_s * channel.rate_Hz) {
+    notes.push_back(
+        {channel.info.name,
+         "dead for a while: " + std::to_string(stood) + " samples in a row are the same", true});
+  }
+  return notes;
 }
 
 bool shows_machine(const std::vector<Examination>& points, const Diagnosis& diagnosis,

@@ -15,6 +15,10 @@ std::vector<const Channel*> acceleration_channels(const Recording& record);
 /// @param clip_level  full scale; NaN: clipping is recognised by runs at the extreme value
 std::vector<QualityNote> channel_quality(const Channel& channel, double clip_level);
 
+/// As channel_quality(), and a stretch of half a second in which the value stands still: on a
+/// machine that turns, the sensor was lost meanwhile. A position or a torque may stand still.
+std::vector<QualityNote> accelerometer_quality(const Channel& channel, double clip_level);
+
 /// Whether anything in the records says that they are of this machine, at this speed and rate: a
 /// finding above its limit, a significant signature of what is locked to the shaft, or in any
 /// channel a line of the spectrum on a characteristic order. Every machine that turns shows its

@@ -12,7 +12,8 @@ namespace rvbench::sequences {
 namespace {
 
 constexpr double angles_kept_s = 0.3;
-constexpr double fresh_within_s = 0.25;  // for telling standstill: the drive is polled every 50 ms
+constexpr double ahead_at_most_s = 0.05;  // of a sample clock: time stamps are no better than that
+constexpr double fresh_within_s = 0.25;   // for telling standstill: the drive is polled every 50 ms
 
 double backoff_s(int failures) { return std::min(0.5, 0.01 * std::pow(2.0, failures)); }
 
@@ -127,7 +128,9 @@ void BenchDevices::take_accelerations(hal::AccelerationBlock block) {
     return;
   }
   accelerations_end_s_ = end_s;
-  if (block.lost < block.scans.rows()) {
+  if (end_s > rig_.clock->now_s() + ahead_at_most_s) {
+    accelerations_.error = "its samples run ahead of the clock";
+  } else if (block.lost < block.scans.rows()) {
     accelerations_.seen_s = std::min(end_s, rig_.clock->now_s());
   } else {
     accelerations_.error = "its samples are lost";

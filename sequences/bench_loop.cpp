@@ -131,13 +131,19 @@ std::optional<Ending> BenchLoop::record_point(int point, double input_turns, dou
     interrupt_record();
     return waited.ending;
   }
-  const auto result = recorder_.close(waited.met ? "ok" : "too_short");
+  const auto result = recorder_.close(waited.met ? "ok" : "too_short", least_torque_Nm());
   if (!result) return end(recording_failed(result.error()));
   points_.push_back(result.value());
   if (result.value().status != "ok") {
     event(fmt::format("point {}: {}", point, result.value().status));
   }
   return std::nullopt;
+}
+
+// A reducer puts out no more power than it takes in: half of what that asks for at the input
+// leaves room for the errors of transducer and brake. NaN if the brake does not say what it holds.
+double BenchLoop::least_torque_Nm() const {
+  return 0.5 * devices_.values().brake.torque_Nm / plan_.specimen.gear_ratio;
 }
 
 void BenchLoop::interrupt_record() {

@@ -62,6 +62,7 @@ class BenchLoop {
  private:
   std::optional<Ending> tick();
   std::optional<Ending> trouble();
+  double least_torque_Nm() const;
   bool speeds_disagree();
   Ending end(const Ending& ending);
   void report_progress();

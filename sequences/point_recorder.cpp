@@ -62,7 +62,7 @@ bool PointRecorder::covers(double input_turns) const {
   return std::abs(so_far_.last_rad - so_far_.first_rad) * share >= input_turns * units::two_pi;
 }
 
-Result<hal::PointResult> PointRecorder::close(std::string status) {
+Result<hal::PointResult> PointRecorder::close(std::string status, double least_torque_Nm) {
   is_open_ = false;
   hal::PointResult result{point_, so_far_.t0_s, std::move(status), not_known, not_known};
   if (so_far_.last_s > so_far_.first_s) {
@@ -74,6 +74,8 @@ Result<hal::PointResult> PointRecorder::close(std::string status) {
       so_far_.scans_lost > 0 ||
       double(so_far_.torque_lost) > most_torque_lost * double(so_far_.torque_samples);
   if (result.status == "ok" && too_much_lost) result.status = "samples_lost";
+  const double driving_Nm = std::copysign(1.0, result.speed_rpm) * result.torque_Nm;
+  if (result.status == "ok" && driving_Nm < least_torque_Nm) result.status = "torque_implausible";
   if (Status written = recording_.end_point(result); !written) return written.error();
   return result;
 }

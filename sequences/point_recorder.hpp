@@ -20,8 +20,11 @@ class PointRecorder {
   Status take(const FreshValues& fresh);
   bool covers(double input_turns) const;
 
-  /// Ends the point. A record in which samples are missing is never "ok".
-  Result<hal::PointResult> close(std::string status);
+  /// Ends the point. A record in which samples are missing is never "ok", nor one whose mean input
+  /// torque, in the direction of rotation, is less than the load needs: a transducer with the
+  /// wrong sign, or none.
+  /// @param least_torque_Nm  at the input; NaN: not known
+  Result<hal::PointResult> close(std::string status, double least_torque_Nm = not_known);
 
  private:
   void take_sample(double time_s, const hal::TorqueSample& sample);

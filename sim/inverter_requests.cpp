@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -81,6 +82,14 @@ Answer carry_out(InverterModel& model, const Bytes& request, std::size_t pdu) {
                                      : exception(static_cast<int>(answer));
 }
 
+// The answer to a write that was not carried out.
+Answer echo(const Bytes& request, std::size_t pdu) {
+  const bool is_single = request[pdu] == write_single_register;
+  const std::uint16_t word = word_at(request, pdu + 3);
+  return registers(word_at(request, pdu + 1),
+                   is_single ? std::vector{word} : std::vector<std::uint16_t>(word));
+}
+
 bool reply(modbus_t* context, const Bytes& request, const Answer& answer) {
   const int sent = answer.registers
                        ? modbus_reply(context, request.data(), static_cast<int>(request.size()),
@@ -133,10 +142,30 @@ bool InverterRequests::serve(modbus_t* context, int line) {
   if (fault == WireFault::silent) return true;
   model_.note_request();
   if (fault == WireFault::busy) return reply(context, request, exception(busy_exception));
-  const Answer answer = carry_out(model_, request, pdu);
+  const Answer answer = fault == WireFault::deaf && request[pdu] != read_holding_registers
+                            ? echo(request, pdu)
+                            : carry_out(model_, request, pdu);
+  if (answer.registers && request[pdu] == read_holding_registers) {
+    keep_or_freeze(*answer.registers, fault == WireFault::frozen);
+  }
   if (fault == WireFault::garbled) return send_nonsense(line, request, pdu, count);
+  if (fault == WireFault::truncated) return ::write(line, request.data(), pdu + 1) >= 0;
   if (fault == WireFault::late && !linger()) return false;
+  if (fault == WireFault::doubled && !reply(context, request, answer)) return false;
   return reply(context, request, answer);
+}
+
+// What was read in good health is what a frozen device goes on to answer.
+void InverterRequests::keep_or_freeze(_modbus_mapping_t& mapping, bool is_frozen) {
+  const std::span<std::uint16_t> words(mapping.tab_registers,
+                                       static_cast<std::size_t>(mapping.nb_registers));
+  std::vector<std::uint16_t>& last =
+      last_read_[static_cast<std::uint16_t>(mapping.start_registers)];
+  if (is_frozen && last.size() == words.size()) {
+    std::ranges::copy(last, words.begin());
+  } else {
+    last.assign(words.begin(), words.end());
+  }
 }
 
 // Waits for the lateness; false if serving is to end meanwhile.

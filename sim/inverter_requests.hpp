@@ -3,11 +3,14 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <map>
+#include <vector>
 
 #include "sim/inverter_model.hpp"
 #include "sim/wire_fault.hpp"
 
-struct _modbus;  // libmodbus's modbus_t
+struct _modbus;            // libmodbus's modbus_t
+struct _modbus_mapping_t;  // its modbus_mapping_t
 
 namespace rvbench::sim {
 
@@ -37,10 +40,12 @@ class InverterRequests {
 
  private:
   bool linger();
+  void keep_or_freeze(_modbus_mapping_t& mapping, bool is_frozen);
 
   InverterModel& model_;
   std::uint8_t unit_id_;
   std::array<int, 2> wake_{-1, -1};
+  std::map<std::uint16_t, std::vector<std::uint16_t>> last_read_;  ///< in good health, by address
 };
 
 }  // namespace rvbench::sim

@@ -8,11 +8,15 @@ namespace rvbench::sim {
 /// How a device on a wire misbehaves.
 enum class WireFault {
   none,
-  late,     ///< does what it was asked, answers after the client's patience has ended
-  silent,   ///< reads the request, does nothing and never answers
-  garbled,  ///< does what it was asked, answers nonsense
-  busy,     ///< answers that it cannot now, and does nothing
-  dead      ///< closes the connection and every new one
+  late,       ///< does what it was asked, answers after the client's patience has ended
+  silent,     ///< reads the request, does nothing and never answers
+  garbled,    ///< does what it was asked, answers nonsense
+  truncated,  ///< does what it was asked, answers the beginning only
+  doubled,    ///< does what it was asked, answers twice: the second one waits for the next request
+  busy,       ///< answers that it cannot now, and does nothing
+  deaf,       ///< answers writes as if it had done them, and does nothing
+  frozen,     ///< answers reads with what it last answered in good health
+  dead        ///< closes the connection and every new one
 };
 
 /// When a fault holds: after `after_requests` more sound ones, for `requests`. One that is to

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "hal/can/in_process_transport.hpp"
+#include "hal/plant_port.hpp"
+#include "sim/can_nodes.hpp"
+#include "sim/inverter_model.hpp"
+#include "sim/inverter_server.hpp"
+
+namespace rvbench::test {
+
+/// What the sequencer is doing, as the plant can tell from what happens to it.
+enum class BenchState { connecting, arming, warming_up, settling, recording, stopping };
+
+const char* to_string(BenchState state);
+
+/// Everything that can be made to misbehave and is no device's own fault mode.
+struct Disturbance {
+  bool channel_open = false;     ///< accelerometer cable open: the input drifts to its rail
+  bool channel_flat = false;     ///< accelerometer dead: 0
+  bool channel_clipped = false;  ///< amplifier too high: cut at full scale
+  bool spike = false;            ///< one sample near full scale
+  bool scans_lost = false;       ///< every tenth scan is NaN
+  bool daq_stopped = false;
+  bool daq_fast = false;         ///< its clock runs 5 % fast
+  bool torque_inverted = false;  ///< the transducer's sign
+  bool over_torque = false;      ///< 100 N·m at the input
+  double stall_s = 0;            ///< the controller gets no time for that long
+};
+
+/// A bench with just enough physics to be judged by: a shaft with inertia that follows the
+/// inverter's field with slip, coasts when the output is off, and is held back by the brake. Fast
+/// enough for thousands of runs; its devices are reached over the real protocols.
+class FaultBench final : public hal::PlantPort {
+ public:
+  static constexpr double rate_Hz = 1240;
+  static constexpr double range_m_s2 = 490;
+  static constexpr double gear_ratio = 121;
+
+  FaultBench(std::uint64_t seed, const sim::InverterParameters& parameters);
+
+  double now_s() const override { return time_s_; }
+  void advance_to(double time_s) override;
+  std::uint16_t inverter_tcp_port() const override { return server.port(); }
+  std::unique_ptr<hal::CanTransport> make_can_transport() override { return std::move(bus.bench); }
+  const std::vector<ChannelInfo>& acceleration_channels() const override { return channels_; }
+  double acceleration_rate_Hz() const override { return rate_Hz; }
+  double acceleration_range_m_s2() const override { return range_m_s2; }
+  hal::AccelerationBlock take_accelerations() override;
+  hal::SafetyStatus safety_status() const override { return safety; }
+
+  /// Does it `after_s` seconds after that state was entered for the first time.
+  void when(BenchState state, double after_s, std::function<void()> what);
+
+  // For the oracle: the truth, whatever any device says.
+  double speed_rpm() const;
+  double brake_Nm() const { return brake.setpoint_Nm(); }
+  bool is_driven() const;  ///< somebody wants the shaft to turn, and current flows
+  double driven_until_s() const { return driven_until_s_; }  ///< last time that it was
+  double moved_until_s() const { return moved_until_s_; }    ///< last time above 5 rpm
+  double braked_until_s() const { return braked_until_s_; }  ///< last time with torque commanded
+  bool was(BenchState state) const { return entered_s_[static_cast<std::size_t>(state)] >= 0; }
+
+  sim::InverterModel inverter;
+  sim::InverterServer server;
+  hal::InProcessBus bus;
+  sim::TransducerNode transducer;
+  sim::BrakeNode brake;
+  hal::SafetyStatus safety{.estop_pressed = false, .guard_open = false, .housing_temp_degC = 25};
+  Disturbance disturbance;
+
+ private:
+  struct Trigger {
+    BenchState state;
+    double after_s;
+    std::function<void()> what;
+  };
+
+  void step();
+  void turn(double dt_s);
+  void sample();
+  void follow_states();
+  void enter(BenchState state);
+  void fire_triggers();
+
+  double time_s_ = 0;
+  long steps_ = 0;
+  double speed_rad_s_ = 0;
+  double angle_rad_ = 0;
+  double input_torque_Nm_ = 0;
+  double setpoint_Hz_ = 0;
+  double driven_until_s_ = 0, moved_until_s_ = 0, braked_until_s_ = 0;
+  std::array<double, 6> entered_s_{-1, -1, -1, -1, -1, -1};
+  std::vector<Trigger> triggers_;
+  std::vector<float> waiting_;
+  long taken_ = 0;
+  std::mt19937_64 random_;
+  std::normal_distribution<float> noise_{0, 0.5F};
+  std::vector<ChannelInfo> channels_;
+};
+
+}  // namespace rvbench::test
