@@ -7,6 +7,7 @@
 
 using namespace rvbench;
 using analysis::acceleration_channels;
+using analysis::accelerometer_quality;
 using analysis::channel_quality;
 using analysis::Diagnosis;
 using analysis::Examination;
@@ -62,6 +63,21 @@ TEST_CASE("a channel of nothing but lost samples is not mistaken for a dead one"
 TEST_CASE("a channel that never moves is dead, whatever its offset", "[analysis][quality]") {
   const auto stuck_at = GENERATE(0.0, 2.5, -1e-9);
   CHECK_THAT(complaint(channel(Eigen::VectorXd::Constant(1000, stuck_at))), Contains("dead"));
+}
+
+TEST_CASE("an accelerometer that dies in the middle of a record is found, a torque may stand still",
+          "[analysis][quality]") {
+  Eigen::VectorXd x = vibration();
+  x.segment(3000, 2400).setConstant(1.5);  // just less than half a second
+  CHECK(accelerometer_quality(channel(x), not_known).empty());
+  x.segment(3000, 2500).setConstant(1.5);
+  const auto notes = accelerometer_quality(channel(x), not_known);
+  REQUIRE(notes.size() == 1);
+  CHECK(notes.front().where == "accel_1x");
+  CHECK(notes.front().invalidates);
+  CHECK_THAT(notes.front().what, Contains("2500 samples in a row are the same"));
+  CHECK(complaint(channel(x)) == "");
+  CHECK(accelerometer_quality(channel(vibration()), not_known).empty());
 }
 
 TEST_CASE("clipping is seen at the extremes where full scale is not known", "[analysis][quality]") {

@@ -17,7 +17,9 @@ namespace {
 
 constexpr double release_limit_s = 0.2;
 constexpr double standstill_seen_s = 0.6;  // 0.2 s of angle below 5 rpm, 0.3 s of lasting, ticks
-constexpr double alone_s = 6;              // watchdog and ramp are over by then
+constexpr double response_timeout_s = 0.05;
+constexpr double patience_s = 0.25;  // real time: a busy computer is no dead drive
+constexpr double alone_s = 6;        // watchdog and ramp are over by then
 
 const std::string plan_text = R"({
   "name": "faults", "acceleration_rate_Hz": 1240,
@@ -184,9 +186,10 @@ FaultReport run_fault(const FaultCase& fault, const Guard* without) {
   auto owned =
       std::make_unique<FaultBench>(fault.seed, sim::InverterParameters{.comm_loss_timeout_s = 0.5});
   FaultBench& bench = *owned;
-  bench.server.set_lateness_s(0.1);
-  hal::Rig rig =
-      hal::make_simulated_rig(std::move(owned), {.response_timeout_s = 0.05, .stall_s = 0});
+  bench.server.set_lateness_s(1.5 * patience_s);
+  hal::Rig rig = hal::make_simulated_rig(
+      std::move(owned),
+      {.response_timeout_s = response_timeout_s, .stall_s = patience_s - response_timeout_s});
   KeptRecording recording(bench.acceleration_channels());
   std::stop_source stop;
   FaultReport report;

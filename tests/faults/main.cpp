@@ -18,7 +18,7 @@ constexpr int states = 6;
 struct Options {
   int runs = 500;
   std::uint64_t seed = 1;
-  int jobs = 2;
+  int jobs = 8;  // most of the time they wait for replies that do not come
   std::string without;
   std::string only;
 };
@@ -76,6 +76,7 @@ void take(const std::string& line, const Options& options, Totals& totals) {
   if (line.starts_with("! ")) {
     ++totals.violations;
     if (totals.violations <= 40) fmt::print("VIOLATION {}", line.substr(2));
+    std::fflush(stdout);
     return;
   }
   int struck = 0;

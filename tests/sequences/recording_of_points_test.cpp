@@ -43,6 +43,27 @@ class LosingAccelerometers final : public hal::Accelerometers {
   double until_s_;
 };
 
+// A transducer that is wired or scaled wrongly.
+class ScaledTorqueSensor final : public hal::TorqueSensor {
+ public:
+  ScaledTorqueSensor(std::unique_ptr<hal::TorqueSensor> sensor, double factor)
+      : sensor_(std::move(sensor)), factor_(factor) {}
+
+  double rate_Hz() const override { return sensor_->rate_Hz(); }
+  Status connect() override { return sensor_->connect(); }
+  Result<hal::TorqueBlock> read() override {
+    auto read = sensor_->read();
+    if (!read) return read;
+    hal::TorqueBlock block = std::move(read).value();
+    for (hal::TorqueSample& sample : block.samples) sample.torque_Nm *= factor_;
+    return block;
+  }
+
+ private:
+  std::unique_ptr<hal::TorqueSensor> sensor_;
+  double factor_;
+};
+
 // Likewise the samples of torque and angle.
 class LosingTorqueSensor final : public hal::TorqueSensor {
  public:
@@ -102,6 +123,26 @@ TEST_CASE("what does not settle makes the run INVALID, and the run goes on", "[s
   CHECK(summary.points[0].status == "unsettled");
   CHECK(summary.points[1].status == "ok");
   CHECK(summary.shaft_stopped);
+}
+
+TEST_CASE("an input torque that cannot carry the load makes the run INVALID", "[sequences]") {
+  Run run;
+  SECTION("it has the wrong sign") {
+    run.rig.torque_sensor =
+        std::make_unique<ScaledTorqueSensor>(std::move(run.rig.torque_sensor), -1);
+    CHECK(run.go().points.at(0).status == "torque_implausible");
+    CHECK(exit_code(run.summary.ending) == 20);
+  }
+  SECTION("it is a third of what the output asks for") {
+    run.rig.torque_sensor =
+        std::make_unique<ScaledTorqueSensor>(std::move(run.rig.torque_sensor), 1 / 3.0);
+    CHECK(run.go().points.at(0).status == "torque_implausible");
+  }
+  SECTION("a reducer that loses a third of the power is no better than that") {
+    run.rig.torque_sensor =
+        std::make_unique<ScaledTorqueSensor>(std::move(run.rig.torque_sensor), 1.5);
+    CHECK(run.go().points.at(0).status == "ok");
+  }
 }
 
 TEST_CASE("lost samples make the run INVALID", "[sequences]") {
