@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "sequences/interlock_check.hpp"
 #include "sequences/timeline.hpp"
@@ -37,12 +38,13 @@ BenchLoop::BenchLoop(const TestPlan& plan, hal::Rig& rig, hal::RecordingWriter& 
       observer_(observer),
       stop_(std::move(stop)),
       first_point_(first_point),
-      devices_(rig),
+      supervisor_(rig, plan.interlocks),
+      devices_(rig, supervisor_),
       recorder_(recording),
       total_s_(planned_duration_s(plan)) {}
 
 std::optional<Ending> BenchLoop::tick() {
-  if (ended_) return ended_;
+  if (ended()) return ended();
   rig_.clock->wait_until(next_tick_s_);
   next_tick_s_ = std::max(next_tick_s_, now_s()) + tick_s;
   devices_.read();
@@ -58,33 +60,33 @@ std::optional<Ending> BenchLoop::tick() {
   return std::nullopt;
 }
 
+// What the supervisor has found comes first, but for a stop on request in the same moment.
 std::optional<Ending> BenchLoop::trouble() {
-  if (auto ending = check_interlocks(plan_.interlocks, devices_.fresh())) return ending;
+  std::optional<Ending> ending = ended();
   if (stop_.stop_requested()) {
-    return Ending{Outcome::aborted, ErrorKind::none, "stopped on request"};
+    const Ending asked{Outcome::aborted, ErrorKind::none, "stopped on request"};
+    ending = ending ? graver(*ending, asked) : asked;
   }
-  if (auto ending = check_devices(devices_.fresh())) return ending;
-  if (auto ending = check_lost(devices_, plan_.interlocks.stale_after_s)) return ending;
-  if (speeds_disagree()) {
+  if (!ending && speeds_disagree()) {
     return device_lost(
         fmt::format("the drive reports {:.0f} rpm, the torque sensor's angle {:.0f} rpm",
                     devices_.values().drive.speed_rpm, devices_.measured_speed_rpm(0.1)));
   }
-  return std::nullopt;
+  return ending;
 }
 
 bool BenchLoop::speeds_disagree() {
   const double measured_rpm = devices_.measured_speed_rpm(0.1);
   const double apart_rpm = std::abs(devices_.values().drive.speed_rpm - measured_rpm);
-  // Not known is no contradiction: the comparison is false for NaN.
-  const bool apart = apart_rpm > speeds_apart_rpm + speeds_apart_share * std::abs(measured_rpm);
+  // Not known is no contradiction (the comparison is false for NaN), nor is a reading that is old.
+  const bool apart = devices_.drive_is_fresh() &&
+                     apart_rpm > speeds_apart_rpm + speeds_apart_share * std::abs(measured_rpm);
   if (!apart) agreed_s_ = now_s();
   return now_s() - agreed_s_ > speeds_apart_s;
 }
 
 Ending BenchLoop::end(const Ending& ending) {
-  rig_.drive->stop();  // first of all
-  ended_ = ending;
+  supervisor_.trip(ending);
   event(ending.reason);
   return ending;
 }
@@ -93,13 +95,29 @@ std::optional<Ending> BenchLoop::arm() {
   next_tick_s_ = next_write_s_ = agreed_s_ = now_s();
   devices_.start();
   // Nothing turns before every device has answered; one that does not is lost within that time.
-  const Waited waited = run_until([this](const BenchValues&) { return devices_.all_answered(); },
-                                  plan_.interlocks.stale_after_s + 1);
-  if (!waited.ending) event("armed");
-  return waited.ending;
+  // A shaft that still runs down from an earlier run is waited for.
+  const Waited waited = run_until(
+      [this](const BenchValues&) {
+        return devices_.all_answered() && devices_.stands_still(plan_.teardown.standstill_rpm);
+      },
+      plan_.interlocks.stale_after_s + plan_.teardown.standstill_timeout_s);
+  if (waited.ending) return waited.ending;
+  if (!waited.met) return end(device_lost("the shaft turns before anybody has commanded it"));
+  supervisor_.handle(SupervisorEvent::reset);
+  supervisor_.handle(SupervisorEvent::arm);
+  event("armed");
+  if (const std::string why = supervisor_.without_priority(); !why.empty()) {
+    event("the supervisor has no real-time priority: " + why);
+  }
+  return std::nullopt;
 }
 
 void BenchLoop::command(double speed_rpm, double brake_torque_Nm) {
+  const bool may_turn = speed_rpm == 0 || ended() || supervisor_.handle(SupervisorEvent::run);
+  if (!may_turn) {
+    throw std::logic_error(fmt::format("BenchLoop::command: {} rpm while {}", speed_rpm,
+                                       to_string(supervisor_.state())));
+  }
   speed_rpm_ = speed_rpm;
   brake_torque_Nm_ = brake_torque_Nm;
   next_write_s_ = now_s();

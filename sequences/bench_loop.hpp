@@ -23,7 +23,7 @@ struct Waited {
 double load_torque_Nm(const Specimen& specimen, double load_pct);
 
 /// The one loop of a run: phases say what to do and for how long, and every 10 ms of the rig's
-/// time it reads every device, checks that it is fresh and within the interlocks, feeds the
+/// time it asks the drive, takes over what the supervisor has read and found, feeds the devices'
 /// watchdogs, and hands samples to the recording.
 ///
 /// An ending is final: the drive is stopped before anything else, and from then on every wait
@@ -33,11 +33,12 @@ class BenchLoop {
   BenchLoop(const TestPlan& plan, hal::Rig& rig, hal::RecordingWriter& recording,
             RunObserver& observer, std::stop_token stop, int first_point);
 
-  /// Begins to watch the devices, which are connected by now, and waits for each one's first
-  /// answer; ends at once on E-stop or guard.
+  /// Begins to watch the devices, which are connected by now, and waits until each has answered
+  /// and the shaft stands still; ends at once on E-stop or guard.
   std::optional<Ending> arm();
 
-  void command(double speed_rpm, double brake_torque_Nm);  ///< written at the next tick
+  /// Written at the next tick. @throws std::logic_error before arm(), if the shaft is to turn
+  void command(double speed_rpm, double brake_torque_Nm);
   std::optional<Ending> run_for(double duration_s);
   Waited run_until(const std::function<bool(const BenchValues&)>& met, double timeout_s);
 
@@ -54,9 +55,12 @@ class BenchLoop {
   void event(const std::string& text);
   double now_s() const { return rig_.clock->now_s(); }
   hal::Rig& rig() { return rig_; }
+  Supervisor& supervisor() { return supervisor_; }
   BenchDevices& devices() { return devices_; }
-  double brake_torque_Nm() const { return brake_torque_Nm_; }    ///< as commanded
-  const std::optional<Ending>& ended() const { return ended_; }  ///< empty while the run goes on
+  double brake_torque_Nm() const { return brake_torque_Nm_; }  ///< as commanded
+  std::optional<Ending> ended() const {
+    return supervisor_.latched();
+  }  ///< empty while the run goes on
   const std::vector<hal::PointResult>& points() const { return points_; }
 
  private:
@@ -74,9 +78,9 @@ class BenchLoop {
   std::stop_token stop_;
   int first_point_;
 
+  Supervisor supervisor_;
   BenchDevices devices_;
   PointRecorder recorder_;
-  std::optional<Ending> ended_;
   double speed_rpm_ = 0;
   double brake_torque_Nm_ = 0;
   double next_tick_s_ = 0;

@@ -83,12 +83,6 @@ std::optional<Ending> check_devices(const FreshValues& fresh) {
   return std::nullopt;
 }
 
-std::optional<Ending> check_lost(const BenchDevices& devices, double stale_after_s) {
-  std::string lost = devices.lost(stale_after_s);
-  if (lost.empty()) return std::nullopt;
-  return device_lost(std::move(lost));
-}
-
 Ending device_lost(std::string reason) {
   return {Outcome::error, ErrorKind::device_lost, std::move(reason)};
 }

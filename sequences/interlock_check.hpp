@@ -4,7 +4,7 @@
 #include <string>
 
 #include "hal/types/outcome.hpp"
-#include "sequences/bench_devices.hpp"
+#include "sequences/fresh_values.hpp"
 #include "sequences/plan.hpp"
 
 namespace rvbench::sequences {
@@ -15,9 +15,6 @@ std::optional<Ending> check_interlocks(const Interlocks& limits, const FreshValu
 
 /// The ERROR of a drive or brake that reports a fault of its own.
 std::optional<Ending> check_devices(const FreshValues& fresh);
-
-/// The ERROR of devices that have not been seen for longer than that.
-std::optional<Ending> check_lost(const BenchDevices& devices, double stale_after_s);
 
 /// The ERROR of a device that is missing or cannot be trusted; the reason says which.
 Ending device_lost(std::string reason);

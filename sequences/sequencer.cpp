@@ -7,12 +7,16 @@
 #include <functional>
 
 #include "sequences/bench_loop.hpp"
+#include "sequences/scribe.hpp"
 #include "sequences/standstill.hpp"
 #include "sequences/timeline.hpp"
+#include "sequences/written_behind.hpp"
 
 namespace rvbench::sequences {
 namespace {
 
+constexpr std::size_t most_bytes_behind = 256UL
+                                          << 20U;  // half a minute of 24 channels at 102.4 kHz
 const Ending all_well{Outcome::pass, ErrorKind::none, "everything was measured"};
 
 Ending bench_fault(std::string reason) {
@@ -106,10 +110,13 @@ bool brake_lets_go(hal::Rig& rig) {
 Ending tear_down(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
   hal::Rig& rig = loop.rig();
   const double until_s = rig.clock->now_s() + plan.teardown.standstill_timeout_s;
+  loop.supervisor().handle(SupervisorEvent::stop);
   rig.drive->stop();
   Ending ending = guarded([&] {
     const RunDown run_down = wait_for_standstill(rig, loop.devices(), plan, loop.brake_torque_Nm());
     summary.shaft_stopped = run_down.stopped;
+    if (run_down.stopped) loop.supervisor().handle(SupervisorEvent::standstill);
+    if (run_down.trouble) loop.supervisor().handle(SupervisorEvent::trip);
     return run_down.trouble.value_or(all_well);
   });
   rig.drive->stop();
@@ -117,6 +124,7 @@ Ending tear_down(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
                     if (!summary.shaft_stopped) rig.clock->wait_until(until_s);
                     return all_well;
                   }));
+  loop.supervisor().end();  // the brake is the sequencer's again
   rig.brake->release();
   ending = graver(ending, guarded([&] {
                     summary.brake_released = brake_lets_go(rig);
@@ -144,6 +152,14 @@ void tell(BenchLoop& loop, const RunSummary& summary, const Ending& measured,
                          summary.brake_released ? "released" : "not seen released"));
 }
 
+// How punctual the supervisor was; nothing in virtual time, where nobody is late.
+void tell_lateness(BenchLoop& loop) {
+  const Lateness late = loop.supervisor().lateness();
+  if (late.rounds() == 0) return;
+  loop.event(fmt::format("supervisor: {} rounds, 99 % at most {:.3f} ms late, the latest {:.1f} ms",
+                         late.rounds(), 1e3 * late.quantile_s(0.99), 1e3 * late.longest_s()));
+}
+
 // All of a run but what guards it.
 void run(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
   const double start_s = loop.now_s();
@@ -159,13 +175,13 @@ void run(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
   summary.points = loop.points();
   summary.drive_retries = loop.rig().drive->retries();
   summary.duration_s = loop.now_s() - start_s;
+  tell_lateness(loop);
   tell(loop, summary, measured, torn_down);
 }
 
-}  // namespace
-
-RunSummary run_sequence(const TestPlan& plan, hal::Rig& rig, hal::RecordingWriter& recording,
-                        RunObserver& observer, std::stop_token stop, int first_point) {
+// What the run comes to where nothing but the rig makes anybody wait.
+RunSummary run_unhindered(const TestPlan& plan, hal::Rig& rig, hal::RecordingWriter& recording,
+                          RunObserver& observer, std::stop_token stop, int first_point) {
   RunSummary summary;
   summary.ending = all_well;
   const Ending unforeseen = guarded([&] {
@@ -180,6 +196,31 @@ RunSummary run_sequence(const TestPlan& plan, hal::Rig& rig, hal::RecordingWrite
     rig.accelerometers->stop();
   }
   summary.ending = graver(summary.ending, unforeseen);
+  return summary;
+}
+
+}  // namespace
+
+RunSummary run_sequence(const TestPlan& plan, hal::Rig& rig, hal::RecordingWriter& recording,
+                        RunObserver& observer, std::stop_token stop, int first_point) {
+  // Virtual time stands still while somebody writes.
+  if (rig.clock->is_virtual()) {
+    return run_unhindered(plan, rig, recording, observer, std::move(stop), first_point);
+  }
+  RunSummary summary;
+  summary.ending = all_well;
+  const Ending written = guarded([&]() -> Ending {
+    Scribe disk(most_bytes_behind);
+    Scribe screen(most_bytes_behind);
+    RecordingBehind recording_behind(recording, disk);
+    ObserverBehind observer_behind(observer, screen);
+    summary =
+        run_unhindered(plan, rig, recording_behind, observer_behind, std::move(stop), first_point);
+    const Status settled = recording_behind.settle();
+    if (settled) return all_well;
+    return bench_fault("the recording cannot be written: " + describe(settled.error()));
+  });
+  summary.ending = graver(summary.ending, written);
   return summary;
 }
 

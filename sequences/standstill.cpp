@@ -16,17 +16,6 @@ constexpr double stop_again_s = 1.0;
 constexpr double silence_s = 2.5;  // longer than any watchdog that the sequencer arms with
 constexpr double must_last_s = 0.3;
 
-bool stands_still(const BenchDevices& devices, double limit_rpm) {
-  const double measured_rpm = std::abs(devices.measured_speed_rpm(0.2));
-  const hal::DriveStatus& drive = devices.values().drive;
-  const bool drive_knows = devices.drive_is_fresh() && std::isfinite(drive.speed_rpm);
-  const bool drive_stopped = std::abs(drive.speed_rpm) <= limit_rpm;
-  if (std::isfinite(measured_rpm)) {
-    return measured_rpm <= limit_rpm && (!drive_knows || !drive.running || drive_stopped);
-  }
-  return drive_knows && drive_stopped;
-}
-
 // Tells a drive to stop until it does. One that answers but does not obey would have its watchdog
 // fed by every further request: after a stop in vain it hears nothing, so that the watchdog acts.
 // It obeys if it slows down fast enough to stand still within the time-out.
@@ -111,7 +100,7 @@ RunDown wait_for_standstill(hal::Rig& rig, BenchDevices& devices, const TestPlan
     if (const auto trip = find_trip(plan.interlocks, devices.fresh())) {
       result.trouble = graver(result.trouble.value_or(*trip), *trip);
     }
-    if (!stands_still(devices, plan.teardown.standstill_rpm)) moving_s = now_s;
+    if (!devices.stands_still(plan.teardown.standstill_rpm)) moving_s = now_s;
     result.stopped = now_s - moving_s >= must_last_s;
     if (result.stopped) break;
     stopper.tick(now_s);
@@ -120,7 +109,7 @@ RunDown wait_for_standstill(hal::Rig& rig, BenchDevices& devices, const TestPlan
       next_feed_s = now_s + feed_period_s;
     }
   }
-  if (!result.trouble) result.trouble = check_lost(devices, plan.interlocks.stale_after_s);
+  if (!result.trouble && !devices.lost().empty()) result.trouble = device_lost(devices.lost());
   if (!result.trouble && !result.stopped) {
     result.trouble = device_lost("the shaft does not stop");
   }

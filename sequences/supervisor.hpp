@@ -1,0 +1,111 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "hal/rig.hpp"
+#include "hal/service_watchdog.hpp"
+#include "hal/types/outcome.hpp"
+#include "sequences/device_watch.hpp"
+#include "sequences/field_devices.hpp"
+#include "sequences/fresh_values.hpp"
+#include "sequences/lateness.hpp"
+#include "sequences/plan.hpp"
+#include "sequences/supervisor_state.hpp"
+
+namespace rvbench::sequences {
+
+/// What the sequencer knows of the drive, which only it may ask.
+struct DriveReport {
+  std::optional<hal::DriveStatus> fresh;
+  DeviceWatch status{"drive", 0.05};
+  DeviceWatch command{"drive (speed command)"};
+};
+
+/// What the supervisor hands over.
+struct Handover {
+  FreshValues fresh;
+  bool all_answered = false;  ///< the field devices
+  std::string lost;           ///< what has been silent for too long, the drive included
+};
+
+/// Stands beside the sequencer and looks at nothing but safety: reads the field devices, holds
+/// every fresh value against the interlocks and every age against the plan's limit, and at the
+/// first trouble stops the drive, before anything else is done. The ending is latched: no later
+/// good value takes it back.
+///
+/// Threads  with a real clock it has a thread of its own from start() to end(), at 1 kHz and under
+///          SCHED_FIFO where the system allows that: neither disk nor screen nor the drive's slow
+///          answers hold it up, and it never waits for the sequencer. In virtual time, and outside
+///          of start() and end(), exchange() does its round in the caller's thread.
+///          The field devices are its own meanwhile; the others call from one thread
+/// Service  while its thread turns, systemd's watchdog is fed
+class Supervisor {
+ public:
+  Supervisor(hal::Rig& rig, const Interlocks& limits);
+  ~Supervisor();
+  Supervisor(const Supervisor&) = delete;
+  Supervisor& operator=(const Supervisor&) = delete;
+
+  void start(const DriveReport& drive);  ///< from now on everything must be seen
+  void end() noexcept;                   ///< its thread is gone; nothing is watched any more
+
+  /// Tells about the drive and takes over what came since the last call.
+  Handover exchange(const DriveReport& drive);
+  void hold_brake(double torque_Nm);  ///< one command to the brake: call it cyclically
+
+  /// Moves the state machine; false, and nothing changes, where the event may not happen.
+  bool handle(SupervisorEvent event) noexcept;
+  SupervisorState state() const { return state_; }
+
+  /// Stops the drive, if nobody has yet, and latches the ending.
+  void trip(const Ending& ending);
+  std::optional<Ending> latched() const;  ///< how the run must end
+
+  std::string without_priority() const;  ///< why its thread has no real-time priority; "" if it has
+  Lateness lateness() const;             ///< of its thread's rounds; @pre end()
+
+  static constexpr double period_s = 0.001;
+
+ private:
+  void run(const std::stop_token& stop) noexcept;
+  void step();
+  void look_for_trouble(const FreshValues& fresh);
+  std::string lost() const;
+  void hand_over(FreshValues fresh);
+  void tell(const DriveReport& drive);
+  void tell_priority(std::string without);
+
+  hal::Rig& rig_;
+  const Interlocks limits_;
+  FieldDevices field_;
+  hal::ServiceWatchdog service_;
+  Lateness lateness_;
+
+  std::atomic<SupervisorState> state_ = SupervisorState::faulted;
+  std::atomic<bool> is_watching_ = false;
+  std::atomic<bool> is_latched_ = false;
+  std::atomic<bool> has_thread_ = false;
+
+  // The supervisor's own: what it was told last, what it could not hand over yet.
+  DriveReport drive_;
+  std::vector<FreshValues> kept_;
+
+  mutable std::mutex mutex_;  // held for moments only; the supervisor's rounds never wait for it
+  std::optional<DriveReport> told_drive_;
+  std::optional<double> told_brake_Nm_;
+  std::vector<FreshValues> ready_;
+  bool all_answered_ = false;
+  std::string lost_;
+  std::optional<Ending> latched_;
+  std::string without_priority_;
+
+  std::jthread thread_;
+};
+
+}  // namespace rvbench::sequences

@@ -1,0 +1,87 @@
+#include "sequences/written_behind.hpp"
+
+#include <exception>
+#include <memory>
+#include <utility>
+
+namespace rvbench::sequences {
+namespace {
+
+constexpr std::size_t bytes_of_a_line = 512;
+
+std::size_t bytes_of(const hal::AccelerationBlock& block) {
+  return sizeof(float) * static_cast<std::size_t>(block.scans.size()) + bytes_of_a_line;
+}
+
+std::size_t bytes_of(const hal::TorqueBlock& block) {
+  return sizeof(hal::TorqueSample) * block.samples.size() + bytes_of_a_line;
+}
+
+}  // namespace
+
+Status RecordingBehind::append(int point, const hal::AccelerationBlock& block) {
+  return post(bytes_of(block), [this, point, block] { return recording_.append(point, block); });
+}
+
+Status RecordingBehind::append(int point, const hal::TorqueBlock& block) {
+  return post(bytes_of(block), [this, point, block] { return recording_.append(point, block); });
+}
+
+Status RecordingBehind::end_point(const hal::PointResult& result) {
+  return post(bytes_of_a_line, [this, result] { return recording_.end_point(result); });
+}
+
+Status RecordingBehind::note(double time_s, const std::string& event) {
+  return post(bytes_of_a_line, [this, time_s, event] { return recording_.note(time_s, event); });
+}
+
+Status RecordingBehind::settle() {
+  scribe_.finish();
+  return so_far();
+}
+
+Status RecordingBehind::post(std::size_t bytes, std::function<Status()> write) {
+  if (const Status status = so_far(); !status) return status;
+  const bool is_taken = scribe_.post(bytes, [this, write = std::move(write)] {
+    if (!so_far()) return;  // a recording with a hole in it must not look whole
+    try {
+      if (const Status written = write(); !written) fail(written.error());
+    } catch (const std::exception& bug) {
+      fail({IoErrc::refused, std::string("recording: ") + bug.what()});
+    }
+  });
+  if (!is_taken) fail({IoErrc::overrun, "recording: the disk has fallen too far behind"});
+  return so_far();
+}
+
+Status RecordingBehind::so_far() const {
+  const std::lock_guard lock(mutex_);
+  if (failure_) return *failure_;
+  return Done{};
+}
+
+void RecordingBehind::fail(const IoError& error) {
+  const std::lock_guard lock(mutex_);
+  if (!failure_) failure_ = error;
+}
+
+void ObserverBehind::progress(double done_s, double total_s, const std::string& doing) {
+  if (scribe_.is_busy()) return;
+  post([this, done_s, total_s, doing] { observer_.progress(done_s, total_s, doing); });
+}
+
+void ObserverBehind::event(double time_s, const std::string& text) {
+  post([this, time_s, text] { observer_.event(time_s, text); });
+}
+
+// What cannot be shown is no reason to end a run: the recording has the events as well.
+void ObserverBehind::post(std::function<void()> tell) {
+  (void)scribe_.post(0, [tell = std::move(tell)] {
+    try {
+      tell();
+    } catch (...) {
+    }
+  });
+}
+
+}  // namespace rvbench::sequences

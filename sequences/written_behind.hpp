@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "hal/recording_file.hpp"
+#include "sequences/scribe.hpp"
+#include "sequences/sequencer.hpp"
+
+namespace rvbench::sequences {
+
+/// A recording that takes everything at once and has it written by a scribe.
+///
+/// Errors   of the disk come with a later call, at the latest with settle(): until that has
+///          succeeded nothing counts as written. overrun: the disk has fallen too far behind
+class RecordingBehind final : public hal::RecordingWriter {
+ public:
+  /// Both must outlive it.
+  RecordingBehind(hal::RecordingWriter& recording, Scribe& scribe)
+      : recording_(recording), scribe_(scribe) {}
+
+  Status append(int point, const hal::AccelerationBlock& block) override;
+  Status append(int point, const hal::TorqueBlock& block) override;
+  Status end_point(const hal::PointResult& result) override;
+  Status note(double time_s, const std::string& event) override;
+  Status close() override { return settle(); }  ///< the recording itself is its owner's to close
+
+  Status settle();  ///< waits until all is written, and says how that went
+
+ private:
+  Status post(std::size_t bytes, std::function<Status()> write);
+  Status so_far() const;
+  void fail(const IoError& error);
+
+  hal::RecordingWriter& recording_;
+  Scribe& scribe_;
+  mutable std::mutex mutex_;
+  std::optional<IoError> failure_;  // the first one
+};
+
+/// An observer whose screen and log may take their time. Progress is left out while it is behind,
+/// events never are.
+class ObserverBehind final : public RunObserver {
+ public:
+  /// Both must outlive it.
+  ObserverBehind(RunObserver& observer, Scribe& scribe) : observer_(observer), scribe_(scribe) {}
+
+  void progress(double done_s, double total_s, const std::string& doing) override;
+  void event(double time_s, const std::string& text) override;
+
+ private:
+  void post(std::function<void()> tell);
+
+  RunObserver& observer_;
+  Scribe& scribe_;
+};
+
+}  // namespace rvbench::sequences

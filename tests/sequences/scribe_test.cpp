@@ -1,0 +1,35 @@
+#include "sequences/scribe.hpp"
+
+#include <catch2/catch.hpp>
+#include <future>
+#include <vector>
+
+using rvbench::sequences::Scribe;
+
+TEST_CASE("a scribe does jobs one after the other, in the order they came", "[sequences]") {
+  std::vector<int> done;
+  {
+    Scribe scribe(1000);
+    for (int i = 0; i < 100; ++i) REQUIRE(scribe.post(1, [&done, i] { done.push_back(i); }));
+    scribe.finish();
+    CHECK(done.size() == 100);
+    CHECK_FALSE(scribe.is_busy());
+    REQUIRE(scribe.post(1, [&done] { done.push_back(100); }));
+  }  // as finish()
+  REQUIRE(done.size() == 101);
+  for (int i = 0; i <= 100; ++i) CHECK(done[std::size_t(i)] == i);
+}
+
+TEST_CASE("a scribe that has fallen too far behind says so instead of filling the memory",
+          "[sequences]") {
+  std::promise<void> go_on;
+  Scribe scribe(100);
+  REQUIRE(scribe.post(60, [&] { go_on.get_future().wait(); }));
+  CHECK(scribe.is_busy());
+  CHECK(scribe.post(40, [] {}));
+  CHECK_FALSE(scribe.post(1, [] {}));
+  CHECK(scribe.post(0, [] {}));  // what holds nothing always has its place
+  go_on.set_value();
+  scribe.finish();
+  CHECK(scribe.post(100, [] {}));
+}

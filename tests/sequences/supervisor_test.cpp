@@ -1,0 +1,139 @@
+#include "sequences/supervisor.hpp"
+
+#include <catch2/catch.hpp>
+#include <functional>
+#include <thread>
+
+#include "tests/support/live_rig.hpp"
+#include "tests/support/plan_of.hpp"
+
+using namespace rvbench;
+using sequences::DriveReport;
+using sequences::Supervisor;
+
+namespace {
+
+constexpr double impatient_s = 0.3;
+constexpr double patient_s = 5;  // a busy computer is no lost device
+
+sequences::Interlocks limits(double stale_after_s) {
+  return {.input_speed_rpm = 2200,
+          .input_torque_Nm = 8,
+          .acceleration_m_s2 = 300,
+          .housing_temp_degC = 60,
+          .stale_after_s = stale_after_s};
+}
+
+// Ten seconds are for ever here: what is waited for comes within milliseconds, or never.
+bool comes_true(const std::function<bool()>& condition) {
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > until) return false;
+    std::this_thread::yield();
+  }
+  return true;
+}
+
+// A supervisor whose sequencer has told of the drive once, and not come back since.
+struct Watched {
+  explicit Watched(double stale_after_s = patient_s) : supervisor(rig, limits(stale_after_s)) {
+    REQUIRE(rig.accelerometers->start());
+    report.status.seen_s = report.command.seen_s = rig.clock->now_s();
+    supervisor.start(report);
+  }
+  void drive_is_well() {
+    report.status.seen_s = report.command.seen_s = rig.clock->now_s();
+    (void)supervisor.exchange(report);
+  }
+
+  hal::Rig rig = test::make_live_rig();
+  test::LiveBench& bench = test::live_bench(rig);
+  Supervisor supervisor;
+  DriveReport report;
+};
+
+}  // namespace
+
+TEST_CASE("an interlock stops the drive though the sequencer hangs", "[sequences][safety]") {
+  Watched watched;
+  watched.report.status.seen_s = sequences::DeviceWatch::always_seen_s;
+  watched.report.command.seen_s = sequences::DeviceWatch::always_seen_s;
+  (void)watched.supervisor.exchange(watched.report);
+  SECTION("an E-stop") { watched.bench.estop = true; }
+  SECTION("torque above its limit") { watched.bench.torque_Nm = 9; }
+  CHECK(comes_true([&] { return watched.bench.stops > 0; }));
+  CHECK(comes_true([&] { return watched.supervisor.latched().has_value(); }));
+  CHECK(watched.supervisor.latched()->error_kind == ErrorKind::safety_trip);
+  CHECK(watched.supervisor.state() == sequences::SupervisorState::faulted);
+}
+
+TEST_CASE("a trip is latched: a good value does not take it back, and the drive is stopped once",
+          "[sequences][safety]") {
+  Watched watched;
+  watched.drive_is_well();
+  watched.bench.estop = true;
+  REQUIRE(comes_true([&] { return watched.supervisor.latched().has_value(); }));
+  watched.bench.estop = false;
+  const double later_s = watched.rig.clock->now_s() + 0.05;
+  while (watched.rig.clock->now_s() < later_s) watched.drive_is_well();
+  CHECK(watched.supervisor.latched()->error_kind == ErrorKind::safety_trip);
+  CHECK(watched.bench.stops == 1);
+}
+
+TEST_CASE("a sequencer that hangs ends the run: nobody tells of the drive any more",
+          "[sequences][safety]") {
+  Watched watched(impatient_s);
+  CHECK(comes_true([&] { return watched.bench.stops > 0; }));
+  REQUIRE(comes_true([&] { return watched.supervisor.latched().has_value(); }));
+  CHECK(watched.supervisor.latched()->error_kind == ErrorKind::device_lost);
+  CHECK_THAT(watched.supervisor.latched()->reason, Catch::Contains("drive silent for 0.3"));
+  CHECK(watched.bench.stopped_s >= impatient_s);
+}
+
+TEST_CASE("while all is well the drive is left alone and no sample is lost", "[sequences]") {
+  Watched watched;
+  long scans = 0, samples = 0;
+  double first_s = -1, end_s = -1;
+  const double until_s = watched.rig.clock->now_s() + 0.5;
+  while (watched.rig.clock->now_s() < until_s) {
+    watched.report.status.seen_s = watched.report.command.seen_s = watched.rig.clock->now_s();
+    const auto taken = watched.supervisor.exchange(watched.report);
+    if (taken.fresh.torque) samples += long(taken.fresh.torque->samples.size());
+    if (!taken.fresh.accelerations) continue;
+    if (first_s < 0) first_s = taken.fresh.accelerations->t0_s;
+    if (end_s >= 0) REQUIRE(taken.fresh.accelerations->t0_s == Approx(end_s).margin(1e-9));
+    scans += taken.fresh.accelerations->scans.rows();
+    end_s = taken.fresh.accelerations->t0_s +
+            double(taken.fresh.accelerations->scans.rows()) / taken.fresh.acceleration_rate_Hz;
+  }
+  CHECK(watched.bench.stops == 0);
+  CHECK_FALSE(watched.supervisor.latched());
+  CHECK(scans == Approx((end_s - first_s) * 4960).margin(1));
+  CHECK(samples > 400);
+  watched.supervisor.end();
+  CHECK(watched.supervisor.lateness().rounds() > 100);
+}
+
+TEST_CASE("a command to the brake is passed on once: nobody repeats an old one", "[sequences]") {
+  Watched watched;
+  watched.drive_is_well();
+  watched.supervisor.hold_brake(70);
+  REQUIRE(comes_true([&] { return watched.bench.brake_commands == 1; }));
+  const double later_s = watched.rig.clock->now_s() + 0.02;
+  while (watched.rig.clock->now_s() < later_s) watched.drive_is_well();
+  CHECK(watched.bench.brake_commands == 1);
+  CHECK(watched.bench.brake_Nm == 70);
+}
+
+TEST_CASE("while the shaft runs down the supervisor leaves the drive in silence",
+          "[sequences][safety]") {
+  Watched watched(impatient_s);
+  watched.supervisor.handle(sequences::SupervisorEvent::stop);  // from FAULTED: nothing armed yet
+  CHECK(watched.supervisor.state() == sequences::SupervisorState::faulted);
+  watched.supervisor.handle(sequences::SupervisorEvent::reset);
+  watched.supervisor.handle(sequences::SupervisorEvent::stop);
+  REQUIRE(watched.supervisor.state() == sequences::SupervisorState::stopping);
+  const double later_s = watched.rig.clock->now_s() + 2 * impatient_s;
+  while (watched.rig.clock->now_s() < later_s) std::this_thread::yield();
+  CHECK(watched.bench.stops == 0);
+}
