@@ -5,7 +5,9 @@
 namespace rvbench::sequences {
 namespace {
 
-constexpr double fresh_within_s = 0.25;  // for telling standstill: the drive is polled every 50 ms
+// For telling standstill.
+constexpr double fresh_within_s = 0.25;  // the drive is polled every 50 ms
+constexpr double window_s = 0.05;        // 5 rpm are 1.5 degrees: any encoder sees them
 
 }  // namespace
 
@@ -61,7 +63,7 @@ bool BenchDevices::drive_is_fresh() const {
 }
 
 bool BenchDevices::stands_still(double limit_rpm) const {
-  const double measured_rpm = std::abs(measured_speed_rpm(0.2));
+  const double measured_rpm = std::abs(measured_speed_rpm(window_s));
   const hal::DriveStatus& drive = values_.drive;
   const bool drive_knows = drive_is_fresh() && std::isfinite(drive.speed_rpm);
   const bool drive_stopped = std::abs(drive.speed_rpm) <= limit_rpm;

@@ -14,7 +14,7 @@ constexpr double tick_s = 0.01;
 constexpr double feed_period_s = 0.1;
 constexpr double stop_again_s = 1.0;
 constexpr double silence_s = 2.5;  // longer than any watchdog that the sequencer arms with
-constexpr double must_last_s = 0.3;
+constexpr double must_last_s = 0.1;  // a shaft that swings back through zero does not stay so long
 
 // Tells a drive to stop until it does. One that answers but does not obey would have its watchdog
 // fed by every further request: after a stop in vain it hears nothing, so that the watchdog acts.

@@ -77,12 +77,14 @@ void Supervisor::look_for_trouble(const FreshValues& fresh) {
   if (std::string silent = lost(); !silent.empty()) trip(device_lost(std::move(silent)));
 }
 
+// What will be too old before the next round is too old now.
 std::string Supervisor::lost() const {
   const double now_s = rig_.clock->now_s();
+  const double stale_after_s = limits_.stale_after_s - (has_thread_ ? period_s : 0);
   std::string all;
   for (const std::string& one :
-       {drive_.status.lost(now_s, limits_.stale_after_s),
-        drive_.command.lost(now_s, limits_.stale_after_s), field_.lost(limits_.stale_after_s)}) {
+       {drive_.status.lost(now_s, stale_after_s), drive_.command.lost(now_s, stale_after_s),
+        field_.lost(stale_after_s)}) {
     if (!one.empty()) all += (all.empty() ? "" : "; ") + one;
   }
   return all;
@@ -146,8 +148,11 @@ bool Supervisor::handle(SupervisorEvent event) noexcept {
 }
 
 void Supervisor::trip(const Ending& ending) {
-  if (!is_latched_.exchange(true)) rig_.drive->stop();  // first of all
-  handle(SupervisorEvent::trip);
+  if (!is_latched_.exchange(true)) {
+    handle(SupervisorEvent::trip);
+    latched_s_ = rig_.clock->now_s();
+    rig_.drive->stop();  // before anything that may take its time
+  }
   const std::lock_guard lock(mutex_);
   latched_ = latched_ ? graver(*latched_, ending) : ending;
 }

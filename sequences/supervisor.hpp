@@ -65,7 +65,8 @@ class Supervisor {
 
   /// Stops the drive, if nobody has yet, and latches the ending.
   void trip(const Ending& ending);
-  std::optional<Ending> latched() const;  ///< how the run must end
+  std::optional<Ending> latched() const;  ///< how the run must end; told once the drive is stopped
+  double latched_s() const { return latched_s_; }  ///< when it was found; NaN if it was not
 
   std::string without_priority() const;  ///< why its thread has no real-time priority; "" if it has
   Lateness lateness() const;             ///< of its thread's rounds; @pre end()
@@ -90,6 +91,7 @@ class Supervisor {
   std::atomic<SupervisorState> state_ = SupervisorState::faulted;
   std::atomic<bool> is_watching_ = false;
   std::atomic<bool> is_latched_ = false;
+  std::atomic<double> latched_s_ = not_known;
   std::atomic<bool> has_thread_ = false;
 
   // The supervisor's own: what it was told last, what it could not hand over yet.
