@@ -20,6 +20,7 @@ std::vector<std::unique_ptr<Command>> make_commands() {
   commands.push_back(make_explain_command());
   commands.push_back(make_simulate_command());
   commands.push_back(make_report_command());
+  commands.push_back(make_history_command());
   return commands;
 }
 

@@ -13,6 +13,7 @@
 #include "bench/kinematics_file.hpp"
 #include "bench/plan_files.hpp"
 #include "bench/progress_bar.hpp"
+#include "bench/result_database.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/rig_file.hpp"
 #include "bench/run_lock.hpp"
@@ -61,6 +62,7 @@ class RunCommand final : public Command {
   int prepare_folder(Console& console, const sequences::TestPlan& plan);
   RunFacts facts(const sequences::TestPlan& plan, const RigFile& rig) const;
   int measure(Console& console, const sequences::TestPlan& plan, analysis::Kinematics kinematics);
+  void enter_result(Console& console, const Judgement& judgement) const;
 
   std::string plan_;
   std::string rig_;
@@ -166,12 +168,32 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
       run_acceptance({plan, kinematics, folder_, facts(plan, file), twin_of(file)},
                      std::get<0>(rig), bar, signals.token());
   print_unwritten(console, judgement);
+  enter_result(console, judgement);
   if (json_) {
     console.out << judgement_to_json(judgement);
   } else {
     print_summary(console, judgement, kinematics, folder_);
   }
   return exit_code(judgement.ending);
+}
+
+// The folder is the result; an entry that fails now is made up for by the next run.
+void RunCommand::enter_result(Console& console, const Judgement& judgement) const {
+  auto database = ResultDatabase::open(out_);
+  Status entered = Done{};
+  if (database) {
+    ResultDatabase results = std::move(database).value();
+    entered = results.enter(row_of(out_, folder_, judgement));
+    if (entered) {
+      const auto caught_up = results.catch_up();
+      if (!caught_up) entered = caught_up.error();
+    }
+  } else {
+    entered = database.error();
+  }
+  if (entered) return;
+  console.err << "rvbench: " << describe(entered.error()) << "; the result is safe in "
+              << folder_.string() << " and will be entered by the next run\n";
 }
 
 }  // namespace

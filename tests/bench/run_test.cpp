@@ -56,6 +56,8 @@ TEST_CASE("a run leaves a folder that says everything and agrees with its exit c
   CHECK(verify_sums(folder).empty());
   CHECK(read_file(folder / "verdict.json") == out.str());
   CHECK_FALSE(newest_unfinished_run(runs, "A17"));
+  const Answer history = test::rvbench({"history", "--out", runs, "--json"});
+  CHECK(nlohmann::json::parse(history.out).at("runs").at(0).at("verdict") == printed.at("verdict"));
 
   // A speed that the user states goes before the angle that was measured.
   const Answer judged = test::rvbench({"judge", (folder / "recording.h5").string(), "--kinematics",

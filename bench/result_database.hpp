@@ -1,0 +1,66 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bench/run_folder.hpp"
+#include "hal/types/result.hpp"
+
+struct sqlite3;
+
+namespace rvbench::bench {
+
+/// One judged run.
+struct RunRow {
+  std::string folder;  ///< below the root: "A17/20261121T114559Z"
+  std::string serial;
+  std::string started_utc;
+  std::string plan;
+  std::string verdict;     ///< "PASS", ...
+  std::string error_kind;  ///< "none", "device_lost", ...
+  std::string reason;
+  std::string software;
+};
+
+/// The runs below one folder as a table: <root>/results.db, by SQLite in WAL mode, every entry
+/// synced to the disk before it counts.
+///
+/// It is an index, the folders are the truth: a run whose entry failed (the database was locked,
+/// the process was killed between verdict and entry) is entered by catch_up() later on.
+///
+/// Errors   refused: the file is locked for longer than two seconds, is no database, cannot be
+///          written; the text says which
+/// Threads  one caller at a time; several processes may have it open
+class ResultDatabase {
+ public:
+  static Result<ResultDatabase> open(const std::filesystem::path& root);
+
+  /// Enters a run; one that was entered before is replaced.
+  Status enter(const RunRow& row);
+
+  /// Enters every run folder with a complete verdict that is missing. @return how many
+  Result<int> catch_up();
+
+  /// Oldest first. @param serial  empty: of every unit
+  Result<std::vector<RunRow>> runs(const std::string& serial = "") const;
+
+ private:
+  struct Close {
+    void operator()(sqlite3* database) const noexcept;
+  };
+
+  ResultDatabase(std::filesystem::path root, std::unique_ptr<sqlite3, Close> database);
+  Status execute(const char* sql);
+  IoError failure(const std::string& what) const;
+
+  std::filesystem::path root_;
+  std::unique_ptr<sqlite3, Close> database_;
+};
+
+/// The row of a run whose folder lies in `root`.
+RunRow row_of(const std::filesystem::path& root, const std::filesystem::path& folder,
+              const Judgement& judgement);
+
+}  // namespace rvbench::bench
