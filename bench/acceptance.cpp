@@ -13,6 +13,8 @@
 #include "bench/twin_check.hpp"
 #include "bench/verdict_json.hpp"
 #include "hal/recording_file.hpp"
+#include "hal/service_watchdog.hpp"
+#include "hal/steady_clock.hpp"
 #include "sequences/sequencer.hpp"
 
 namespace rvbench::bench {
@@ -101,8 +103,11 @@ Ending judge_points(Judgement& judgement, const Acceptance& acceptance, RunRecor
                     const std::stop_token& stop) {
   const std::vector<hal::PlannedPoint> points = acceptance.plan.points();
   Ending ending{Outcome::pass, ErrorKind::none, "every point was judged"};
+  const hal::SteadyClock clock;
+  hal::ServiceWatchdog service;  // nobody supervises any more, but the service lives
   for (int number = 0; number < static_cast<int>(points.size()); ++number) {
     const auto& planned = points[static_cast<std::size_t>(number)];
+    service.feed(clock.now_s());
     bar.show("judge", number / double(points.size()),
              fmt::format("{:.0f} rpm, {:.0f} %, repeat {}", planned.speed_rpm, planned.load_pct,
                          planned.repeat));
