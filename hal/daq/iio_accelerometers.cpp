@@ -1,0 +1,246 @@
+#include "hal/daq/iio_accelerometers.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <iio.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+
+#include "hal/did_you_mean.hpp"
+
+namespace rvbench::hal {
+namespace {
+
+constexpr unsigned patience_ms = 500;  // of a block; a device that is silent longer is lost
+constexpr unsigned connect_ms = 2000;
+
+struct DestroyContext {
+  void operator()(iio_context* context) const noexcept { iio_context_destroy(context); }
+};
+struct DestroyBuffer {
+  void operator()(iio_buffer* buffer) const noexcept { iio_buffer_destroy(buffer); }
+};
+
+std::string reason(ssize_t error) {
+  std::array<char, 128> text{};
+  iio_strerror(int(std::abs(error)), text.data(), text.size());
+  return text.data();
+}
+
+IoErrc code_of(ssize_t error) {
+  switch (-error) {
+    case ETIMEDOUT:
+    case EAGAIN: return IoErrc::timeout;
+    case EOVERFLOW:
+    case ENOBUFS: return IoErrc::overrun;
+    default: return IoErrc::disconnected;
+  }
+}
+
+std::vector<std::string> device_names(const iio_context* context) {
+  std::vector<std::string> names;
+  for (unsigned i = 0; i < iio_context_get_devices_count(context); ++i) {
+    const iio_device* device = iio_context_get_device(context, i);
+    const char* name = iio_device_get_name(device);
+    names.emplace_back(name != nullptr ? name : iio_device_get_id(device));
+  }
+  return names;
+}
+
+std::vector<std::string> input_names(const iio_device* device) {
+  std::vector<std::string> names;
+  for (unsigned i = 0; i < iio_device_get_channels_count(device); ++i) {
+    const iio_channel* channel = iio_device_get_channel(device, i);
+    if (!iio_channel_is_output(channel) && iio_channel_is_scan_element(channel)) {
+      names.emplace_back(iio_channel_get_id(channel));
+    }
+  }
+  return names;
+}
+
+std::string there_is(const std::string& wrong, const std::vector<std::string>& names) {
+  return fmt::format("{} (there is: {})", did_you_mean(wrong, names), fmt::join(names, ", "));
+}
+
+// An input as it streams: raw counts and what they mean.
+struct Input {
+  iio_channel* channel;
+  double m_s2_per_count = 1;
+  double offset_counts = 0;
+};
+
+double attribute_or(const iio_channel* channel, const char* name, double without) {
+  double value = without;
+  if (iio_channel_find_attr(channel, name) == nullptr) return without;
+  return iio_channel_attr_read_double(channel, name, &value) == 0 ? value : without;
+}
+
+// A sample in the device's own format, of up to 64 bits.
+double count_of(const iio_channel* channel, const void* sample) {
+  const iio_data_format* format = iio_channel_get_data_format(channel);
+  std::array<std::byte, 8> host{};
+  iio_channel_convert(channel, host.data(), sample);
+  const auto as = [&host](auto zero) {
+    std::copy_n(host.data(), sizeof zero, reinterpret_cast<std::byte*>(&zero));
+    return double(zero);
+  };
+  switch (format->length) {
+    case 8: return format->is_signed ? as(std::int8_t{}) : as(std::uint8_t{});
+    case 16: return format->is_signed ? as(std::int16_t{}) : as(std::uint16_t{});
+    case 32: return format->is_signed ? as(std::int32_t{}) : as(std::uint32_t{});
+    default: return format->is_signed ? as(std::int64_t{}) : as(std::uint64_t{});
+  }
+}
+
+class IioSource final : public ScanSource {
+ public:
+  explicit IioSource(IioOptions options) : options_(std::move(options)) {}
+
+  Status connect() override;
+  double rate_Hz() const override { return rate_Hz_ > 0 ? rate_Hz_ : options_.rate_Hz; }
+  double range_m_s2() const override { return std::min(options_.range_m_s2, converter_m_s2_); }
+  Status start() override;
+  Status wait(AccelerationBlock::Scans& scans) override;
+  void interrupt() noexcept override {
+    if (buffer_) iio_buffer_cancel(buffer_.get());
+  }
+  void stop() noexcept override { buffer_.reset(); }
+
+ private:
+  Status find_inputs();
+  Status set_rate();
+
+  IioOptions options_;
+  std::unique_ptr<iio_context, DestroyContext> context_;
+  iio_device* device_ = nullptr;  // the context's
+  std::vector<Input> inputs_;
+  std::unique_ptr<iio_buffer, DestroyBuffer> buffer_;
+  double rate_Hz_ = 0;
+  double converter_m_s2_ = 1e300;
+};
+
+Status IioSource::connect() {
+  buffer_.reset();
+  inputs_.clear();
+  context_.reset(iio_create_context_from_uri(options_.uri.c_str()));
+  if (!context_) return IoError{IoErrc::disconnected, "connect: " + reason(errno)};
+  (void)iio_context_set_timeout(context_.get(), connect_ms);
+  device_ = iio_context_find_device(context_.get(), options_.device.c_str());
+  if (device_ == nullptr) {
+    return IoError{IoErrc::refused, "no device " + in_quotes(options_.device) +
+                                        there_is(options_.device, device_names(context_.get()))};
+  }
+  if (const Status found = find_inputs(); !found) return found;
+  return set_rate();
+}
+
+Status IioSource::find_inputs() {
+  converter_m_s2_ = 1e300;
+  for (unsigned i = 0; i < iio_device_get_channels_count(device_); ++i) {
+    iio_channel_disable(iio_device_get_channel(device_, i));
+  }
+  for (const DaqInput& input : options_.inputs) {
+    iio_channel* channel = iio_device_find_channel(device_, input.device_channel.c_str(), false);
+    if (channel == nullptr || !iio_channel_is_scan_element(channel)) {
+      return IoError{IoErrc::refused, options_.device + " has no input " +
+                                          in_quotes(input.device_channel) +
+                                          there_is(input.device_channel, input_names(device_))};
+    }
+    iio_channel_enable(channel);
+    const double scale = attribute_or(channel, "scale", 1) * input.m_s2_per_unit;
+    inputs_.push_back({channel, scale, attribute_or(channel, "offset", 0)});
+    const iio_data_format* format = iio_channel_get_data_format(channel);
+    const double full_counts = std::exp2(double(format->bits) - (format->is_signed ? 1 : 0)) - 1;
+    converter_m_s2_ = std::min(converter_m_s2_, full_counts * std::abs(scale));
+  }
+  return Done{};
+}
+
+// Of the device, or where it has none, of each channel.
+Status IioSource::set_rate() {
+  const char* const name = "sampling_frequency";
+  const bool is_of_device = iio_device_find_attr(device_, name) != nullptr;
+  int failed = 0;
+  if (is_of_device) {
+    failed = iio_device_attr_write_double(device_, name, options_.rate_Hz);
+    if (failed == 0) failed = iio_device_attr_read_double(device_, name, &rate_Hz_);
+  } else {
+    iio_channel* first = inputs_.front().channel;
+    failed = iio_channel_attr_write_double(first, name, options_.rate_Hz);
+    if (failed == 0) failed = iio_channel_attr_read_double(first, name, &rate_Hz_);
+  }
+  if (failed < 0 || !(rate_Hz_ > 0)) {
+    return IoError{failed < 0 ? IoErrc::refused : IoErrc::bad_reply,
+                   fmt::format("{} of {:g} Hz: {}", name, options_.rate_Hz,
+                               failed < 0 ? reason(failed) : fmt::format("now {:g} Hz", rate_Hz_))};
+  }
+  return Done{};
+}
+
+Status IioSource::start() {
+  buffer_.reset();
+  const double scans = std::max(1.0, std::round(rate_Hz_ * options_.block_s));
+  buffer_.reset(iio_device_create_buffer(device_, std::size_t(scans), false));
+  if (!buffer_) return IoError{IoErrc::refused, "start: " + reason(errno)};
+  (void)iio_context_set_timeout(context_.get(), patience_ms);
+  return Done{};
+}
+
+Status IioSource::wait(AccelerationBlock::Scans& scans) {
+  const ssize_t bytes = iio_buffer_refill(buffer_.get());
+  if (bytes < 0) return IoError{code_of(bytes), "read: " + reason(bytes)};
+  const std::ptrdiff_t step = iio_buffer_step(buffer_.get());
+  if (step <= 0) return IoError{IoErrc::bad_reply, "read: scans of no size"};
+  const auto rows = Eigen::Index(bytes / step);
+  scans.resize(rows, Eigen::Index(inputs_.size()));
+  for (std::size_t i = 0; i < inputs_.size(); ++i) {
+    const Input& input = inputs_[i];
+    const auto* sample = static_cast<const char*>(iio_buffer_first(buffer_.get(), input.channel));
+    for (Eigen::Index row = 0; row < rows; ++row, sample += step) {
+      const double counts = count_of(input.channel, sample) + input.offset_counts;
+      scans(row, Eigen::Index(i)) = float(counts * input.m_s2_per_count);
+    }
+  }
+  return Done{};
+}
+
+void require(bool holds, const std::string& what) {
+  if (!holds) throw std::invalid_argument("make_iio_accelerometers: " + what);
+}
+
+void check(const IioOptions& options) {
+  require(!options.uri.empty(), "no uri");
+  require(!options.device.empty(), "no device");
+  require(!options.inputs.empty(), "no inputs");
+  require(options.rate_Hz > 0 && std::isfinite(options.rate_Hz),
+          fmt::format("rate_Hz is {}", options.rate_Hz));
+  require(options.range_m_s2 > 0, fmt::format("range_m_s2 is {}", options.range_m_s2));
+  require(options.block_s > 0 && options.block_s <= 0.2,
+          fmt::format("block_s is {}, must be above 0, at most 0.2", options.block_s));
+  for (const DaqInput& input : options.inputs) {
+    require(std::isfinite(input.m_s2_per_unit) && input.m_s2_per_unit != 0,
+            fmt::format("m_s2_per_unit of {} is {}", input.device_channel, input.m_s2_per_unit));
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<StreamedAccelerometers> make_iio_accelerometers(IioOptions options, Clock& clock) {
+  check(options);
+  std::vector<ChannelInfo> channels;
+  for (const DaqInput& input : options.inputs) channels.push_back(input.info);
+  const std::string where = "accelerometers " + options.uri;
+  const double deadline_s = options.deadline_s;
+  return std::make_unique<StreamedAccelerometers>(where,
+                                                  std::make_unique<IioSource>(std::move(options)),
+                                                  std::move(channels), deadline_s, clock);
+}
+
+}  // namespace rvbench::hal
