@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "hal/can_transport.hpp"
+
+namespace rvbench::sim {
+
+/// How a serial CAN adapter misbehaves, until it is told otherwise.
+enum class SlcanFault {
+  none,
+  silent,    ///< answers nothing and hands no frame on, either way
+  garbled,   ///< what it says has bytes that belong to no line
+  bus_off,   ///< its controller has left the bus: the flags say so, no frame passes
+  slow_ack,  ///< acknowledges a frame 50 ms after it has sent it
+  deaf       ///< acknowledges frames and does not send them
+};
+
+/// A serial CAN adapter with the LAWICEL ASCII protocol, behind a pseudo-terminal and in front of
+/// one end of a bus. The other end is the nodes'.
+///
+/// Commands  S0-S8, O, L, C, t, T, r, R, F, V, N, Z0, Z1; each ends with CR and is answered with CR
+///           (t and r with "z" before it, T and R with "Z") or BEL. Frames only while the channel
+///           is open, the bit rate only while it is closed
+/// Time      frames are handed on within 1 ms of real time
+/// Threads   serves in a thread of its own from construction to destruction; the bus must allow
+///           its other end in another thread, and its clock must be safe to ask in both
+class SlcanAdapter {
+ public:
+  /// @param bus  must outlive the adapter; it is the only one that receives from this end
+  /// @throws std::runtime_error if there is no pseudo-terminal to be had
+  explicit SlcanAdapter(hal::CanTransport& bus);
+  ~SlcanAdapter();
+
+  SlcanAdapter(const SlcanAdapter&) = delete;
+  SlcanAdapter& operator=(const SlcanAdapter&) = delete;
+
+  /// What a client opens: "/dev/pts/3".
+  const std::string& device() const;
+
+  void inject(SlcanFault fault);
+
+  /// Has the next F tell these flags too, once: 0x08 data overrun, 0x80 bus error.
+  void raise_flags(unsigned flags);
+
+  /// Puts bytes on the line that nobody asked for: "sb000256\r".
+  void say(const std::string& bytes);
+
+  int bitrate_code() const;  ///< of the last S command; -1 before the first
+  bool is_channel_open() const;
+  int frames_to_bus() const;  ///< since construction
+
+ private:
+  class Service;
+  std::unique_ptr<Service> service_;
+};
+
+}  // namespace rvbench::sim
