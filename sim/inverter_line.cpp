@@ -1,61 +1,22 @@
 #include "sim/inverter_line.hpp"
 
-#include <fcntl.h>
 #include <modbus/modbus.h>
 #include <poll.h>
-#include <termios.h>
-#include <unistd.h>
 
 #include <array>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <thread>
 
 #include "sim/inverter_requests.hpp"
+#include "sim/pseudo_terminal.hpp"
 
 namespace rvbench::sim {
 namespace {
 
 struct FreeModbus {
   void operator()(modbus_t* context) const { modbus_free(context); }
-};
-
-// A pseudo-terminal that hands bytes on as they are.
-class PseudoTerminal {
- public:
-  PseudoTerminal() : master_(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)) {
-    if (master_ < 0 || ::grantpt(master_) != 0 || ::unlockpt(master_) != 0) refuse();
-    device_ = ::ptsname(master_);
-    // Held open by us too: else the line would break when a client leaves.
-    slave_ = ::open(device_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
-    termios settings{};
-    if (slave_ < 0 || ::tcgetattr(slave_, &settings) != 0) refuse();
-    ::cfmakeraw(&settings);
-    if (::tcsetattr(slave_, TCSANOW, &settings) != 0) refuse();
-  }
-  ~PseudoTerminal() { close(); }
-  PseudoTerminal(const PseudoTerminal&) = delete;
-  PseudoTerminal& operator=(const PseudoTerminal&) = delete;
-
-  int master() const { return master_; }
-  const std::string& device() const { return device_; }
-
- private:
-  [[noreturn]] void refuse() {
-    const std::string reason = std::strerror(errno);
-    close();
-    throw std::runtime_error("InverterLine: no pseudo-terminal: " + reason);
-  }
-  void close() {
-    if (slave_ >= 0) ::close(slave_);
-    if (master_ >= 0) ::close(master_);
-  }
-
-  int master_ = -1;
-  int slave_ = -1;
-  std::string device_;
 };
 
 }  // namespace

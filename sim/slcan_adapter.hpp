@@ -10,19 +10,22 @@ namespace rvbench::sim {
 /// How a serial CAN adapter misbehaves, until it is told otherwise.
 enum class SlcanFault {
   none,
-  silent,    ///< answers nothing and hands no frame on, either way
-  garbled,   ///< what it says has bytes that belong to no line
-  bus_off,   ///< its controller has left the bus: the flags say so, no frame passes
-  slow_ack,  ///< acknowledges a frame 50 ms after it has sent it
-  deaf       ///< acknowledges frames and does not send them
+  silent,   ///< answers nothing and hands no frame on, either way
+  garbled,  ///< what it says has bytes that belong to no line
+  bus_off,  ///< its controller has left the bus: the flags say so, no frame passes
+  slow_ack  ///< acknowledges a frame 50 ms after it has sent it
 };
 
 /// A serial CAN adapter with the LAWICEL ASCII protocol, behind a pseudo-terminal and in front of
-/// one end of a bus. The other end is the nodes'.
+/// one end of a bus; the nodes have the other end.
 ///
-/// Commands  S0-S8, O, L, C, t, T, r, R, F, V, N, Z0, Z1; each ends with CR and is answered with CR
-///           (t and r with "z" before it, T and R with "Z") or BEL. Frames only while the channel
-///           is open, the bit rate only while it is closed
+/// Commands  S0 to S8, O, L, C, t, T, r, R, F, V, N, Z0, Z1, each ended by CR. Answered with CR,
+/// the
+///           frames' with "z" or "Z" before it; with BEL if it is no command, or not one for now:
+///           the bit rate is set while the channel is closed, frames pass while it is open
+/// Frames    only those that the bus knows: T, r and R are acknowledged, and no node hears them
+/// Queue     what the client does not fetch waits, up to 4096 bytes; what comes then is lost, and
+///           the flags say so
 /// Time      frames are handed on within 1 ms of real time
 /// Threads   serves in a thread of its own from construction to destruction; the bus must allow
 ///           its other end in another thread, and its clock must be safe to ask in both

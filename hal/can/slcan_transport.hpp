@@ -11,6 +11,8 @@
 
 namespace rvbench::hal {
 
+class SlcanLink;
+
 struct SlcanOptions {
   std::string device;              ///< "/dev/ttyUSB0"
   int bitrate_kbit_s = 250;        ///< of the bus: one of the protocol's nine, S0 (10) to S8 (1000)
@@ -46,13 +48,12 @@ class SlcanTransport final : public CanTransport {
   Status send(const CanFrame& frame) override;
   Result<CanFrame> receive() override;
 
-  /// Counts what the adapter has told since construction; it may outlive the transport.
+  /// Counts what the adapter has told since construction. It may outlive the transport, and tells
+  /// disconnected then.
   std::unique_ptr<BusMonitor> monitor() const;
 
  private:
-  class Link;
-  class Monitor;
-  std::shared_ptr<Link> link_;
+  std::shared_ptr<SlcanLink> link_;
 };
 
 }  // namespace rvbench::hal
