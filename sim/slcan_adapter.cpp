@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t queue_bytes = 4096;
 constexpr std::size_t longest_command = 30;
-constexpr std::chrono::milliseconds ack_delay{50};
+constexpr std::chrono::milliseconds ack_delay{200};
 
 constexpr unsigned queue_full_flag = 0x01;
 constexpr unsigned bus_off_flags = 0xA4;  // bus error, error passive, error warning
@@ -90,6 +90,7 @@ class SlcanAdapter::Service {
   std::atomic<int> bitrate_code = -1;
   std::atomic<bool> is_open = false;
   std::atomic<int> frames_to_bus = 0;
+  std::atomic<int> frames_from_bus = 0;
 
  private:
   void serve(const std::stop_token& stop) {
@@ -180,8 +181,10 @@ class SlcanAdapter::Service {
 
   void take_frames() {
     for (auto frame = bus_.receive(); frame; frame = bus_.receive()) {
+      ++frames_from_bus;
       if (!is_open || fault == SlcanFault::silent || fault == SlcanFault::bus_off) continue;
       const std::string line = line_from(frame.value()) + (stamps_ ? time_stamp() : "") + '\r';
+      if (queue_.size() + line.size() > queue_bytes) flush();
       if (queue_.size() + line.size() <= queue_bytes) {
         put(line);
       } else {
@@ -233,5 +236,7 @@ int SlcanAdapter::bitrate_code() const { return service_->bitrate_code; }
 bool SlcanAdapter::is_channel_open() const { return service_->is_open; }
 
 int SlcanAdapter::frames_to_bus() const { return service_->frames_to_bus; }
+
+int SlcanAdapter::frames_from_bus() const { return service_->frames_from_bus; }
 
 }  // namespace rvbench::sim

@@ -13,7 +13,7 @@ enum class SlcanFault {
   silent,   ///< answers nothing and hands no frame on, either way
   garbled,  ///< what it says has bytes that belong to no line
   bus_off,  ///< its controller has left the bus: the flags say so, no frame passes
-  slow_ack  ///< acknowledges a frame 50 ms after it has sent it
+  slow_ack  ///< acknowledges a frame 200 ms after it has sent it
 };
 
 /// A serial CAN adapter with the LAWICEL ASCII protocol, behind a pseudo-terminal and in front of
@@ -52,7 +52,8 @@ class SlcanAdapter {
 
   int bitrate_code() const;  ///< of the last S command; -1 before the first
   bool is_channel_open() const;
-  int frames_to_bus() const;  ///< since construction
+  int frames_to_bus() const;    ///< since construction
+  int frames_from_bus() const;  ///< since construction, those that were lost among them
 
  private:
   class Service;

@@ -14,10 +14,10 @@ namespace rvbench::hal {
 class SlcanLink;
 
 struct SlcanOptions {
-  std::string device;              ///< "/dev/ttyUSB0"
-  int bitrate_kbit_s = 250;        ///< of the bus: one of the protocol's nine, S0 (10) to S8 (1000)
-  int baud = 115200;               ///< of the line; adapters on USB take any
-  std::vector<std::uint32_t> ids;  ///< 11-bit identifiers that come in; nothing else does
+  std::string device;        ///< "/dev/ttyUSB0"
+  int bitrate_kbit_s = 250;  ///< of the bus: one of the protocol's nine, S0 (10) to S8 (1000)
+  int baud = 115200;         ///< of the line; adapters on USB take any
+  std::vector<std::uint32_t> ids = {};  ///< 11-bit identifiers that come in; nothing else does
 };
 
 /// Classic CAN through a serial adapter that speaks the LAWICEL ASCII protocol, where the kernel

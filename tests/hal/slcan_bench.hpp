@@ -1,0 +1,94 @@
+#pragma once
+
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <thread>
+
+#include "hal/can/in_process_transport.hpp"
+#include "hal/can/slcan_transport.hpp"
+#include "hal/steady_clock.hpp"
+#include "sim/pseudo_terminal.hpp"
+#include "sim/slcan_adapter.hpp"
+
+namespace rvbench::test {
+
+/// An adapter in front of a bus, in real time. The nodes are `bus.nodes`.
+struct SlcanBench {
+  hal::SteadyClock clock;
+  hal::InProcessBus bus = hal::make_in_process_bus([this] { return clock.now_s(); });
+  std::unique_ptr<sim::SlcanAdapter> adapter = std::make_unique<sim::SlcanAdapter>(*bus.bench);
+
+  hal::SlcanOptions options(std::vector<std::uint32_t> ids = {0x281}) const {
+    return {.device = adapter->device(), .ids = std::move(ids)};
+  }
+};
+
+/// An adapter that answers each command as it is told to: one of another make, or a broken one.
+class OddAdapter {
+ public:
+  explicit OddAdapter(std::function<std::string(const std::string&)> answer)
+      : answer_(std::move(answer)), thread_([this](const std::stop_token& stop) { serve(stop); }) {}
+
+  const std::string& device() const { return terminal_.device(); }
+
+ private:
+  void serve(const std::stop_token& stop) {
+    std::string command;
+    pollfd line{terminal_.master(), POLLIN, 0};
+    while (!stop.stop_requested()) {
+      char c = 0;
+      if (::poll(&line, 1, 1) <= 0 || ::read(line.fd, &c, 1) != 1) continue;
+      if (c != '\r') {
+        command += c;
+        continue;
+      }
+      const std::string answer = answer_(command);
+      (void)!::write(line.fd, answer.data(), answer.size());
+      command.clear();
+    }
+  }
+
+  std::function<std::string(const std::string&)> answer_;
+  sim::PseudoTerminal terminal_;
+  std::jthread thread_;
+};
+
+/// What an adapter in good health answers.
+inline std::string sound_answer(const std::string& command) {
+  switch (command.empty() ? ' ' : command[0]) {
+    case 'V': return "V1013\r";
+    case 'F': return "F00\r";
+    case 't': return "z\r";
+    default: return "\r";
+  }
+}
+
+/// Asks again until the answer is no time-out, for as long as a busy computer may need.
+inline Result<hal::CanFrame> next(hal::CanTransport& can) {
+  for (int i = 0; i < 5000; ++i) {
+    auto frame = can.receive();
+    if (frame || frame.error().code != IoErrc::timeout) return frame;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return IoError{IoErrc::timeout, "nothing in five seconds"};
+}
+
+/// Sends as soon as the frame before is acknowledged.
+inline Status send_next(hal::CanTransport& can, const hal::CanFrame& frame) {
+  for (int i = 0; i < 2000; ++i) {
+    Status sent = can.send(frame);
+    if (sent || sent.error().code != IoErrc::timeout) return sent;
+  }
+  return IoError{IoErrc::timeout, "the frame before is never acknowledged"};
+}
+
+inline hal::CanFrame numbered(std::uint32_t id, std::uint8_t number) {
+  return {.id = id, .length = 1, .data = {number}};
+}
+
+}  // namespace rvbench::test
