@@ -2,9 +2,11 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "hal/accelerometers.hpp"
 #include "hal/brake.hpp"
+#include "hal/bus_monitor.hpp"
 #include "hal/clock.hpp"
 #include "hal/drive.hpp"
 #include "hal/safety_inputs.hpp"
@@ -24,6 +26,8 @@ struct Rig {
   std::string name;
   std::unique_ptr<Backstage> backstage;  ///< may be null
   std::unique_ptr<Clock> clock;
+  std::vector<std::unique_ptr<BusMonitor>>
+      buses;  ///< of the devices; none where nothing is counted
   std::unique_ptr<SafetyInputs> safety;
   std::unique_ptr<Accelerometers> accelerometers;
   std::unique_ptr<TorqueSensor> torque_sensor;

@@ -41,6 +41,7 @@ BenchLoop::BenchLoop(const TestPlan& plan, hal::Rig& rig, hal::RecordingWriter& 
       supervisor_(rig, plan.interlocks),
       devices_(rig, supervisor_),
       recorder_(recording),
+      buses_(rig),
       total_s_(planned_duration_s(plan)) {}
 
 std::optional<Ending> BenchLoop::tick() {
@@ -142,6 +143,7 @@ std::optional<int> BenchLoop::next_point() {
 }
 
 std::optional<Ending> BenchLoop::record_point(int point, double input_turns, double timeout_s) {
+  buses_.begin();
   recorder_.open(point);
   const Waited waited =
       run_until([&](const BenchValues&) { return recorder_.covers(input_turns); }, timeout_s);
@@ -149,12 +151,15 @@ std::optional<Ending> BenchLoop::record_point(int point, double input_turns, dou
     interrupt_record();
     return waited.ending;
   }
-  const auto result = recorder_.close(waited.met ? "ok" : "too_short", least_torque_Nm());
+  const std::string bus_errors = buses_.end();
+  const char* const status = !waited.met ? "too_short" : bus_errors.empty() ? "ok" : "bus_errors";
+  const auto result = recorder_.close(status, least_torque_Nm());
   if (!result) return end(recording_failed(result.error()));
   points_.push_back(result.value());
   if (result.value().status != "ok") {
     event(fmt::format("point {}: {}", point, result.value().status));
   }
+  if (!bus_errors.empty()) event(fmt::format("point {}: {}", point, bus_errors));
   return std::nullopt;
 }
 

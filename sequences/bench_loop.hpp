@@ -7,6 +7,7 @@
 
 #include "hal/rig.hpp"
 #include "sequences/bench_devices.hpp"
+#include "sequences/bus_watch.hpp"
 #include "sequences/plan.hpp"
 #include "sequences/point_recorder.hpp"
 #include "sequences/sequencer.hpp"
@@ -44,7 +45,8 @@ class BenchLoop {
 
   /// The number of the next point of the plan; nothing if an earlier run has recorded it.
   std::optional<int> next_point();
-  /// Records until the input shaft has made so many turns; "too_short" at the time-out.
+  /// Records until the input shaft has made so many turns; "too_short" at the time-out,
+  /// "bus_errors" if a counter of a bus has moved meanwhile.
   std::optional<Ending> record_point(int point, double input_turns, double timeout_s);
   /// Ends the record that an exception left open, if any.
   void interrupt_record();
@@ -81,6 +83,7 @@ class BenchLoop {
   Supervisor supervisor_;
   BenchDevices devices_;
   PointRecorder recorder_;
+  BusWatch buses_;
   double speed_rpm_ = 0;
   double brake_torque_Nm_ = 0;
   double next_tick_s_ = 0;

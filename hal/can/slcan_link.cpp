@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <thread>
 #include <utility>
 
 namespace rvbench::hal {
@@ -43,7 +44,8 @@ milliseconds until(RealClock::time_point end) {
 }  // namespace
 
 Status SlcanLink::open() {
-  close();
+  const std::lock_guard lock(mutex_);
+  leave();
   lines_.clear();
   frames_.clear();
   news_.reset();
@@ -52,7 +54,7 @@ Status SlcanLink::open() {
   const Status opened = line_.open(options_.device, options_.baud);
   if (!opened) return failure(opened.error().code, opened.error().where);
   Status ready = set_up();
-  if (!ready) close();
+  if (!ready) leave();
   flags_s_ = clock_.now_s();
   return ready;
 }
@@ -106,6 +108,7 @@ Status SlcanLink::drop_until_quiet() {
 
 Status SlcanLink::send(const CanFrame& frame) {
   const std::string command = slcan_frames::command_from(frame);
+  const std::lock_guard lock(mutex_);
   take_lines();
   await_answer(frame_asked_s_, RealClock::now() + longest_taking);
   watch();
@@ -122,6 +125,7 @@ Status SlcanLink::send(const CanFrame& frame) {
 }
 
 Result<CanFrame> SlcanLink::receive() {
+  const std::lock_guard lock(mutex_);
   if (frames_.empty()) {
     take_lines();
     watch();
@@ -138,17 +142,31 @@ Result<CanFrame> SlcanLink::receive() {
 
 Result<BusCounters> SlcanLink::count() {
   const auto end = RealClock::now() + longest_count;
-  take_lines();
-  await_answer(flags_asked_s_, end);  // one that was asked for earlier says nothing about now
-  if (line_.is_open() && !flags_asked_s_) {
-    ask_flags();
-    await_answer(flags_asked_s_, end);
+  for (bool has_asked = false;;) {
+    {
+      const std::lock_guard lock(mutex_);
+      take_lines();
+      if (!line_.is_open()) return failure(IoErrc::disconnected, "count: " + lost_);
+      if (!flags_asked_s_) {
+        if (has_asked) return counters();
+        ask_flags();  // those that were asked for earlier say nothing about now
+        has_asked = true;
+      }
+    }
+    if (RealClock::now() >= end) return failure(IoErrc::timeout, "count: no status flags");
+    std::this_thread::sleep_for(milliseconds(1));
   }
-  if (!line_.is_open()) return failure(IoErrc::disconnected, "count: " + lost_);
-  if (flags_asked_s_) return failure(IoErrc::timeout, "count: no status flags");
+}
+
+BusCounters SlcanLink::counters() const {
   BusCounters counters{options_.device, counts_};
   for (const auto& [flag, name] : counted_flags) counters.counts.try_emplace(name, 0);
   return counters;
+}
+
+void SlcanLink::close() {
+  const std::lock_guard lock(mutex_);
+  leave();
 }
 
 void SlcanLink::take_lines() {
@@ -243,12 +261,12 @@ void SlcanLink::await_answer(const std::optional<double>& question, RealClock::t
 }
 
 void SlcanLink::lose(const std::string& why) {
-  close();
+  leave();
   lost_ = why;
 }
 
 // The adapter leaves the bus, if it still hears.
-void SlcanLink::close() {
+void SlcanLink::leave() {
   if (line_.is_open()) (void)line_.write("C\r");
   line_.close();
   lost_ = "not open";

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <string>
 
@@ -22,11 +23,12 @@ namespace rvbench::hal {
 /// Flags    are asked for every 0.1 s while somebody sends or receives. Flags as they are at
 /// bus-off,
 ///          error-passive and a bus error together, are taken for it
+/// Threads  one caller at a time; only count() may come from another thread, and it holds nobody up
 class SlcanLink {
  public:
   SlcanLink(SlcanOptions options, const Clock& clock)
       : options_(std::move(options)), clock_(clock) {}
-  ~SlcanLink() { close(); }
+  ~SlcanLink() { leave(); }
   SlcanLink(const SlcanLink&) = delete;
   SlcanLink& operator=(const SlcanLink&) = delete;
 
@@ -52,14 +54,18 @@ class SlcanLink {
   void take_declined();
   void note(IoErrc code, const char* counter, const char* what);
 
+  BusCounters counters() const;
+
   void watch();
   void ask_flags();
   void await_answer(const std::optional<double>& question, Deadline end);
   void lose(const std::string& why);
+  void leave();
   IoError failure(IoErrc code, const std::string& operation) const;
 
-  SlcanOptions options_;
+  const SlcanOptions options_;
   const Clock& clock_;
+  std::mutex mutex_;  ///< for all below
   SerialLine line_;
   slcan_frames::LineReader lines_;
   std::deque<CanFrame> frames_;          ///< let in, waiting for receive()

@@ -33,7 +33,7 @@ struct SlcanOptions {
 ///          declines makes the next call tell overrun
 /// Time     open() takes 1 s at most, and drops whatever waited in the line. Frames carry the time
 ///          at which they were read from the line, so ask often
-/// Threads  one caller at a time for transport and monitor together
+/// Threads  one caller at a time; its monitor may be read in another thread meanwhile
 class SlcanTransport final : public CanTransport {
  public:
   /// @param clock  must outlive the transport and its monitor
