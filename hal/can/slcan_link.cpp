@@ -59,10 +59,14 @@ Status SlcanLink::open() {
   return ready;
 }
 
-// The version is an answer that nothing else looks like: what came before it is old.
+// A command that was left half said is ended first, and alone: some adapters drop what comes with
+// it. The version is an answer that nothing else looks like: what came before it is old.
 Status SlcanLink::set_up() {
-  Status done = command("\rC\rV\r", LineKind::version, "open: V");
-  if (done) done = drop_until_quiet();
+  Status done = line_.write("\r");
+  if (!done) return failure(done.error().code, done.error().where);
+  (void)drop_until_quiet(quiet);
+  done = command("C\rV\r", LineKind::version, "open: V");
+  if (done) done = drop_until_quiet(longest_answer);
   if (done) {
     done = command(*slcan_frames::command_from_bitrate(options_.bitrate_kbit_s), LineKind::done,
                    "open: set the bit rate");
@@ -92,8 +96,8 @@ Status SlcanLink::command(const std::string& text, LineKind answer, const char* 
   }
 }
 
-Status SlcanLink::drop_until_quiet() {
-  const auto end = RealClock::now() + longest_answer;
+Status SlcanLink::drop_until_quiet(milliseconds patience) {
+  const auto end = RealClock::now() + patience;
   while (RealClock::now() < end) {
     line_.wait(quiet);
     const auto bytes = line_.read();

@@ -45,7 +45,7 @@ class SlcanLink {
 
   Status set_up();
   Status command(const std::string& text, slcan_frames::LineKind answer, const char* operation);
-  Status drop_until_quiet();
+  Status drop_until_quiet(std::chrono::milliseconds patience);
 
   void take_lines();
   void digest(const slcan_frames::Line& line);

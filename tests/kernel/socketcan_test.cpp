@@ -1,10 +1,12 @@
 #include <vector>
 
+#include "hal/can/socketcan_counters.hpp"
 #include "hal/can/socketcan_transport.hpp"
 #include "tests/kernel/can_interface.hpp"
 #include "tests/support/program.hpp"
 
 using namespace rvbench;
+using hal::SocketcanCounters;
 using hal::SocketcanTransport;
 using test::next;
 using test::numbered;
@@ -144,4 +146,52 @@ SCENARIO("no setpoint waits in a queue behind another") {
     CHECK(next(node).value().data[0] == 3);
   }
   shell("tc qdisc delete dev can0 root");
+}
+
+SCENARIO("the kernel's counters of an interface tell what went wrong on it") {
+  hal::SteadyClock clock;
+  const auto counts = [](const char* interface) {
+    const auto counters = SocketcanCounters(interface).read();
+    REQUIRE(counters);
+    CHECK(counters.value().interface == interface);
+    return counters.value().counts;
+  };
+  GIVEN("two controllers on one bus") {
+    SocketcanTransport bench("can0", {0x281}, clock);
+    SocketcanTransport node("can1", {0x201}, clock);
+    REQUIRE(bench.open());
+    REQUIRE(node.open());
+    const auto before = counts("can0");
+    for (const char* name : {"bus_error", "error_passive", "bus_off", "restarts", "rx_dropped"}) {
+      INFO(name);
+      CHECK(before.contains(name));
+    }
+    THEN("frames in good order move none of them") {
+      for (std::uint8_t i = 0; i < 100; ++i) {
+        REQUIRE(bench.send(numbered(0x201, i)));
+        REQUIRE(node.send(numbered(0x281, i)));
+        REQUIRE(next(bench));
+        REQUIRE(next(node));
+      }
+      CHECK(counts("can0") == before);
+    }
+    THEN("a frame that the controller may not send is counted") {
+      shell("ip link set can0 down && ip link set can0 type can listen-only on");
+      shell("ip link set can0 up && cansend can0 201#01");
+      CHECK(counts("can0").at("tx_dropped") == before.at("tx_dropped") + 1);
+      shell("ip link set can0 down && ip link set can0 type can listen-only off");
+      shell("ip link set can0 up");
+    }
+  }
+  GIVEN("an interface without a controller") {
+    THEN("it has those of any interface") {
+      CHECK(counts("vcan0").contains("rx_errors"));
+      CHECK_FALSE(counts("vcan0").contains("bus_off"));
+    }
+  }
+  GIVEN("no interface") {
+    const auto none = SocketcanCounters("can9").read();
+    REQUIRE_FALSE(none);
+    CHECK(none.error().code == IoErrc::disconnected);
+  }
 }
