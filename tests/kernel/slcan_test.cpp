@@ -151,7 +151,7 @@ SCENARIO("a controller that goes bus-off is lost, and does not come back by itse
     slcan.adapter.say("sw100096\r");  // error-warning
     slcan.adapter.say("sp130000\r");  // error-passive
     slcan.adapter.say("e1c\re1o\r");  // a false checksum, an overrun
-    REQUIRE(slcan.bus.nodes->send(numbered(0x123, 0xCC)));
+    slcan.adapter.say("t1231CC\r");
     THEN("frames still come in, and the interface has counted each error") {
       // Lost frames are told before the next frame.
       CHECK(next(bench).error().code == IoErrc::overrun);
