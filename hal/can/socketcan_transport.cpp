@@ -87,9 +87,16 @@ SocketcanTransport::SocketcanTransport(std::string interface, std::vector<std::u
   }
 }
 
-SocketcanTransport::~SocketcanTransport() { close(); }
+SocketcanTransport::~SocketcanTransport() {
+  is_leaving_ = false;
+  close();
+}
 
 Status SocketcanTransport::open() {
+  if (!has_left()) {
+    return failure("open: a frame from before is still on its way; ip link set down drops it",
+                   EAGAIN);
+  }
   close();
   const auto receiver = open_socket();
   if (!receiver) return receiver.error();
@@ -164,7 +171,11 @@ bool SocketcanTransport::has_left() {
     msghdr message{};
     message.msg_iov = &buffer;
     message.msg_iovlen = 1;
-    if (::recvmsg(sender_, &message, 0) != sizeof raw) break;
+    if (::recvmsg(sender_, &message, 0) != sizeof raw) {
+      // The interface is down, and what it had to send is dropped.
+      if (errno != EAGAIN) is_leaving_ = false;
+      break;
+    }
     // Frames of others with the same identifier come without this mark.
     if ((message.msg_flags & MSG_CONFIRM) != 0) is_leaving_ = false;
   }
@@ -172,7 +183,7 @@ bool SocketcanTransport::has_left() {
 }
 
 Status SocketcanTransport::send(const CanFrame& frame) {
-  if (sender_ < 0) return failure("send", ENOTCONN);
+  if (receiver_ < 0) return failure("send", ENOTCONN);
   if (!has_left()) return failure("send: the frame before is still on its way", EAGAIN);
   const Status watched = watch_own(frame.id & CAN_SFF_MASK);
   if (!watched) return watched;
@@ -227,6 +238,8 @@ std::optional<IoError> SocketcanTransport::bus_error(std::uint32_t kind, std::ui
   if ((kind & CAN_ERR_RESTARTED) != 0) lost = "receive: the controller was restarted";
   if ((kind & CAN_ERR_BUSOFF) != 0) lost = "receive: the controller went bus-off";
   if (lost != nullptr) {
+    // Off the bus, a controller drops the frame that it had to send.
+    if ((kind & (CAN_ERR_BUSOFF | CAN_ERR_RESTARTED)) != 0) is_leaving_ = false;
     close();
     return failure(lost, ENETDOWN);
   }
@@ -242,13 +255,16 @@ IoError SocketcanTransport::failure(const char* operation, int error) const {
           fmt::format("CAN {}: {} ({})", interface_, operation, std::strerror(error))};
 }
 
+// The sender goes on listening for a frame that has not left yet: see open().
 void SocketcanTransport::close() {
   if (receiver_ >= 0) ::close(receiver_);
-  if (sender_ >= 0) ::close(sender_);
-  receiver_ = sender_ = -1;
-  sent_ids_.clear();
+  receiver_ = -1;
   dropped_ = 0;
-  is_leaving_ = is_passive_ = false;
+  is_passive_ = false;
+  if (is_leaving_) return;
+  if (sender_ >= 0) ::close(sender_);
+  sender_ = -1;
+  sent_ids_.clear();
 }
 
 }  // namespace rvbench::hal

@@ -18,8 +18,8 @@ namespace rvbench::hal {
 ///          listens. Then it stays disconnected until open() is called again: nothing resumes by
 ///          itself. overrun: the send queue is full, or frames were dropped on their way in
 /// Sending  one frame at a time: the next is refused (timeout) while the one before has not been
-///          on the bus, and send() waits 2 ms at most for that. So no setpoint waits in a queue to
-///          be sent when nobody means it any more
+///          on the bus, and send() waits 2 ms at most for that. open() is refused likewise. So no
+///          setpoint waits in a queue to be sent when nobody means it any more
 /// Time     frames carry the kernel's time of arrival, moved to the rig's clock
 class SocketcanTransport final : public CanTransport {
  public:

@@ -181,3 +181,19 @@ SCENARIO("a controller that goes bus-off is lost, and does not come back by itse
     }
   }
 }
+
+TEST_CASE("a full send queue is a lost bus where nobody listens on it") {
+  SlcanInterface slcan;
+  hal::SteadyClock clock;
+  hal::SocketcanTransport bench("slcan0", {0x123}, clock);
+  REQUIRE(bench.open());
+  slcan.adapter.say("sp000130\rt1231AA\r");  // error-passive: what it sends is not acknowledged
+  REQUIRE(next(bench));
+  shell("tc qdisc replace dev slcan0 root netem delay 500ms limit 1");
+  shell("cansend slcan0 123#01");
+  const auto sent = bench.send(numbered(0x201, 1));
+  REQUIRE_FALSE(sent);
+  CHECK(sent.error().code == IoErrc::disconnected);
+  CHECK_THAT(sent.error().where, Catch::Contains("nobody on the bus listens"));
+  CHECK(bench.receive().error().code == IoErrc::disconnected);
+}

@@ -148,6 +148,49 @@ SCENARIO("no setpoint waits in a queue behind another") {
   shell("tc qdisc delete dev can0 root");
 }
 
+SCENARIO("a link is not opened anew while an old setpoint may still be sent") {
+  hal::SteadyClock clock;
+  SocketcanTransport bench("can0", {}, clock);
+  SocketcanTransport node("can1", {0x201}, clock);
+  REQUIRE(bench.open());
+  REQUIRE(node.open());
+  shell("tc qdisc replace dev can0 root netem delay 500ms");
+  REQUIRE(bench.send(numbered(0x201, 1)));
+  const auto opened = bench.open();
+  REQUIRE_FALSE(opened);
+  CHECK(opened.error().code == IoErrc::timeout);
+  CHECK_THAT(opened.error().where, Catch::Contains("from before"));
+  WHEN("it has been on the bus") {
+    CHECK(next(node).value().data[0] == 1);
+    CHECK(bench.open());
+    shell("tc qdisc delete dev can0 root");
+  }
+  WHEN("the interface went down, and dropped it") {
+    shell("ip link set can0 down && tc qdisc delete dev can0 root && ip link set can0 up");
+    REQUIRE(bench.open());
+    REQUIRE(bench.send(numbered(0x201, 2)));
+    CHECK(next(node).value().data[0] == 2);
+  }
+}
+
+SCENARIO("a full send queue is no lost bus") {
+  hal::SteadyClock clock;
+  SocketcanTransport bench("can0", {}, clock);
+  SocketcanTransport node("can1", {0x201}, clock);
+  REQUIRE(bench.open());
+  REQUIRE(node.open());
+  shell("tc qdisc replace dev can0 root netem delay 500ms limit 1");
+  shell("cansend can0 123#01");
+  const auto sent = bench.send(numbered(0x201, 1));
+  REQUIRE_FALSE(sent);
+  CHECK(sent.error().code == IoErrc::overrun);
+  shell("tc qdisc delete dev can0 root");
+  THEN("it goes on when there is room") {
+    REQUIRE(bench.send(numbered(0x201, 2)));
+    CHECK(next(node).value().data[0] == 2);
+  }
+}
+
 SCENARIO("the kernel's counters of an interface tell what went wrong on it") {
   hal::SteadyClock clock;
   const auto counts = [](const char* interface) {
