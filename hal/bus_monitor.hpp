@@ -17,7 +17,7 @@ struct BusCounters {
 
 /// Reads the counters of one bus interface.
 ///
-/// Time     read() may take as long as the interface needs to answer, 50 ms at most
+/// Time     read() may take as long as the interface needs to answer, 0.3 s at most
 /// Threads  one caller at a time, beside whoever uses the bus
 class BusMonitor {
  public:

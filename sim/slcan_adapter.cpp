@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t queue_bytes = 4096;
 constexpr std::size_t longest_command = 30;
-constexpr std::chrono::milliseconds ack_delay{200};
+constexpr std::chrono::milliseconds ack_delay{500};
 
 constexpr unsigned queue_full_flag = 0x01;
 constexpr unsigned bus_off_flags = 0xA4;  // bus error, error passive, error warning

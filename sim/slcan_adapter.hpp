@@ -13,7 +13,7 @@ enum class SlcanFault {
   silent,   ///< answers nothing and hands no frame on, either way
   garbled,  ///< what it says has bytes that belong to no line
   bus_off,  ///< its controller has left the bus: the flags say so, no frame passes
-  slow_ack  ///< acknowledges a frame 200 ms after it has sent it
+  slow_ack  ///< acknowledges a frame 500 ms after it has sent it
 };
 
 /// A serial CAN adapter with the LAWICEL ASCII protocol, behind a pseudo-terminal and in front of

@@ -15,12 +15,12 @@ using slcan_frames::LineKind;
 using std::chrono::milliseconds;
 using RealClock = std::chrono::steady_clock;
 
-constexpr milliseconds longest_taking{2};    // of a frame: the adapter only puts it into its queue
-constexpr milliseconds longest_answer{150};  // of a command, while opening
-constexpr milliseconds longest_count{50};
+constexpr milliseconds longest_taking{2};  // of a frame: the adapter only puts it into its queue
+constexpr milliseconds longest_open{2000};
+constexpr milliseconds longest_count{250};
 constexpr milliseconds quiet{20};  // USB hands bytes on in bunches, 16 ms apart
 constexpr double flags_period_s = 0.1;
-constexpr double silence_s = 0.5;  // an adapter that owes an answer for so long is gone
+constexpr double silence_s = 1;  // an adapter that owes an answer for so long is gone
 constexpr std::size_t most_frames = 4096;
 
 constexpr unsigned frames_lost =
@@ -62,24 +62,25 @@ Status SlcanLink::open() {
 // A command that was left half said is ended first, and alone: some adapters drop what comes with
 // it. The version is an answer that nothing else looks like: what came before it is old.
 Status SlcanLink::set_up() {
+  const auto end = RealClock::now() + longest_open;
   Status done = line_.write("\r");
   if (!done) return failure(done.error().code, done.error().where);
-  (void)drop_until_quiet(quiet);
-  done = command("C\rV\r", LineKind::version, "open: V");
-  if (done) done = drop_until_quiet(longest_answer);
+  (void)drop_until_quiet(RealClock::now() + quiet);
+  done = command("C\rV\r", LineKind::version, "open: V", end);
+  if (done) done = drop_until_quiet(end);
   if (done) {
     done = command(*slcan_frames::command_from_bitrate(options_.bitrate_kbit_s), LineKind::done,
-                   "open: set the bit rate");
+                   "open: set the bit rate", end);
   }
-  if (done) done = command("O\r", LineKind::done, "open: O");
-  if (done) done = command("F\r", LineKind::flags, "open: the adapter tells no status flags");
+  if (done) done = command("O\r", LineKind::done, "open: O", end);
+  if (done) done = command("F\r", LineKind::flags, "open: the adapter tells no status flags", end);
   return done;
 }
 
-Status SlcanLink::command(const std::string& text, LineKind answer, const char* operation) {
+Status SlcanLink::command(const std::string& text, LineKind answer, const char* operation,
+                          Deadline end) {
   const Status written = line_.write(text);
   if (!written) return failure(written.error().code, written.error().where);
-  const auto end = RealClock::now() + longest_answer;
   const bool may_be_declined = answer != LineKind::version;  // C is, where the channel is closed
   for (;;) {
     while (const auto line = lines_.next()) {
@@ -96,8 +97,7 @@ Status SlcanLink::command(const std::string& text, LineKind answer, const char* 
   }
 }
 
-Status SlcanLink::drop_until_quiet(milliseconds patience) {
-  const auto end = RealClock::now() + patience;
+Status SlcanLink::drop_until_quiet(Deadline end) {
   while (RealClock::now() < end) {
     line_.wait(quiet);
     const auto bytes = line_.read();
@@ -257,7 +257,7 @@ void SlcanLink::ask_flags() {
 }
 
 // Lines that come meanwhile are taken in.
-void SlcanLink::await_answer(const std::optional<double>& question, RealClock::time_point end) {
+void SlcanLink::await_answer(const std::optional<double>& question, Deadline end) {
   while (line_.is_open() && question && RealClock::now() < end) {
     line_.wait(until(end));
     take_lines();

@@ -44,8 +44,9 @@ class SlcanLink {
   using Deadline = std::chrono::steady_clock::time_point;
 
   Status set_up();
-  Status command(const std::string& text, slcan_frames::LineKind answer, const char* operation);
-  Status drop_until_quiet(std::chrono::milliseconds patience);
+  Status command(const std::string& text, slcan_frames::LineKind answer, const char* operation,
+                 Deadline end);
+  Status drop_until_quiet(Deadline end);
 
   void take_lines();
   void digest(const slcan_frames::Line& line);

@@ -31,7 +31,7 @@ struct SlcanOptions {
 /// Sending  one frame at a time: the next is refused (timeout) while the one before has not been
 ///          acknowledged, and send() waits 2 ms at most for that. A frame that the adapter
 ///          declines makes the next call tell overrun
-/// Time     open() takes 1 s at most, and drops whatever waited in the line. Frames carry the time
+/// Time     open() waits 2 s at most, and drops whatever waited in the line. Frames carry the time
 ///          at which they were read from the line, so ask often
 /// Threads  one caller at a time; its monitor may be read in another thread meanwhile
 class SlcanTransport final : public CanTransport {

@@ -4,6 +4,7 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <catch2/catch.hpp>
 #include <chrono>
 #include <functional>
 #include <string>
@@ -80,7 +81,7 @@ inline Result<hal::CanFrame> next(hal::CanTransport& can) {
 
 /// Sends as soon as the frame before is acknowledged.
 inline Status send_next(hal::CanTransport& can, const hal::CanFrame& frame) {
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < 2500; ++i) {
     Status sent = can.send(frame);
     if (sent || sent.error().code != IoErrc::timeout) return sent;
   }
@@ -89,6 +90,29 @@ inline Status send_next(hal::CanTransport& can, const hal::CanFrame& frame) {
 
 inline hal::CanFrame numbered(std::uint32_t id, std::uint8_t number) {
   return {.id = id, .length = 1, .data = {number}};
+}
+
+inline void wait_for(const std::function<bool()>& met) {
+  for (int i = 0; i < 5000 && !met(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  REQUIRE(met());
+}
+
+/// On a busy computer an answer may take longer than the monitor waits for it.
+inline hal::BusCounters counters(hal::BusMonitor& monitor) {
+  auto read = monitor.read();
+  for (int i = 0; i < 20 && !read && read.error().code == IoErrc::timeout; ++i) {
+    read = monitor.read();
+  }
+  REQUIRE(read);
+  return std::move(read).value();
+}
+
+inline std::uint64_t counted(hal::BusMonitor& monitor, const std::string& name) {
+  const auto counts = counters(monitor).counts;
+  const auto found = counts.find(name);
+  return found == counts.end() ? 0 : found->second;
 }
 
 }  // namespace rvbench::test

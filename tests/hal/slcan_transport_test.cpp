@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <stdexcept>
 #include <vector>
@@ -10,33 +11,11 @@
 
 using namespace rvbench;
 using hal::SlcanTransport;
+using test::counted;
 using test::next;
 using test::numbered;
 using test::send_next;
-
-namespace {
-
-double seconds_of(const std::function<void()>& call) {
-  hal::SteadyClock clock;
-  call();
-  return clock.now_s();
-}
-
-void wait_for(const std::function<bool()>& met) {
-  for (int i = 0; i < 5000 && !met(); ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  REQUIRE(met());
-}
-
-std::uint64_t counted(hal::BusMonitor& monitor, const std::string& name) {
-  const auto counters = monitor.read();
-  REQUIRE(counters);
-  const auto found = counters.value().counts.find(name);
-  return found == counters.value().counts.end() ? 0 : found->second;
-}
-
-}  // namespace
+using test::wait_for;
 
 SCENARIO("a serial adapter carries frames both ways", "[hal][can]") {
   test::SlcanBench bench;
@@ -80,13 +59,17 @@ SCENARIO("no setpoint waits behind another in a serial adapter", "[hal][can]") {
   REQUIRE(can.open());
   bench.adapter->inject(sim::SlcanFault::slow_ack);
   REQUIRE(can.send(numbered(0x201, 1)));
-  const double waited_s = seconds_of([&] {
+  const double sent_s = bench.clock.now_s();
+  double shortest_s = 1;  // of many, since the computer may be busy
+  while (bench.clock.now_s() - sent_s < 0.25) {
+    const double start_s = bench.clock.now_s();
     const auto second = can.send(numbered(0x201, 2));
+    shortest_s = std::min(shortest_s, bench.clock.now_s() - start_s);
     REQUIRE_FALSE(second);
     CHECK(second.error().code == IoErrc::timeout);
     CHECK_THAT(second.error().where, Catch::Contains("not acknowledged"));
-  });
-  CHECK(waited_s < 0.1);  // 2 ms, and what a busy computer adds: less than the adapter's 200
+  }
+  CHECK(shortest_s < 0.01);
   THEN("the next one goes once the first is acknowledged") {
     REQUIRE(send_next(can, numbered(0x201, 3)));
     CHECK(next(*bench.bus.nodes).value().data[0] == 1);
@@ -153,10 +136,9 @@ SCENARIO("what a serial adapter loses is told once, and counted", "[hal][can]") 
   const auto monitor = can.monitor();
   CHECK(monitor->read().error().code == IoErrc::disconnected);
   REQUIRE(can.open());
-  const auto before = monitor->read();
-  REQUIRE(before);
-  CHECK(before.value().interface == bench.adapter->device());
-  for (const auto& [name, count] : before.value().counts) {
+  const hal::BusCounters before = test::counters(*monitor);
+  CHECK(before.interface == bench.adapter->device());
+  for (const auto& [name, count] : before.counts) {
     INFO(name);
     CHECK(count == 0);
   }
@@ -184,7 +166,7 @@ SCENARIO("what a serial adapter loses is told once, and counted", "[hal][can]") 
     THEN("only the errors count") {
       CHECK(counted(*monitor, "bus_error") == 1);
       CHECK(counted(*monitor, "error_warning") == 1);
-      CHECK(monitor->read().value().counts.count("arbitration_lost") == 0);
+      CHECK_FALSE(test::counters(*monitor).counts.contains("arbitration_lost"));
     }
     AND_WHEN("it says an error that nobody asked for") {
       bench.adapter->say("e1c\r");
@@ -209,81 +191,6 @@ SCENARIO("what a serial adapter loses is told once, and counted", "[hal][can]") 
     const auto none = monitor->read();
     REQUIRE_FALSE(none);
     CHECK(none.error().code == IoErrc::timeout);
-  }
-}
-
-SCENARIO("an adapter that cannot be relied on is not opened", "[hal][can]") {
-  hal::SteadyClock clock;
-  const auto open = [&](const std::string& device) {
-    SlcanTransport can({.device = device}, clock);
-    const Status opened = can.open();
-    REQUIRE_FALSE(opened);
-    CHECK_THAT(opened.error().where, Catch::Contains(device));
-    CHECK(can.receive().error().code == IoErrc::disconnected);
-    return opened.error();
-  };
-  const auto declines = [](char what) {
-    return [what](const std::string& command) {
-      return !command.empty() && command[0] == what ? "\a" : test::sound_answer(command);
-    };
-  };
-  CHECK(open("/dev/nosuchtty").code == IoErrc::disconnected);
-  CHECK(open("/dev/null").code == IoErrc::disconnected);
-  test::OddAdapter no_flags(declines('F')), other_bitrate(declines('S')), in_use(declines('O'));
-  CHECK(open(no_flags.device()).code == IoErrc::refused);
-  CHECK_THAT(open(no_flags.device()).where, Catch::Contains("status flags"));
-  CHECK(open(other_bitrate.device()).code == IoErrc::refused);
-  CHECK_THAT(open(other_bitrate.device()).where, Catch::Contains("bit rate"));
-  CHECK(open(in_use.device()).code == IoErrc::refused);
-  test::OddAdapter silent([](const std::string&) { return ""; });
-  const double tried_s = seconds_of([&] { CHECK(open(silent.device()).code == IoErrc::timeout); });
-  CHECK(tried_s < 1);
-}
-
-SCENARIO("an adapter of another make is understood", "[hal][can]") {
-  hal::SteadyClock clock;
-  WHEN("it acknowledges frames with CR alone, and declines to close what is closed") {
-    test::OddAdapter adapter([](const std::string& command) -> std::string {
-      if (command == "C" || command.empty()) return "\a";
-      return command[0] == 't' ? "\r" : test::sound_answer(command);
-    });
-    SlcanTransport can({.device = adapter.device()}, clock);
-    REQUIRE(can.open());
-    CHECK(can.send(numbered(0x201, 1)));
-    CHECK(send_next(can, numbered(0x201, 2)));
-  }
-  WHEN("it declines a frame") {
-    test::OddAdapter adapter([](const std::string& command) -> std::string {
-      return command.starts_with('t') ? "\a" : test::sound_answer(command);
-    });
-    SlcanTransport can({.device = adapter.device()}, clock);
-    const auto monitor = can.monitor();
-    REQUIRE(can.open());
-    CHECK(can.send(numbered(0x201, 1)));
-    CHECK(next(can).error().code == IoErrc::overrun);
-    CHECK(counted(*monitor, "send_declined") == 1);
-    CHECK(can.send(numbered(0x201, 2)));
-  }
-  WHEN("it never acknowledges a frame") {
-    test::OddAdapter adapter([](const std::string& command) -> std::string {
-      return command.starts_with('t') ? "" : test::sound_answer(command);
-    });
-    SlcanTransport can({.device = adapter.device()}, clock);
-    REQUIRE(can.open());
-    CHECK(can.send(numbered(0x201, 1)));
-    CHECK(next(can).error().code == IoErrc::disconnected);
-  }
-  WHEN("it has lost power for a moment, and its channel is closed") {
-    std::atomic<int> flags_told = 0;
-    test::OddAdapter adapter([&](const std::string& command) -> std::string {
-      return command == "F" && flags_told++ > 0 ? "\a" : test::sound_answer(command);
-    });
-    SlcanTransport can({.device = adapter.device()}, clock);
-    REQUIRE(can.open());
-    const auto lost = next(can);
-    REQUIRE_FALSE(lost);
-    CHECK(lost.error().code == IoErrc::disconnected);
-    CHECK_THAT(lost.error().where, Catch::Contains("channel"));
   }
 }
 
