@@ -40,6 +40,14 @@ SCENARIO("a serial adapter carries frames both ways", "[hal][can]") {
     CHECK(next(can).value().id == 0x181);
     CHECK(can.receive().error().code == IoErrc::timeout);
   }
+  THEN("what waits in the line is dropped when it is opened anew") {
+    const int heard = bench.adapter->frames_from_bus();
+    REQUIRE(bench.bus.nodes->send(numbered(0x281, 7)));
+    wait_for([&] { return bench.adapter->frames_from_bus() > heard; });
+    REQUIRE(can.open());
+    REQUIRE(bench.bus.nodes->send(numbered(0x281, 8)));
+    CHECK(next(can).value().data[0] == 8);
+  }
   THEN("what is sent reaches the nodes, in order") {
     for (std::uint8_t i = 0; i < 50; ++i) {
       REQUIRE(send_next(can, {.id = 0x201, .length = 4, .data = {i, 0, 1, i}}));
