@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <stdexcept>
 #include <vector>
@@ -199,6 +200,26 @@ SCENARIO("what a serial adapter loses is told once, and counted", "[hal][can]") 
     const auto none = monitor->read();
     REQUIRE_FALSE(none);
     CHECK(none.error().code == IoErrc::timeout);
+  }
+}
+
+TEST_CASE("a serial adapter's counters may be read while frames pass", "[hal][can]") {
+  test::SlcanBench bench;
+  SlcanTransport can(bench.options(), bench.clock);
+  const auto monitor = can.monitor();
+  REQUIRE(can.open());
+  std::atomic<int> counted_times = 0;
+  std::jthread reader([&](const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      if (monitor->read()) ++counted_times;
+    }
+  });
+  for (int i = 0; i < 20 || counted_times < 5; ++i) {
+    const auto number = static_cast<std::uint8_t>(i);
+    REQUIRE(bench.bus.nodes->send(numbered(0x281, number)));
+    CHECK(next(can).value().data[0] == number);
+    REQUIRE(send_next(can, numbered(0x201, number)));
+    CHECK(next(*bench.bus.nodes).value().data[0] == number);
   }
 }
 
