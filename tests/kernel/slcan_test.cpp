@@ -189,7 +189,7 @@ TEST_CASE("a full send queue is a lost bus where nobody listens on it") {
   REQUIRE(bench.open());
   slcan.adapter.say("sp000130\rt1231AA\r");  // error-passive: what it sends is not acknowledged
   REQUIRE(next(bench));
-  shell("tc qdisc replace dev slcan0 root netem delay 500ms limit 1");
+  shell("tc qdisc replace dev slcan0 root netem delay 60s limit 1");
   shell("cansend slcan0 123#01");
   const auto sent = bench.send(numbered(0x201, 1));
   REQUIRE_FALSE(sent);

@@ -154,18 +154,22 @@ SCENARIO("a link is not opened anew while an old setpoint may still be sent") {
   SocketcanTransport node("can1", {0x201}, clock);
   REQUIRE(bench.open());
   REQUIRE(node.open());
-  shell("tc qdisc replace dev can0 root netem delay 500ms");
-  REQUIRE(bench.send(numbered(0x201, 1)));
-  const auto opened = bench.open();
-  REQUIRE_FALSE(opened);
-  CHECK(opened.error().code == IoErrc::timeout);
-  CHECK_THAT(opened.error().where, Catch::Contains("from before"));
+  const auto send_late = [&](const std::string& delay) {
+    shell("tc qdisc replace dev can0 root netem delay " + delay);
+    REQUIRE(bench.send(numbered(0x201, 1)));
+    const auto opened = bench.open();
+    REQUIRE_FALSE(opened);
+    CHECK(opened.error().code == IoErrc::timeout);
+    CHECK_THAT(opened.error().where, Catch::Contains("from before"));
+  };
   WHEN("it has been on the bus") {
+    send_late("500ms");
     CHECK(next(node).value().data[0] == 1);
     CHECK(bench.open());
     shell("tc qdisc delete dev can0 root");
   }
   WHEN("the interface went down, and dropped it") {
+    send_late("60s");
     shell("ip link set can0 down && tc qdisc delete dev can0 root && ip link set can0 up");
     REQUIRE(bench.open());
     REQUIRE(bench.send(numbered(0x201, 2)));
@@ -179,7 +183,7 @@ SCENARIO("a full send queue is no lost bus") {
   SocketcanTransport node("can1", {0x201}, clock);
   REQUIRE(bench.open());
   REQUIRE(node.open());
-  shell("tc qdisc replace dev can0 root netem delay 500ms limit 1");
+  shell("tc qdisc replace dev can0 root netem delay 60s limit 1");
   shell("cansend can0 123#01");
   const auto sent = bench.send(numbered(0x201, 1));
   REQUIRE_FALSE(sent);
