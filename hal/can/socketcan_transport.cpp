@@ -58,6 +58,7 @@ Remarks remarks_of(msghdr& message) {
 
 std::vector<can_filter> filters_for(const std::vector<std::uint32_t>& ids) {
   std::vector<can_filter> filters;
+  filters.reserve(ids.size());
   for (const std::uint32_t id : ids) {
     filters.push_back({id, CAN_SFF_MASK | CAN_EFF_FLAG | CAN_RTR_FLAG});
   }
@@ -107,7 +108,7 @@ Status SocketcanTransport::open() {
     return sender.error();
   }
   sender_ = sender.value();
-  const Status status = configure_receiver();
+  Status status = configure_receiver();
   if (!status) close();
   return status;
 }
@@ -185,7 +186,7 @@ bool SocketcanTransport::has_left() {
 Status SocketcanTransport::send(const CanFrame& frame) {
   if (receiver_ < 0) return failure("send", ENOTCONN);
   if (!has_left()) return failure("send: the frame before is still on its way", EAGAIN);
-  const Status watched = watch_own(frame.id & CAN_SFF_MASK);
+  Status watched = watch_own(frame.id & CAN_SFF_MASK);
   if (!watched) return watched;
   can_frame raw{};
   raw.can_id = frame.id & CAN_SFF_MASK;
