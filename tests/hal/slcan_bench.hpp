@@ -69,6 +69,12 @@ inline std::string sound_answer(const std::string& command) {
   }
 }
 
+inline void must_open(hal::CanTransport& can) {
+  const Status opened = can.open();
+  INFO((opened ? "opened" : describe(opened.error())));
+  REQUIRE(opened);
+}
+
 /// Asks again until the answer is no time-out, for as long as a busy computer may need.
 inline Result<hal::CanFrame> next(hal::CanTransport& can) {
   for (int i = 0; i < 5000; ++i) {

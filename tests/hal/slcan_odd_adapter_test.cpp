@@ -7,6 +7,7 @@
 using namespace rvbench;
 using hal::SlcanTransport;
 using test::counted;
+using test::must_open;
 using test::next;
 using test::numbered;
 using test::send_next;
@@ -48,7 +49,7 @@ SCENARIO("an adapter of another make is understood", "[hal][can]") {
       return command[0] == 't' ? "\r" : test::sound_answer(command);
     });
     SlcanTransport can({.device = adapter.device()}, clock);
-    REQUIRE(can.open());
+    must_open(can);
     CHECK(can.send(numbered(0x201, 1)));
     CHECK(send_next(can, numbered(0x201, 2)));
   }
@@ -58,7 +59,7 @@ SCENARIO("an adapter of another make is understood", "[hal][can]") {
     });
     SlcanTransport can({.device = adapter.device()}, clock);
     const auto monitor = can.monitor();
-    REQUIRE(can.open());
+    must_open(can);
     CHECK(can.send(numbered(0x201, 1)));
     CHECK(next(can).error().code == IoErrc::overrun);
     CHECK(counted(*monitor, "send_declined") == 1);
@@ -69,7 +70,7 @@ SCENARIO("an adapter of another make is understood", "[hal][can]") {
       return command.starts_with('t') ? "" : test::sound_answer(command);
     });
     SlcanTransport can({.device = adapter.device()}, clock);
-    REQUIRE(can.open());
+    must_open(can);
     CHECK(can.send(numbered(0x201, 1)));
     CHECK(next(can).error().code == IoErrc::disconnected);
   }
@@ -79,7 +80,7 @@ SCENARIO("an adapter of another make is understood", "[hal][can]") {
       return command == "F" && flags_told++ > 0 ? "\a" : test::sound_answer(command);
     });
     SlcanTransport can({.device = adapter.device()}, clock);
-    REQUIRE(can.open());
+    must_open(can);
     const auto lost = next(can);
     REQUIRE_FALSE(lost);
     CHECK(lost.error().code == IoErrc::disconnected);

