@@ -72,6 +72,7 @@ class IioServer::Service {
 
   ~Service() {
     is_ending_ = true;
+    ring_.close();
     const std::uint64_t one = 1;
     (void)!::write(ending_, &one, sizeof one);
     thread_.join();

@@ -42,11 +42,24 @@ std::optional<T> parsed(std::string_view text, int base) {
   return value;
 }
 
+// Clients check a context against the elements that it may hold.
+constexpr const char* elements =
+    "<!DOCTYPE context ["
+    "<!ELEMENT context (device)*><!ATTLIST context name CDATA #REQUIRED description CDATA #IMPLIED>"
+    "<!ELEMENT device (channel | attribute)*>"
+    "<!ATTLIST device id CDATA #REQUIRED name CDATA #IMPLIED>"
+    "<!ELEMENT channel (scan-element?, attribute*)>"
+    "<!ATTLIST channel id CDATA #REQUIRED type (input|output) #REQUIRED>"
+    "<!ELEMENT scan-element EMPTY>"
+    "<!ATTLIST scan-element index CDATA #REQUIRED format CDATA #REQUIRED scale CDATA #IMPLIED>"
+    "<!ELEMENT attribute EMPTY>"
+    "<!ATTLIST attribute name CDATA #REQUIRED filename CDATA #IMPLIED>]>";
+
 std::string context_of(const IioFrontEnd& front_end) {
-  std::string xml =
-      "<?xml version=\"1.0\" encoding=\"utf-8\"?><context name=\"local\" "
-      "description=\"simulated bench\"><device id=\"" +
-      std::string(id) + "\" name=\"" + front_end.device + "\">";
+  std::string xml = "<?xml version=\"1.0\" encoding=\"utf-8\"?>" + std::string(elements) +
+                    "<context name=\"local\" "
+                    "description=\"simulated bench\"><device id=\"" +
+                    std::string(id) + "\" name=\"" + front_end.device + "\">";
   for (std::size_t i = 0; i < front_end.labels.size(); ++i) {
     const std::string n = std::to_string(i);
     xml += "<channel id=\"voltage" + n + "\" type=\"input\"><scan-element index=\"" + n +

@@ -20,6 +20,14 @@ void ScanRing::push(const std::vector<std::int32_t>& counts) {
   pushed_.notify_all();
 }
 
+void ScanRing::close() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_closed_ = true;
+  }
+  pushed_.notify_all();
+}
+
 std::int64_t ScanRing::newest() const {
   const std::lock_guard lock(mutex_);
   return newest_;
@@ -33,9 +41,10 @@ bool ScanRing::has_lost(std::int64_t first) const {
 std::optional<std::vector<std::int32_t>> ScanRing::wait(std::int64_t first, std::size_t count,
                                                         double patience_s) {
   std::unique_lock lock(mutex_);
-  const bool came = pushed_.wait_for(lock, std::chrono::duration<double>(patience_s),
-                                     [&] { return newest_ >= first + std::int64_t(count); });
-  if (!came || newest_ - first > std::int64_t(scans_)) return std::nullopt;
+  const auto has_come = [&] { return newest_ >= first + std::int64_t(count); };
+  pushed_.wait_for(lock, std::chrono::duration<double>(patience_s),
+                   [&] { return is_closed_ || has_come(); });
+  if (!has_come() || newest_ - first > std::int64_t(scans_)) return std::nullopt;
   std::vector<std::int32_t> taken;
   taken.reserve(count * channels_);
   for (std::int64_t scan = first; scan < first + std::int64_t(count); ++scan) {

@@ -21,6 +21,8 @@ class ScanRing {
   /// @param counts  whole scans, one after the other
   void push(const std::vector<std::int32_t>& counts);
 
+  void close();  ///< nobody waits any more
+
   std::int64_t newest() const;  ///< scans pushed so far
 
   /// Waits until `count` scans from `first` on are there, at most `patience_s` of real time.
@@ -35,6 +37,7 @@ class ScanRing {
   std::condition_variable pushed_;
   std::vector<std::int32_t> counts_;
   std::int64_t newest_ = 0;
+  bool is_closed_ = false;
 };
 
 }  // namespace rvbench::sim

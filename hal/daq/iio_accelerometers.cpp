@@ -108,9 +108,9 @@ class IioSource final : public ScanSource {
   double range_m_s2() const override { return std::min(options_.range_m_s2, converter_m_s2_); }
   Status start() override;
   Status wait(AccelerationBlock::Scans& scans) override;
-  void interrupt() noexcept override {
-    if (buffer_) iio_buffer_cancel(buffer_.get());
-  }
+  // A block comes soon, or the time-out does. (iio_buffer_cancel() would be quicker where a device
+  // is silent, and makes libiio complain on standard error.)
+  void interrupt() noexcept override {}
   void stop() noexcept override { buffer_.reset(); }
 
  private:

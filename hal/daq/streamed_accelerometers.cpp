@@ -70,6 +70,8 @@ Result<AccelerationBlock> StreamedAccelerometers::read() {
     fresh_s_ = clock_.now_s();
   } else if (clock_.now_s() - fresh_s_ > deadline_s_) {
     return failure({IoErrc::timeout, "read: no scan"});
+  } else {
+    block.scans.resize(0, Eigen::Index(channels_.size()));
   }
   return block;
 }

@@ -69,6 +69,7 @@ TEST_CASE("iio_info, which is not ours, finds device, inputs and attributes", "[
   const auto told = shell("iio_info -u " + uri(server));
   INFO(told.out + told.err);
   CHECK(told.code == 0);
+  CHECK(told.err.empty());
   CHECK_THAT(told.out, Catch::Contains("rvbench-daq"));
   CHECK_THAT(told.out, Catch::Contains("3 channels found"));
   CHECK_THAT(told.out, Catch::Contains("voltage2:  (input, index: 2, format: le:S32/32>>0)"));
