@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <iio.h>
+#include <pthread.h>
+#include <signal.h>
 
 #include <algorithm>
 #include <array>
@@ -21,11 +23,38 @@ namespace {
 constexpr unsigned patience_ms = 500;  // of a block; a device that is silent longer is lost
 constexpr unsigned connect_ms = 2000;
 
+// libiio writes to a connection that may be broken, and the signal that this raises would end the
+// process: while one of these lives, it does not reach this thread.
+class NoPipeSignal {
+ public:
+  NoPipeSignal() {
+    sigemptyset(&pipe_);
+    sigaddset(&pipe_, SIGPIPE);
+    pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
+  }
+  ~NoPipeSignal() {
+    const timespec at_once{};
+    while (sigtimedwait(&pipe_, nullptr, &at_once) == SIGPIPE) continue;
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  NoPipeSignal(const NoPipeSignal&) = delete;
+  NoPipeSignal& operator=(const NoPipeSignal&) = delete;
+
+ private:
+  sigset_t pipe_{}, before_{};
+};
+
 struct DestroyContext {
-  void operator()(iio_context* context) const noexcept { iio_context_destroy(context); }
+  void operator()(iio_context* context) const noexcept {
+    const NoPipeSignal quiet;
+    iio_context_destroy(context);
+  }
 };
 struct DestroyBuffer {
-  void operator()(iio_buffer* buffer) const noexcept { iio_buffer_destroy(buffer); }
+  void operator()(iio_buffer* buffer) const noexcept {
+    const NoPipeSignal quiet;
+    iio_buffer_destroy(buffer);
+  }
 };
 
 std::string reason(ssize_t error) {
@@ -127,6 +156,7 @@ class IioSource final : public ScanSource {
 };
 
 Status IioSource::connect() {
+  const NoPipeSignal quiet;
   buffer_.reset();
   inputs_.clear();
   context_.reset(iio_create_context_from_uri(options_.uri.c_str()));
@@ -185,6 +215,7 @@ Status IioSource::set_rate() {
 }
 
 Status IioSource::start() {
+  const NoPipeSignal quiet;
   buffer_.reset();
   const double scans = std::max(1.0, std::round(rate_Hz_ * options_.block_s));
   buffer_.reset(iio_device_create_buffer(device_, std::size_t(scans), false));
@@ -194,6 +225,7 @@ Status IioSource::start() {
 }
 
 Status IioSource::wait(AccelerationBlock::Scans& scans) {
+  const NoPipeSignal quiet;
   const ssize_t bytes = iio_buffer_refill(buffer_.get());
   if (bytes < 0) return IoError{code_of(bytes), "read: " + reason(bytes)};
   const std::ptrdiff_t step = iio_buffer_step(buffer_.get());
