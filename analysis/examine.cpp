@@ -5,6 +5,7 @@
 #include "analysis/emd/emd.hpp"
 #include "analysis/envelope_lines.hpp"
 #include "analysis/quality.hpp"
+#include "analysis/quality/record_quality.hpp"
 #include "analysis/shaft_angle.hpp"
 #include "analysis/signature_lines.hpp"
 #include "analysis/spectral_lines.hpp"
@@ -93,9 +94,10 @@ void score_imfs(const Channel& channel, const Emd& modes, const Task& task, Chan
   }
 }
 
-ChannelResult examine_channel(const Channel& channel, const Task& task) {
+ChannelResult examine_channel(const Channel& channel, std::vector<QualityNote> quality,
+                              const Task& task) {
   ChannelResult out;
-  out.quality = accelerometer_quality(channel, task.options.clip_level);
+  out.quality = std::move(quality);
   out.examination.name = channel.info.name;
   out.examination.unit = channel.info.unit;
   out.scores.resize(task.kinematics.signatures.size());
@@ -163,8 +165,11 @@ Examination examine(const Recording& record, const Kinematics& kinematics,
 
   std::vector<ChannelResult> results(channels.size());
   const Task task{kinematics, *angle, options};
-  parallel_for(channels.size(),
-               [&](std::size_t i) { results[i] = examine_channel(*channels[i], task); });
+  std::vector<std::vector<QualityNote>> quality =
+      record_quality(channels, *angle, kinematics, options.clip_level);
+  parallel_for(channels.size(), [&](std::size_t i) {
+    results[i] = examine_channel(*channels[i], std::move(quality[i]), task);
+  });
   gather(std::move(results), e);
   e.resolvable = e.periods >= fewest_periods;
   if (!e.resolvable) {

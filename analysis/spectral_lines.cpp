@@ -26,15 +26,6 @@ std::string times(const std::string& name, int harmonic) {
   return harmonic == 1 ? name : name + " x" + std::to_string(harmonic);
 }
 
-// Where a tone lies whose two highest lines, under a Hann window, are `line` and a neighbour.
-// Source  Grandke, IEEE Trans. Instrum. Meas. 32(2), 350-355 (1983)
-double place_of(const Eigen::VectorXd& amplitude, Eigen::Index line) {
-  const bool above = amplitude[line + 1] > amplitude[line - 1];
-  const double ratio = amplitude[above ? line + 1 : line - 1] / amplitude[line];
-  const double away = (2 * ratio - 1) / (ratio + 1);
-  return static_cast<double>(line) + (above ? away : -away);
-}
-
 bool stronger(const SpectralLine& a, const SpectralLine& b) { return a.amplitude > b.amplitude; }
 
 // A line among those that no kinematics explains, and what it is in its family: a harmonic of the
@@ -165,7 +156,7 @@ std::vector<SpectralLine> spectral_lines(const Channel& x, const ShaftAngle& ang
     if (here < spectrum.amplitude[i - 1] || here <= spectrum.amplitude[i + 1]) continue;
     const double p = line_p_value(floor.power[i] / floor.floor[i], 1, floor.floor_lines[i]);
     if (p > alpha) continue;
-    const double order = place_of(spectrum.amplitude, i) * spectrum.resolution;
+    const double order = place_of_tone(spectrum.amplitude, i) * spectrum.resolution;
     const double near =
         std::max(same_line * spectrum.resolution, angle.is_measured() ? 0.0 : speed_error * order);
     lines.push_back({order, order * speed_Hz, here, p, meaning_of(order, near, kinematics)});

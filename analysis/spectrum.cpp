@@ -49,4 +49,11 @@ Spectrum amplitude_spectrum(const Eigen::Ref<const Eigen::VectorXd>& x, double r
   return spectrum;
 }
 
+double place_of_tone(const Eigen::VectorXd& amplitude, Eigen::Index line) {
+  const bool above = amplitude[line + 1] > amplitude[line - 1];
+  const double ratio = amplitude[above ? line + 1 : line - 1] / amplitude[line];
+  const double away = (2 * ratio - 1) / (ratio + 1);
+  return static_cast<double>(line) + (above ? away : -away);
+}
+
 }  // namespace rvbench::analysis

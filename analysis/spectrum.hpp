@@ -25,4 +25,9 @@ enum class Window { rectangular, hann };
 /// Source  Heinzel, Rüdiger & Schilling, Spectrum and spectral density estimation by the DFT (2002)
 Spectrum amplitude_spectrum(const Eigen::Ref<const Eigen::VectorXd>& x, double rate, Window window);
 
+/// Where between the lines a tone lies whose two highest lines, under a Hann window, are `line` and
+/// a neighbour; `line` has two.
+/// Source  Grandke, IEEE Trans. Instrum. Meas. 32(2), 350-355 (1983)
+double place_of_tone(const Eigen::VectorXd& amplitude, Eigen::Index line);
+
 }  // namespace rvbench::analysis

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/diagnosis.hpp"
+#include "analysis/shaft_angle.hpp"
+
+namespace rvbench::analysis {
+
+/// What is wrong with each acceleration channel of one record of a machine that turns. First
+/// accelerometer_quality(); of the channels that pass it, those that spikes, drift, a broken IEPE
+/// supply or mains hum spoil, the first of these that is found. Each note invalidates.
+///
+/// Spikes are told only where they are fewer than one in four turns: a sound sensor that is sampled
+/// far below its resonance, without a filter, shows each strike of a bad bearing as one.
+///
+/// Shape   one list per channel, in their order
+/// Cost    one spectrum per channel
+std::vector<std::vector<QualityNote>> record_quality(const std::vector<const Channel*>& channels,
+                                                     const ShaftAngle& angle,
+                                                     const Kinematics& kinematics,
+                                                     double clip_level);
+
+}  // namespace rvbench::analysis
