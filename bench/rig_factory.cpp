@@ -71,8 +71,9 @@ Made make(const ReplayRig& rig) {
   if (const auto twin = sim::read_plant(rig.plant); twin.index() == 1) {
     return at_plant(rig.plant, std::get<1>(twin));
   }
-  Result<hal::Rig> made =
-      hal::make_replay_rig(rig.recording, {.rated_output_torque_Nm = rig.rated_output_torque_Nm});
+  Result<hal::Rig> made = hal::make_replay_rig(
+      rig.recording,
+      {.rated_output_torque_Nm = rig.rated_output_torque_Nm, .real_time = rig.pace == "real_time"});
   if (!made) return std::vector<hal::ConfigFault>{{0, "/recording", describe(made.error())}};
   return std::move(made).value();
 }
@@ -104,6 +105,7 @@ nlohmann::ordered_json to_json(const SimRig& rig) {
 nlohmann::ordered_json to_json(const ReplayRig& rig) {
   return {{"rig", "replay"},
           {"recording", rig.recording},
+          {"pace", rig.pace},
           {"rated_output_torque_Nm", rig.rated_output_torque_Nm},
           {"plant", rig.plant}};
 }

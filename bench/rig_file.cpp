@@ -40,6 +40,7 @@ SimRig read_sim(hal::ConfigReader& root, const RigOptions& options) {
 ReplayRig read_replay(hal::ConfigReader& root) {
   ReplayRig replay;
   replay.recording = root.text("recording");
+  replay.pace = root.choice("pace", {"virtual", "real_time"}, replay.pace);
   replay.rated_output_torque_Nm =
       root.number("rated_output_torque_Nm", {1e-3, 1e6}, replay.rated_output_torque_Nm);
   replay.plant = root.text("plant", replay.plant);

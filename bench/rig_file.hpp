@@ -28,6 +28,7 @@ struct SimRig {
 /// {"rig": "replay"}
 struct ReplayRig {
   std::string recording;
+  std::string pace = "virtual";  ///< or "real_time": as it was recorded
   double rated_output_torque_Nm = 167;
   std::string plant = "rv20e_bench";  ///< shipped, or a plant file: what was recorded
 };

@@ -7,6 +7,7 @@
 
 #include "hal/recording_file.hpp"
 #include "hal/replay_world.hpp"
+#include "hal/steady_clock.hpp"
 #include "hal/stepped_clock.hpp"
 
 namespace rvbench::hal {
@@ -210,11 +211,13 @@ Result<Rig> make_replay_rig(const std::filesystem::path& file, const ReplayOptio
   if (const std::string lack = find_lack(*reader); !lack.empty()) {
     return IoError{IoErrc::refused, file.string() + ": cannot be replayed: " + lack};
   }
-  auto clock = std::make_unique<SteppedClock>();
+  std::unique_ptr<Clock> clock = std::make_unique<SteppedClock>();
+  if (options.real_time) clock = std::make_unique<SteadyClock>();
   auto backstage = std::make_unique<ReplayWorld>(std::move(reader), options, *clock);
   ReplayWorld& world = *backstage;
   Rig rig;
   rig.name = "replay of " + file.filename().string();
+  rig.is_played = true;
   rig.backstage = std::move(backstage);
   rig.clock = std::move(clock);
   rig.safety = std::make_unique<ReplaySafetyInputs>();

@@ -47,11 +47,13 @@ ReplayWorld::ReplayWorld(std::unique_ptr<RecordingReader> reader, const ReplayOp
 }
 
 void ReplayWorld::command_speed(double speed_rpm) {
+  const std::lock_guard lock(mutex_);
   if (speed_rpm != speed_rpm_) commanded_s_ = clock_.now_s();
   speed_rpm_ = speed_rpm;
 }
 
 void ReplayWorld::command_brake(double torque_Nm) {
+  const std::lock_guard lock(mutex_);
   if (torque_Nm != brake_Nm_) commanded_s_ = clock_.now_s();
   brake_Nm_ = torque_Nm;
 }
@@ -63,16 +65,19 @@ double ReplayWorld::fastest_rpm() const {
 }
 
 double ReplayWorld::measured_speed_rpm() {
+  const std::lock_guard lock(mutex_);
   if (follow_command() || !playing_) return playing_ ? not_known : 0;
   return recording_.speed_rpm;
 }
 
 double ReplayWorld::brake_torque_Nm() {
+  const std::lock_guard lock(mutex_);
   if (follow_command() || !playing_) return brake_Nm_;
   return or_else(playable_[*playing_].load_pct / 100 * options_.rated_output_torque_Nm, brake_Nm_);
 }
 
 Result<AccelerationBlock> ReplayWorld::take_accelerations() {
+  const std::lock_guard lock(mutex_);
   if (const auto error = follow_command()) return *error;
   const auto channels = static_cast<Eigen::Index>(layout().acceleration_channels.size());
   const long end = due(accelerations_);
@@ -93,6 +98,7 @@ Result<AccelerationBlock> ReplayWorld::take_accelerations() {
 }
 
 Result<TorqueBlock> ReplayWorld::take_torque() {
+  const std::lock_guard lock(mutex_);
   if (const auto error = follow_command()) return *error;
   TorqueBlock block;
   block.t0_s = static_cast<double>(torque_.sent) / torque_.rate_Hz;

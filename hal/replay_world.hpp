@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -59,6 +60,7 @@ class ReplayWorld final : public Backstage {
   void start_playing(std::size_t chosen, Recording recording);
   TorqueSample sample(long number);
 
+  std::mutex mutex_;  ///< in real time, drive and streams are asked by different threads
   std::unique_ptr<RecordingReader> reader_;
   ReplayOptions options_;
   const Clock& clock_;

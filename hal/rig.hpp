@@ -24,6 +24,7 @@ class Backstage {
 /// Members are destroyed from the last to the first: devices, then the clock, then the backstage.
 struct Rig {
   std::string name;
+  bool is_played = false;  ///< a recording: nothing turns, and nothing can get hot
   std::unique_ptr<Backstage> backstage;  ///< may be null
   std::unique_ptr<Clock> clock;
   std::vector<std::unique_ptr<BusMonitor>>

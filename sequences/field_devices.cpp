@@ -43,7 +43,8 @@ void FieldDevices::read_safety(FreshValues& fresh) {
   if (!fresh.safety) return;
   const bool is_known = std::isfinite(fresh.safety->housing_temp_degC);
   temperature_was_known_ = temperature_was_known_ || is_known;
-  if (is_known || (!temperature_was_known_ && rig_.clock->is_virtual())) return;
+  const bool can_get_hot = !rig_.clock->is_virtual() && !rig_.is_played;
+  if (is_known || (!temperature_was_known_ && !can_get_hot)) return;
   safety_.seen_s = seen_s;
   safety_.error = "the housing temperature is not known";
 }

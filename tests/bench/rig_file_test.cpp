@@ -169,6 +169,23 @@ TEST_CASE("a replay rig names its recording", "[bench]") {
   const ReplayRig replay = std::get<ReplayRig>(std::get<0>(file));
   CHECK(replay.recording == "a.h5");
   CHECK(replay.rated_output_torque_Nm == 50);
+  CHECK(replay.pace == "virtual");
+}
+
+TEST_CASE("a replay rig may be played at the pace of real time", "[bench]") {
+  const std::string rig = R"({"rig": "replay", "recording": "a.h5", "pace": "real_time"})";
+  CHECK(std::get<ReplayRig>(std::get<0>(read(rig))).pace == "real_time");
+  const auto faults = faults_of(R"({"rig": "replay", "recording": "a.h5", "pace": "real time"})");
+  REQUIRE(faults.size() == 1);
+  CHECK(faults[0].pointer == "/pace");
+  CHECK_THAT(faults[0].message, Catch::Contains("did you mean \"real_time\"?"));
+
+  const rvbench::test::ScratchFolder scratch;
+  write_file(scratch / "rig.json", rig);
+  const std::string resolved = rig_to_json((scratch / "rig.json").string(), {});
+  CHECK_THAT(resolved, Catch::Contains("\"pace\": \"real_time\""));
+  write_file(scratch / "resolved.json", resolved);
+  CHECK(rig_to_json((scratch / "resolved.json").string(), {}) == resolved);
 }
 
 TEST_CASE("the resolved rig is a rig file that says the same", "[bench]") {

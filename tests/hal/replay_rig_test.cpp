@@ -1,6 +1,7 @@
 #include "hal/replay_rig.hpp"
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cmath>
 
 #include "tests/contracts/accelerometers_contract.hpp"
@@ -37,8 +38,9 @@ std::filesystem::path record(const ScratchFolder& scratch, std::vector<PlannedPo
   return scratch / "r.h5";
 }
 
-Rig replay(const std::filesystem::path& file, double lead_in_s = 0.2) {
-  auto made = make_replay_rig(file, {.rated_output_torque_Nm = 167, .lead_in_s = lead_in_s});
+Rig replay(const std::filesystem::path& file, double lead_in_s = 0.2, bool real_time = false) {
+  auto made = make_replay_rig(
+      file, {.rated_output_torque_Nm = 167, .lead_in_s = lead_in_s, .real_time = real_time});
   REQUIRE(made);
   return std::move(made).value();
 }
@@ -106,6 +108,42 @@ TEST_CASE("replayed safety inputs keep the inputs' contract", "[hal][replay]") {
   const ScratchFolder scratch;
   const Rig rig = replay(record(scratch, {{605, 50, 1}}));
   test::check_safety_inputs_contract(*rig.safety);
+}
+
+TEST_CASE("a clock of a replay in real time keeps the clock's contract", "[hal][replay]") {
+  const ScratchFolder scratch;
+  const Rig rig = replay(record(scratch, {{605, 50, 1}}), 0.2, true);
+  CHECK_FALSE(rig.clock->is_virtual());
+  test::check_clock_contract(*rig.clock);
+}
+
+TEST_CASE("a replay in real time goes on as it was recorded, whoever reads late", "[hal][replay]") {
+  const ScratchFolder scratch;
+  Rig rig = replay(record(scratch, {{605, 0, 1}}), 0, true);
+  const double from_s = rig.clock->now_s();
+  connect(rig);
+  const auto connected = std::chrono::steady_clock::now();
+  REQUIRE(rig.drive->set_speed(605));
+  rig.clock->wait_until(rig.clock->now_s() + 0.05);
+  const auto first = rig.accelerometers->read();
+  // A reader who is late, and does not wait for the rig's clock.
+  while (std::chrono::steady_clock::now() - connected < std::chrono::milliseconds(300)) {
+  }
+  const auto second = rig.accelerometers->read();
+  REQUIRE(first);
+  REQUIRE(second);
+  const auto& earlier = first.value().scans;
+  const auto& later = second.value().scans;
+  CHECK(earlier.rows() >= 49);
+  const double read_scans = double(earlier.rows() + later.rows());
+  CHECK(read_scans >= 0.3 * rate_Hz - 1);
+  CHECK(read_scans <= (rig.clock->now_s() - from_s) * rate_Hz + 1);
+  // One after the other, none skipped, and round again: point 0 has the numbers 1000 to 1799.
+  const auto after = [](float number, Eigen::Index steps) {
+    return 1000 + float((Eigen::Index(number) - 1000 + steps) % scans);
+  };
+  CHECK(later(0, 0) == after(earlier(earlier.rows() - 1, 0), 1));
+  CHECK(later(later.rows() - 1, 0) == after(later(0, 0), later.rows() - 1));
 }
 
 TEST_CASE("a commanded point is played from its first sample after the lead-in", "[hal][replay]") {
