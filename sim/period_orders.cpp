@@ -65,8 +65,7 @@ std::vector<int> sums_of(const Parted& parts, int highest) {
     for (const int order : first) sums.push_back(order + other);
   }
   std::ranges::sort(sums);
-  const auto [from, to] = std::ranges::unique(sums);
-  sums.erase(from, to);
+  sums.erase(std::unique(sums.begin(), sums.end()), sums.end());
   return sums;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "hal/hdf5/global_heap.hpp"
+
 namespace rvbench::hal::hdf5 {
 namespace {
 
@@ -137,7 +139,9 @@ std::vector<std::string> read_texts(const Handle& object, const char* name) {
   }
   const htri_t variable = H5Tis_variable_str(from.type.id());
   check(variable, place);
-  return variable > 0 ? read_variable(from, place) : read_fixed(from, place);
+  if (variable == 0) return read_fixed(from, place);
+  check_global_heaps(object, place);
+  return read_variable(from, place);
 }
 
 std::optional<double> read_number(const Handle& object, const char* name) {

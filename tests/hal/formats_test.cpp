@@ -215,6 +215,16 @@ TEST_CASE("rvbench's own recordings come through the same door", "[hal][formats]
   CHECK(read.value()[0].find("accel_1")->rate_Hz == 4960);
 }
 
+TEST_CASE("a damaged heap of texts in an HDF5 file is refused, not followed", "[hal][formats]") {
+  const std::string corpus = RVBENCH_SOURCE_DIR "/tests/fuzz/corpus/recording/";
+  CHECK(read_recordings(corpus + "tiny.h5"));  // texts of variable length, as h5py writes them
+  const auto read = read_recordings(corpus + "heap_of_texts.h5");
+  REQUIRE_FALSE(read);
+  CHECK_THAT(describe(read.error()), Contains("heap_of_texts.h5: ") &&
+                                         Contains("damaged: a heap of texts at byte ") &&
+                                         Contains("holds more than it has room for"));
+}
+
 TEST_CASE("foreign text is made printable", "[hal][formats]") {
   using formats::printable;
   CHECK(printable("m/s²") == "m/s²");
