@@ -2,17 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <cstring>
 #include <filesystem>
 #include <memory>
+#include <system_error>
 #include <utility>
 
 #include "bench/judging.hpp"
 #include "bench/run_log.hpp"
 #include "bench/run_recordings.hpp"
 #include "bench/run_results.hpp"
+#include "bench/sha256.hpp"
 #include "bench/twin_check.hpp"
 #include "bench/verdict_json.hpp"
-#include "hal/recording_file.hpp"
 #include "hal/service_watchdog.hpp"
 #include "hal/steady_clock.hpp"
 #include "sequences/sequencer.hpp"
@@ -43,21 +45,21 @@ void take_over(const std::filesystem::path& folder, RunFacts& facts) {
   facts.drive_retries = earlier->facts.drive_retries;
   facts.shaft_stopped = earlier->facts.shaft_stopped;
   facts.brake_released = earlier->facts.brake_released;
-  facts.resumed_at_point = earlier->facts.resumed_at_point;
 }
 
 // Runs the sequence into a new recording of the folder.
 Ending record(Acceptance& acceptance, hal::Rig& rig, RunLog& log, std::stop_token stop,
               const RunRecordings& before) {
   const std::filesystem::path file = acceptance.folder / before.next_name();
-  auto writer = hal::RecordingWriter::create(file, layout_of(acceptance, rig));
+  auto writer = acceptance.begin_recording(file, layout_of(acceptance, rig));
   if (!writer) return bench_fault(writer.error());
   const sequences::RunSummary summary = sequences::run_sequence(
       acceptance.plan, rig, *writer.value(), log, std::move(stop), before.next_point());
   const Status closed = writer.value()->close();
   // A later part of a run without a record is no recording to judge; log.jsonl has its events.
   const bool is_first = before.points() == 0;
-  if (!is_first && summary.points.empty() && closed) std::filesystem::remove(file);
+  std::error_code ignored;  // an empty one does no harm
+  if (!is_first && summary.points.empty() && closed) std::filesystem::remove(file, ignored);
   acceptance.facts.duration_s = summary.duration_s;
   acceptance.facts.drive_retries = summary.drive_retries;
   acceptance.facts.shaft_stopped = summary.shaft_stopped;
@@ -75,15 +77,22 @@ Ending measure(Acceptance& acceptance, hal::Rig& rig, RunLog& log, std::stop_tok
   const auto points = static_cast<int>(acceptance.plan.points().size());
   if (first_point >= points) {
     take_over(acceptance.folder, acceptance.facts);
+    acceptance.facts.resumed_at_point = before.value().resumed_at_point();
     log.event(0, "resumed: every point was measured before, nothing is turned");
     return {Outcome::pass, ErrorKind::none, "everything was measured"};
   }
-  if (!log.events().empty()) {
+  // Either may be there alone: a power failure takes the log's last lines.
+  if (!log.events().empty() || before.value().points() > 0) {
     acceptance.facts.resumed_at_point = first_point;
     log.event(0, fmt::format("resumed at point {} of {}; the rig's time starts again",
                              first_point + 1, points));
   }
   return record(acceptance, rig, log, std::move(stop), before.value());
+}
+
+Ending fate_of(const RunLog& log) {
+  if (log.error() == 0) return {Outcome::pass, ErrorKind::none, "every event was logged"};
+  return bench_fault({IoErrc::refused, std::string("log.jsonl: ") + std::strerror(log.error())});
 }
 
 JudgedPoint point_without_samples(const hal::PlannedPoint& planned, int number,
@@ -127,8 +136,15 @@ Ending judge_points(Judgement& judgement, const Acceptance& acceptance, RunRecor
 
 }  // namespace
 
+Result<std::unique_ptr<hal::RecordingWriter>> make_recording(const std::filesystem::path& file,
+                                                             const hal::RecordingLayout& layout) {
+  return hal::RecordingWriter::create(file, layout);
+}
+
 Judgement run_acceptance(Acceptance acceptance, hal::Rig& rig, ProgressBar& bar,
                          std::stop_token stop) {
+  // Those of an earlier part would vouch for files that are about to change.
+  remove_sums(acceptance.folder);
   RunLog log(acceptance.folder / "log.jsonl", bar);
   const analysis::ExamineOptions options{.clip_level = rig.accelerometers->range_m_s2()};
   Ending ending = measure(acceptance, rig, log, stop);
@@ -146,6 +162,7 @@ Judgement run_acceptance(Acceptance acceptance, hal::Rig& rig, ProgressBar& bar,
     bar.show("twin", 0, acceptance.twin);
     log.event(judgement.facts.duration_s, twin_event(acceptance.folder, acceptance.twin));
   }
+  ending = graver(ending, fate_of(log));
   conclude(judgement, acceptance.kinematics, acceptance.plan.limits, ending);
   demand_confirmation(judgement, acceptance.kinematics);
   judgement.facts.events = log.events();

@@ -1,16 +1,27 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <stop_token>
 #include <string>
 
 #include "analysis/kinematics.hpp"
 #include "bench/progress_bar.hpp"
 #include "bench/run_folder.hpp"
+#include "hal/recording_file.hpp"
 #include "hal/rig.hpp"
 #include "sequences/plan.hpp"
 
 namespace rvbench::bench {
+
+/// Begins a recording.
+using RecordingMaker = std::function<Result<std::unique_ptr<hal::RecordingWriter>>(
+    const std::filesystem::path& file, const hal::RecordingLayout& layout)>;
+
+/// As RecordingWriter::create() does.
+Result<std::unique_ptr<hal::RecordingWriter>> make_recording(const std::filesystem::path& file,
+                                                             const hal::RecordingLayout& layout);
 
 /// What one acceptance test works with.
 struct Acceptance {
@@ -20,6 +31,7 @@ struct Acceptance {
   RunFacts facts;                   ///< what is known before the start
   std::string twin = {};            ///< plant that stands for what the rig turns; "" on a simulated
                                     ///< rig, which is its own
+  RecordingMaker begin_recording = make_recording;  ///< another watches what is recorded
 };
 
 /// Measures and records, judges what was recorded, and leaves the run folder complete:
@@ -28,7 +40,10 @@ struct Acceptance {
 /// happens to the bench is in the judgement's ending, and also if the results cannot be written.
 /// How a run that was measured to its end differs from its twin is an event, and changes no ending.
 ///
-/// @throws std::system_error, before anything turns, if log.jsonl cannot be opened
+/// A run that its log or one of these files does not tell ends as an ERROR.
+///
+/// @throws std::system_error, before anything turns, if log.jsonl cannot be opened, or the
+///         SHA256SUMS of an earlier part cannot be removed
 Judgement run_acceptance(Acceptance acceptance, hal::Rig& rig, ProgressBar& bar,
                          std::stop_token stop);
 

@@ -42,6 +42,18 @@ int fill(int fd, const std::string& text) {
   throw std::system_error(error, std::generic_category(), file.string());
 }
 
+void sync_folder_of(const std::filesystem::path& file) {
+  if (const int error = hal::sync_folder(file); error != 0) throw_error(error, file);
+}
+
+// With those above it, each on the disk before the next.
+void make_folders(const std::filesystem::path& folder) {
+  if (folder.empty() || std::filesystem::exists(folder)) return;
+  make_folders(folder.parent_path());
+  std::filesystem::create_directory(folder);
+  sync_folder_of(folder);
+}
+
 }  // namespace
 
 std::string folder_name_of(const std::string& serial) {
@@ -57,13 +69,12 @@ std::string folder_name_of(const std::string& serial) {
 std::filesystem::path create_run_folder(const std::filesystem::path& root,
                                         const std::string& serial, const std::string& utc) {
   const std::filesystem::path parent = root / folder_name_of(serial);
-  std::filesystem::create_directories(parent);
+  make_folders(parent);
   std::filesystem::path folder = parent / utc;
   for (int copy = 2; !std::filesystem::create_directory(folder); ++copy) {
     folder = parent / fmt::format("{}-{}", utc, copy);
   }
-  hal::sync_folder(folder);
-  hal::sync_folder(parent);
+  sync_folder_of(folder);
   return folder;
 }
 
@@ -112,7 +123,7 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
     unlink(draft.c_str());
     throw_error(error, file);
   }
-  hal::sync_folder(file);
+  sync_folder_of(file);
 }
 
 std::optional<std::string> read_file(const std::filesystem::path& file) {

@@ -65,7 +65,9 @@ struct Judgement {
 /// @throws std::invalid_argument if `serial` is empty
 std::string folder_name_of(const std::string& serial);
 
-/// Makes <root>/<folder_name_of(serial)>/<utc>/; a folder that exists is never used again.
+/// Makes <root>/<folder_name_of(serial)>/<utc>/, on the disk when this returns; a folder that
+/// exists is never used again.
+/// @throws std::system_error
 std::filesystem::path create_run_folder(const std::filesystem::path& root,
                                         const std::string& serial, const std::string& utc);
 
@@ -80,8 +82,8 @@ std::optional<std::filesystem::path> newest_unfinished_run(const std::filesystem
 /// "20261121T114559Z"
 std::string utc_now();
 
-/// Replaces the file in one step: after a crash it holds the old text or the new one. If that
-/// fails, nothing new is left behind.
+/// Replaces the file in one step: after a crash it holds the old text or the new one, after this
+/// has returned the new one. If that fails, no draft is left behind.
 /// @throws std::system_error
 void write_file(const std::filesystem::path& file, const std::string& text);
 

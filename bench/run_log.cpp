@@ -1,6 +1,10 @@
 #include "bench/run_log.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -33,10 +37,14 @@ bool ends_within_a_line(const std::filesystem::path& file) {
 }  // namespace
 
 RunLog::RunLog(const std::filesystem::path& file, ProgressBar& bar)
-    : file_(file, std::ios::app), bar_(bar), events_(events_in(file)) {
-  if (!file_) throw std::system_error(errno, std::generic_category(), file.string());
-  if (ends_within_a_line(file)) file_ << '\n';  // a killed run's: the next event needs its own
+    : descriptor_(::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644)),
+      bar_(bar),
+      events_(events_in(file)) {
+  if (descriptor_ < 0) throw std::system_error(errno, std::generic_category(), file.string());
+  if (ends_within_a_line(file)) write("\n");  // a killed run's: the next event needs its own
 }
+
+RunLog::~RunLog() { ::close(descriptor_); }
 
 void RunLog::progress(double done_s, double total_s, const std::string& doing) {
   bar_.show("measure", total_s > 0 ? done_s / total_s : 0, doing);
@@ -45,7 +53,19 @@ void RunLog::progress(double done_s, double total_s, const std::string& doing) {
 void RunLog::event(double time_s, const std::string& text) {
   events_.emplace_back(time_s, text);
   const nlohmann::ordered_json line = {{"utc", utc_now()}, {"time_s", time_s}, {"event", text}};
-  file_ << line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
+  write(line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+}
+
+void RunLog::write(const std::string& text) {
+  for (std::size_t written = 0; written < text.size();) {
+    const ssize_t more = ::write(descriptor_, text.data() + written, text.size() - written);
+    if (more < 0 && errno == EINTR) continue;
+    if (more < 0) {
+      if (error_ == 0) error_ = errno;
+      return;
+    }
+    written += static_cast<std::size_t>(more);
+  }
 }
 
 }  // namespace rvbench::bench

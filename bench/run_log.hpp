@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +17,9 @@ class RunLog final : public sequences::RunObserver {
   /// Appends to the file; what it holds are events of the same run before it was resumed.
   /// @throws std::system_error if it cannot be opened
   RunLog(const std::filesystem::path& file, ProgressBar& bar);
+  ~RunLog() override;
+  RunLog(const RunLog&) = delete;
+  RunLog& operator=(const RunLog&) = delete;
 
   void progress(double done_s, double total_s, const std::string& doing) override;
   void event(double time_s, const std::string& text) override;
@@ -25,8 +27,13 @@ class RunLog final : public sequences::RunObserver {
   /// Of the whole run. The rig's time starts anew with each part of it.
   const std::vector<std::pair<double, std::string>>& events() const { return events_; }
 
+  int error() const { return error_; }  ///< errno of the first line that could not be written, or 0
+
  private:
-  std::ofstream file_;
+  void write(const std::string& text);
+
+  int descriptor_;
+  int error_ = 0;
   ProgressBar& bar_;
   std::vector<std::pair<double, std::string>> events_;
 };

@@ -61,6 +61,7 @@ Result<RunRecordings> RunRecordings::open(const std::filesystem::path& folder) {
     if (!opened) return opened.error();
     run.readers_.push_back(std::move(opened).value());
     const hal::RecordingReader& reader = *run.readers_.back();
+    if (run.readers_.size() > 1) run.resumed_at_point_ = run.next_point_;
     for (const hal::PointResult& result : reader.results()) {
       run.ended_[result.point] = run.readers_.size() - 1;
       run.next_point_ = result.status == "interrupted" ? result.point : result.point + 1;

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,8 @@ class RunRecordings {
   int points() const { return points_; }  ///< planned
   bool has(int point) const { return ended_.contains(point); }
   int next_point() const { return next_point_; }  ///< the one interrupted, or after the last
+  /// The point at which the run was last resumed, if it was.
+  std::optional<int> resumed_at_point() const { return resumed_at_point_; }
   Result<Recording> read(int point);
 
   /// The name that the next recording of the folder gets.
@@ -38,6 +41,7 @@ class RunRecordings {
   std::map<int, std::size_t> ended_;  ///< point → reader
   int points_ = 0;
   int next_point_ = 0;
+  std::optional<int> resumed_at_point_;
 };
 
 }  // namespace rvbench::bench

@@ -1,14 +1,19 @@
 #include "bench/sha256.hpp"
 
+#include <fcntl.h>
 #include <sodium.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <system_error>
 
 #include "bench/run_folder.hpp"
+#include "hal/sync_folder.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -45,6 +50,19 @@ std::vector<std::string> files_of(const std::filesystem::path& folder) {
   }
   std::ranges::sort(names);
   return names;
+}
+
+[[noreturn]] void throw_error(int error, const std::filesystem::path& file) {
+  throw std::system_error(error, std::generic_category(), file.string());
+}
+
+// One that cannot be read gets no sum either.
+void put_on_disk(const std::filesystem::path& file) {
+  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  const int error = fsync(descriptor) == 0 ? 0 : errno;
+  close(descriptor);
+  if (error != 0) throw_error(error, file);
 }
 
 // "<64 hex digits>  <name>" → name and hash; nullopt if the line is something else.
@@ -84,6 +102,7 @@ std::optional<std::string> sha256_of_file(const std::filesystem::path& file) {
 void write_sums(const std::filesystem::path& folder) {
   std::string text;
   for (const std::string& name : files_of(folder)) {
+    put_on_disk(folder / name);
     const std::optional<std::string> sum = sha256_of_file(folder / name);
     if (sum) text += *sum + "  " + name + "\n";
   }
@@ -92,6 +111,12 @@ void write_sums(const std::filesystem::path& folder) {
 
 bool has_sums(const std::filesystem::path& folder) {
   return std::filesystem::exists(folder / sums_name);
+}
+
+void remove_sums(const std::filesystem::path& folder) {
+  const std::filesystem::path sums = folder / sums_name;
+  if (!std::filesystem::remove(sums)) return;
+  if (const int error = hal::sync_folder(sums); error != 0) throw_error(error, sums);
 }
 
 std::vector<std::string> verify_sums(const std::filesystem::path& folder) {

@@ -12,11 +12,16 @@ std::string sha256_of_text(const std::string& text);
 std::optional<std::string> sha256_of_file(
     const std::filesystem::path& file);  ///< nullopt: unreadable
 
-/// Writes SHA256SUMS over every other file of the folder; `sha256sum -c SHA256SUMS` reads it.
+/// Writes SHA256SUMS over every other file of the folder; `sha256sum -c SHA256SUMS` reads it. All
+/// of them are on the disk first: a power failure must not make sums wrong that were right.
+/// @throws std::system_error
 void write_sums(const std::filesystem::path& folder);
 
-/// Whether write_sums() has ever come to its end there.
+/// Whether write_sums() has come to its end there, since remove_sums().
 bool has_sums(const std::filesystem::path& folder);
+
+/// Before a folder's files change. @throws std::system_error
+void remove_sums(const std::filesystem::path& folder);
 
 /// What is wrong with a folder and its SHA256SUMS: "recording.h5: does not match its hash".
 /// Empty if every file listed is there unchanged and none is unlisted.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -39,12 +40,22 @@ struct PointResult {
   double torque_Nm = not_known;
 };
 
+/// How often what was appended is handed on. In real time, also where the rig's is virtual.
+struct RecordingPace {
+  std::chrono::milliseconds flush{100};  ///< to readers that follow the file
+  std::chrono::milliseconds sync{500};   ///< to the disk; half of what may be lost, as a sync
+                                         ///< takes time as well
+};
+
 /// Writes a recording: /points/<nnn>/{acceleration,torque,angle}/data with attributes,
 /// /points/index, /events. HDF5 in SWMR mode; readable by h5py and MATLAB, also while it grows.
 ///
 /// Order    create() → { append*() | note() | end_point() }* → close(); one point at a time, and
 ///          a point that ended takes no more samples
-/// Loss     flushed every 100 ms, fdatasync every second (of real time): samples survive kill -9
+/// Loss     <file>.journal, there until close(), has each block when append() returns, so that
+///          kill -9 costs none; a power failure costs at most 1 s, and no point that ended: when
+///          end_point() returns, the disk has it. repair_recording() makes the file from it
+/// Time     end_point() and close() wait for the disk, the others do not
 /// Errors   IoError with file and place; after the first one nothing more is written.
 ///          @throws std::invalid_argument: a point not within the layout or out of order, another
 ///          number of channels, no points, a rate that is not above 0
@@ -54,7 +65,8 @@ class RecordingWriter {
   /// Without acceleration channels, or with torque_rate_Hz 0, those groups are left out.
   /// An existing file is refused, never overwritten.
   static Result<std::unique_ptr<RecordingWriter>> create(const std::filesystem::path& file,
-                                                         const RecordingLayout& layout);
+                                                         const RecordingLayout& layout,
+                                                         RecordingPace pace = {});
   virtual ~RecordingWriter() = default;
   virtual Status append(int point, const AccelerationBlock& block) = 0;
   virtual Status append(int point, const TorqueBlock& block) = 0;
@@ -63,8 +75,8 @@ class RecordingWriter {
   virtual Status close() = 0;  ///< also done by the destructor, without a report
 };
 
-/// Puts right what a killed writer left behind; no-op on a sound file. Refuses a file that a
-/// living program has open.
+/// Puts right what a killed writer or a power failure left behind, from the journal if there is
+/// one; no-op on a sound file. Refuses a file that a living program is writing.
 Status repair_recording(const std::filesystem::path& file);
 
 /// Reads a recording made by RecordingWriter, point by point; also one that is being written, as

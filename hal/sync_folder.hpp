@@ -4,8 +4,11 @@
 
 namespace rvbench::hal {
 
-/// Puts the folder that `file` is in on the disk: a new or renamed file survives a power failure
-/// only then. Best effort: a folder that cannot be opened is left as it is.
-void sync_folder(const std::filesystem::path& file);
+/// Puts the folder that `file` is in on the disk: a file that is new, renamed or removed stays so
+/// through a power failure only then.
+///
+/// @return 0, or errno. A folder that may not be read, or whose file system does not sync folders,
+///         is left as it is
+int sync_folder(const std::filesystem::path& file) noexcept;
 
 }  // namespace rvbench::hal

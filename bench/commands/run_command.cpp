@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <array>
-#include <filesystem>
 #include <system_error>
 #include <utility>
 
@@ -16,7 +14,7 @@
 #include "bench/result_database.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/rig_file.hpp"
-#include "bench/run_lock.hpp"
+#include "bench/run_start.hpp"
 #include "bench/software_version.hpp"
 #include "bench/stop_on_signal.hpp"
 #include "bench/summary.hpp"
@@ -73,8 +71,7 @@ class RunCommand final : public Command {
   bool dry_run_ = false;
   bool resume_ = false;
   bool json_ = false;
-  std::filesystem::path folder_;
-  std::optional<RunLock> lock_;  // of folder_, until the command ends
+  RunPlace place_;  // locked until the command ends
 };
 
 int RunCommand::run(Console& console) {
@@ -101,33 +98,16 @@ RigOptions RunCommand::rig_options() const {
 
 // A new run folder with the resolved plan, rig and machine, or the one to go on with.
 int RunCommand::prepare_folder(Console& console, const sequences::TestPlan& plan) {
-  // The plan comes last: a folder without is none to resume.
-  const std::array<std::pair<const char*, std::string>, 3> resolved{
-      {{"rig.json", rig_to_json(rig_, rig_options())},
-       {"kinematics.json", kinematics_text(plan.specimen.kinematics)},
-       {"plan.json", sequences::plan_to_json(plan)}}};
+  const ResolvedFiles resolved{{"rig.json", rig_to_json(rig_, rig_options())},
+                               {"kinematics.json", kinematics_text(plan.specimen.kinematics)},
+                               {"plan.json", sequences::plan_to_json(plan)}};
   if (!resume_) {
-    folder_ = create_run_folder(out_, serial_, utc_now());
-    lock_ = RunLock::take(folder_);
-    for (const auto& [name, text] : resolved) write_file(folder_ / name, text);
+    place_ = begin_run(out_, serial_, resolved);
     return exit_codes::done;
   }
-  const auto newest = newest_unfinished_run(out_, serial_);
-  if (newest) lock_ = RunLock::take(*newest);
-  if (newest && !lock_) {
-    return refuse_usage(console, "run: another rvbench is at work in " + newest->string() +
-                                     ": wait for its end, or stop it");
-  }
-  // Asked again: it may have come to its end just before the lock was free.
-  if (!newest || newest_unfinished_run(out_, serial_) != newest) {
-    return refuse_usage(console, "run: " + serial_ + " has no unfinished run to resume");
-  }
-  folder_ = *newest;
-  for (const auto& [name, text] : resolved) {
-    if (read_file(folder_ / name) == text) continue;
-    return refuse_usage(console, "run: " + (folder_ / name).string() +
-                                     " says something else; resume with what it says");
-  }
+  auto found = resume_run(out_, serial_, resolved);
+  if (found.index() == 1) return refuse_usage(console, "run: " + std::get<1>(found));
+  place_ = std::get<0>(std::move(found));
   return exit_codes::done;
 }
 
@@ -165,14 +145,14 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
   ProgressBar bar(console, progress_style(console, json_));
   const RigFile file = std::get<0>(read_rig(rig_, rig_options()));  // make_rig() could read it
   const Judgement judgement =
-      run_acceptance({plan, kinematics, folder_, facts(plan, file), twin_of(file)},
+      run_acceptance({plan, kinematics, place_.folder, facts(plan, file), twin_of(file)},
                      std::get<0>(rig), bar, signals.token());
   print_unwritten(console, judgement);
   enter_result(console, judgement);
   if (json_) {
     console.out << judgement_to_json(judgement);
   } else {
-    print_summary(console, judgement, kinematics, folder_);
+    print_summary(console, judgement, kinematics, place_.folder);
   }
   return exit_code(judgement.ending);
 }

@@ -1,32 +1,19 @@
 #include "hal/hdf5/disk_sync.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
-
-#include "hal/sync_folder.hpp"
 
 namespace rvbench::hal::hdf5 {
 
-DiskSync::DiskSync(const std::filesystem::path& file)
-    : descriptor_(::open(file.c_str(), O_RDONLY | O_CLOEXEC)) {
-  if (descriptor_ < 0) {
-    error_ = errno;
-    return;
-  }
-  ::flock(descriptor_, LOCK_SH | LOCK_NB);
-  sync_folder(file);
-  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
-}
+DiskSync::DiskSync(int descriptor, std::chrono::milliseconds interval)
+    : descriptor_(descriptor),
+      interval_(interval),
+      thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
 DiskSync::~DiskSync() {
-  if (descriptor_ < 0) return;
   thread_.request_stop();
   thread_.join();
-  ::close(descriptor_);
 }
 
 void DiskSync::sync() noexcept {
@@ -36,9 +23,11 @@ void DiskSync::sync() noexcept {
 
 void DiskSync::run(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
-  while (!wake_.wait_for(lock, stop, std::chrono::seconds(1), [] { return false; })) {
-    if (stop.stop_requested()) return;
+  while (!stop.stop_requested()) {
+    // From begin to begin: a slow disk is not given the interval on top.
+    const auto due = std::chrono::steady_clock::now() + interval_;
     sync();
+    wake_.wait_until(lock, stop, due, [] { return false; });
   }
 }
 

@@ -7,30 +7,43 @@
 #include <cstring>
 
 #include "hal/hdf5/hdf5_handle.hpp"
+#include "hal/hdf5/hdf5_writer.hpp"
+#include "hal/hdf5/journal.hpp"
 #include "hal/hdf5/superblock.hpp"
 #include "hal/recording_file.hpp"
+#include "hal/sync_folder.hpp"
 
 namespace rvbench::hal {
 namespace {
 
 using namespace hdf5;
 
-void refuse_if_in_use(const std::filesystem::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) throw FileFailure(IoErrc::refused, std::strerror(errno));
-  const bool busy = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-  ::close(descriptor);
-  if (busy) throw FileFailure(IoErrc::refused, "in use by another program: not repaired");
-}
+// Keeps others from repairing the same file, and refuses one that somebody is writing.
+class RepairLock {
+ public:
+  explicit RepairLock(const std::filesystem::path& path)
+      : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+    if (descriptor_ < 0) throw FileFailure(IoErrc::refused, std::strerror(errno));
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+    ::close(descriptor_);
+    throw FileFailure(IoErrc::refused, "in use by another program: not repaired");
+  }
+  ~RepairLock() { ::close(descriptor_); }
+  RepairLock(const RepairLock&) = delete;
+  RepairLock& operator=(const RepairLock&) = delete;
+
+ private:
+  int descriptor_;
+};
 
 bool opens(const std::filesystem::path& path) {
   const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   return static_cast<bool>(file);
 }
 
-// Clears the mark of the dead writer and sets the file's recorded end to its real one. Clearing
-// the mark alone (h5clear -s) would make an SWMR file unreadable for good: its recorded end is
-// as old as the file's creation.
+// Without a journal: clears the mark of the dead writer and sets the file's recorded end to its
+// real one. Clearing the mark alone (h5clear -s) would make an SWMR file unreadable for good: its
+// recorded end is as old as the file's creation.
 void put_right(const std::filesystem::path& path) {
   const Handle access = file_access();
   const hbool_t yes = 1;
@@ -42,12 +55,53 @@ void put_right(const std::filesystem::path& path) {
   if (!file.close()) check(-1, "repair");
 }
 
+void sync_folder_of(const std::filesystem::path& file) {
+  if (const int error = sync_folder(file); error != 0) {
+    throw FileFailure(IoErrc::refused, std::string("fsync of the folder: ") + std::strerror(error));
+  }
+}
+
+// Takes the place of the file that was being written when its writer died. In this order: at every
+// moment either the journal is there, or the file made from it is on the disk.
+// @return whether the journal held a recording
+bool make_anew(const std::filesystem::path& file, const std::filesystem::path& journal) {
+  const std::filesystem::path draft = file.string() + ".draft";
+  std::error_code none_there;
+  std::filesystem::remove(draft, none_there);
+  const auto begin = [&](const RecordingLayout& layout) {
+    return make_hdf5_writer(draft, layout, std::chrono::hours(1));
+  };
+  const std::unique_ptr<RecordingWriter> writer = replay_journal(journal, begin);
+  if (writer == nullptr) return false;
+  if (const Status closed = writer->close(); !closed) {
+    throw FileFailure(closed.error().code, closed.error().where);
+  }
+  put_on_disk(draft);
+  std::error_code error;
+  std::filesystem::rename(draft, file, error);
+  if (error) throw FileFailure(IoErrc::refused, "rename: " + error.message());
+  sync_folder_of(file);
+  return true;
+}
+
+void repair_from_journal(const std::filesystem::path& file) {
+  const std::filesystem::path journal = journal_of(file);
+  const RepairLock lock(journal);
+  if (!make_anew(file, journal) && is_marked_open(file)) put_right(file);
+  std::error_code error;
+  std::filesystem::remove(journal, error);
+  if (error) throw FileFailure(IoErrc::refused, "journal: remove: " + error.message());
+  sync_folder_of(file);
+}
+
 }  // namespace
 
 Status repair_recording(const std::filesystem::path& file) {
   return guarded(file, [&]() -> Status {
-    if (is_marked_open(file)) {
-      refuse_if_in_use(file);
+    if (std::filesystem::exists(journal_of(file))) {
+      repair_from_journal(file);
+    } else if (is_marked_open(file)) {
+      const RepairLock lock(file);
       put_right(file);
     }
     if (!opens(file)) check(-1, "open");

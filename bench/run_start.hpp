@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "bench/run_lock.hpp"
+
+namespace rvbench::bench {
+
+/// A run folder to work in, with its lock.
+struct RunPlace {
+  std::filesystem::path folder;
+  std::optional<RunLock> lock;
+};
+
+/// Names and texts of the files that say what is run: rig.json, kinematics.json, plan.json.
+using ResolvedFiles = std::vector<std::pair<std::string, std::string>>;
+
+/// Makes a new run folder that holds these files. plan.json must come last: a folder without is
+/// none to resume.
+/// @throws std::system_error
+RunPlace begin_run(const std::filesystem::path& root, const std::string& serial,
+                   const ResolvedFiles& resolved);
+
+/// The newest unfinished run of that serial, or why it cannot be resumed: there is none, another
+/// process works in it, or it was begun with other files than these.
+/// @throws std::system_error
+std::variant<RunPlace, std::string> resume_run(const std::filesystem::path& root,
+                                               const std::string& serial,
+                                               const ResolvedFiles& resolved);
+
+}  // namespace rvbench::bench
