@@ -117,6 +117,7 @@ Status JournaledWriter::close() {
   if (is_closed_ && !failure_) return Done{};
   const Status status = keep([&] { return file_->close(); },
                              [&] {
+                               journal_.check_disk();
                                put_on_disk(path_);
                                journal_.remove();
                              });

@@ -1,0 +1,194 @@
+#include "tests/survival/crashes.hpp"
+
+#include <fmt/format.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <random>
+#include <stdexcept>
+
+#include "bench/run_folder.hpp"
+#include "tests/support/program.hpp"
+#include "tests/survival/power_cut.hpp"
+#include "tests/survival/writing_process.hpp"
+
+namespace rvbench::test {
+namespace {
+
+constexpr double recorded_pace = 2;
+
+// A disk of its own, with what was heard of the processes that wrote to it.
+class Disk {
+ public:
+  explicit Disk(const std::filesystem::path& scratch) : scratch_(scratch) {
+    std::filesystem::create_directory(root());
+  }
+
+  std::filesystem::path root() const { return scratch_ / "disk"; }
+  std::filesystem::path runs() const { return root() / "runs"; }
+
+  /// @return the entries of its record
+  std::vector<DiskEntry> run(WritingProcess process) {
+    process.disk.root = root();
+    process.disk.record = scratch_ / fmt::format("record-{}", ++processes_);
+    process.runs = runs();
+    const Answer answer = Program(scratch_, words_of(process)).wait();
+    was_killed_ = answer.code == -SIGKILL;
+    if (!was_killed_ && answer.code != 0) {
+      throw std::runtime_error(fmt::format("survival: exit {}: {}", answer.code, answer.err));
+    }
+    std::vector<DiskEntry> entries = read_entries(process.disk.record);
+    witness_ = heard(witness_, entries);
+    return entries;
+  }
+
+  bool was_killed() const { return was_killed_; }  ///< the last process
+  const Witness& witness() const { return witness_; }
+  bool offers_resume() const {
+    return bench::newest_unfinished_run(runs(), small_run_serial).has_value();
+  }
+
+ private:
+  std::filesystem::path scratch_;
+  int processes_ = 0;
+  bool was_killed_ = false;
+  Witness witness_;
+};
+
+// Small intervals: many states of the disk within a run that takes no time.
+WritingProcess quick(bool resume) {
+  WritingProcess process;
+  process.run.resume = resume;
+  process.run.recording = {std::chrono::milliseconds(2), std::chrono::milliseconds(3)};
+  return process;
+}
+
+long call_at(double share, long calls) {
+  return std::clamp(std::lround(share * static_cast<double>(calls)), 1L, calls);
+}
+
+void kill_somewhere(Disk& disk, long call) {
+  WritingProcess first = quick(false);
+  first.disk.kill_at = call;
+  disk.run(first);
+}
+
+// Puts `strike` upon a run, or upon its resumed half; earlier where it came too late.
+// @param struck  whether it came
+template <typename Struck>
+Crash strike_run(const RunLengths& lengths, double share, int number, WritingProcess strike,
+                 long DiskPlan::*at, Struck&& struck) {
+  std::mt19937_64 random(static_cast<std::uint64_t>(number));
+  const bool resume = number % 3 == 2;
+  for (double part = share;; part *= 0.9) {
+    const ScratchFolder scratch;
+    Disk disk(scratch.path());
+    if (resume) {
+      const double first = std::uniform_real_distribution<double>(0.1, 0.95)(random);
+      kill_somewhere(disk, call_at(first, lengths.whole));
+      if (!disk.was_killed() || !disk.offers_resume()) continue;
+    }
+    strike.run.resume = resume;
+    strike.disk.*at = call_at(part, resume ? lengths.resumed : lengths.whole);
+    disk.run(strike);
+    if (!struck(disk)) continue;
+    const Witness& witness = disk.witness();
+    return {fmt::format("call {} of a {} run, case {}", strike.disk.*at, resume ? "resumed" : "new",
+                        number),
+            examine_aftermath(disk.runs(), witness, disk.was_killed() ? witness.killed_ns : 0)};
+  }
+}
+
+// The run must have ended as an ERROR that names the place, with the shaft at rest.
+void check_ending(const Witness& witness, const DiskPlan& plan, Aftermath& found) {
+  const std::string told = witness.verdict.value_or("ERROR " + witness.refusal);
+  const auto blame = [&](const std::string& what) { found.violations.push_back(what + told); };
+  if (!told.starts_with("ERROR")) blame("a call failed, and it ends ");
+  if (told.find(std::strerror(plan.error)) == std::string::npos) {
+    blame(fmt::format("it does not say \"{}\": ", std::strerror(plan.error)));
+  }
+  std::filesystem::path place = std::filesystem::path(witness.struck).filename();
+  while (place.extension() == ".draft" || place.extension() == ".journal") {
+    place.replace_extension();
+  }
+  // Of a folder that is synced the file is named for whose sake; later failures have other names.
+  const bool is_named = !place.has_extension() || plan.fail_ever_after ||
+                        told.find(place.string()) != std::string::npos;
+  if (!is_named) blame("it does not name " + place.string() + ": ");
+  if (witness.verdict && !witness.at_rest) blame("the shaft is not at rest: ");
+}
+
+}  // namespace
+
+RunLengths measure_lengths() {
+  const ScratchFolder first, second;
+  Disk whole(first.path());
+  whole.run(quick(false));
+  Disk half(second.path());
+  kill_somewhere(half, whole.witness().calls / 2);
+  half.run(quick(true));
+  return {whole.witness().calls, half.witness().calls};
+}
+
+Crash kill_run(const RunLengths& lengths, double share, int number) {
+  WritingProcess strike = quick(false);
+  strike.disk.kill_halfway = number % 2 == 1;
+  Crash crash = strike_run(lengths, share, number, strike, &DiskPlan::kill_at,
+                           [](const Disk& disk) { return disk.was_killed(); });
+  crash.what = "killed at " + crash.what;
+  return crash;
+}
+
+Crash fail_run(const RunLengths& lengths, double share, int number) {
+  WritingProcess strike = quick(false);
+  strike.disk.error = number % 2 == 0 ? ENOSPC : EIO;
+  strike.disk.fail_ever_after = number / 2 % 2 == 0;
+  Witness witness;
+  Crash crash =
+      strike_run(lengths, share, number, strike, &DiskPlan::fail_at, [&witness](const Disk& disk) {
+        witness = disk.witness();
+        return !witness.struck.empty();
+      });
+  check_ending(witness, strike.disk, crash.aftermath);
+  crash.what = fmt::format("{}{} at {}", std::strerror(strike.disk.error),
+                           strike.disk.fail_ever_after ? " for ever" : "", crash.what);
+  return crash;
+}
+
+RecordedRun::RecordedRun(const RunLengths& lengths, bool resume) : resume_(resume) {
+  Disk disk(scratch_.path());
+  if (resume) kill_somewhere(disk, lengths.whole / 2);
+  before_ = disk.witness();
+  std::filesystem::copy(disk.root(), scratch_ / "before", std::filesystem::copy_options::recursive);
+  WritingProcess process;
+  process.run.resume = resume;
+  process.run.pace = recorded_pace;
+  process.disk.with_calls = true;
+  entries_ = disk.run(process);
+}
+
+Crash RecordedRun::cut(std::uint64_t seed) const {
+  std::mt19937_64 random(seed);
+  const auto last = static_cast<std::size_t>(entries_.size() - 1);
+  std::size_t moment = 1 + random() % last;
+  std::int64_t end_ns = entries_[moment].time_ns;
+  if (random() % 2 == 0) {  // by time, not by number
+    const std::int64_t begin_ns = entries_.front().time_ns;
+    end_ns =
+        begin_ns + static_cast<std::int64_t>(
+                       random() % static_cast<std::uint64_t>(entries_.back().time_ns - begin_ns));
+    const auto next = std::ranges::upper_bound(entries_, end_ns, {}, &DiskEntry::time_ns);
+    moment = static_cast<std::size_t>(next - entries_.begin());
+  }
+  const std::vector<DiskEntry> told(entries_.begin(), entries_.begin() + std::ptrdiff_t(moment));
+  const ScratchFolder after;
+  PowerCut(scratch_ / "disk", scratch_ / "before", entries_).make(after.path(), moment, seed);
+  return {fmt::format("power cut before entry {} of a {} run, seed {}", moment,
+                      resume_ ? "resumed" : "new", seed),
+          examine_aftermath(after / "runs", heard(before_, told), end_ns)};
+}
+
+}  // namespace rvbench::test

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/support/scratch_folder.hpp"
+#include "tests/survival/aftermath.hpp"
+#include "tests/survival/disk_record.hpp"
+
+namespace rvbench::test {
+
+/// Calls that change something on the disk in a small run, and in the second half of one that was
+/// resumed.
+struct RunLengths {
+  long whole = 0;
+  long resumed = 0;
+};
+
+RunLengths measure_lengths();
+
+/// One crash of one run.
+struct Crash {
+  std::string what;  ///< "kill at call 17 of a resumed run, seed 4"
+  Aftermath aftermath;
+};
+
+/// kill -9 in place of a call, or halfway through it; every third is of a resumed run.
+/// @param share  of the run's calls that came before, 0 to 1
+Crash kill_run(const RunLengths& lengths, double share, int number);
+
+/// A call fails for want of space, or with an I/O error; once, or from then on.
+Crash fail_run(const RunLengths& lengths, double share, int number);
+
+/// A run at the pace of a real one, whose power can be cut at any moment.
+class RecordedRun {
+ public:
+  /// @param resume  its second half, after a kill
+  RecordedRun(const RunLengths& lengths, bool resume);
+  Crash cut(std::uint64_t seed) const;
+
+ private:
+  ScratchFolder scratch_;
+  bool resume_;
+  Witness before_;
+  std::vector<DiskEntry> entries_;
+};
+
+}  // namespace rvbench::test

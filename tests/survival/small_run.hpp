@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "bench/run_folder.hpp"
+#include "hal/recording_file.hpp"
+
+namespace rvbench::test {
+
+inline constexpr const char* small_run_serial = "S1";
+
+/// How a small run is made.
+struct SmallRunOptions {
+  bool resume = false;
+  bool witnessed = false;  ///< what it promises goes to tell(), see Witness
+  double pace = 0;         ///< seconds of the rig's time in a real one; 0: as fast as can be
+  hal::RecordingPace recording = {};
+};
+
+struct SmallRunEnd {
+  bench::Judgement judgement;
+  std::filesystem::path folder;
+  bool at_rest = false;  ///< by the shaft itself, seconds after the end
+};
+
+/// An acceptance test of three points on the mirror rig, whose housing hums with its shaft and
+/// teeth: a unit that passes. By the steps of `rvbench run`, into `root`/S1/<time>/.
+/// @return nothing if there was no run to resume
+/// @throws std::system_error if there could be no run folder
+std::optional<SmallRunEnd> make_small_run(const std::filesystem::path& root,
+                                          const SmallRunOptions& options);
+
+inline constexpr int small_run_points = 3;
+
+}  // namespace rvbench::test

@@ -1,0 +1,51 @@
+#include "tests/survival/witness.hpp"
+
+#include <sstream>
+
+namespace rvbench::test {
+namespace {
+
+Handed handed_of(std::istream& words, std::int64_t time_ns) {
+  Handed handed;
+  char clock = 'a';
+  words >> handed.point >> clock >> handed.sum.count >> handed.sum.sum;
+  handed.time_ns = time_ns;
+  handed.is_torque = clock == 't';
+  return handed;
+}
+
+}  // namespace
+
+void Witness::hear(const DiskEntry& entry) {
+  std::istringstream words(entry.path);
+  std::string what;
+  words >> what >> std::ws;
+  if (what == "made") made = true;
+  if (what == "begun") {
+    words >> recording;
+    handed.clear();
+  }
+  if (what == "handed") handed.push_back(handed_of(words, entry.time_ns));
+  if (what == "ended") {
+    int point = 0;
+    Ended end;
+    words >> point >> end.accelerations.count >> end.accelerations.sum >> end.torques.count >>
+        end.torques.sum >> end.status;
+    ended[point] = end;
+  }
+  if (what == "verdict") std::getline(words, verdict.emplace());
+  if (what == "refused") std::getline(words, refusal);
+  if (what == "at_rest") at_rest = true;
+  if (what == "struck") words >> struck;
+  if (what == "calls") words >> calls;
+  if (what == "killed") killed_ns = entry.time_ns;
+}
+
+Witness heard(Witness before, const std::vector<DiskEntry>& entries) {
+  for (const DiskEntry& entry : entries) {
+    if (entry.kind == DiskEntry::Kind::told) before.hear(entry);
+  }
+  return before;
+}
+
+}  // namespace rvbench::test
