@@ -43,8 +43,8 @@ struct PointResult {
 /// How often what was appended is handed on. In real time, also where the rig's is virtual.
 struct RecordingPace {
   std::chrono::milliseconds flush{100};  ///< to readers that follow the file
-  std::chrono::milliseconds sync{500};   ///< to the disk; half of what may be lost, as a sync
-                                         ///< takes time as well
+  std::chrono::milliseconds sync{250};   ///< to the disk; of the second that a power failure may
+                                         ///< cost, the rest is for the sync itself
 };
 
 /// Writes a recording: /points/<nnn>/{acceleration,torque,angle}/data with attributes,

