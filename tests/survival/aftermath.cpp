@@ -18,30 +18,33 @@ class Examiner {
       : root_(root), witness_(witness), end_ns_(end_ns) {}
 
   Aftermath examine() {
-    const std::filesystem::path folder = newest_folder();
-    if (folder.empty()) {
-      if (witness_.made) lose("the run folder is gone");
-      return std::move(found_);
+    try {
+      look();
+    } catch (const std::exception& error) {
+      blame(std::string("threw: ") + error.what());
     }
-    if (bench::is_finished(folder)) {
-      check_finished(folder);
-      return std::move(found_);
-    }
-    if (witness_.verdict.value_or("").starts_with("PASS"))
-      lose("the verdict is gone: " + *witness_.verdict);
-    if (bench::newest_unfinished_run(root_, small_run_serial) != folder) {
-      if (witness_.made) {
-        found_.resume_offered = false;
-        blame("resume is not offered");
-      }
-      return std::move(found_);
-    }
-    const int next_point = check_recordings(folder);
-    if (found_.opens) check_resumed(next_point);
     return std::move(found_);
   }
 
  private:
+  void look() {
+    const std::filesystem::path folder = newest_folder();
+    if (folder.empty()) {
+      if (witness_.made) lose("the run folder is gone");
+      return;
+    }
+    if (bench::is_finished(folder)) return check_finished(folder);
+    if (witness_.verdict.value_or("").starts_with("PASS"))
+      lose("the verdict is gone: " + *witness_.verdict);
+    if (bench::newest_unfinished_run(root_, small_run_serial) != folder) {
+      if (!witness_.made) return;
+      found_.resume_offered = false;
+      return blame("resume is not offered");
+    }
+    const int next_point = check_recordings(folder);
+    if (found_.opens) check_resumed(next_point);
+  }
+
   void blame(const std::string& what) { found_.violations.push_back(what); }
   void lose(const std::string& what) {
     ++found_.acknowledged_lost;

@@ -18,6 +18,10 @@ struct Aftermath {
   std::vector<std::string> violations;  ///< of all kinds, in words
 };
 
+/// What of the care that is taken a campaign does without: it must then find violations, or it does
+/// not look at what that is for.
+enum class Without { nothing, journal, syncs };
+
 /// @param end_ns  when the crash came
 Aftermath examine_aftermath(const std::filesystem::path& root, const Witness& witness,
                             std::int64_t end_ns);

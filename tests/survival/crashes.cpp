@@ -121,6 +121,14 @@ void check_ending(const Witness& witness, const DiskPlan& plan, Aftermath& found
   if (witness.verdict && !witness.at_rest) blame("the shaft is not at rest: ");
 }
 
+void remove_journals(const std::filesystem::path& root) {
+  std::vector<std::filesystem::path> journals;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
+    if (entry.path().extension() == ".journal") journals.push_back(entry.path());
+  }
+  for (const auto& journal : journals) std::filesystem::remove(journal);
+}
+
 }  // namespace
 
 RunLengths measure_lengths() {
@@ -170,7 +178,7 @@ RecordedRun::RecordedRun(const RunLengths& lengths, bool resume) : resume_(resum
   entries_ = disk.run(process);
 }
 
-Crash RecordedRun::cut(std::uint64_t seed) const {
+Crash RecordedRun::cut(std::uint64_t seed, Without without) const {
   std::mt19937_64 random(seed);
   const auto last = static_cast<std::size_t>(entries_.size() - 1);
   std::size_t moment = 1 + random() % last;
@@ -185,7 +193,9 @@ Crash RecordedRun::cut(std::uint64_t seed) const {
   }
   const std::vector<DiskEntry> told(entries_.begin(), entries_.begin() + std::ptrdiff_t(moment));
   const ScratchFolder after;
-  PowerCut(scratch_ / "disk", scratch_ / "before", entries_).make(after.path(), moment, seed);
+  const PowerCut cut(scratch_ / "disk", scratch_ / "before", entries_, without != Without::syncs);
+  cut.make(after.path(), moment, seed);
+  if (without == Without::journal) remove_journals(after.path());
   return {fmt::format("power cut before entry {} of a {} run, seed {}", moment,
                       resume_ ? "resumed" : "new", seed),
           examine_aftermath(after / "runs", heard(before_, told), end_ns)};

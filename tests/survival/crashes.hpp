@@ -38,7 +38,7 @@ class RecordedRun {
  public:
   /// @param resume  its second half, after a kill
   RecordedRun(const RunLengths& lengths, bool resume);
-  Crash cut(std::uint64_t seed) const;
+  Crash cut(std::uint64_t seed, Without without = Without::nothing) const;
 
  private:
   ScratchFolder scratch_;

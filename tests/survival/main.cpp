@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <sstream>
 
@@ -16,12 +17,17 @@ using namespace rvbench;
 
 constexpr int cuts_per_run = 125;  // of one recorded run
 
+const std::map<std::string, test::Without> without_named{{"nothing", test::Without::nothing},
+                                                         {"journal", test::Without::journal},
+                                                         {"syncs", test::Without::syncs}};
+
 struct Options {
   int kills = 100;
   int cuts = 100;
   int faults = 40;
   int jobs = 4;  // much of the time they wait for the disk, or for the pace of a run
   std::uint64_t seed = 1;
+  std::string without = "nothing";
   int job = -1;  // of a worker
   test::RunLengths lengths;
 };
@@ -52,7 +58,8 @@ int work(const Options& options) {
     if (done % (2 * cuts_per_run) < 2) {
       run = std::make_unique<test::RecordedRun>(options.lengths, done % 2 == 1);
     }
-    print("cut", run->cut(options.seed * 1'000'000 + static_cast<std::uint64_t>(n)));
+    print("cut", run->cut(options.seed * 1'000'000 + static_cast<std::uint64_t>(n),
+                          without_named.at(options.without)));
   }
   return 0;
 }
@@ -88,22 +95,20 @@ struct Totals {
 };
 
 std::vector<std::string> worker_words(const Options& options, int job) {
-  return {std::filesystem::read_symlink("/proc/self/exe"),
-          "--kills",
-          fmt::to_string(options.kills),
-          "--cuts",
-          fmt::to_string(options.cuts),
-          "--faults",
-          fmt::to_string(options.faults),
-          "--jobs",
-          fmt::to_string(options.jobs),
-          "--seed",
-          fmt::to_string(options.seed),
-          "--job",
-          fmt::to_string(job),
-          "--calls",
-          fmt::to_string(options.lengths.whole),
-          fmt::to_string(options.lengths.resumed)};
+  std::vector<std::string> words{std::filesystem::read_symlink("/proc/self/exe")};
+  const auto add = [&words](const char* name, auto value) {
+    words.insert(words.end(), {name, fmt::to_string(value)});
+  };
+  add("--kills", options.kills);
+  add("--cuts", options.cuts);
+  add("--faults", options.faults);
+  add("--jobs", options.jobs);
+  add("--seed", options.seed);
+  add("--without", options.without);
+  add("--job", job);
+  add("--calls", options.lengths.whole);
+  words.push_back(fmt::to_string(options.lengths.resumed));
+  return words;
 }
 
 int report(const Options& options, const Totals& totals, double took_s) {
@@ -162,6 +167,8 @@ int main(int argc, char** argv) {
   app.add_option("--faults", options.faults, "full disks and I/O errors");
   app.add_option("--seed", options.seed, "of all that is drawn");
   app.add_option("--jobs", options.jobs, "processes side by side")->check(CLI::Range(1, 64));
+  app.add_option("--without", options.without, "what power cuts find missing: journal, syncs")
+      ->check(CLI::IsMember(without_named));
   app.add_option("--job", options.job)->group("");
   app.add_option("--calls", calls)->expected(2)->group("");
   CLI11_PARSE(app, argc, argv);

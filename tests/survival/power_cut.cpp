@@ -25,8 +25,8 @@ std::string bytes_in(const std::filesystem::path& file) {
 }  // namespace
 
 PowerCut::PowerCut(std::filesystem::path root, const std::filesystem::path& before,
-                   const std::vector<DiskEntry>& entries)
-    : root_(std::move(root)), entries_(entries) {
+                   const std::vector<DiskEntry>& entries, bool syncs)
+    : root_(std::move(root)), entries_(entries), syncs_(syncs) {
   now_[""] = add_file("", true);
   take_before(before);
   at_begin_ = now_;
@@ -88,6 +88,7 @@ void PowerCut::take_entry(std::size_t index) {
 // All that was done to it before that entry is on the disk at `moment`.
 std::size_t PowerCut::kept_until(const File& file, std::size_t moment) const {
   std::size_t kept = 0;
+  if (!syncs_ && !file.is_folder) return kept;
   for (const std::size_t sync : file.syncs) {
     if (sync < moment) kept = std::max(kept, static_cast<std::size_t>(entries_[sync].began));
   }

@@ -27,8 +27,9 @@ namespace rvbench::test {
 class PowerCut {
  public:
   /// @param before  what was below `root` when the process began, all of it on the disk
+  /// @param syncs   false: as if no file had ever been synced
   PowerCut(std::filesystem::path root, const std::filesystem::path& before,
-           const std::vector<DiskEntry>& entries);
+           const std::vector<DiskEntry>& entries, bool syncs);
 
   /// Makes the state after a cut right before entry `moment` below `to`, which is empty.
   void make(const std::filesystem::path& to, std::size_t moment, std::uint64_t seed) const;
@@ -61,6 +62,7 @@ class PowerCut {
 
   std::filesystem::path root_;
   const std::vector<DiskEntry>& entries_;
+  bool syncs_;
   std::vector<File> files_;
   Names at_begin_;
   Names now_;                          ///< while entries are taken
