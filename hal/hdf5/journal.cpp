@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <stdexcept>
 
 #include "hal/hdf5/hdf5_handle.hpp"
 #include "hal/hdf5/journal_record.hpp"
@@ -63,7 +64,7 @@ void demand(const Status& status) {
   if (!status) throw FileFailure(status.error().code, status.error().where);
 }
 
-void do_again(const JournalRecord& record, RecordingWriter& writer) {
+void write_again(const JournalRecord& record, RecordingWriter& writer) {
   if (const auto* step = std::get_if<AccelerationStep>(&record)) {
     demand(writer.append(step->point, step->block));
   } else if (const auto* torque = std::get_if<TorqueStep>(&record)) {
@@ -72,6 +73,14 @@ void do_again(const JournalRecord& record, RecordingWriter& writer) {
     demand(writer.end_point(*result));
   } else if (const auto* note = std::get_if<NoteStep>(&record)) {
     demand(writer.note(note->time_s, note->event));
+  }
+}
+
+void do_again(const JournalRecord& record, RecordingWriter& writer) {
+  try {
+    write_again(record, writer);
+  } catch (const std::invalid_argument& error) {  // here it is the file that is wrong
+    throw FileFailure(IoErrc::bad_reply, std::string("journal: ") + error.what());
   }
 }
 

@@ -1,0 +1,146 @@
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <iterator>
+
+#include "tests/hal/recording_fixture.hpp"
+
+namespace rvbench::hal {
+namespace {
+
+using test::acceleration_block;
+using test::ScratchFolder;
+using test::torque_block;
+
+constexpr int scans = 60;
+constexpr int blocks = 4;
+
+std::string bytes_in(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void put_bytes(const std::filesystem::path& file, const std::string& bytes) {
+  std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
+}
+
+struct Left {
+  std::string file, journal;
+};
+
+// What a writer of three points leaves that dies within the second.
+Left left_behind() {
+  const ScratchFolder scratch;
+  const auto made = RecordingWriter::create(scratch / "r.h5", test::layout_of(3, 2));
+  REQUIRE(made);
+  RecordingWriter& writer = *made.value();
+  REQUIRE(writer.note(0.5, "°C"));
+  for (int point = 0; point < 2; ++point) {
+    for (int block = 0; block < blocks; ++block) {
+      REQUIRE(writer.append(point, acceleration_block(1, block * scans, scans, 2)));
+      REQUIRE(writer.append(point, torque_block(1.5, block * scans, scans)));
+    }
+    if (point == 0) REQUIRE(writer.end_point({0, 1, "unsettled", 604.5, 2.5}));
+  }
+  return {bytes_in(scratch / "r.h5"), bytes_in(scratch / "r.h5.journal")};
+}
+
+// Samples of whole blocks from the first on, and nothing else. @return how many
+Eigen::Index check_samples(RecordingReader& reader, int point) {
+  const Result<Recording> read = reader.read(point);
+  REQUIRE(read);
+  const Eigen::VectorXd& second = read.value().find("accel_2")->samples;
+  const Eigen::VectorXd& angle = read.value().find(channel_names::input_angle)->samples;
+  REQUIRE(second.size() % scans == 0);
+  REQUIRE(angle.size() % scans == 0);
+  for (int i = 0; i < second.size(); ++i) REQUIRE(second[i] == test::acceleration_m_s2(i, 1));
+  for (int i = 0; i < angle.size(); ++i) REQUIRE(angle[i] == test::angle_rad(i));
+  return second.size() + angle.size();
+}
+
+constexpr Eigen::Index all_samples = 2 * blocks * scans;
+
+}  // namespace
+
+TEST_CASE("a recording is made anew from its journal, whatever is beside it", "[hal][recording]") {
+  const ScratchFolder scratch;
+  const Left left = left_behind();
+  put_bytes(scratch / "r.h5.journal", left.journal);
+  SECTION("torn") { put_bytes(scratch / "r.h5", left.file.substr(0, left.file.size() / 2)); }
+  SECTION("zeros") { put_bytes(scratch / "r.h5", std::string(left.file.size(), '\0')); }
+  SECTION("nothing") {}
+  SECTION("half of an earlier repair as well") {
+    put_bytes(scratch / "r.h5", left.file);
+    put_bytes(scratch / "r.h5.draft", left.file.substr(0, 5000));
+  }
+  REQUIRE(repair_recording(scratch / "r.h5"));
+  CHECK_FALSE(std::filesystem::exists(scratch / "r.h5.journal"));
+  CHECK_FALSE(std::filesystem::exists(scratch / "r.h5.draft"));
+  const auto opened = RecordingReader::open(scratch / "r.h5");
+  REQUIRE(opened);
+  RecordingReader& reader = *opened.value();
+  CHECK(reader.layout().points.size() == 3);
+  CHECK(reader.layout().acceleration_channels[1].direction == "-Z");
+  CHECK(reader.layout().software == "rvbench test");
+  REQUIRE(reader.events().size() == 1);
+  CHECK(reader.events()[0] == std::pair<double, std::string>(0.5, "°C"));
+  REQUIRE(reader.results().size() == 1);
+  CHECK(check_samples(reader, 0) == all_samples);
+  CHECK(check_samples(reader, 1) == all_samples);
+  const Result<Recording> ended = reader.read(0);
+  REQUIRE(ended);
+  CHECK(ended.value().status == "unsettled");
+  CHECK(ended.value().speed_rpm == 604.5);
+  CHECK(ended.value().find("accel_1")->start_s == 1);
+  CHECK(ended.value().find(channel_names::input_angle)->start_s == 1.5);
+  const Result<Recording> begun = reader.read(1);
+  REQUIRE(begun);
+  CHECK(begun.value().status == "interrupted");
+}
+
+TEST_CASE("of a journal that was cut or changed, all is good that came before",
+          "[hal][recording]") {
+  const ScratchFolder scratch;
+  const std::string journal = left_behind().journal;
+  Eigen::Index before = 0;
+  for (std::size_t at = 0; at <= journal.size(); at += 997) {
+    CAPTURE(at);
+    const bool is_cut = at % 2 == 0;
+    std::string damaged = is_cut ? journal.substr(0, at) : journal;
+    if (!is_cut) damaged[at] = static_cast<char>(damaged[at] ^ 0x10);
+    put_bytes(scratch / "r.h5", "HDF");
+    put_bytes(scratch / "r.h5.journal", damaged);
+    const Status repaired = repair_recording(scratch / "r.h5");
+    if (at < 300) continue;  // the layout: nothing was ever recorded
+    REQUIRE(repaired);
+    const auto opened = RecordingReader::open(scratch / "r.h5");
+    REQUIRE(opened);
+    const Eigen::Index samples =
+        check_samples(*opened.value(), 0) + check_samples(*opened.value(), 1);
+    CHECK(samples >= before);
+    before = samples;
+  }
+  CHECK(before > all_samples);
+}
+
+TEST_CASE("a recording that was left without its journal is repaired as it is",
+          "[hal][recording]") {
+  const ScratchFolder scratch;
+  put_bytes(scratch / "r.h5", left_behind().file);
+  REQUIRE(repair_recording(scratch / "r.h5"));
+  const auto opened = RecordingReader::open(scratch / "r.h5");
+  REQUIRE(opened);
+  CHECK(check_samples(*opened.value(), 0) == all_samples);
+}
+
+TEST_CASE("a journal is there until its recording is closed", "[hal][recording]") {
+  const ScratchFolder scratch;
+  put_bytes(scratch / "r.h5.journal", "of a recording that was never begun");
+  const auto made = RecordingWriter::create(scratch / "r.h5", test::layout_of(1, 2));
+  REQUIRE(made);
+  CHECK(std::filesystem::file_size(scratch / "r.h5.journal") > 100);
+  REQUIRE(made.value()->close());
+  CHECK_FALSE(std::filesystem::exists(scratch / "r.h5.journal"));
+  CHECK(repair_recording(scratch / "r.h5"));
+}
+
+}  // namespace rvbench::hal
