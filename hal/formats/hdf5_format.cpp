@@ -1,4 +1,5 @@
 #include "hal/formats/format.hpp"
+#include "hal/hdf5/journal.hpp"
 #include "hal/recording_file.hpp"
 
 namespace rvbench::hal::formats {
@@ -7,6 +8,11 @@ namespace {
 bool recognises(std::string_view head) { return head.starts_with("\x89HDF\r\n\x1a\n"); }
 
 Result<std::vector<Recording>> read(const std::filesystem::path& file) {
+  // After a crash the file may hold zeros where its journal has samples.
+  const bool is_repaired = hdf5::is_left_behind(hdf5::journal_of(file));
+  if (is_repaired) {
+    if (const Status repaired = repair_recording(file); !repaired) return repaired.error();
+  }
   const auto opened = RecordingReader::open(file);
   if (!opened) return opened.error();
   RecordingReader& reader = *opened.value();
@@ -15,6 +21,8 @@ Result<std::vector<Recording>> read(const std::filesystem::path& file) {
     Result<Recording> point = reader.read(static_cast<int>(i));
     if (!point) return point.error();
     recordings.push_back(std::move(point).value());
+    if (is_repaired)
+      recordings.back().notes.push_back("made anew: whoever recorded it was cut off");
   }
   return recordings;
 }

@@ -90,6 +90,14 @@ std::filesystem::path journal_of(const std::filesystem::path& recording) {
   return recording.string() + ".journal";
 }
 
+bool is_left_behind(const std::filesystem::path& journal) {
+  const int descriptor = ::open(journal.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool is_free = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+  ::close(descriptor);
+  return is_free;
+}
+
 Journal::Journal(const std::filesystem::path& recording, const RecordingLayout& layout,
                  std::chrono::milliseconds sync_interval)
     : path_(journal_of(recording)), descriptor_(open_locked(path_)) {

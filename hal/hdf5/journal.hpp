@@ -17,6 +17,9 @@ namespace rvbench::hal::hdf5 {
 /// it only a view for readers, made anew from it after a crash.
 std::filesystem::path journal_of(const std::filesystem::path& recording);
 
+/// Whether a journal is there that nobody writes any more: the recording needs repair_recording().
+bool is_left_behind(const std::filesystem::path& journal);
+
 /// All that a recording was handed, in order, each step with a number and a checksum of its own.
 ///
 /// HDF5 changes its index blocks in place. Processes that read along are safe, because it writes

@@ -2,6 +2,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "hal/formats/read_recordings.hpp"
 #include "tests/hal/recording_fixture.hpp"
 
 namespace rvbench::hal {
@@ -130,6 +131,18 @@ TEST_CASE("a recording that was left without its journal is repaired as it is",
   const auto opened = RecordingReader::open(scratch / "r.h5");
   REQUIRE(opened);
   CHECK(check_samples(*opened.value(), 0) == all_samples);
+}
+
+TEST_CASE("who reads a recording after a crash reads what its journal has", "[hal][formats]") {
+  const ScratchFolder scratch;
+  const Left left = left_behind();
+  put_bytes(scratch / "r.h5", left.file.substr(0, left.file.size() / 2));
+  put_bytes(scratch / "r.h5.journal", left.journal);
+  const auto read = read_recordings(scratch / "r.h5");
+  REQUIRE(read);
+  REQUIRE(read.value().size() == 2);  // the third was never begun
+  CHECK(read.value()[0].find("accel_1")->samples.size() == blocks * scans);
+  CHECK_THAT(read.value()[0].notes.back(), Catch::Contains("made anew"));
 }
 
 TEST_CASE("a journal is there until its recording is closed", "[hal][recording]") {
