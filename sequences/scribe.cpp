@@ -1,5 +1,6 @@
 #include "sequences/scribe.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace rvbench::sequences {
@@ -36,6 +37,11 @@ bool Scribe::is_busy() const {
   return !jobs_.empty() || is_working_;
 }
 
+double Scribe::longest_lag_s() const {
+  const std::lock_guard lock(mutex_);
+  return longest_lag_s_;
+}
+
 void Scribe::run() {
   std::unique_lock lock(mutex_);
   for (;;) {
@@ -49,6 +55,8 @@ void Scribe::run() {
     job.work = nullptr;  // what it holds is freed before its bytes count as free
     lock.lock();
     is_working_ = false;
+    const std::chrono::duration<double> lag = std::chrono::steady_clock::now() - job.posted;
+    longest_lag_s_ = std::max(longest_lag_s_, lag.count());
     waiting_bytes_ -= job.bytes;
     changed_.notify_all();
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
@@ -29,11 +30,13 @@ class Scribe {
 
   void finish();  ///< waits until everything posted has been done
   bool is_busy() const;
+  double longest_lag_s() const;  ///< from post() until a job was done, at the worst
 
  private:
   struct Job {
     std::size_t bytes;
     std::function<void()> work;
+    std::chrono::steady_clock::time_point posted = std::chrono::steady_clock::now();
   };
 
   void run();
@@ -43,6 +46,7 @@ class Scribe {
   std::condition_variable changed_;
   std::deque<Job> jobs_;
   std::size_t waiting_bytes_ = 0;
+  double longest_lag_s_ = 0;
   bool is_working_ = false;
   bool is_ending_ = false;
   std::thread thread_;

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t most_bytes_behind = 256UL
                                           << 20U;  // half a minute of 24 channels at 102.4 kHz
+constexpr double slow_disk_s = 0.5;
 const Ending all_well{Outcome::pass, ErrorKind::none, "everything was measured"};
 
 Ending bench_fault(std::string reason) {
@@ -217,6 +218,14 @@ RunSummary run_sequence(const TestPlan& plan, hal::Rig& rig, hal::RecordingWrite
     summary =
         run_unhindered(plan, rig, recording_behind, observer_behind, std::move(stop), first_point);
     const Status settled = recording_behind.settle();
+    // Samples that wait for the disk are lost with the power: at most a second of them, it is said.
+    if (const double lag_s = disk.longest_lag_s(); lag_s > slow_disk_s) {
+      observer_behind.event(
+          rig.clock->now_s(),
+          fmt::format("the disk was up to {:.1f} s behind: a power cut would have "
+                      "cost as much of the record",
+                      lag_s));
+    }
     if (settled) return all_well;
     return bench_fault("the recording cannot be written: " + describe(settled.error()));
   });
