@@ -20,8 +20,9 @@
 namespace rvbench::hal {
 namespace {
 
-constexpr unsigned patience_ms = 500;  // of a block; a device that is silent longer is lost
+constexpr double least_patience_s = 0.25;
 constexpr unsigned connect_ms = 2000;
+constexpr double kernel_buffer_s = 1;  // libiio's own four blocks are lost on a busy computer
 
 // libiio writes to a connection that may be broken, and the signal that this raises would end the
 // process: while one of these lives, it does not reach this thread.
@@ -159,7 +160,8 @@ Status IioSource::connect() {
   const NoPipeSignal quiet;
   buffer_.reset();
   inputs_.clear();
-  context_.reset(iio_create_context_from_uri(options_.uri.c_str()));
+  std::string uri = options_.uri;  // libiio 0.24 cuts the port off the very text it is given
+  context_.reset(iio_create_context_from_uri(uri.data()));
   if (!context_) return IoError{IoErrc::disconnected, "connect: " + reason(errno)};
   (void)iio_context_set_timeout(context_.get(), connect_ms);
   device_ = iio_context_find_device(context_.get(), options_.device.c_str());
@@ -218,9 +220,13 @@ Status IioSource::start() {
   const NoPipeSignal quiet;
   buffer_.reset();
   const double scans = std::max(1.0, std::round(rate_Hz_ * options_.block_s));
+  const double blocks = std::ceil(kernel_buffer_s * rate_Hz_ / scans);
+  (void)iio_device_set_kernel_buffers_count(device_, unsigned(std::max(4.0, blocks)));
   buffer_.reset(iio_device_create_buffer(device_, std::size_t(scans), false));
   if (!buffer_) return IoError{IoErrc::refused, "start: " + reason(errno)};
-  (void)iio_context_set_timeout(context_.get(), patience_ms);
+  // libiio lets the other side wait half as long as itself: its answer must come first.
+  const double patience_s = std::max(least_patience_s, options_.deadline_s);
+  (void)iio_context_set_timeout(context_.get(), unsigned(2e3 * patience_s));
   return Done{};
 }
 

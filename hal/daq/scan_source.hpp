@@ -18,9 +18,9 @@ class ScanSource {
   virtual double range_m_s2() const = 0;  ///< full scale of the least sensitive input
   virtual Status start() = 0;
 
-  /// Waits for scans, half a second at most, and makes `scans` those that have come: n x inputs,
-  /// m/s². None is no error. A device that lost some says overrun; its later scans cannot be
-  /// placed.
+  /// Waits for scans, for a deadline of its own, and makes `scans` those that have come: n x
+  /// inputs, m/s². None is no error. A device that lost some says overrun; its later scans cannot
+  /// be placed.
   virtual Status wait(AccelerationBlock::Scans& scans) = 0;
   virtual void interrupt() noexcept = 0;  ///< wait() returns soon, and there are no more scans
   virtual void stop() noexcept = 0;       ///< legal in every state

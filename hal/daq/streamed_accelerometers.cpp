@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "hal/real_time.hpp"
 #include "hal/types/require_positive.hpp"
 
 namespace rvbench::hal {
@@ -47,8 +48,10 @@ Status StreamedAccelerometers::start() {
   return Done{};
 }
 
+// What a device cannot hand on in time it drops: reading comes before all that can wait.
 void StreamedAccelerometers::pump(const std::stop_token& stop) noexcept {
   try {
+    (void)make_this_thread_urgent();
     while (!stop.stop_requested()) {
       AccelerationBlock::Scans scans;
       if (const Status waited = source_->wait(scans); !waited) return stream_->fail(waited.error());

@@ -29,10 +29,10 @@ inline std::uint16_t free_port() {
 class Iiod {
  public:
   /// @throws std::runtime_error with the reason, where it cannot run
-  Iiod(double rate_Hz, int channels)
+  Iiod(double rate_Hz, int channels, const std::string& format = "le:s32/32>>0")
       : port_(free_port()),
         program_(".", {RVBENCH_IIO_STANDIN, std::to_string(port_), std::to_string(rate_Hz),
-                       std::to_string(channels)}) {
+                       std::to_string(channels), format}) {
     if (!program_.says("serving at ")) {
       throw std::runtime_error("iiod needs root and the package iiod: " + program_.said());
     }

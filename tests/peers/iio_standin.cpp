@@ -1,9 +1,10 @@
-// iio_standin PORT RATE CHANNELS: Debian's own iiod over a make-believe device. In a mount
+// iio_standin PORT RATE CHANNELS [FORMAT]: Debian's own iiod over a make-believe device. In a mount
 // namespace of its own, plain files stand for the kernel's attributes and a pipe for its buffer;
 // iiod and libiio are those of the distribution. Needs root. Says "serving at PORT" once it does.
 //
-// Sample of scan n in channel c: (n modulo 65536) times 32 plus c, 32 bits; scale 0.25.
-// SIGUSR1: the device falls silent. SIGUSR2: iiod is killed.
+// Sample of scan n in channel c: (n modulo 65536) times 32 plus c; scale 0.25. FORMAT as Linux
+// writes it: le:s32/32>>0, or be:s24/32>>8 with a byte behind each sample that is none of it.
+// SIGUSR1: the device falls silent, or goes on. SIGUSR2: iiod is killed.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <netinet/in.h>
@@ -64,7 +65,7 @@ void hide_the_real_ones() {
   fs::remove(dev);
 }
 
-void make_device(const std::string& rate, int channels) {
+void make_device(const std::string& rate, int channels, const std::string& format) {
   put(device / "name", "standin");
   put(device / "sampling_frequency", rate);
   for (int i = 0; i < channels; ++i) {
@@ -73,7 +74,7 @@ void make_device(const std::string& rate, int channels) {
     put(device / (input + "_scale"), "0.25");
     put(device / "scan_elements" / (input + "_en"), "0");
     put(device / "scan_elements" / (input + "_index"), std::to_string(i));
-    put(device / "scan_elements" / (input + "_type"), "le:s32/32>>0");
+    put(device / "scan_elements" / (input + "_type"), format);
   }
   put(device / "buffer/enable", "0");
   put(device / "buffer/length", "4096");
@@ -102,12 +103,15 @@ bool answers(std::uint16_t port) {
   return answered;
 }
 
-// What the kernel would do: scans of the enabled channels at their rate; those for which the reader
-// has left no room are lost.
+// What the kernel would do: scans of the enabled channels at their rate, in a buffer of as many as
+// libiio asked for; those that find it full are lost. The pipe adds 1 MB to it.
 class Feeder {
  public:
-  Feeder(double rate_Hz, int channels)
-      : rate_Hz_(rate_Hz), channels_(channels), fifo_(::open(buffer_node, O_RDWR | O_NONBLOCK)) {
+  Feeder(double rate_Hz, int channels, bool is_be_24)
+      : rate_Hz_(rate_Hz),
+        channels_(channels),
+        is_be_24_(is_be_24),
+        fifo_(::open(buffer_node, O_RDWR | O_NONBLOCK)) {
     (void)::fcntl(fifo_, F_SETPIPE_SZ, 1 << 20);
   }
 
@@ -138,6 +142,8 @@ class Feeder {
     made_ = 0;
     std::vector<char> old(1 << 16);
     while (::read(fifo_, old.data(), old.size()) > 0) continue;
+    waiting_.clear();
+    std::ifstream(device / "buffer/length") >> buffer_scans_;
     enabled_.clear();
     for (int i = 0; i < channels_; ++i) {
       const std::string input = "in_voltage" + std::to_string(i) + "_en";
@@ -146,48 +152,54 @@ class Feeder {
   }
 
   void feed(long count) {
-    scans_.clear();
     for (long scan = made_; scan < made_ + count; ++scan) {
-      for (const int channel : enabled_) {
-        scans_.push_back(std::int32_t(scan % 65536 * 32 + channel));
+      if (waiting_.size() >= 4 * enabled_.size() * buffer_scans_) {
+        ++lost_;
+        continue;
       }
+      for (const int channel : enabled_) append(std::uint32_t(scan % 65536 * 32 + channel));
     }
-    // The pipe takes a write of up to one page whole or not at all.
-    const std::size_t scan_bytes = 4 * enabled_.size();
-    const std::size_t piece = 4096 / scan_bytes * scan_bytes;
-    const char* from = reinterpret_cast<const char*>(scans_.data());
-    for (std::size_t left = 4 * scans_.size(); left > 0;) {
-      const std::size_t bytes = std::min(left, piece);
-      if (::write(fifo_, from, bytes) != ssize_t(bytes)) lost_ += long(bytes / scan_bytes);
-      from += bytes;
-      left -= bytes;
+    const ssize_t sent = ::write(fifo_, waiting_.data(), waiting_.size());
+    if (sent > 0) waiting_.erase(waiting_.begin(), waiting_.begin() + sent);
+  }
+
+  void append(std::uint32_t sample) {
+    const std::uint32_t bits = is_be_24_ ? sample << 8U | 0x5AU : sample;
+    for (unsigned byte = 0; byte < 4; ++byte) {
+      waiting_.push_back(char(bits >> 8U * (is_be_24_ ? 3 - byte : byte) & 0xFFU));
     }
   }
 
   const double rate_Hz_;
   const int channels_;
+  const bool is_be_24_;
   const int fifo_;
   bool was_enabled_ = false;
   std::chrono::steady_clock::time_point started_;
   long made_ = 0, lost_ = 0;
   std::vector<int> enabled_;
-  std::vector<std::int32_t> scans_;
+  std::size_t buffer_scans_ = 0;
+  std::vector<char> waiting_;
 };
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 4) {
-    std::fprintf(stderr, "usage: iio_standin PORT RATE CHANNELS\n");
+  if (argc != 4 && argc != 5) {
+    std::fprintf(stderr, "usage: iio_standin PORT RATE CHANNELS [FORMAT]\n");
     return 2;
   }
-  ::signal(SIGUSR1, [](int) { is_silent = 1; });
+  ::signal(SIGUSR1, [](int) { is_silent = !is_silent; });
   ::signal(SIGUSR2, [](int) { kill_iiod = 1; });
   ::signal(SIGTERM, [](int) { is_over = 1; });
   try {
+    // A converter goes on whatever else its computer does. Without the right to that it may lose.
+    const sched_param first{.sched_priority = 1};
+    (void)::sched_setscheduler(0, SCHED_RR, &first);
+    const std::string format = argc == 5 ? argv[4] : "le:s32/32>>0";
     hide_the_real_ones();
-    make_device(argv[2], std::stoi(argv[3]));
-    Feeder feeder(std::stod(argv[2]), std::stoi(argv[3]));
+    make_device(argv[2], std::stoi(argv[3]), format);
+    Feeder feeder(std::stod(argv[2]), std::stoi(argv[3]), format == "be:s24/32>>8");
     const pid_t iiod = start_iiod(argv[1]);
     bool has_told = false;
     while (is_over == 0) {
