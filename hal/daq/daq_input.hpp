@@ -10,8 +10,9 @@ namespace rvbench::hal {
 struct DaqInput {
   std::string device_channel;  ///< as the device calls it: "voltage0", "3"
   ChannelInfo info;            ///< unit "m/s²"
-  double m_s2_per_unit =
-      not_known;  ///< of what the device tells: m/s² per V, or 1 if it tells m/s²
+  /// Of what the device tells: m/s² per V of comedi; per mV of a voltage channel of libiio, which
+  /// Linux scales so; 1 where it tells m/s².
+  double m_s2_per_unit = not_known;
 };
 
 }  // namespace rvbench::hal

@@ -1,6 +1,7 @@
 #include "hal/daq/iio_accelerometers.hpp"
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <thread>
@@ -67,6 +68,7 @@ IioOptions options(std::uint16_t port) {
   options.uri = "ip:127.0.0.1:" + std::to_string(port);
   options.device = "rvbench-daq";
   options.rate_Hz = rate_Hz;
+  options.deadline_s = 2;  // this computer may be busy elsewhere
   for (const int input : {0, 3}) {
     hal::DaqInput daq;
     daq.device_channel = "voltage" + std::to_string(input);
@@ -90,7 +92,7 @@ struct Connected {
       const Eigen::Index before = all.rows();
       all.conservativeResize(before + block.value().scans.rows(), 2);
       all.bottomRows(block.value().scans.rows()) = block.value().scans;
-      std::this_thread::yield();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     return all;
   }
@@ -99,7 +101,7 @@ struct Connected {
     for (;;) {
       const auto block = accelerometers->read();
       if (!block) return block.error();
-      std::this_thread::yield();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   }
 
@@ -148,7 +150,7 @@ TEST_CASE("time stamps are those of the rig's clock, and go on", "[hal][daq]") {
     if (block.value().scans.rows() == 0) continue;
     if (std::isfinite(end_s)) CHECK(block.value().t0_s == Approx(end_s).margin(1 / rate_Hz));
     end_s = block.value().t0_s + double(block.value().scans.rows()) / rate_Hz;
-    CHECK(end_s <= bench.clock.now_s() + 0.01);  // the first block may have been late
+    CHECK(end_s <= bench.clock.now_s() + 0.05);  // the first block may have been late
   }
   CHECK(end_s >= bench.clock.now_s() - 0.1);
   CHECK(bench.accelerometers->time_uncertainty_s() < 0.02);
