@@ -14,7 +14,6 @@ constexpr double inertia_kg_m2 = 2e-3;  // of motor, coupling and reducer at the
 constexpr double friction_Nm = 0.1;     // at the input
 constexpr double efficiency = 0.8;
 constexpr double record_after_s = 6;  // the field's ramp and the settling are over by then
-constexpr double moves_rpm = 5;
 
 }  // namespace
 
@@ -28,8 +27,9 @@ FaultBench::FaultBench(std::uint64_t seed, const sim::InverterParameters& parame
     : inverter(parameters),
       server(inverter),
       bus(hal::make_in_process_bus([this] { return time_s_; })),
-      transducer(*bus.nodes, 500),
-      brake(*bus.nodes, {}),
+      wire(*bus.nodes),
+      transducer(wire, 500),
+      brake(wire, {}),
       random_(seed),
       channels_{
           {"accel_1x", "m/s²", "+X"}, {"accel_1y", "m/s²", "+Y"}, {"accel_1z", "m/s²", "+Z"}} {
@@ -60,10 +60,18 @@ void FaultBench::step() {
   time_s_ = double(steps_) / rate_Hz;
   inverter.advance(dt_s);
   turn(dt_s);
-  inverter.set_measured(speed_rpm(), 1.5);
+  if (!disturbance.speed_stuck) inverter.set_measured(speed_rpm(), 1.5);
   const double shown_Nm = disturbance.over_torque ? 100 : input_torque_Nm_;
-  transducer.advance_to(time_s_, disturbance.torque_inverted ? -shown_Nm : shown_Nm, angle_rad_);
-  brake.advance_to(time_s_, brake.setpoint_Nm());
+  if (!disturbance.angle_stuck) shown_angle_rad_ = angle_rad_;
+  if (disturbance.torque_lossy && steps_ % 25 == 0) transducer.lose_frames(1);
+  transducer.advance_to(time_s_, disturbance.torque_inverted ? -shown_Nm : shown_Nm,
+                        shown_angle_rad_);
+  const bool was_braked = brake_Nm() > 0;
+  brake.advance_to(time_s_, brake_Nm());
+  if (wire.take_release() && was_braked) {
+    released_s_ = time_s_;
+    released_rpm_ = std::abs(speed_rpm());
+  }
   sample();
   if (is_driven()) driven_until_s_ = time_s_;
   if (std::abs(speed_rpm()) > moves_rpm) moved_until_s_ = time_s_;
@@ -122,9 +130,11 @@ hal::AccelerationBlock FaultBench::take_accelerations() {
   return block;
 }
 
-void FaultBench::enter(BenchState state) {
-  double& entered_s = entered_s_[static_cast<std::size_t>(state)];
-  if (entered_s < 0) entered_s = time_s_;
+void FaultBench::enter(BenchState state) { entered_s_.try_emplace(state, time_s_); }
+
+double FaultBench::entered_s(BenchState state) const {
+  const auto entered = entered_s_.find(state);
+  return entered == entered_s_.end() ? not_known : entered->second;
 }
 
 void FaultBench::follow_states() {
@@ -137,15 +147,14 @@ void FaultBench::follow_states() {
   if (asked_Hz == 0 && setpoint_Hz_ > 0) enter(BenchState::stopping);
   setpoint_Hz_ = asked_Hz;
   const bool settled = was(BenchState::settling) && asked_Hz > 0 &&
-                       time_s_ > entered_s_[std::size_t(BenchState::settling)] + record_after_s;
+                       time_s_ > entered_s(BenchState::settling) + record_after_s;
   if (settled) enter(BenchState::recording);
 }
 
 void FaultBench::fire_triggers() {
   std::vector<Trigger> due;
   std::erase_if(triggers_, [&](const Trigger& trigger) {
-    const double entered_s = entered_s_[static_cast<std::size_t>(trigger.state)];
-    const bool is_due = entered_s >= 0 && time_s_ >= entered_s + trigger.after_s;
+    const bool is_due = time_s_ >= entered_s(trigger.state) + trigger.after_s;  // not if NaN
     if (is_due) due.push_back(trigger);
     return is_due;
   });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <random>
@@ -11,6 +12,7 @@
 #include "sim/can_nodes.hpp"
 #include "sim/inverter_model.hpp"
 #include "sim/inverter_server.hpp"
+#include "tests/faults/witnessed_bus.hpp"
 
 namespace rvbench::test {
 
@@ -30,6 +32,9 @@ struct Disturbance {
   bool daq_fast = false;         ///< its clock runs 5 % fast
   bool torque_inverted = false;  ///< the transducer's sign
   bool over_torque = false;      ///< 100 N·m at the input
+  bool angle_stuck = false;      ///< the encoder's shaft is broken: the angle stands still
+  bool torque_lossy = false;     ///< every tenth frame of the transducer is lost
+  bool speed_stuck = false;      ///< the drive's speed register shows what it last showed
   double stall_s = 0;            ///< the controller gets no time for that long
 };
 
@@ -41,6 +46,7 @@ class FaultBench final : public hal::PlantPort {
   static constexpr double rate_Hz = 1240;
   static constexpr double range_m_s2 = 490;
   static constexpr double gear_ratio = 121;
+  static constexpr double moves_rpm = 5;  ///< slower is standstill: the plan's own default
 
   FaultBench(std::uint64_t seed, const sim::InverterParameters& parameters);
 
@@ -58,17 +64,21 @@ class FaultBench final : public hal::PlantPort {
   void when(BenchState state, double after_s, std::function<void()> what);
 
   // For the oracle: the truth, whatever any device says.
-  double speed_rpm() const;
+  double speed_rpm() const;  // of the input shaft
   double brake_Nm() const { return brake.setpoint_Nm(); }
   bool is_driven() const;  ///< somebody wants the shaft to turn, and current flows
   double driven_until_s() const { return driven_until_s_; }  ///< last time that it was
   double moved_until_s() const { return moved_until_s_; }    ///< last time above 5 rpm
   double braked_until_s() const { return braked_until_s_; }  ///< last time with torque commanded
-  bool was(BenchState state) const { return entered_s_[static_cast<std::size_t>(state)] >= 0; }
+  double released_s() const { return released_s_; }      ///< when the brake was last told to let go
+  double released_rpm() const { return released_rpm_; }  ///< how fast the shaft turned then
+  bool was(BenchState state) const { return entered_s(state) >= 0; }
+  double entered_s(BenchState state) const;  ///< NaN if it never was
 
   sim::InverterModel inverter;
   sim::InverterServer server;
   hal::InProcessBus bus;
+  WitnessedBus wire;
   sim::TransducerNode transducer;
   sim::BrakeNode brake;
   hal::SafetyStatus safety{.estop_pressed = false, .guard_open = false, .housing_temp_degC = 25};
@@ -92,10 +102,12 @@ class FaultBench final : public hal::PlantPort {
   long steps_ = 0;
   double speed_rad_s_ = 0;
   double angle_rad_ = 0;
+  double shown_angle_rad_ = 0;
   double input_torque_Nm_ = 0;
   double setpoint_Hz_ = 0;
   double driven_until_s_ = 0, moved_until_s_ = 0, braked_until_s_ = 0;
-  std::array<double, 6> entered_s_{-1, -1, -1, -1, -1, -1};
+  double released_s_ = not_known, released_rpm_ = not_known;
+  std::map<BenchState, double> entered_s_;
   std::vector<Trigger> triggers_;
   std::vector<float> waiting_;
   long taken_ = 0;

@@ -32,8 +32,10 @@ struct FaultKind {
   std::string words;              ///< that the reason must hold; "" = any
   double stopped_within_s = 1e9;  ///< from the fault to nobody driving the shaft, where it drives
   bool cuts_brake_off = false;    ///< no command reaches the brake: its own watchdog releases it
-  bool hides_standstill =
-      false;  ///< devices contradict each other: teardown waits for its time-out
+  bool hides_standstill = false;  ///< devices contradict each other: teardown waits in vain
+  sim::InverterParameters drive{.comm_loss_timeout_s = 0.5};
+  bool holds_from_start = false;  ///< the answer is asked for whenever it strikes, if at all
+  std::function<bool(BenchState)> is_harmless_when = {};  ///< by then it spoils nothing more
 };
 
 /// Every kind, by name. The times follow from the plan's staleness of 0.3 s, the drive's watchdog

@@ -39,6 +39,15 @@ FaultKind disturbed(std::string name, bool Disturbance::*what, Answer answer, st
           std::move(words), within_s};
 }
 
+// A drive that would run on for ever once its cable is pulled: nothing may turn.
+FaultKind unwatched(std::string name, const sim::InverterParameters& drive) {
+  FaultKind kind = wire(std::move(name), WireFault::dead, Answer::device_lost, 0);
+  kind.words = "watchdog";
+  kind.drive = drive;
+  kind.holds_from_start = true;
+  return kind;
+}
+
 std::vector<FaultKind> of_the_drive() {
   return {
       wire("one reply late", WireFault::late, Answer::pass, 1e9, 1),
@@ -56,6 +65,12 @@ std::vector<FaultKind> of_the_drive() {
       wire("drive deaf", WireFault::deaf, Answer::no_pass, 1e9),
       {"readings frozen", [](Victim& v) { v.bench.server.inject({.fault = WireFault::frozen}); },
        Answer::no_pass, "", 1e9, false, true},
+      disturbed("speed register stuck", &Disturbance::speed_stuck, Answer::device_lost,
+                "the drive reports"),
+      unwatched("watchdog off", {.comm_loss_timeout_s = 0}),
+      unwatched("watchdog slow", {.comm_loss_timeout_s = 30}),
+      unwatched("watchdog toothless",
+                {.comm_loss_timeout_s = 0.5, .comm_loss_action = sim::CommLossAction::ignore}),
       {"drive trips", [](Victim& v) { v.bench.inverter.trip(sim::fault_overcurrent); },
        Answer::device_lost, "", 0.01},
       {"panel takes over", [](Victim& v) { v.bench.inverter.take_over(sim::RunCommand::stop, 0); },
@@ -98,6 +113,9 @@ std::vector<FaultKind> of_the_bus() {
       {"brake trips", [](Victim& v) { v.bench.brake.trip(); }, Answer::device_lost, "brake",
        stale_s},
       disturbed("torque sign flipped", &Disturbance::torque_inverted, Answer::no_pass, ""),
+      disturbed("torque frames lost", &Disturbance::torque_lossy, Answer::no_pass, ""),
+      disturbed("encoder stuck", &Disturbance::angle_stuck, Answer::device_lost,
+                "the torque sensor's angle 0 rpm"),
   };
 }
 

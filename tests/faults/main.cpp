@@ -132,7 +132,7 @@ int main(int argc, char** argv) {
       "{} kinds in {} states: {} runs in {:.0f} s, {} struck\n"
       "violations                        {:8}   limit 0\n"
       "interlock to undriven shaft, worst {:7.3f} s limit 0.025 s, virtual time\n"
-      "brake after standstill seen, worst {:7.3f} s limit 0.200 s, virtual time\n",
+      "brake held after standstill, worst {:7.3f} s limit 0.210 s, virtual time\n",
       test::fault_kinds().size(), states, totals.runs, took_s, totals.struck, totals.violations,
       totals.worst_trip_s, totals.worst_released_s);
   if (failed > 0 || totals.runs != options.runs) {

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "analysis/diagnosis.hpp"
+#include "hal/rig.hpp"
+#include "sequences/plan.hpp"
+
+namespace rvbench::test {
+
+using ChannelCheck = std::function<std::vector<analysis::QualityNote>(const Channel&, double)>;
+
+/// What judges a run besides its plan: all that a guard can be taken from.
+struct Controller {
+  sequences::TestPlan& plan;
+  hal::Rig& rig;
+  ChannelCheck& check;  ///< of the recorded accelerations
+};
+
+/// What one guard of the controller would have seen is taken away: a campaign must then find
+/// violations, or it does not look at what that guard is for.
+struct Guard {
+  std::string name;
+  std::function<void(Controller&)> switch_off;
+};
+
+const std::vector<Guard>& guards();
+
+/// In groups, by what they look at.
+std::vector<Guard> guards_of_the_drive();
+std::vector<Guard> guards_of_the_field();
+
+}  // namespace rvbench::test
