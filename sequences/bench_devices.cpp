@@ -1,5 +1,6 @@
 #include "sequences/bench_devices.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rvbench::sequences {
@@ -33,11 +34,13 @@ void BenchDevices::read() {
   if (fresh.drive) values_.drive = *fresh.drive;
   if (fresh.brake) values_.brake = *fresh.brake;
   if (fresh.safety) values_.safety = *fresh.safety;
-  if (!std::isfinite(fresh.angle_s)) return;
-  angles_.add(fresh.angle_s, fresh.angle_rad);
-  values_.angle_s = fresh.angle_s;
-  values_.angle_rad = fresh.angle_rad;
-  values_.torque_Nm = fresh.torque_mean_Nm;
+  if (std::isfinite(fresh.angle_s)) {
+    angles_.add(fresh.angle_s, fresh.angle_rad);
+    values_.angle_s = fresh.angle_s;
+    values_.angle_rad = fresh.angle_rad;
+    values_.torque_Nm = fresh.torque_mean_Nm;
+  }
+  if (fresh.drive) speed_when_heard_rpm_ = measured_speed_rpm(window_s);
 }
 
 void BenchDevices::write(double speed_rpm, double brake_torque_Nm) {
@@ -62,15 +65,25 @@ bool BenchDevices::drive_is_fresh() const {
   return rig_.clock->now_s() - drive_.status.seen_s <= fresh_within_s;
 }
 
+bool BenchDevices::drive_fell_silent() const {
+  const double heard_s = std::min(drive_.status.seen_s, drive_.command.seen_s);
+  return heard_s > DeviceWatch::never_seen_s && rig_.clock->now_s() - heard_s > fresh_within_s;
+}
+
 bool BenchDevices::stands_still(double limit_rpm) const {
   const double measured_rpm = std::abs(measured_speed_rpm(window_s));
   const hal::DriveStatus& drive = values_.drive;
   const bool drive_knows = drive_is_fresh() && std::isfinite(drive.speed_rpm);
   const bool drive_stopped = std::abs(drive.speed_rpm) <= limit_rpm;
-  if (std::isfinite(measured_rpm)) {
-    return measured_rpm <= limit_rpm && (!drive_knows || !drive.running || drive_stopped);
-  }
-  return drive_knows && drive_stopped;
+  if (!std::isfinite(measured_rpm)) return drive_knows && drive_stopped;
+  if (measured_rpm > limit_rpm) return false;
+  return drive_knows ? !drive.running || drive_stopped : !was_contradicted(limit_rpm);
+}
+
+// All comparisons are false for what is not known.
+bool BenchDevices::was_contradicted(double limit_rpm) const {
+  return values_.drive.running && std::abs(values_.drive.speed_rpm) > limit_rpm &&
+         std::abs(speed_when_heard_rpm_) <= limit_rpm;
 }
 
 }  // namespace rvbench::sequences

@@ -43,11 +43,15 @@ class BenchDevices {
   /// Speed of the input shaft by its angle over the last `window_s`; NaN if that is not fresh.
   double measured_speed_rpm(double window_s) const;
   bool drive_is_fresh() const;
+  bool drive_fell_silent() const;  ///< to either kind of request, since start()
 
-  /// By the angle, or by the drive where the angle is lost; by both where both tell.
+  /// By the angle, or by the drive where the angle is lost; by both where both tell. An angle that
+  /// stood still while the drive last told that it turned the shaft is not believed alone.
   bool stands_still(double limit_rpm) const;
 
  private:
+  bool was_contradicted(double limit_rpm) const;
+
   hal::Rig& rig_;
   Supervisor& supervisor_;
   DriveReport drive_;
@@ -55,6 +59,7 @@ class BenchDevices {
   Handover taken_;
   BenchValues values_;
   AngleTrack angles_;
+  double speed_when_heard_rpm_ = not_known;  ///< by the angle, when the drive last told its own
 };
 
 }  // namespace rvbench::sequences

@@ -13,46 +13,65 @@ namespace {
 constexpr double tick_s = 0.01;
 constexpr double feed_period_s = 0.1;
 constexpr double stop_again_s = 1.0;
-constexpr double silence_s = 2.5;  // longer than any watchdog that the sequencer arms with
+constexpr double silence_s = 2.5;    // longer than any watchdog that the sequencer arms with
 constexpr double must_last_s = 0.1;  // a shaft that swings back through zero does not stay so long
+
+// What both witnesses say of the speed; NaN where one does not tell.
+struct Speeds {
+  double angle_rpm = not_known, drive_rpm = not_known;
+
+  bool told() const { return std::isfinite(angle_rpm) || std::isfinite(drive_rpm); }
+  // Comparisons with what is not known are false.
+  bool slowed_to(const Speeds& now, double share) const {
+    return now.angle_rpm < share * angle_rpm || now.drive_rpm < share * drive_rpm;
+  }
+};
 
 // Tells a drive to stop until it does. One that answers but does not obey would have its watchdog
 // fed by every further request: after a stop in vain it hears nothing, so that the watchdog acts.
-// It obeys if it slows down fast enough to stand still within the time-out.
+// So does at once one that had fallen silent when it was told to stop: its answers may be garbled,
+// and the requests feed it all the same. It obeys if either witness sees it slow down fast enough
+// to stand still within the time-out.
 class Stopper {
  public:
   Stopper(hal::Rig& rig, BenchDevices& devices, double timeout_s, double now_s)
-      : rig_(rig),
-        devices_(devices),
-        obeys_share_(1 - stop_again_s / timeout_s),
-        next_s_(now_s + stop_again_s) {}
+      : rig_(rig), devices_(devices), obeys_share_(1 - stop_again_s / timeout_s) {
+    if (devices.drive_fell_silent()) {
+      leave_alone(now_s);
+    } else {
+      next_s_ = now_s + stop_again_s;
+    }
+  }
 
   void tick(double now_s) {
-    if (std::isnan(speed_rpm_)) speed_rpm_ = speed_rpm();
+    if (!before_.told()) before_ = speeds();
     if (now_s < next_s_) return;
-    const double before_rpm = std::exchange(speed_rpm_, speed_rpm());
-    const bool obeys = speed_rpm_ < obeys_share_ * before_rpm;  // false if one is not known
-    if (!obeys && !was_silent_) {
-      devices_.leave_drive_alone(now_s + silence_s);
-    } else {
-      rig_.drive->stop();
-    }
-    was_silent_ = !obeys && !was_silent_;
-    next_s_ = now_s + (was_silent_ ? silence_s : stop_again_s);
+    const Speeds before = std::exchange(before_, speeds());
+    if (!was_silent_ && !before.slowed_to(before_, obeys_share_)) return leave_alone(now_s);
+    rig_.drive->stop();
+    was_silent_ = false;
+    next_s_ = now_s + stop_again_s;
   }
 
  private:
-  double speed_rpm() const {
-    const double measured_rpm = std::abs(devices_.measured_speed_rpm(0.2));
-    if (std::isfinite(measured_rpm) || !devices_.drive_is_fresh()) return measured_rpm;
-    return std::abs(devices_.values().drive.speed_rpm);
+  void leave_alone(double now_s) {
+    was_silent_ = true;
+    next_s_ = now_s + silence_s;
+    devices_.leave_drive_alone(next_s_);
+  }
+
+  Speeds speeds() const {
+    Speeds told;
+    told.angle_rpm = std::abs(devices_.measured_speed_rpm(0.2));
+    if (devices_.drive_is_fresh()) told.drive_rpm = std::abs(devices_.values().drive.speed_rpm);
+    return told;
   }
 
   hal::Rig& rig_;
   BenchDevices& devices_;
   double obeys_share_;
-  double next_s_;
-  double speed_rpm_ = not_known;  // when it was last told to stop
+  double next_s_ = 0;
+  Speeds before_;  // when it was last told to stop
   bool was_silent_ = false;
 };
 

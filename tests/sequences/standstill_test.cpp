@@ -1,7 +1,10 @@
 #include "sequences/standstill.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "tests/sequences/run_fixture.hpp"
 
@@ -18,6 +21,30 @@ std::string told_in_teardown(const Run& run) {
   }
   return "";
 }
+
+// An encoder that is torn off its shaft at that time: the angle stands still, the torque goes on.
+class TornOff final : public hal::TorqueSensor {
+ public:
+  TornOff(std::unique_ptr<hal::TorqueSensor> sensor, double torn_s)
+      : sensor_(std::move(sensor)), torn_s_(torn_s) {}
+  double rate_Hz() const override { return sensor_->rate_Hz(); }
+  Status connect() override { return sensor_->connect(); }
+  Result<hal::TorqueBlock> read() override {
+    auto block = sensor_->read();
+    if (!block || block.value().t0_s < torn_s_) return block;
+    hal::TorqueBlock shown = std::move(block).value();
+    for (hal::TorqueSample& sample : shown.samples) {
+      if (std::isnan(torn_rad_)) torn_rad_ = sample.angle_rad;
+      sample.angle_rad = torn_rad_;
+    }
+    return shown;
+  }
+
+ private:
+  std::unique_ptr<hal::TorqueSensor> sensor_;
+  double torn_s_;
+  double torn_rad_ = not_known;
+};
 
 }  // namespace
 
@@ -61,4 +88,26 @@ TEST_CASE("a run without a fault has nothing to tell of its teardown", "[sequenc
   Run run;
   CHECK(run.go().shaft_stopped);
   CHECK(told_in_teardown(run).empty());
+}
+
+TEST_CASE("an angle that stands still while the drive turns the shaft does not release the brake",
+          "[sequences][safety]") {
+  Run run({.ramp_rpm_s = 300});
+  run.rig.torque_sensor = std::make_unique<TornOff>(std::move(run.rig.torque_sensor), 12);
+  const auto& summary = run.go();
+  CHECK_THAT(summary.ending.reason, Catch::Contains("the torque sensor's angle 0 rpm"));
+  CHECK(summary.shaft_stopped);
+  // From 1815 rpm the ramp takes 6.05 s; the drive obeys, and is asked until it stands still.
+  CHECK(run.world().brake_released_s() - run.stopped_s() > 6.05);
+  CHECK(run.world().brake_released_s() - run.stopped_s() < 6.05 + 0.3);
+}
+
+TEST_CASE("a drive that had fallen silent is left alone once it was told to stop",
+          "[sequences][safety]") {
+  Run run;
+  run.world().schedule(MirrorFault::drive_dead, 12, 12.5);
+  run.go();
+  const double stopped_s = run.stopped_s();
+  REQUIRE(std::isfinite(stopped_s));
+  CHECK(stopped_s > 12.5 + 2.0);  // heard again, but not asked: its watchdog was to act first
 }
