@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <modbus/modbus.h>
 #include <poll.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -23,7 +24,6 @@ namespace {
 constexpr int read_holding_registers = 3;
 constexpr int write_single_register = 6;
 constexpr int write_multiple_registers = 16;
-constexpr int busy_exception = 6;
 constexpr int illegal_function = 1;
 
 using Bytes = std::vector<std::uint8_t>;
@@ -99,6 +99,31 @@ bool reply(modbus_t* context, const Bytes& request, const Answer& answer) {
   return sent >= 0;
 }
 
+// The reply's bytes, taken from a pair of sockets instead of the line.
+Bytes bytes_of_reply(modbus_t* context, int line, const Bytes& request, const Answer& answer) {
+  std::array<int, 2> pair{};
+  Bytes bytes(MODBUS_MAX_ADU_LENGTH);
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair.data()) != 0) return {};
+  modbus_set_socket(context, pair[0]);
+  const bool sent = reply(context, request, answer);
+  modbus_set_socket(context, line);
+  const auto count = sent ? ::read(pair[1], bytes.data(), bytes.size()) : 0;
+  ::close(pair[0]);
+  ::close(pair[1]);
+  bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+  return bytes;
+}
+
+// In front of the reply the same with the number of the transaction before; a serial line has no
+// such numbers, and carries it twice.
+bool send_merged(int line, const Bytes& bytes, std::size_t pdu) {
+  if (bytes.size() < 2) return false;
+  Bytes merged = bytes;
+  if (pdu > 1) merged[1] = static_cast<std::uint8_t>(merged[1] - 1);
+  merged.insert(merged.end(), bytes.begin(), bytes.end());
+  return ::write(line, merged.data(), merged.size()) >= 0;
+}
+
 // Nonsense of two kinds in turn: a plausible reply to another request, an unknown function.
 bool send_nonsense(int line, Bytes request, std::size_t pdu, int turn) {
   if (turn % 2 == 0) {
@@ -141,7 +166,7 @@ bool InverterRequests::serve(modbus_t* context, int line) {
   if (fault == WireFault::dead) return false;
   if (fault == WireFault::silent) return true;
   model_.note_request();
-  if (fault == WireFault::busy) return reply(context, request, exception(busy_exception));
+  if (fault == WireFault::busy) return reply(context, request, exception(faults.exception_code()));
   const Answer answer = fault == WireFault::deaf && request[pdu] != read_holding_registers
                             ? echo(request, pdu)
                             : carry_out(model_, request, pdu);
@@ -150,6 +175,9 @@ bool InverterRequests::serve(modbus_t* context, int line) {
   }
   if (fault == WireFault::garbled) return send_nonsense(line, request, pdu, count);
   if (fault == WireFault::truncated) return ::write(line, request.data(), pdu + 1) >= 0;
+  if (fault == WireFault::merged) {
+    return send_merged(line, bytes_of_reply(context, line, request, answer), pdu);
+  }
   if (fault == WireFault::late && !linger()) return false;
   if (fault == WireFault::doubled && !reply(context, request, answer)) return false;
   return reply(context, request, answer);

@@ -110,4 +110,6 @@ void InverterServer::set_lateness_s(double lateness_s) {
 
 int InverterServer::requests() const { return service_->requests.count; }
 
+int InverterServer::misbehaved() const { return service_->requests.faults.met(); }
+
 }  // namespace rvbench::sim

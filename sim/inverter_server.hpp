@@ -29,7 +29,8 @@ class InverterServer {
   void inject(const WireFaultPlan& plan);
   void set_lateness_s(double lateness_s);  ///< of WireFault::late, real time; 0.4 s at first
 
-  int requests() const;  ///< valid requests seen, also those answered badly
+  int requests() const;    ///< valid requests seen, also those answered badly
+  int misbehaved() const;  ///< requests and connections that met a planned fault
 
  private:
   class Service;

@@ -13,6 +13,7 @@ enum class WireFault {
   garbled,    ///< does what it was asked, answers nonsense
   truncated,  ///< does what it was asked, answers the beginning only
   doubled,    ///< does what it was asked, answers twice: the second one waits for the next request
+  merged,     ///< as doubled, but both in one segment, and the first is that of an older request
   busy,       ///< answers that it cannot now, and does nothing
   deaf,       ///< answers writes as if it had done them, and does nothing
   frozen,     ///< answers reads with what it last answered in good health
@@ -25,6 +26,7 @@ struct WireFaultPlan {
   WireFault fault = WireFault::none;
   int after_requests = 0;  ///< counted from inject()
   int requests = std::numeric_limits<int>::max();
+  int exception_code = 6;  ///< of WireFault::busy
 };
 
 /// The fault plan of one device; a new one replaces the old. All calls may overlap.
@@ -44,18 +46,34 @@ class WireFaultSwitch {
       return WireFault::none;
     }
     --plan_.requests;
+    if (plan_.fault != WireFault::none) ++taken_;
     return plan_.fault;
   }
 
-  /// True if a new connection is to be closed at once; does not count.
-  bool is_dead() const {
+  int exception_code() const {
     const std::lock_guard lock(mutex_);
-    return plan_.fault == WireFault::dead && plan_.after_requests <= 0 && plan_.requests > 0;
+    return plan_.exception_code;
+  }
+
+  /// How often somebody met the fault: a request, or a connection that was closed at once.
+  int met() const {
+    const std::lock_guard lock(mutex_);
+    return taken_;
+  }
+
+  /// True if a new connection is to be closed at once; not one of the plan's requests.
+  bool is_dead() {
+    const std::lock_guard lock(mutex_);
+    const bool dead =
+        plan_.fault == WireFault::dead && plan_.after_requests <= 0 && plan_.requests > 0;
+    if (dead) ++taken_;
+    return dead;
   }
 
  private:
   mutable std::mutex mutex_;
   WireFaultPlan plan_;
+  int taken_ = 0;
 };
 
 }  // namespace rvbench::sim

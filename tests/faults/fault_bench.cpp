@@ -18,8 +18,8 @@ constexpr double record_after_s = 6;  // the field's ramp and the settling are o
 }  // namespace
 
 const char* to_string(BenchState state) {
-  constexpr std::array names{"connecting", "arming",    "warming_up",
-                             "settling",   "recording", "stopping"};
+  constexpr std::array names{"connecting", "arming",         "warming_up",      "settling",
+                             "recording",  "settling_again", "recording_again", "stopping"};
   return names[static_cast<std::size_t>(state)];
 }
 
@@ -27,13 +27,18 @@ FaultBench::FaultBench(std::uint64_t seed, const sim::InverterParameters& parame
     : inverter(parameters),
       server(inverter),
       bus(hal::make_in_process_bus([this] { return time_s_; })),
-      wire(*bus.nodes),
+      wire(
+          *bus.nodes, [this] { return time_s_; }, truth.torques),
       transducer(wire, 500),
       brake(wire, {}),
       random_(seed),
       channels_{
           {"accel_1x", "m/s²", "+X"}, {"accel_1y", "m/s²", "+Y"}, {"accel_1z", "m/s²", "+Z"}} {
   enter(BenchState::connecting);
+}
+
+std::unique_ptr<hal::CanTransport> FaultBench::make_can_transport() {
+  return std::make_unique<FragileBus>(std::move(bus.bench), disturbance.bus_off);
 }
 
 void FaultBench::advance_to(double time_s) {
@@ -99,6 +104,11 @@ void FaultBench::turn(double dt_s) {
 
 void FaultBench::sample() {
   if (disturbance.daq_stopped) return;
+  if (disturbance.scans_to_swallow > 0) {
+    --disturbance.scans_to_swallow;
+    return;
+  }
+  const bool is_lost = disturbance.scans_to_lose > 0 && disturbance.scans_to_lose-- > 0;
   const bool again = disturbance.daq_fast && steps_ % 20 == 0;
   for (int times = again ? 2 : 1; times > 0; --times) {
     const float shaft = float(2e-4 * speed_rad_s_ * speed_rad_s_ * std::cos(angle_rad_));
@@ -112,7 +122,7 @@ void FaultBench::sample() {
         }
         if (std::exchange(disturbance.spike, false)) value = float(0.95 * range_m_s2);
       }
-      if (disturbance.scans_lost && steps_ % 10 == 0) value = std::nanf("");
+      if (is_lost || (disturbance.scans_lost && steps_ % 10 == 0)) value = std::nanf("");
       waiting_.push_back(value);
     }
   }
@@ -125,6 +135,7 @@ hal::AccelerationBlock FaultBench::take_accelerations() {
   block.t0_s = double(taken_ + 1) / rate_Hz;
   block.scans = Eigen::Map<const hal::AccelerationBlock::Scans>(waiting_.data(), scans, channels);
   block.lost = int(block.scans.col(0).array().isNaN().count());
+  truth.scans.insert(truth.scans.end(), waiting_.begin(), waiting_.end());
   waiting_.clear();
   taken_ += scans;
   return block;
@@ -142,13 +153,17 @@ void FaultBench::follow_states() {
   const sim::InverterState drive = inverter.state();
   const double asked_Hz = drive.run == sim::RunCommand::stop ? 0 : drive.setpoint_Hz;
   if (asked_Hz > 0 && asked_Hz != setpoint_Hz_) {
-    enter(was(BenchState::warming_up) ? BenchState::settling : BenchState::warming_up);
+    constexpr std::array states{BenchState::warming_up, BenchState::settling,
+                                BenchState::settling_again};
+    enter(states.at(std::size_t(std::min(speeds_asked_++, 2))));
   }
   if (asked_Hz == 0 && setpoint_Hz_ > 0) enter(BenchState::stopping);
   setpoint_Hz_ = asked_Hz;
-  const bool settled = was(BenchState::settling) && asked_Hz > 0 &&
-                       time_s_ > entered_s(BenchState::settling) + record_after_s;
-  if (settled) enter(BenchState::recording);
+  if (asked_Hz == 0) return;
+  if (time_s_ > entered_s(BenchState::settling) + record_after_s) enter(BenchState::recording);
+  if (time_s_ > entered_s(BenchState::settling_again) + record_after_s) {
+    enter(BenchState::recording_again);
+  }
 }
 
 void FaultBench::fire_triggers() {

@@ -17,7 +17,18 @@
 namespace rvbench::test {
 
 /// What the sequencer is doing, as the plant can tell from what happens to it.
-enum class BenchState { connecting, arming, warming_up, settling, recording, stopping };
+enum class BenchState {
+  connecting,
+  arming,
+  warming_up,
+  settling,
+  recording,
+  settling_again,   ///< for the second point
+  recording_again,  ///< that one
+  stopping
+};
+
+inline constexpr int bench_states = 8;
 
 const char* to_string(BenchState state);
 
@@ -28,6 +39,8 @@ struct Disturbance {
   bool channel_clipped = false;  ///< amplifier too high: cut at full scale
   bool spike = false;            ///< one sample near full scale
   bool scans_lost = false;       ///< every tenth scan is NaN
+  int scans_to_lose = 0;         ///< the next ones are NaN
+  int scans_to_swallow = 0;      ///< the next ones are missing, and nobody says so
   bool daq_stopped = false;
   bool daq_fast = false;         ///< its clock runs 5 % fast
   bool torque_inverted = false;  ///< the transducer's sign
@@ -35,6 +48,7 @@ struct Disturbance {
   bool angle_stuck = false;      ///< the encoder's shaft is broken: the angle stands still
   bool torque_lossy = false;     ///< every tenth frame of the transducer is lost
   bool speed_stuck = false;      ///< the drive's speed register shows what it last showed
+  bool bus_off = false;          ///< the bench's CAN controller, until it is opened again
   double stall_s = 0;            ///< the controller gets no time for that long
 };
 
@@ -53,7 +67,7 @@ class FaultBench final : public hal::PlantPort {
   double now_s() const override { return time_s_; }
   void advance_to(double time_s) override;
   std::uint16_t inverter_tcp_port() const override { return server.port(); }
-  std::unique_ptr<hal::CanTransport> make_can_transport() override { return std::move(bus.bench); }
+  std::unique_ptr<hal::CanTransport> make_can_transport() override;
   const std::vector<ChannelInfo>& acceleration_channels() const override { return channels_; }
   double acceleration_rate_Hz() const override { return rate_Hz; }
   double acceleration_range_m_s2() const override { return range_m_s2; }
@@ -74,6 +88,8 @@ class FaultBench final : public hal::PlantPort {
   double released_rpm() const { return released_rpm_; }  ///< how fast the shaft turned then
   bool was(BenchState state) const { return entered_s(state) >= 0; }
   double entered_s(BenchState state) const;  ///< NaN if it never was
+
+  PlantTruth truth;  ///< what left the sensors so far
 
   sim::InverterModel inverter;
   sim::InverterServer server;
@@ -105,6 +121,7 @@ class FaultBench final : public hal::PlantPort {
   double shown_angle_rad_ = 0;
   double input_torque_Nm_ = 0;
   double setpoint_Hz_ = 0;
+  int speeds_asked_ = 0;  ///< one after the other, other than 0
   double driven_until_s_ = 0, moved_until_s_ = 0, braked_until_s_ = 0;
   double released_s_ = not_known, released_rpm_ = not_known;
   std::map<BenchState, double> entered_s_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <stop_token>
 #include <string>
@@ -23,23 +24,48 @@ struct Victim {
   FaultBench& bench;
   std::stop_source& stop;  ///< what Ctrl-C requests
   bool& disk_full;         ///< the recording can be written no more
+  std::uint64_t seed;      ///< of the case, for a choice among variants
+  std::function<void()> kill_controller;
 };
 
 struct FaultKind {
   std::string name;
   std::function<void(Victim&)> strike;
   Answer answer = Answer::no_pass;
-  std::string words;              ///< that the reason must hold; "" = any
+  std::string words = "";         ///< that the reason must hold; "" = any
   double stopped_within_s = 1e9;  ///< from the fault to nobody driving the shaft, where it drives
   bool cuts_brake_off = false;    ///< no command reaches the brake: its own watchdog releases it
   bool hides_standstill = false;  ///< devices contradict each other: teardown waits in vain
   sim::InverterParameters drive{.comm_loss_timeout_s = 0.5};
   bool holds_from_start = false;  ///< the answer is asked for whenever it strikes, if at all
-  std::function<bool(BenchState)> is_harmless_when = {};  ///< by then it spoils nothing more
+  bool kills_controller = false;  ///< no ending is to be judged, for nobody tells one
+  std::function<bool(BenchState)> is_harmless_when = {};  ///< when it spoils nothing
 };
 
-/// Every kind, by name. The times follow from the plan's staleness of 0.3 s, the drive's watchdog
-/// of 0.5 s and the retries of the link.
+/// Until nobody drives the shaft any more: by the plan's staleness of 0.3 s, the drive's watchdog
+/// of 0.5 s and a response time-out of 0.05 s.
+namespace within {
+inline constexpr double trip_s = 0.025;  // a tick of 10 ms, and one more for the command
+inline constexpr double stale_s = 0.6;   // staleness, retries and a tick
+// Staleness, a call under way (four response time-outs), a tick, then silence until the watchdog
+// acts, in the plant's next step.
+inline constexpr double link_dead_s = 0.3 + 4 * 0.05 + 0.01 + 0.5 + 0.01;
+inline constexpr double watchdog_s = 0.5 + 0.01;
+}  // namespace within
+
+/// One that does it to the bench.
+FaultKind on_bench(std::string name, std::function<void(FaultBench&)> what, Answer answer,
+                   std::string words = "", double stopped_within_s = 1e9);
+FaultKind disturbed(std::string name, bool Disturbance::*what, Answer answer,
+                    std::string words = "", double stopped_within_s = 1e9);
+
+/// Every kind, by name.
 const std::vector<FaultKind>& fault_kinds();
+
+/// In groups, by what they strike.
+std::vector<FaultKind> faults_of_the_drive();
+std::vector<FaultKind> faults_of_the_bus();
+std::vector<FaultKind> faults_of_the_daq();
+std::vector<FaultKind> faults_of_the_hall();
 
 }  // namespace rvbench::test

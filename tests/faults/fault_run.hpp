@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,9 @@ struct FaultCase {
 };
 
 struct FaultReport {
-  bool struck = false;  ///< the state was reached
-  std::string outcome;  ///< with its reason
+  bool struck = false;   ///< the state was reached
+  bool held_up = false;  ///< by the computer: it proves nothing, and is to be done again
+  std::string outcome;   ///< with its reason
   std::vector<std::string> violations;
   double undriven_s = not_known;  ///< from the fault to nobody driving the shaft
   double released_s = not_known;  ///< from true standstill, or the time-out, to the brake let go
@@ -26,7 +28,9 @@ struct FaultReport {
 
 /// Runs the sequencer over a FaultBench in virtual time, lets the bench alone afterwards, and
 /// judges by what the plant did.
+/// @param folder   for the recording
 /// @param without  nullptr: every guard is in force
-FaultReport run_fault(const FaultCase& fault, const Guard* without = nullptr);
+FaultReport run_fault(const FaultCase& fault, const std::filesystem::path& folder,
+                      const Guard* without = nullptr);
 
 }  // namespace rvbench::test

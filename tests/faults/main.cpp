@@ -4,16 +4,22 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 
 #include "tests/faults/fault_run.hpp"
+#include "tests/faults/kept_recording.hpp"
+#include "tests/faults/wall_clock.hpp"
 
 namespace {
 
 using namespace rvbench;
 
-constexpr int states = 6;
+constexpr int states = test::bench_states;
+constexpr int most_attempts = 4;         // at a run that the computer holds up
+constexpr double most_repeated = 0.005;  // of the runs
 
 struct Options {
   int runs = 500;
@@ -47,16 +53,35 @@ std::string name_of(const test::FaultCase& fault) {
   return fmt::format("{} while {}, seed {}", fault.kind->name, to_string(fault.state), fault.seed);
 }
 
-// Prints one line per run for the parent: struck, undriven, released, violations.
+struct Attempted {
+  test::FaultReport report;
+  int repeated = 0;
+};
+
+// A run that the computer held up proves nothing, neither good nor bad.
+Attempted attempt(const test::FaultCase& fault, const std::filesystem::path& folder,
+                  const test::Guard* without) {
+  Attempted run{run_fault(fault, folder, without)};
+  while (run.report.held_up && run.repeated + 1 < most_attempts) {
+    ++run.repeated;
+    run.report = run_fault(fault, folder, without);
+  }
+  if (run.report.held_up) run.report.violations.emplace_back("the computer is too busy to judge");
+  return run;
+}
+
+// Prints one line per run for the parent: struck, repeated, undriven, released, violations.
 void work(const Options& options, int job, std::FILE* out) {
   const test::Guard* without = nullptr;
   for (const test::Guard& guard : test::guards()) {
     if (guard.name == options.without) without = &guard;
   }
+  const std::filesystem::path folder = test::folder_for_recordings();
   for (int number = job; number < options.runs; number += options.jobs) {
     const test::FaultCase fault = case_of(options, number);
-    const test::FaultReport report = run_fault(fault, without);
-    fmt::print(out, "{} {} {} {}\n", report.struck ? 1 : 0, report.undriven_s, report.released_s,
+    const auto [report, repeated] = attempt(fault, folder, without);
+    fmt::print(out, "{} {} {} {} {}\n", report.struck ? 1 : 0, repeated, report.undriven_s,
+               report.released_s,
                fault.kind == nullptr                             ? "-"
                : fault.kind->answer == test::Answer::safety_trip ? "trip"
                                                                  : "other");
@@ -65,10 +90,11 @@ void work(const Options& options, int job, std::FILE* out) {
     }
     std::fflush(out);
   }
+  std::filesystem::remove_all(folder);
 }
 
 struct Totals {
-  int runs = 0, struck = 0, violations = 0;
+  int runs = 0, struck = 0, repeated = 0, violations = 0;
   double worst_trip_s = 0, worst_released_s = -1e9;
 };
 
@@ -79,13 +105,16 @@ void take(const std::string& line, const Options& options, Totals& totals) {
     std::fflush(stdout);
     return;
   }
-  int struck = 0;
+  int struck = 0, repeated = 0;
   double undriven_s = 0, released_s = 0;
   char answer[16] = "";
-  if (std::sscanf(line.c_str(), "%d %lf %lf %15s", &struck, &undriven_s, &released_s, answer) != 4)
+  if (std::sscanf(line.c_str(), "%d %d %lf %lf %15s", &struck, &repeated, &undriven_s, &released_s,
+                  answer) != 5) {
     return;
+  }
   ++totals.runs;
   totals.struck += struck;
+  totals.repeated += repeated;
   if (std::string(answer) == "trip")
     totals.worst_trip_s = std::max(totals.worst_trip_s, undriven_s);
   if (released_s > totals.worst_released_s) totals.worst_released_s = released_s;
@@ -108,6 +137,10 @@ int main(int argc, char** argv) {
   app.add_option("--only", options.only, "one kind of fault")
       ->check(CLI::IsMember(names_of(test::fault_kinds())));
   CLI11_PARSE(app, argc, argv);
+  if (!test::wall_clock_can_step()) {
+    fmt::print("the wall clock cannot be stepped here: nothing would be shown by it\n");
+    return 1;
+  }
   const auto began = std::chrono::steady_clock::now();
   int ends[2];
   if (::pipe(ends) != 0) return 1;
@@ -131,14 +164,17 @@ int main(int argc, char** argv) {
   fmt::print(
       "{} kinds in {} states: {} runs in {:.0f} s, {} struck\n"
       "violations                        {:8}   limit 0\n"
+      "repeated, the computer was busy   {:8}   limit {:.0f}\n"
       "interlock to undriven shaft, worst {:7.3f} s limit 0.025 s, virtual time\n"
       "brake held after standstill, worst {:7.3f} s limit 0.210 s, virtual time\n",
       test::fault_kinds().size(), states, totals.runs, took_s, totals.struck, totals.violations,
-      totals.worst_trip_s, totals.worst_released_s);
+      totals.repeated, std::ceil(most_repeated * totals.runs), totals.worst_trip_s,
+      totals.worst_released_s);
   if (failed > 0 || totals.runs != options.runs) {
     fmt::print("{} workers failed; {} runs of {} came to an end\n", failed, totals.runs,
                options.runs);
     return 1;
   }
-  return totals.violations == 0 ? 0 : 1;
+  const bool is_judged = totals.repeated <= std::ceil(most_repeated * totals.runs);
+  return totals.violations == 0 && is_judged ? 0 : 1;
 }

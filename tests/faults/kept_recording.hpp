@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hal/recording_file.hpp"
+#include "tests/faults/guard.hpp"
+#include "tests/faults/plant_truth.hpp"
+
+namespace rvbench::test {
+
+/// A recording on a real disk that may fill up, and what the sequencer was told of it: a point
+/// whose end was acknowledged must be there whatever comes.
+class KeptRecording final : public hal::RecordingWriter {
+ public:
+  /// @throws std::runtime_error if the file cannot be had
+  KeptRecording(const std::filesystem::path& file, const hal::RecordingLayout& layout);
+
+  Status append(int point, const hal::AccelerationBlock& block) override;
+  Status append(int point, const hal::TorqueBlock& block) override;
+  Status end_point(const hal::PointResult& result) override;
+  Status note(double time_s, const std::string& event) override;
+  Status close() override { return writer_->close(); }
+
+  const std::vector<hal::PointResult>& acknowledged() const { return acknowledged_; }
+
+  bool disk_full = false;
+
+ private:
+  std::unique_ptr<hal::RecordingWriter> writer_;
+  std::vector<hal::PointResult> acknowledged_;
+};
+
+/// What is on the disk after a run.
+struct ReadBack {
+  std::vector<std::string> losses;  ///< of what was acknowledged, or not as it was sampled
+  std::string flaw;                 ///< the first that `check` finds in a point that is "ok"
+};
+
+ReadBack read_back(const std::filesystem::path& file,
+                   const std::vector<hal::PointResult>& acknowledged, const PlantTruth& truth,
+                   const ChannelCheck& check);
+
+/// A folder for recordings, in memory where the system has such.
+std::filesystem::path folder_for_recordings();
+
+}  // namespace rvbench::test

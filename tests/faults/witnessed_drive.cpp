@@ -1,0 +1,52 @@
+#include "tests/faults/witnessed_drive.hpp"
+
+#include <chrono>
+
+namespace rvbench::test {
+
+class WitnessedDrive::Call {
+ public:
+  explicit Call(WitnessedDrive& drive) : drive_(drive), before_(drive.server_.misbehaved()) {}
+  ~Call() {
+    const double took_s = std::chrono::duration<double>(Clock::now() - began_).count();
+    const bool is_planned = drive_.server_.misbehaved() > drive_.misbehaved_;
+    drive_.misbehaved_ = before_;
+    if (took_s >= drive_.patience_s_ && !is_planned) drive_.was_held_up_ = true;
+  }
+  Call(const Call&) = delete;
+  Call& operator=(const Call&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  WitnessedDrive& drive_;
+  int before_;
+  Clock::time_point began_ = Clock::now();
+};
+
+Status WitnessedDrive::connect() {
+  const Call call(*this);
+  return drive_->connect();
+}
+
+Result<hal::DriveWatchdog> WitnessedDrive::read_watchdog() {
+  const Call call(*this);
+  return drive_->read_watchdog();
+}
+
+Status WitnessedDrive::set_speed(double speed_rpm) {
+  const Call call(*this);
+  return drive_->set_speed(speed_rpm);
+}
+
+Result<hal::DriveStatus> WitnessedDrive::read() {
+  const Call call(*this);
+  return drive_->read();
+}
+
+void WitnessedDrive::stop() noexcept {
+  const Call call(*this);
+  drive_->stop();
+}
+
+}  // namespace rvbench::test
