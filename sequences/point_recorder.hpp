@@ -20,14 +20,25 @@ class PointRecorder {
   Status take(const FreshValues& fresh);
   bool covers(double input_turns) const;
 
-  /// Ends the point. A record in which samples are missing is never "ok", nor one whose mean input
-  /// torque, in the direction of rotation, is less than the load needs: a transducer with the
-  /// wrong sign, or none.
+  /// Ends the point. A record in which samples are missing is never "ok", nor one in which one
+  /// stream falls behind the other: a gap that nobody told. Nor one whose mean input torque, in
+  /// the direction of rotation and over any stretch of a second and ten turns, is less than the
+  /// load needs: a transducer with the wrong sign, or none.
   /// @param least_torque_Nm  at the input; NaN: not known
   Result<hal::PointResult> close(std::string status, double least_torque_Nm = not_known);
 
  private:
+  /// A piece of the record whose mean torque is looked at by itself.
+  struct Stretch {
+    double from_s = not_known, from_rad = not_known;
+    double torque_sum_Nm = 0;
+    long samples = 0;
+  };
+
   void take_sample(double time_s, const hal::TorqueSample& sample);
+  void take_stretch(double time_s, const hal::TorqueSample& sample);
+  void compare_streams(const FreshValues& fresh);
+  double weakest_driving_Nm(const hal::PointResult& whole) const;
 
   struct SoFar {
     double t0_s = not_known;  ///< of the first acceleration
@@ -39,6 +50,10 @@ class PointRecorder {
     long torque_samples = 0;
     long torque_lost = 0;
     long scans_lost = 0;
+    Stretch stretch;
+    double weakest_Nm = not_known;  ///< mean of a stretch, in the direction of rotation
+    double least_lag_s = not_known, most_lag_s = not_known;  ///< of accelerations behind torque
+    double longest_block_s = 0;
   };
 
   hal::RecordingWriter& recording_;

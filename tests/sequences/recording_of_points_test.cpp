@@ -43,11 +43,40 @@ class LosingAccelerometers final : public hal::Accelerometers {
   double until_s_;
 };
 
-// A transducer that is wired or scaled wrongly.
+// For so long the scans are gone, and the device counts on as if there had been none.
+class SwallowingAccelerometers final : public hal::Accelerometers {
+ public:
+  SwallowingAccelerometers(std::unique_ptr<hal::Accelerometers> whole, double until_s)
+      : whole_(std::move(whole)), until_s_(until_s) {}
+  const std::vector<ChannelInfo>& channels() const override { return whole_->channels(); }
+  double range_m_s2() const override { return whole_->range_m_s2(); }
+  double rate_Hz() const override { return whole_->rate_Hz(); }
+  Status connect() override { return whole_->connect(); }
+  Status start() override { return whole_->start(); }
+  void stop() noexcept override { whole_->stop(); }
+  Result<hal::AccelerationBlock> read() override {
+    auto read = whole_->read();
+    if (!read) return read;
+    hal::AccelerationBlock block = std::move(read).value();
+    if (block.t0_s >= lost_from_s && block.t0_s < until_s_) {
+      swallowed_s_ += double(block.scans.rows()) / rate_Hz();
+      return hal::AccelerationBlock{};
+    }
+    block.t0_s -= swallowed_s_;
+    return block;
+  }
+
+ private:
+  std::unique_ptr<hal::Accelerometers> whole_;
+  double until_s_;
+  double swallowed_s_ = 0;
+};
+
+// A transducer that is wired or scaled wrongly, or becomes so.
 class ScaledTorqueSensor final : public hal::TorqueSensor {
  public:
-  ScaledTorqueSensor(std::unique_ptr<hal::TorqueSensor> sensor, double factor)
-      : sensor_(std::move(sensor)), factor_(factor) {}
+  ScaledTorqueSensor(std::unique_ptr<hal::TorqueSensor> sensor, double factor, double from_s = 0)
+      : sensor_(std::move(sensor)), factor_(factor), from_s_(from_s) {}
 
   double rate_Hz() const override { return sensor_->rate_Hz(); }
   Status connect() override { return sensor_->connect(); }
@@ -55,6 +84,7 @@ class ScaledTorqueSensor final : public hal::TorqueSensor {
     auto read = sensor_->read();
     if (!read) return read;
     hal::TorqueBlock block = std::move(read).value();
+    if (block.t0_s < from_s_) return block;
     for (hal::TorqueSample& sample : block.samples) sample.torque_Nm *= factor_;
     return block;
   }
@@ -62,6 +92,7 @@ class ScaledTorqueSensor final : public hal::TorqueSensor {
  private:
   std::unique_ptr<hal::TorqueSensor> sensor_;
   double factor_;
+  double from_s_;
 };
 
 // Likewise the samples of torque and angle.
@@ -138,6 +169,13 @@ TEST_CASE("an input torque that cannot carry the load makes the run INVALID", "[
         std::make_unique<ScaledTorqueSensor>(std::move(run.rig.torque_sensor), 1 / 3.0);
     CHECK(run.go().points.at(0).status == "torque_implausible");
   }
+  SECTION("its sign turns in the last quarter of the record") {
+    run.rig.torque_sensor =
+        std::make_unique<ScaledTorqueSensor>(std::move(run.rig.torque_sensor), -1, 20);
+    const auto& point = run.go().points.at(0);
+    CHECK(point.status == "torque_implausible");
+    CHECK(point.torque_Nm > 0);  // the mean of the whole shows nothing of it
+  }
   SECTION("a reducer that loses a third of the power is no better than that") {
     run.rig.torque_sensor =
         std::make_unique<ScaledTorqueSensor>(std::move(run.rig.torque_sensor), 1.5);
@@ -151,6 +189,21 @@ TEST_CASE("lost samples make the run INVALID", "[sequences]") {
   const auto& summary = run.go();
   CHECK(summary.points.at(0).status == "samples_lost");
   CHECK(exit_code(summary.ending) == 20);
+}
+
+TEST_CASE("a gap that nobody told makes the run INVALID", "[sequences]") {
+  Run run;
+  SECTION("a tenth of a second") {
+    run.rig.accelerometers = std::make_unique<SwallowingAccelerometers>(
+        std::move(run.rig.accelerometers), lost_from_s + 0.1);
+    CHECK(run.go().points.at(0).status == "samples_lost");
+    CHECK(exit_code(run.summary.ending) == 20);
+  }
+  SECTION("less than time stamps could tell") {
+    run.rig.accelerometers = std::make_unique<SwallowingAccelerometers>(
+        std::move(run.rig.accelerometers), lost_from_s + 0.02);
+    CHECK(run.go().points.at(0).status == "ok");
+  }
 }
 
 TEST_CASE("samples lost for some ticks on end keep their place in the record", "[sequences]") {
