@@ -40,7 +40,9 @@ void BenchDevices::read() {
     values_.angle_rad = fresh.angle_rad;
     values_.torque_Nm = fresh.torque_mean_Nm;
   }
-  if (fresh.drive) speed_when_heard_rpm_ = measured_speed_rpm(window_s);
+  if (fresh.drive) fastest_since_heard_rpm_ = not_known;
+  fastest_since_heard_rpm_ =
+      std::fmax(fastest_since_heard_rpm_, std::abs(measured_speed_rpm(window_s)));
 }
 
 void BenchDevices::write(double speed_rpm, double brake_torque_Nm) {
@@ -80,10 +82,11 @@ bool BenchDevices::stands_still(double limit_rpm) const {
   return drive_knows ? !drive.running || drive_stopped : !was_contradicted(limit_rpm);
 }
 
-// All comparisons are false for what is not known.
+// An angle that has moved since then is alive: it only lagged behind. All comparisons are false for
+// what is not known.
 bool BenchDevices::was_contradicted(double limit_rpm) const {
   return values_.drive.running && std::abs(values_.drive.speed_rpm) > limit_rpm &&
-         std::abs(speed_when_heard_rpm_) <= limit_rpm;
+         fastest_since_heard_rpm_ <= limit_rpm;
 }
 
 }  // namespace rvbench::sequences

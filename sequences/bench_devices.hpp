@@ -46,7 +46,7 @@ class BenchDevices {
   bool drive_fell_silent() const;  ///< to either kind of request, since start()
 
   /// By the angle, or by the drive where the angle is lost; by both where both tell. An angle that
-  /// stood still while the drive last told that it turned the shaft is not believed alone.
+  /// has stood still since the drive last told that it turned the shaft is not believed alone.
   bool stands_still(double limit_rpm) const;
 
  private:
@@ -59,7 +59,7 @@ class BenchDevices {
   Handover taken_;
   BenchValues values_;
   AngleTrack angles_;
-  double speed_when_heard_rpm_ = not_known;  ///< by the angle, when the drive last told its own
+  double fastest_since_heard_rpm_ = not_known;  ///< by the angle, since the drive last told its own
 };
 
 }  // namespace rvbench::sequences

@@ -10,6 +10,8 @@
 
 namespace rvbench::test {
 
+class KeptRecording;
+
 using ChannelCheck = std::function<std::vector<analysis::QualityNote>(const Channel&, double)>;
 
 /// What judges a run besides its plan: all that a guard can be taken from.
@@ -17,6 +19,8 @@ struct Controller {
   sequences::TestPlan& plan;
   hal::Rig& rig;
   ChannelCheck& check;  ///< of the recorded accelerations
+  KeptRecording& recording;
+  std::function<void()> forget_to_drain;  ///< puts make_undrained_drive() in the driver's place
 };
 
 /// What one guard of the controller would have seen is taken away: a campaign must then find

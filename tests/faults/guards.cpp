@@ -1,6 +1,7 @@
 #include "analysis/quality.hpp"
 #include "tests/faults/fault_bench.hpp"
 #include "tests/faults/guard.hpp"
+#include "tests/faults/kept_recording.hpp"
 
 namespace rvbench::test {
 
@@ -16,6 +17,9 @@ const std::vector<Guard>& guards() {
          }},
         {"staleness",
          [](Controller& controller) { controller.plan.interlocks.stale_after_s = 1e3; }},
+        {"drained link", [](Controller& controller) { controller.forget_to_drain(); }},
+        {"acknowledged once written",
+         [](Controller& controller) { controller.recording.acknowledges_early = true; }},
         {"dead stretches",
          [](Controller& controller) { controller.check = analysis::channel_quality; }},
     };

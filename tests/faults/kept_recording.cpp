@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <stdexcept>
+#include <utility>
 
 #include "tests/faults/fault_bench.hpp"
 
@@ -66,19 +67,33 @@ KeptRecording::KeptRecording(const std::filesystem::path& file,
 
 Status KeptRecording::append(int point, const hal::AccelerationBlock& block) {
   if (disk_full) return no_space;
+  if (Status ended = write_belated_end(); !ended) return ended;
   return writer_->append(point, block);
 }
 
 Status KeptRecording::append(int point, const hal::TorqueBlock& block) {
   if (disk_full) return no_space;
+  if (Status ended = write_belated_end(); !ended) return ended;
   return writer_->append(point, block);
 }
 
 Status KeptRecording::end_point(const hal::PointResult& result) {
   if (disk_full) return no_space;
-  Status ended = writer_->end_point(result);
+  if (Status before = write_belated_end(); !before) return before;
+  if (acknowledges_early) belated_end_ = result;
+  Status ended = acknowledges_early ? Status(Done{}) : writer_->end_point(result);
   if (ended) acknowledged_.push_back(result);
   return ended;
+}
+
+Status KeptRecording::write_belated_end() {
+  if (!belated_end_) return Done{};
+  return writer_->end_point(*std::exchange(belated_end_, std::nullopt));
+}
+
+Status KeptRecording::close() {
+  if (Status ended = write_belated_end(); !ended) return ended;
+  return writer_->close();
 }
 
 Status KeptRecording::note(double time_s, const std::string& event) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,15 +23,19 @@ class KeptRecording final : public hal::RecordingWriter {
   Status append(int point, const hal::TorqueBlock& block) override;
   Status end_point(const hal::PointResult& result) override;
   Status note(double time_s, const std::string& event) override;
-  Status close() override { return writer_->close(); }
+  Status close() override;
 
   const std::vector<hal::PointResult>& acknowledged() const { return acknowledged_; }
 
   bool disk_full = false;
+  bool acknowledges_early = false;  ///< an end is written before the next point begins, not at once
 
  private:
+  Status write_belated_end();
+
   std::unique_ptr<hal::RecordingWriter> writer_;
   std::vector<hal::PointResult> acknowledged_;
+  std::optional<hal::PointResult> belated_end_;
 };
 
 /// What is on the disk after a run.

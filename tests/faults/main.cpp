@@ -18,11 +18,12 @@ namespace {
 using namespace rvbench;
 
 constexpr int states = test::bench_states;
-constexpr int most_attempts = 4;         // at a run that the computer holds up
+constexpr int most_attempts = 10;        // at a run that the computer holds up
 constexpr double most_repeated = 0.005;  // of the runs
 
 struct Options {
   int runs = 500;
+  int first = 0;
   std::uint64_t seed = 1;
   int jobs = 8;  // most of the time they wait for replies that do not come
   std::string without;
@@ -77,7 +78,8 @@ void work(const Options& options, int job, std::FILE* out) {
     if (guard.name == options.without) without = &guard;
   }
   const std::filesystem::path folder = test::folder_for_recordings();
-  for (int number = job; number < options.runs; number += options.jobs) {
+  for (int number = options.first + job; number < options.first + options.runs;
+       number += options.jobs) {
     const test::FaultCase fault = case_of(options, number);
     const auto [report, repeated] = attempt(fault, folder, without);
     fmt::print(out, "{} {} {} {} {}\n", report.struck ? 1 : 0, repeated, report.undriven_s,
@@ -130,6 +132,7 @@ int main(int argc, char** argv) {
   Options options;
   CLI::App app{"Fault campaign: every fault in every state of a run, judged by the plant."};
   app.add_option("--runs", options.runs, "how many");
+  app.add_option("--first", options.first, "number of the first, to see one of them again");
   app.add_option("--seed", options.seed, "of when faults strike");
   app.add_option("--jobs", options.jobs, "processes side by side")->check(CLI::Range(1, 64));
   app.add_option("--without", options.without, "guard that is switched off")

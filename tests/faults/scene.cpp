@@ -9,7 +9,7 @@
 #include "hal/simulated_rig.hpp"
 #include "sequences/sequencer.hpp"
 #include "tests/faults/oracle.hpp"
-#include "tests/faults/witnessed_drive.hpp"
+#include "tests/faults/undrained_drive.hpp"
 
 namespace rvbench::test {
 namespace {
@@ -81,9 +81,14 @@ Scene::Scene(const FaultCase& fault, const std::filesystem::path& recording, con
   bench_.server.set_lateness_s(1.5 * patience_s);
   rig_ = hal::make_simulated_rig(std::move(owned_), {.response_timeout_s = response_timeout_s,
                                                      .stall_s = patience_s - response_timeout_s});
-  rig_.drive = std::make_unique<WitnessedDrive>(std::move(rig_.drive), bench_.server, patience_s,
-                                                report_.held_up);
-  Controller controller{plan_, rig_, check_};
+  auto witnessed = std::make_unique<WitnessedDrive>(std::move(rig_.drive), bench_.inverter,
+                                                    bench_.server, patience_s, witness_);
+  WitnessedDrive& drive = *witnessed;
+  rig_.drive = std::move(witnessed);
+  Controller controller{plan_, rig_, check_, *recording_, [this, &drive] {
+                          drive.replace_driver(make_undrained_drive(
+                              bench_.server.port(), *rig_.clock, response_timeout_s, patience_s));
+                        }};
   if (without != nullptr) without->switch_off(controller);
   if (fault_.kind == nullptr) return;
   bench_.when(fault_.state, delay_s(fault_.state, fault_.seed), [this] { strike(); });
@@ -109,6 +114,11 @@ void Scene::leave_alone() { bench_.advance_to(bench_.now_s() + alone_s); }
 
 void Scene::judge_plant() {
   Oracle oracle(fault_, bench_, report_);
+  report_.held_up = witness_.held_up;
+  if (witness_.belated_readings > 0) {
+    oracle.blame(
+        fmt::format("{} late replies were taken for the next ones", witness_.belated_readings));
+  }
   oracle.long_after();
   oracle.on_shaft_and_brake(struck_s_, was_driven_, plan_.teardown.standstill_timeout_s);
 }

@@ -9,6 +9,7 @@
 #include "hal/types/outcome.hpp"
 #include "tests/faults/fault_run.hpp"
 #include "tests/faults/kept_recording.hpp"
+#include "tests/faults/witnessed_drive.hpp"
 
 namespace rvbench::test {
 
@@ -41,6 +42,7 @@ class Scene {
   ChannelCheck check_;
   std::unique_ptr<FaultBench> owned_;
   FaultBench& bench_;
+  Witness witness_;
   hal::Rig rig_;
   std::unique_ptr<KeptRecording> recording_;
   std::stop_source stop_;

@@ -1,8 +1,14 @@
 #include "tests/faults/witnessed_drive.hpp"
 
 #include <chrono>
+#include <cmath>
 
 namespace rvbench::test {
+namespace {
+
+constexpr double speed_resolution_rpm = 0.1;  // of the drive's register
+
+}  // namespace
 
 class WitnessedDrive::Call {
  public:
@@ -11,7 +17,7 @@ class WitnessedDrive::Call {
     const double took_s = std::chrono::duration<double>(Clock::now() - began_).count();
     const bool is_planned = drive_.server_.misbehaved() > drive_.misbehaved_;
     drive_.misbehaved_ = before_;
-    if (took_s >= drive_.patience_s_ && !is_planned) drive_.was_held_up_ = true;
+    if (took_s >= drive_.patience_s_ && !is_planned) drive_.witness_.held_up = true;
   }
   Call(const Call&) = delete;
   Call& operator=(const Call&) = delete;
@@ -41,7 +47,14 @@ Status WitnessedDrive::set_speed(double speed_rpm) {
 
 Result<hal::DriveStatus> WitnessedDrive::read() {
   const Call call(*this);
-  return drive_->read();
+  const double shown_rpm = model_.state().speed_rpm;
+  const int misbehaved = server_.misbehaved();
+  auto status = drive_->read();
+  const bool is_sound = status && server_.misbehaved() == misbehaved;
+  if (is_sound && !(std::abs(status.value().speed_rpm - shown_rpm) <= speed_resolution_rpm)) {
+    ++witness_.belated_readings;
+  }
+  return status;
 }
 
 void WitnessedDrive::stop() noexcept {

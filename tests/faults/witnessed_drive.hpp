@@ -1,26 +1,36 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
 #include "hal/drive.hpp"
 #include "sim/inverter_server.hpp"
 
 namespace rvbench::test {
 
+struct Witness {
+  bool held_up = false;      ///< by the computer
+  int belated_readings = 0;  ///< a late reply was taken for the next one
+};
+
 /// Stands between the controller and the driver, with an eye on the wall clock: requests are
 /// answered in real time, and a busy computer may take longer than the link waits.
 ///
 /// A call that took as long as a time-out although neither it nor the call before it met a planned
-/// fault was held up by the computer: nothing follows from the run.
+/// fault was held up by the computer: nothing follows from the run. A status must be what the drive
+/// shows while it is asked: virtual time stands still until there is an answer.
 class WitnessedDrive final : public hal::Drive {
  public:
-  /// @param server, was_held_up  must outlive it
-  WitnessedDrive(std::unique_ptr<hal::Drive> drive, const sim::InverterServer& server,
-                 double patience_s, bool& was_held_up)
+  /// @param model, server, witness  must outlive it
+  WitnessedDrive(std::unique_ptr<hal::Drive> drive, const sim::InverterModel& model,
+                 const sim::InverterServer& server, double patience_s, Witness& witness)
       : drive_(std::move(drive)),
+        model_(model),
         server_(server),
         patience_s_(patience_s),
-        was_held_up_(was_held_up) {}
+        witness_(witness) {}
+
+  void replace_driver(std::unique_ptr<hal::Drive> drive) { drive_ = std::move(drive); }
 
   hal::DriveLimits limits() const override { return drive_->limits(); }
   Status connect() override;
@@ -34,9 +44,10 @@ class WitnessedDrive final : public hal::Drive {
   class Call;
 
   std::unique_ptr<hal::Drive> drive_;
+  const sim::InverterModel& model_;
   const sim::InverterServer& server_;
   double patience_s_;
-  bool& was_held_up_;
+  Witness& witness_;
   int misbehaved_ = 0;  ///< when the call before began
 };
 

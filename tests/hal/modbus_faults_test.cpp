@@ -38,6 +38,36 @@ SCENARIO("a late reply is never taken for the next one", "[hal][modbus]") {
   }
 }
 
+SCENARIO("an older reply that comes merged with the right one is not taken", "[hal][modbus]") {
+  Bench bench;
+  REQUIRE(bench.drive.connect());
+  bench.model.set_measured(100, 0);
+  REQUIRE(bench.drive.read());
+  for (int i = 2; i <= 5; ++i) {
+    bench.model.set_measured(100 * i, 0);
+    bench.server->inject({.fault = WireFault::merged, .requests = 1});
+    const auto status = bench.drive.read();
+    REQUIRE(status);
+    CHECK(status.value().speed_rpm == 100 * i);
+  }
+  CHECK(bench.server->misbehaved() == 4);
+  CHECK(bench.drive.retries() == 4);
+}
+
+SCENARIO("every exception is told as a refusal", "[hal][modbus]") {
+  Bench bench;
+  REQUIRE(bench.drive.connect());
+  for (const int code : {1, 2, 3, 4, 5, 6, 8, 10, 11}) {
+    CAPTURE(code);
+    bench.server->inject({.fault = WireFault::busy, .exception_code = code});
+    const auto status = bench.drive.read();
+    REQUIRE_FALSE(status);
+    CHECK(status.error().code == IoErrc::refused);
+    bench.server->inject({});
+    CHECK(bench.drive.read());
+  }
+}
+
 SCENARIO("a silent drive is an error within the deadline", "[hal][modbus]") {
   Bench bench({.comm_loss_timeout_s = 0.5});
   REQUIRE(bench.drive.connect());

@@ -100,6 +100,14 @@ struct Run {
   }
   hal::MirrorWorld& world() { return hal::mirror_world(rig); }
 
+  /// When the drive was first told to turn; NaN if it was not.
+  double started_s() {
+    for (const auto& [time_s, speed_rpm] : world().speed_commands()) {
+      if (speed_rpm != 0) return time_s;
+    }
+    return not_known;
+  }
+
   /// When the drive was first told to stop for good; NaN if it was not.
   double stopped_s() {
     double since_s = not_known;

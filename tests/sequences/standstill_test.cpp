@@ -102,6 +102,19 @@ TEST_CASE("an angle that stands still while the drive turns the shaft does not r
   CHECK(run.world().brake_released_s() - run.stopped_s() < 6.05 + 0.3);
 }
 
+TEST_CASE("a drive that falls silent while it speeds up does not make the angle doubtful",
+          "[sequences][safety]") {
+  for (const double silent_s : {0.06, 0.12, 0.18}) {
+    CAPTURE(silent_s);
+    Run start;
+    start.go();
+    const double started_s = start.started_s();
+    Run run;
+    run.world().schedule(MirrorFault::drive_dead, started_s + silent_s);
+    CHECK(run.go().shaft_stopped);
+  }
+}
+
 TEST_CASE("a drive that had fallen silent is left alone once it was told to stop",
           "[sequences][safety]") {
   Run run;
