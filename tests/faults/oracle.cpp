@@ -65,7 +65,9 @@ void Oracle::stopped(double struck_s) {
 
 void Oracle::released(double standstill_timeout_s) {
   const double given_up_s = bench_.driven_until_s() + standstill_timeout_s;
-  double due_s = std::min(bench_.moved_until_s(), given_up_s);
+  // A shaft that hardly moved stands still from when it was driven no more.
+  const double still_s = std::max(bench_.moved_until_s(), bench_.driven_until_s());
+  double due_s = std::min(still_s, given_up_s);
   if (fault_.kind != nullptr) {
     if (fault_.kind->cuts_brake_off) return;
     if (fault_.kind->hides_standstill) due_s = given_up_s;
