@@ -22,11 +22,13 @@ FaultReport run_to_its_end(const FaultCase& fault, const std::filesystem::path& 
 
 FaultReport run_fault(const FaultCase& fault, const std::filesystem::path& folder,
                       const Guard* without) {
-  const std::filesystem::path file = folder / ("recording-" + std::to_string(fault.seed) + ".h5");
+  const std::filesystem::path own = folder / ("run-" + std::to_string(fault.seed));
+  std::filesystem::create_directory(own);
+  const std::filesystem::path file = own / "recording.h5";
   const bool kills = fault.kind != nullptr && fault.kind->kills_controller;
   FaultReport report =
       kills ? run_killed(fault, file, without) : run_to_its_end(fault, file, without);
-  std::filesystem::remove(file);
+  std::filesystem::remove_all(own);
   return report;
 }
 

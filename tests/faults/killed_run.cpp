@@ -122,7 +122,6 @@ FaultReport run_killed(const FaultCase& fault, const std::filesystem::path& file
   const ReadBack found = read_back(file, result.acknowledged, PlantTruth::load(truth),
                                    analysis::accelerometer_quality);
   report.violations.insert(report.violations.end(), found.losses.begin(), found.losses.end());
-  std::filesystem::remove(truth);
   return report;
 }
 
