@@ -37,15 +37,16 @@ std::vector<ChannelInfo> triaxial_channels() {
 }  // namespace
 
 BenchWorld::BenchWorld(const std::string& preset, std::uint64_t seed,
-                       const InverterParameters& inverter, const PlantSpec& plant)
+                       const InverterParameters& inverter, const PlantSpec& plant,
+                       std::uint16_t inverter_port)
     : plant_(draw_unit(preset, seed), plant),
       inverter_(inverter),
-      server_(inverter_),
+      server_(inverter_, 1, inverter_port),
       torque_filter_(RvBench::rate_Hz, transducer_rate_Hz),
       torque_engine_(plant_.unit().noise_seed + 3),
       channels_(triaxial_channels()),
       scan_(RvBench::sensors) {
-  hal::InProcessBus bus = hal::make_in_process_bus([this] { return now_s_; });
+  hal::InProcessBus bus = hal::make_in_process_bus([this] { return now_s(); });
   bench_end_ = std::move(bus.bench);
   node_end_ = std::move(bus.nodes);
   transducer_ = std::make_unique<TransducerNode>(*node_end_, transducer_rate_Hz);
@@ -58,7 +59,7 @@ std::unique_ptr<hal::CanTransport> BenchWorld::make_can_transport() {
 
 void BenchWorld::advance_to(double time_s) {
   while (static_cast<double>(scans_ + 1) / RvBench::rate_Hz <= time_s) step();
-  now_s_ = std::max(now_s_, time_s);
+  now_s_ = std::max<double>(now_s_, time_s);
 }
 
 void BenchWorld::at(double time_s, std::function<void()> what) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <map>
 #include <memory>
@@ -21,13 +22,15 @@ namespace rvbench::sim {
 ///
 /// Torque   behind the transducer's anti-alias filter, with its noise; the angle is counted, and
 ///          has neither
-/// Threads  one caller at a time; the inverter's server has a thread of its own
+/// Threads  one caller at a time, and another one at the bench's end of the bus; the inverter's
+///          server has a thread of its own
 class BenchWorld final : public hal::PlantPort {
  public:
   /// @param plant  what turns, as on the drawing; the seed draws how this unit deviates from it
+  /// @param inverter_port  of the inverter's server; 0: the kernel chooses one
   /// @throws std::invalid_argument if there is no such preset, or the bench cannot run the plant
   BenchWorld(const std::string& preset, std::uint64_t seed, const InverterParameters& inverter = {},
-             const PlantSpec& plant = rv20e_bench());
+             const PlantSpec& plant = rv20e_bench(), std::uint16_t inverter_port = 0);
 
   double now_s() const override { return now_s_; }
   void advance_to(double time_s) override;
@@ -46,10 +49,10 @@ class BenchWorld final : public hal::PlantPort {
   TransducerNode& transducer() { return *transducer_; }
   BrakeNode& brake() { return *brake_; }
   const RvTrain& plant() const { return plant_.train(); }
-  void press_estop() { estop_pressed_ = true; }
-  void open_guard() { guard_open_ = true; }
-  void stop_daq() { daq_stopped_ = true; }
-  void lose_temperature() { housing_temp_is_known_ = false; }
+  void press_estop(bool pressed = true) { estop_pressed_ = pressed; }
+  void open_guard(bool open = true) { guard_open_ = open; }
+  void stop_daq(bool stopped = true) { daq_stopped_ = stopped; }
+  void lose_temperature(bool lost = true) { housing_temp_is_known_ = !lost; }
 
   /// Does it once time has come to `time_s`: in the middle of advance_to(), or now if it has.
   void at(double time_s, std::function<void()> what);
@@ -72,9 +75,9 @@ class BenchWorld final : public hal::PlantPort {
   std::normal_distribution<double> torque_noise_;
   std::vector<ChannelInfo> channels_;
 
-  double now_s_ = 0;
-  std::int64_t scans_ = 0;  ///< sampled since the start
-  std::int64_t taken_ = 0;  ///< handed over
+  std::atomic<double> now_s_ = 0;  ///< the bus asks for it from wherever frames are sent
+  std::int64_t scans_ = 0;         ///< sampled since the start
+  std::int64_t taken_ = 0;         ///< handed over
   std::vector<float> waiting_;
   Eigen::VectorXf scan_;
   double housing_temp_degC_ = hall_degC;

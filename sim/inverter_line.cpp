@@ -9,7 +9,8 @@
 #include <stdexcept>
 #include <thread>
 
-#include "sim/inverter_requests.hpp"
+#include "sim/inverter_device.hpp"
+#include "sim/modbus_requests.hpp"
 #include "sim/pseudo_terminal.hpp"
 
 namespace rvbench::sim {
@@ -24,7 +25,8 @@ struct FreeModbus {
 class InverterLine::Service {
  public:
   Service(InverterModel& model, std::uint8_t unit_id)
-      : requests(model, unit_id),
+      : device_(model),
+        requests_(device_, unit_id),
         context_(modbus_new_rtu(terminal_.device().c_str(), 115200, 'N', 8, 1)) {
     if (!context_ || modbus_set_slave(context_.get(), unit_id) != 0) {
       throw std::runtime_error(std::string("InverterLine: ") + std::strerror(errno));
@@ -34,7 +36,7 @@ class InverterLine::Service {
   }
 
   ~Service() {
-    requests.end();
+    requests_.end();
     thread_.join();
   }
 
@@ -43,21 +45,23 @@ class InverterLine::Service {
 
   const std::string& device() const { return terminal_.device(); }
 
-  InverterRequests requests;
+  ModbusRequests& requests() { return requests_; }
 
  private:
   void serve() {
     for (;;) {
       std::array<pollfd, 2> watched{
-          {{requests.ending(), POLLIN, 0}, {terminal_.master(), POLLIN, 0}}};
+          {{requests_.ending(), POLLIN, 0}, {terminal_.master(), POLLIN, 0}}};
       if (::poll(watched.data(), watched.size(), -1) < 0 && errno != EINTR) return;
       if (watched[0].revents != 0) return;
       if (watched[1].revents == 0) continue;
       // What is no request: silence ends it, as on any serial line.
-      if (!requests.serve(context_.get(), terminal_.master())) modbus_flush(context_.get());
+      if (!requests_.serve(context_.get(), terminal_.master())) modbus_flush(context_.get());
     }
   }
 
+  InverterDevice device_;
+  ModbusRequests requests_;
   PseudoTerminal terminal_;
   std::unique_ptr<modbus_t, FreeModbus> context_;
   std::thread thread_;
@@ -70,10 +74,12 @@ InverterLine::~InverterLine() = default;
 
 const std::string& InverterLine::device() const { return service_->device(); }
 
-void InverterLine::inject(const WireFaultPlan& plan) { service_->requests.faults.inject(plan); }
+void InverterLine::inject(const WireFaultPlan& plan) { service_->requests().faults.inject(plan); }
 
-void InverterLine::set_lateness_s(double lateness_s) { service_->requests.lateness_s = lateness_s; }
+void InverterLine::set_lateness_s(double lateness_s) {
+  service_->requests().lateness_s = lateness_s;
+}
 
-int InverterLine::requests() const { return service_->requests.count; }
+int InverterLine::requests() const { return service_->requests().count; }
 
 }  // namespace rvbench::sim

@@ -28,7 +28,7 @@ IoError failure(IoErrc code, const std::string& what) {
 
 CanTorqueSensor::CanTorqueSensor(std::unique_ptr<CanTransport> transport,
                                  const CanTorqueSensorOptions& options, Clock& clock)
-    : transport_(std::move(transport)), options_(options), clock_(clock) {
+    : transport_(std::move(transport)), options_(options), clock_(clock), track_(options.rate_Hz) {
   if (!transport_) throw std::invalid_argument("CanTorqueSensor: transport is null");
   require_positive(options.rate_Hz, "CanTorqueSensor", "rate_Hz");
   require_positive(options.deadline_s, "CanTorqueSensor", "deadline_s");
@@ -39,7 +39,7 @@ Status CanTorqueSensor::connect() {
   const Status opened = transport_->open();
   if (!opened) return opened;
   drop_waiting_frames();
-  track_ = Track{};
+  track_ = Track(options_.rate_Hz);
   saw_repeats_ = false;
   fresh_s_ = clock_.now_s();
   connected_ = true;
@@ -101,14 +101,18 @@ std::int64_t CanTorqueSensor::samples_since(const Track& track,
                                             double time_s) const {
   if (frame == track.newest) return 0;
   const int step = static_cast<std::uint8_t>(frame.counter - track.newest.counter);
-  const double elapsed = (time_s - track.time_s) * options_.rate_Hz;
+  const double elapsed = (time_s - track.came_s) * options_.rate_Hz;
   return step + 256 * std::llround((elapsed - step) / 256);
 }
 
 void CanTorqueSensor::append(const can_frames::TorqueFrame& frame, double time_s, Track& track,
                              TorqueBlock& block) {
   if (!track.started) {
-    track = {true, frame, time_s, frame.angle_turns, 0};
+    track.started = true;
+    track.clock.start(time_s);
+    track.newest = frame;
+    track.came_s = track.time_s = time_s;
+    track.angle_turns = frame.angle_turns;
     block.samples.push_back({frame.torque_Nm, units::two_pi * track.angle_turns});
     return;
   }
@@ -122,7 +126,11 @@ void CanTorqueSensor::append(const can_frames::TorqueFrame& frame, double time_s
   const auto samples = static_cast<double>(steps);
   const double expected_turns = track.angle_turns + samples * track.turns_per_sample;
   const double turns = frame.angle_turns + std::round(expected_turns - frame.angle_turns);
-  track = {true, frame, time_s, turns, (turns - track.angle_turns) / samples};
+  track.newest = frame;
+  track.came_s = time_s;
+  track.time_s = track.clock.next(time_s, steps);
+  track.turns_per_sample = (turns - track.angle_turns) / samples;
+  track.angle_turns = turns;
   block.samples.push_back({frame.torque_Nm, units::two_pi * turns});
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hal/can/can_frames.hpp"
+#include "hal/can/frame_clock.hpp"
 #include "hal/can_transport.hpp"
 #include "hal/clock.hpp"
 #include "hal/torque_sensor.hpp"
@@ -25,7 +26,8 @@ struct CanTorqueSensorOptions {
 ///
 /// Samples  lost frames are found by the rolling counter (and by the time of arrival, for 256 and
 ///          more) and filled with NaN; the angle is unwrapped over gaps at the last known speed,
-///          which holds as long as the speed changes by less than half a turn per gap
+///          which holds as long as the speed changes by less than half a turn per gap. Their times
+///          are those of a FrameClock: frames come late, each by another while
 /// Errors   timeout: nothing came; stale: the counter stood still; bad_reply: a frame of wrong
 ///          length, or one that says zeroing, overload or shunt on. Samples of a failed read()
 ///          count as lost in the next one
@@ -45,9 +47,13 @@ class CanTorqueSensor final : public TorqueSensor {
  private:
   /// Where the stream of samples stands.
   struct Track {
+    explicit Track(double rate_Hz) : clock(rate_Hz) {}
+
     bool started = false;
+    FrameClock clock;
     can_frames::TorqueFrame newest;
-    double time_s = 0;            ///< when the newest sample came
+    double came_s = 0;            ///< when the newest sample came
+    double time_s = 0;            ///< and when it was taken
     double angle_turns = 0;       ///< unwrapped
     double turns_per_sample = 0;  ///< at the newest sample
   };
@@ -64,7 +70,7 @@ class CanTorqueSensor final : public TorqueSensor {
   Clock& clock_;
   bool connected_ = false;
   bool saw_repeats_ = false;
-  double fresh_s_ = 0;  ///< when the newest sample came
+  double fresh_s_ = 0;  ///< when the newest sample was taken
   Track track_;
 };
 

@@ -51,7 +51,7 @@ Status StreamedAccelerometers::start() {
 // What a device cannot hand on in time it drops: reading comes before all that can wait.
 void StreamedAccelerometers::pump(const std::stop_token& stop) noexcept {
   try {
-    (void)make_this_thread_urgent();
+    (void)make_this_thread_urgent();  // so is who reads, and would wait for it at the stream's lock
     while (!stop.stop_requested()) {
       AccelerationBlock::Scans scans;
       if (const Status waited = source_->wait(scans); !waited) return stream_->fail(waited.error());

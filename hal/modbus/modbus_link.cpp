@@ -157,6 +157,24 @@ Status ModbusLink::read(const char* operation, std::uint16_t address,
   return settle(done, words.size(), operation, address);
 }
 
+Status ModbusLink::read_inputs(const char* operation, std::uint16_t address,
+                               std::span<std::uint16_t> words) {
+  if (!is_open()) return failure(IoErrc::disconnected, operation);
+  keep_turnaround();
+  const int done = modbus_read_input_registers(connection_->context, address,
+                                               static_cast<int>(words.size()), words.data());
+  return settle(done, words.size(), operation, address);
+}
+
+Status ModbusLink::read_bits(const char* operation, std::uint16_t address,
+                             std::span<std::uint8_t> bits) {
+  if (!is_open()) return failure(IoErrc::disconnected, operation);
+  keep_turnaround();
+  const int done = modbus_read_input_bits(connection_->context, address,
+                                          static_cast<int>(bits.size()), bits.data());
+  return settle(done, bits.size(), operation, address);
+}
+
 Status ModbusLink::write(const char* operation, std::uint16_t address,
                          std::span<const std::uint16_t> words) {
   require_writable(address, words.size());
@@ -189,7 +207,7 @@ Status ModbusLink::settle(int words_done, std::size_t words_asked, const char* o
 
 IoError ModbusLink::failure(IoErrc code, const std::string& operation) const {
   const std::string at = std::visit([](const auto& kind) { return shown(kind); }, options_.path);
-  return {code, fmt::format("inverter {}: {}", at, operation)};
+  return {code, fmt::format("{} {}: {}", options_.device, at, operation)};
 }
 
 }  // namespace rvbench::hal

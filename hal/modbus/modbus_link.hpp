@@ -14,6 +14,7 @@ namespace rvbench::hal {
 
 struct ModbusLinkOptions {
   ModbusPath path = {};
+  std::string device = "inverter";  ///< as errors name it
   std::uint8_t unit_id = 1;
   double timeout_s = 0.1;               ///< until a reply is complete; 0.001 to 10
   double turnaround_s = 0;              ///< silence kept between a reply and the next request
@@ -44,6 +45,10 @@ class ModbusLink {
 
   /// Reads words.size() holding registers from the PDU address on (function 3).
   Status read(const char* operation, std::uint16_t address, std::span<std::uint16_t> words);
+  /// Reads words.size() input registers (function 4).
+  Status read_inputs(const char* operation, std::uint16_t address, std::span<std::uint16_t> words);
+  /// Reads bits.size() discrete inputs (function 2), each as 0 or 1.
+  Status read_bits(const char* operation, std::uint16_t address, std::span<std::uint8_t> bits);
   /// Writes neighbouring registers (function 16).
   /// @throws std::invalid_argument if one of them is not writable; nothing is sent
   Status write(const char* operation, std::uint16_t address, std::span<const std::uint16_t> words);

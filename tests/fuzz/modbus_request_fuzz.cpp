@@ -5,7 +5,8 @@
 #include <array>
 #include <memory>
 
-#include "sim/inverter_requests.hpp"
+#include "sim/inverter_device.hpp"
+#include "sim/modbus_requests.hpp"
 #include "tests/fuzz/scratch_file.hpp"
 
 using namespace rvbench;
@@ -17,7 +18,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   modbus_set_byte_timeout(context.get(), 0, 1000);
   modbus_set_indication_timeout(context.get(), 0, 1000);
   sim::InverterModel model;
-  sim::InverterRequests requests(model, 1);
+  sim::InverterDevice device(model);
+  sim::ModbusRequests requests(device, 1);
   std::array<int, 2> line{};
   test::must(::socketpair(AF_UNIX, SOCK_STREAM, 0, line.data()) == 0);
   (void)!::write(line[0], data, size);

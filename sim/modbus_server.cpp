@@ -1,4 +1,4 @@
-#include "sim/inverter_server.hpp"
+#include "sim/modbus_server.hpp"
 
 #include <modbus/modbus.h>
 #include <netinet/in.h>
@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "sim/inverter_requests.hpp"
+#include "sim/modbus_requests.hpp"
 
 namespace rvbench::sim {
 namespace {
@@ -25,14 +25,14 @@ struct FreeModbus {
 }  // namespace
 
 // The serving thread and its sockets.
-class InverterServer::Service {
+class ModbusServer::Service {
  public:
-  Service(InverterModel& model, std::uint8_t unit_id)
-      : requests(model, unit_id), context_(modbus_new_tcp("127.0.0.1", 0)) {
+  Service(ModbusDevice& device, std::uint8_t unit_id, std::uint16_t port)
+      : requests(device, unit_id), context_(modbus_new_tcp("127.0.0.1", port)) {
     listener_ = context_ ? modbus_tcp_listen(context_.get(), 4) : -1;
     if (listener_ < 0) {
-      throw std::runtime_error(std::string("InverterServer: cannot listen on 127.0.0.1: ") +
-                               std::strerror(errno));
+      throw std::runtime_error("ModbusServer: cannot listen on 127.0.0.1:" + std::to_string(port) +
+                               ": " + std::strerror(errno));
     }
     modbus_set_byte_timeout(context_.get(), 0, 100'000);
     thread_ = std::thread([this] { serve(); });
@@ -55,7 +55,7 @@ class InverterServer::Service {
     return ntohs(address.sin_port);
   }
 
-  InverterRequests requests;
+  ModbusRequests requests;
 
  private:
   void serve() {
@@ -95,20 +95,20 @@ class InverterServer::Service {
   std::thread thread_;
 };
 
-InverterServer::InverterServer(InverterModel& model, std::uint8_t unit_id)
-    : service_(std::make_unique<Service>(model, unit_id)) {}
+ModbusServer::ModbusServer(ModbusDevice& device, std::uint8_t unit_id, std::uint16_t port)
+    : service_(std::make_unique<Service>(device, unit_id, port)) {}
 
-InverterServer::~InverterServer() = default;
+ModbusServer::~ModbusServer() = default;
 
-std::uint16_t InverterServer::port() const { return service_->port(); }
+std::uint16_t ModbusServer::port() const { return service_->port(); }
 
-void InverterServer::inject(const WireFaultPlan& plan) { service_->requests.faults.inject(plan); }
+void ModbusServer::inject(const WireFaultPlan& plan) { service_->requests.faults.inject(plan); }
 
-void InverterServer::set_lateness_s(double lateness_s) {
-  service_->requests.lateness_s = lateness_s;
-}
+void ModbusServer::set_lateness_s(double lateness_s) { service_->requests.lateness_s = lateness_s; }
 
-int InverterServer::requests() const { return service_->requests.count; }
+int ModbusServer::requests() const { return service_->requests.count; }
+
+int ModbusServer::misbehaved() const { return service_->requests.faults.met(); }
 
 int InverterServer::misbehaved() const { return service_->requests.faults.met(); }
 

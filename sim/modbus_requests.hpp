@@ -4,27 +4,27 @@
 #include <atomic>
 #include <cstdint>
 #include <map>
+#include <utility>
 #include <vector>
 
-#include "sim/inverter_model.hpp"
+#include "sim/modbus_device.hpp"
 #include "sim/wire_fault.hpp"
 
-struct _modbus;            // libmodbus's modbus_t
-struct _modbus_mapping_t;  // its modbus_mapping_t
+struct _modbus;  // libmodbus's modbus_t
 
 namespace rvbench::sim {
 
 /// Serves one Modbus request after another, of either transport, with the faults that were
 /// planned. What holds the sockets or the line calls it from its serving thread.
-class InverterRequests {
+class ModbusRequests {
  public:
-  /// @param model  must outlive it
+  /// @param device  must outlive it
   /// @throws std::runtime_error if there is no pipe to be had
-  InverterRequests(InverterModel& model, std::uint8_t unit_id);
-  ~InverterRequests();
+  ModbusRequests(ModbusDevice& device, std::uint8_t unit_id);
+  ~ModbusRequests();
 
-  InverterRequests(const InverterRequests&) = delete;
-  InverterRequests& operator=(const InverterRequests&) = delete;
+  ModbusRequests(const ModbusRequests&) = delete;
+  ModbusRequests& operator=(const ModbusRequests&) = delete;
 
   /// Receives a request on `line` and answers it.
   /// @return false if the line is to be closed
@@ -39,13 +39,15 @@ class InverterRequests {
   std::atomic<int> count = 0;  ///< of valid requests, also those answered badly
 
  private:
-  bool linger();
-  void keep_or_freeze(_modbus_mapping_t& mapping, bool is_frozen);
+  using Reading = std::pair<int, std::uint16_t>;  // function and address
 
-  InverterModel& model_;
+  bool linger();
+  ModbusAnswer answer_to(const ModbusRequest& request, WireFault fault);
+
+  ModbusDevice& device_;
   std::uint8_t unit_id_;
   std::array<int, 2> wake_{-1, -1};
-  std::map<std::uint16_t, std::vector<std::uint16_t>> last_read_;  ///< in good health, by address
+  std::map<Reading, std::vector<std::uint16_t>> last_read_;  ///< in good health
 };
 
 }  // namespace rvbench::sim
