@@ -1,11 +1,11 @@
 #include "bench/rig_factory.hpp"
 
-#include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "bench/file_kind.hpp"
 #include "bench/rig_file.hpp"
+#include "bench/sim_world.hpp"
 #include "hal/replay_rig.hpp"
 #include "hal/simulated_rig.hpp"
 #include "sim/bench_world.hpp"
@@ -17,14 +17,6 @@ namespace {
 
 using Made = std::variant<hal::Rig, std::vector<hal::ConfigFault>>;
 
-sim::WireFault wire_fault(const std::string& name) {
-  static const std::map<std::string, sim::WireFault> faults{
-      {"none", sim::WireFault::none},     {"late", sim::WireFault::late},
-      {"silent", sim::WireFault::silent}, {"garbled", sim::WireFault::garbled},
-      {"busy", sim::WireFault::busy},     {"dead", sim::WireFault::dead}};
-  return faults.at(name);
-}
-
 // The inverter knows one fault at a time: each waits until it is due, then replaces the one
 // before.
 void schedule(sim::BenchWorld& world, const ScheduledFault& fault) {
@@ -33,38 +25,13 @@ void schedule(sim::BenchWorld& world, const ScheduledFault& fault) {
   });
 }
 
-// Faults of a plant, at the key of the rig file that names it.
-std::vector<hal::ConfigFault> at_plant(const std::string& plant,
-                                       const std::vector<hal::ConfigFault>& own) {
-  std::vector<hal::ConfigFault> faults;
-  for (const hal::ConfigFault& fault : own) {
-    faults.push_back({0, "/plant", hal::describe(plant, fault)});
-  }
-  return faults;
-}
-
-// The plant that a simulated bench turns, or its faults.
-std::variant<sim::PlantSpec, std::vector<hal::ConfigFault>> runnable_plant(const SimRig& rig) {
-  auto read = sim::read_plant(rig.plant);
-  if (read.index() == 1) return at_plant(rig.plant, std::get<1>(read));
-  const auto faults = sim::rv_plant_faults(std::get<0>(read));
-  if (!faults.empty()) return at_plant(rig.plant, faults);
-  return std::get<0>(std::move(read));
-}
-
 Made make(const SimRig& rig) {
-  const auto plant = runnable_plant(rig);
-  if (plant.index() == 1) return std::get<1>(plant);
-  try {
-    auto world = std::make_unique<sim::BenchWorld>(
-        rig.preset, rig.seed, sim::InverterParameters{.comm_loss_timeout_s = rig.watchdog_s},
-        std::get<0>(plant));
-    for (const ScheduledFault& fault : rig.faults) schedule(*world, fault);
-    const hal::SimulatedRigOptions options{.torque_rate_Hz = world->transducer().rate_Hz()};
-    return hal::make_simulated_rig(std::move(world), options);
-  } catch (const std::invalid_argument& error) {
-    return std::vector<hal::ConfigFault>{{0, "/preset", error.what()}};
-  }
+  auto made = make_world(rig);
+  if (made.index() == 1) return std::get<1>(std::move(made));
+  auto world = std::get<0>(std::move(made));
+  for (const ScheduledFault& fault : rig.faults) schedule(*world, fault);
+  const hal::SimulatedRigOptions options{.torque_rate_Hz = world->transducer().rate_Hz()};
+  return hal::make_simulated_rig(std::move(world), options);
 }
 
 Made make(const ReplayRig& rig) {
@@ -78,19 +45,11 @@ Made make(const ReplayRig& rig) {
   return std::move(made).value();
 }
 
-// A run needs more than a drive; what there is no backend for yet is told rather than left out.
 Made make(const BenchRig& rig) {
   if (const auto twin = sim::read_plant(rig.plant); twin.index() == 1) {
     return at_plant(rig.plant, std::get<1>(twin));
   }
-  return std::vector<hal::ConfigFault>{
-      {0, "/rig",
-       "a run needs accelerometers, a torque transducer and a brake besides the drive; this "
-       "version knows them in simulation only. rvbench probe works with this file"}};
-}
-
-nlohmann::ordered_json to_json(const BenchRig& rig) {
-  return {{"rig", "bench"}, {"drive", to_json(rig.drive)}, {"plant", rig.plant}};
+  return make_bench(rig);
 }
 
 nlohmann::ordered_json to_json(const SimRig& rig) {

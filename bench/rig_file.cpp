@@ -47,13 +47,6 @@ ReplayRig read_replay(hal::ConfigReader& root) {
   return replay;
 }
 
-BenchRig read_bench(hal::ConfigReader& root) {
-  BenchRig bench;
-  bench.drive = read_drive_section(root);
-  bench.plant = root.text("plant", bench.plant);
-  return bench;
-}
-
 }  // namespace
 
 std::string plant_of(const RigFile& rig) {
@@ -78,7 +71,7 @@ std::variant<RigFile, std::vector<hal::ConfigFault>> read_rig(const std::string&
   const std::string kind = root.choice("rig", {"sim", "replay", "bench"}, "sim");
   if (kind == "sim") file = read_sim(root, options);
   if (kind == "replay") file = read_replay(root);
-  if (kind == "bench") file = read_bench(root);
+  if (kind == "bench") file = read_bench_rig(root);
   root.finish();
   if (!root.faults().empty()) return root.faults();
   return file;

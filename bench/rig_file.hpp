@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "bench/drive_section.hpp"
+#include "bench/bench_rig.hpp"
 #include "bench/rig_factory.hpp"
 
 namespace rvbench::bench {
@@ -31,12 +31,6 @@ struct ReplayRig {
   std::string pace = "virtual";  ///< or "real_time": as it was recorded
   double rated_output_torque_Nm = 167;
   std::string plant = "rv20e_bench";  ///< shipped, or a plant file: what was recorded
-};
-
-/// {"rig": "bench"}: real devices.
-struct BenchRig {
-  DriveSection drive;
-  std::string plant = "rv20e_bench";  ///< shipped, or a plant file: what turns
 };
 
 using RigFile = std::variant<SimRig, ReplayRig, BenchRig>;

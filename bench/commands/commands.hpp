@@ -14,6 +14,7 @@ namespace rvbench::bench {
 std::unique_ptr<Command> make_run_command();
 std::unique_ptr<Command> make_check_command();
 std::unique_ptr<Command> make_probe_command();
+std::unique_ptr<Command> make_devices_command();
 std::unique_ptr<Command> make_judge_command();
 std::unique_ptr<Command> make_explain_command();
 std::unique_ptr<Command> make_simulate_command();

@@ -1,0 +1,94 @@
+#include "bench/bench_rig.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "hal/can/can_dispatcher.hpp"
+#include "hal/can/can_frames.hpp"
+#include "hal/steady_clock.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+template <typename Section>
+std::optional<Section> read_optional(hal::ConfigReader& root, const char* key,
+                                     Section (*read)(hal::ConfigReader&)) {
+  auto section = root.optional_object(key);
+  return section ? std::optional(read(*section)) : std::nullopt;
+}
+
+// What a run needs and the file does not have.
+std::string missing(const BenchRig& rig) {
+  std::string names;
+  const auto need = [&](bool has, const char* name) {
+    if (!has) names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", name);
+  };
+  need(rig.can.has_value(), "can");
+  need(rig.torque.has_value(), "torque");
+  need(rig.brake.has_value(), "brake");
+  need(rig.accelerometers.has_value(), "accelerometers");
+  need(rig.safety.has_value(), "safety");
+  return names;
+}
+
+}  // namespace
+
+BenchRig read_bench_rig(hal::ConfigReader& root) {
+  BenchRig rig;
+  rig.drive = read_drive_section(root);
+  rig.can = read_optional(root, "can", read_can_section);
+  rig.torque = read_optional(root, "torque", read_torque_section);
+  rig.brake = read_optional(root, "brake", read_brake_section);
+  rig.accelerometers = read_optional(root, "accelerometers", read_accelerometer_section);
+  rig.safety = read_optional(root, "safety", read_safety_section);
+  rig.plant = root.text("plant", rig.plant);
+  for (const auto& [has, key] :
+       {std::pair{rig.torque.has_value(), "torque"}, {rig.brake.has_value(), "brake"}}) {
+    if (has && !rig.can) root.fault(key, "it is on a CAN bus, and the file has no \"can\"");
+  }
+  const bool own_id = !rig.torque || !unfit_for_runs(*rig.torque).empty() ||
+                      frame_id(*rig.torque) != hal::can_frames::brake_status_id;
+  if (rig.brake && !own_id) root.fault("torque", "its frames have the identifier of the brake's");
+  return rig;
+}
+
+nlohmann::ordered_json to_json(const BenchRig& rig) {
+  nlohmann::ordered_json json{{"rig", "bench"}, {"drive", to_json(rig.drive)}};
+  if (rig.can) json["can"] = to_json(*rig.can);
+  if (rig.torque) json["torque"] = to_json(*rig.torque);
+  if (rig.brake) json["brake"] = to_json(*rig.brake);
+  if (rig.accelerometers) json["accelerometers"] = to_json(*rig.accelerometers);
+  if (rig.safety) json["safety"] = to_json(*rig.safety);
+  json["plant"] = rig.plant;
+  return json;
+}
+
+std::variant<hal::Rig, std::vector<hal::ConfigFault>> make_bench(const BenchRig& rig) {
+  using Faults = std::vector<hal::ConfigFault>;
+  if (const std::string names = missing(rig); !names.empty()) {
+    return Faults{{0, "/rig",
+                   "a run needs every device, and the file has no " + names +
+                       "; rvbench probe works with it"}};
+  }
+  if (const std::string why = unfit_for_runs(*rig.torque); !why.empty()) {
+    return Faults{{0, "/torque/frames", why}};
+  }
+  hal::Rig made;
+  made.name = "bench";
+  made.clock = std::make_unique<hal::SteadyClock>();
+  hal::Clock& clock = *made.clock;
+  made.safety = std::make_unique<hal::ModbusSafetyInputs>(rig.safety->options, clock);
+  made.accelerometers = make_accelerometers(*rig.accelerometers, clock);
+  const std::vector<std::uint32_t> ids{frame_id(*rig.torque), hal::can_frames::brake_status_id};
+  auto ports = hal::split_by_id(make_can(*rig.can, ids, made), ids);
+  made.torque_sensor = make_torque_sensor(*rig.torque, std::move(ports[0]), clock);
+  made.brake = std::make_unique<hal::CanBrake>(std::move(ports[1]), rig.brake->options, clock);
+  made.drive = std::make_unique<hal::ModbusInverter>(rig.drive.options, clock);
+  return made;
+}
+
+}  // namespace rvbench::bench

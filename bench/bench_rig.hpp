@@ -1,0 +1,40 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "bench/accelerometer_section.hpp"
+#include "bench/brake_section.hpp"
+#include "bench/can_section.hpp"
+#include "bench/drive_section.hpp"
+#include "bench/safety_section.hpp"
+#include "bench/torque_section.hpp"
+#include "hal/config_reader.hpp"
+#include "hal/rig.hpp"
+
+namespace rvbench::bench {
+
+/// {"rig": "bench"}: real devices. A drive alone is enough to be probed; a run needs them all.
+struct BenchRig {
+  DriveSection drive;
+  std::optional<CanSection> can;
+  std::optional<TorqueSection> torque;
+  std::optional<BrakeSection> brake;
+  std::optional<AccelerometerSection> accelerometers;
+  std::optional<SafetySection> safety;
+  std::string plant = "rv20e_bench";  ///< shipped, or a plant file: what turns
+};
+
+/// Faults are noted at `root`.
+BenchRig read_bench_rig(hal::ConfigReader& root);
+
+/// With every default spelled out.
+nlohmann::ordered_json to_json(const BenchRig& rig);
+
+/// The rig, not yet connected, on a clock of its own; or what a run lacks.
+std::variant<hal::Rig, std::vector<hal::ConfigFault>> make_bench(const BenchRig& rig);
+
+}  // namespace rvbench::bench

@@ -1,0 +1,51 @@
+#include "bench/modbus_path_section.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+namespace rvbench::bench {
+
+hal::ModbusPath read_modbus_path(hal::ConfigReader& section, const std::string& what) {
+  auto tcp = section.optional_object("tcp");
+  auto serial = section.optional_object("serial");
+  if (tcp.has_value() == serial.has_value()) {
+    section.fault("", "expected one of \"tcp\" and \"serial\": where " + what + " is");
+  }
+  if (serial) {
+    hal::ModbusRtu rtu;
+    rtu.device = serial->text("device");
+    rtu.baud = serial->integer("baud", {1200, 115200}, rtu.baud);
+    rtu.parity = serial->choice("parity", {"N", "E", "O"}, "N").front();
+    rtu.stop_bits = serial->integer("stop_bits", {1, 2}, rtu.stop_bits);
+    return rtu;
+  }
+  hal::ModbusTcp path;
+  if (!tcp) return path;
+  path.host = tcp->text("host");
+  path.port = static_cast<std::uint16_t>(tcp->integer("port", {1, 65535}, path.port));
+  return path;
+}
+
+void add_modbus_path(nlohmann::ordered_json& section, const hal::ModbusPath& path) {
+  if (const auto* tcp = std::get_if<hal::ModbusTcp>(&path)) {
+    section["tcp"] = {{"host", tcp->host}, {"port", tcp->port}};
+    return;
+  }
+  const auto& rtu = std::get<hal::ModbusRtu>(path);
+  section["serial"] = {{"device", rtu.device},
+                       {"baud", rtu.baud},
+                       {"parity", std::string(1, rtu.parity)},
+                       {"stop_bits", rtu.stop_bits}};
+}
+
+std::string shown(const hal::ModbusPath& path) {
+  if (const auto* tcp = std::get_if<hal::ModbusTcp>(&path)) {
+    return fmt::format("{}:{}", tcp->host, tcp->port);
+  }
+  const auto& rtu = std::get<hal::ModbusRtu>(path);
+  return fmt::format("{} at {} 8{}{}", rtu.device, rtu.baud, rtu.parity, rtu.stop_bits);
+}
+
+}  // namespace rvbench::bench

@@ -1,0 +1,91 @@
+#include "bench/safety_section.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "bench/modbus_path_section.hpp"
+#include "hal/steady_clock.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+constexpr hal::Bounds addresses{0, 65535};
+
+hal::SafetyContact read_contact(hal::ConfigReader contact, const hal::SafetyContact& fallback) {
+  return {.address = static_cast<std::uint16_t>(contact.integer("input", addresses)),
+          .closed = contact.integer("closed", {0, 1}, fallback.closed ? 1 : 0) == 1};
+}
+
+hal::TemperatureRegister read_temperature(hal::ConfigReader temperature) {
+  hal::TemperatureRegister at;
+  at.is_holding = temperature.has("holding_register");
+  if (at.is_holding == temperature.has("input_register")) {
+    temperature.fault("", R"(expected one of "input_register" and "holding_register")");
+    return at;
+  }
+  at.address = static_cast<std::uint16_t>(
+      temperature.integer(at.is_holding ? "holding_register" : "input_register", addresses));
+  at.is_signed = temperature.boolean("signed", at.is_signed);
+  at.scale_degC = temperature.number("scale_degC", {-100, 100}, at.scale_degC);
+  at.offset_degC = temperature.number("offset_degC", {-1e4, 1e4}, at.offset_degC);
+  at.min_degC = temperature.number("min_degC", {-273.15, 1000}, at.min_degC);
+  at.max_degC = temperature.number("max_degC", {-273.15, 1000}, at.max_degC);
+  return at;
+}
+
+nlohmann::ordered_json to_json(const hal::SafetyContact& contact) {
+  return {{"input", contact.address}, {"closed", contact.closed ? 1 : 0}};
+}
+
+}  // namespace
+
+SafetySection read_safety_section(hal::ConfigReader& safety) {
+  SafetySection section;
+  hal::ModbusSafetyOptions& options = section.options;
+  const std::size_t faults_before = safety.faults().size();
+  options.path = read_modbus_path(safety, "the coupler");
+  options.unit_id = static_cast<std::uint8_t>(safety.integer("unit_id", {0, 255}, options.unit_id));
+  options.estop = read_contact(safety.object("estop"), options.estop);
+  options.guard = read_contact(safety.object("guard"), options.guard);
+  options.temperature = read_temperature(safety.object("temperature"));
+  options.response_timeout_s =
+      safety.number("response_timeout_s", {0.005, 2}, options.response_timeout_s);
+  options.period_s = safety.number("period_s", {0.001, 0.1}, options.period_s);
+  options.deadline_s = safety.number("deadline_s", {0.02, 2}, options.deadline_s);
+  if (safety.faults().size() > faults_before) return section;
+  try {
+    const hal::SteadyClock clock;
+    (void)hal::ModbusSafetyInputs(options, clock);  // opens nothing
+  } catch (const std::invalid_argument& error) {
+    safety.fault("", error.what());
+  }
+  return section;
+}
+
+nlohmann::ordered_json to_json(const SafetySection& safety) {
+  const hal::ModbusSafetyOptions& options = safety.options;
+  const hal::TemperatureRegister& at = options.temperature;
+  nlohmann::ordered_json json;
+  add_modbus_path(json, options.path);
+  json["unit_id"] = options.unit_id;
+  json["estop"] = to_json(options.estop);
+  json["guard"] = to_json(options.guard);
+  json["temperature"] = {{at.is_holding ? "holding_register" : "input_register", at.address},
+                         {"signed", at.is_signed},
+                         {"scale_degC", at.scale_degC},
+                         {"offset_degC", at.offset_degC},
+                         {"min_degC", at.min_degC},
+                         {"max_degC", at.max_degC}};
+  json["response_timeout_s"] = options.response_timeout_s;
+  json["period_s"] = options.period_s;
+  json["deadline_s"] = options.deadline_s;
+  return json;
+}
+
+std::string address_of(const SafetySection& safety) {
+  return fmt::format("{}, unit {}", shown(safety.options.path), safety.options.unit_id);
+}
+
+}  // namespace rvbench::bench

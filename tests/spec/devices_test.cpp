@@ -1,0 +1,171 @@
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "bench/run_folder.hpp"
+#include "tests/spec/rvbench.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+// Two programs that share nothing but wires: `rvbench devices` is the bench, `rvbench run` drives
+// it. Real time: each test takes as long as its plan, and neither needs much of a processor.
+
+namespace rvbench {
+namespace {
+
+using Catch::Matchers::Contains;
+using test::Answer;
+using test::Program;
+using test::ScratchFolder;
+
+// At the speed at which four output turns take the least, 16 s. The shaft of a bench that is gone
+// is not seen to stop: then teardown waits for its whole time.
+constexpr const char* plan = R"({
+  "name": "live",
+  "specimen": {"kinematics": "rv20e", "gear_ratio": 121, "rated_output_torque_Nm": 167},
+  "interlocks": {"input_speed_rpm": 2200, "input_torque_Nm": 8, "acceleration_m_s2": 300,
+                 "housing_temp_degC": 60, "stale_after_s": 0.3},
+  "setup": [{"phase": "connect"},
+            {"phase": "warm_up", "duration_s": 1, "speed_rpm": 1815, "load_pct": 50}],
+  "main": [{"phase": "matrix", "speeds_rpm": [1815], "loads_pct": [50, 100],
+            "settling": {"hold_s": 0.5}, "record": {"output_turns": 4}}],
+  "teardown": {"standstill_timeout_s": 8},
+  "limits": [{"measure": "acceleration_peak", "unit": "g", "max": 1.0,
+              "why": "the article saw about 0.1 g on good units and up to 2 g on a faulty one"}]
+})";
+
+// The bench: a process of its own, and somebody who types to it.
+class Bench {
+ public:
+  explicit Bench(const ScratchFolder& folder, const std::string& options = "")
+      : keys_(make_keyboard(folder)),
+        program_(folder.path(),
+                 {"/bin/sh", "-c",
+                  "exec \"$0\" devices --rig sim --write-rig rig.json " + options + " < keys",
+                  test::rvbench_path()}) {
+    REQUIRE(program_.says("serving"));
+  }
+  ~Bench() { ::close(keys_); }
+  Bench(const Bench&) = delete;
+  Bench& operator=(const Bench&) = delete;
+
+  void type(const std::string& line) {
+    const std::string typed = line + "\n";
+    REQUIRE(::write(keys_, typed.data(), typed.size()) == static_cast<ssize_t>(typed.size()));
+    REQUIRE(program_.says(line + ": done"));
+  }
+  Program& program() { return program_; }
+
+ private:
+  static int make_keyboard(const ScratchFolder& folder) {
+    const std::string path = (folder.path() / "keys").string();
+    REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+    return ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+  }
+
+  int keys_;
+  Program program_;
+};
+
+std::vector<std::string> run_words() {
+  return {test::rvbench_path(), "run", "plan.json", "--rig", "rig.json", "--serial", "X"};
+}
+
+nlohmann::json verdict_of(const ScratchFolder& folder) {
+  std::filesystem::path newest;
+  for (const auto& run : std::filesystem::directory_iterator(folder.path() / "runs" / "X")) {
+    newest = std::max(newest, run.path());
+  }
+  return nlohmann::json::parse(bench::read_file(newest / "verdict.json").value_or("null"));
+}
+
+std::string reason_of(const ScratchFolder& folder) {
+  return verdict_of(folder).at("reason").get<std::string>();
+}
+
+}  // namespace
+
+TEST_CASE("a run on real wires passes a good unit, in real time", "[spec][devices]") {
+  const ScratchFolder folder;
+  bench::write_file(folder / "plan.json", plan);
+  Bench bench(folder);
+  const Answer answer = Program(folder.path(), run_words()).wait();
+  INFO(answer.err);
+  CHECK(answer.code == 0);
+  const auto verdict = verdict_of(folder);
+  CHECK(verdict.at("verdict") == "PASS");
+  CHECK(verdict.at("points").size() == 2);
+  for (const auto& point : verdict.at("points")) CHECK(point.at("status") == "ok");
+  THEN("the bench ends when it is told to") {
+    bench.program().send(SIGINT);
+    CHECK(bench.program().wait().code == 0);
+  }
+}
+
+TEST_CASE("a run on real wires finds the fault of a unit, its drive on a serial line",
+          "[spec][devices]") {
+  const ScratchFolder folder;
+  bench::write_file(folder / "plan.json", plan);
+  Bench bench(folder, "--preset input_shaft --drive-line");
+  const Answer answer = Program(folder.path(), run_words()).wait();
+  INFO(answer.err);
+  CHECK(answer.code == 10);
+  const auto verdict = verdict_of(folder);
+  CHECK(verdict.at("verdict") == "FAIL");
+  CHECK(verdict.at("findings").at(0).at("component") == "input_shaft");
+}
+
+TEST_CASE("a bench that is gone in the middle of a run is missed at once", "[spec][devices]") {
+  const ScratchFolder folder;
+  bench::write_file(folder / "plan.json", plan);
+  Bench bench(folder);
+  Program program(folder.path(), run_words());
+  REQUIRE(program.says("measure"));
+  bench.program().send(SIGKILL);
+  bench.program().wait();
+  REQUIRE(program.says("silent for 0."));  // a stale value is 0.3 s old
+  const Answer answer = program.wait();
+  INFO(answer.err);
+  CHECK(answer.code == 30);
+  const auto verdict = verdict_of(folder);
+  CHECK(verdict.at("verdict") == "ERROR");
+  CHECK_THAT(reason_of(folder), Contains("silent for"));
+}
+
+TEST_CASE("an emergency stop ends a run on real wires", "[spec][devices][safety]") {
+  const ScratchFolder folder;
+  bench::write_file(folder / "plan.json", plan);
+  Bench bench(folder);
+  Program program(folder.path(), run_words());
+  REQUIRE(program.says("measure"));
+  bench.type("estop");
+  Answer answer = program.wait();
+  INFO(answer.err);
+  CHECK(answer.code == 40);
+  const auto verdict = verdict_of(folder);
+  CHECK_THAT(reason_of(folder), Contains("the emergency stop is pressed"));
+  CHECK(verdict.at("run").at("shaft_stopped") == true);
+  CHECK(verdict.at("run").at("brake_released") == true);
+  WHEN("it is pressed still, nothing turns") {
+    answer = Program(folder.path(), run_words()).wait();
+    CHECK(answer.code == 40);
+  }
+  WHEN("it was released, a run that is lost its drive ends, too") {
+    bench.type("heal");
+    Program again(folder.path(), run_words());
+    REQUIRE(again.says("warm up"));
+    bench.type("inverter silent");
+    answer = again.wait();
+    INFO(answer.err);
+    CHECK(answer.code == 30);
+    CHECK_THAT(reason_of(folder), Contains("drive silent for"));
+  }
+}
+
+}  // namespace rvbench
