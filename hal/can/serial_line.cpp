@@ -2,14 +2,17 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/eventfd.h>
 #include <termios.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <map>
+#include <utility>
+
+#include "hal/real_time.hpp"
 
 namespace rvbench::hal {
 namespace {
@@ -50,14 +53,25 @@ Status SerialLine::open(const std::string& device, int baud) {
       error = errno;
     }
   }
-  if (error == 0) return Done{};
-  close();
-  return failure("open: set the line", error);
+  if (error == 0 && (wake_ = ::eventfd(0, EFD_CLOEXEC)) < 0) error = errno;
+  if (error != 0) {
+    close();
+    return failure("open: set the line", error);
+  }
+  waiting_.clear();
+  error_ = 0;
+  reader_ = std::jthread([this](const std::stop_token& stop) { listen(stop); });
+  return Done{};
 }
 
 void SerialLine::close() {
-  if (file_ >= 0) ::close(file_);
-  file_ = -1;
+  reader_.request_stop();
+  if (wake_ >= 0) (void)::eventfd_write(wake_, 1);
+  reader_ = {};
+  for (int* file : {&file_, &wake_}) {
+    if (*file >= 0) ::close(*file);
+    *file = -1;
+  }
 }
 
 Status SerialLine::write(std::string_view bytes) {
@@ -66,26 +80,49 @@ Status SerialLine::write(std::string_view bytes) {
   return failure("write", written < 0 ? errno : EAGAIN);
 }
 
+// While the reader has the lock nothing is there yet.
 Result<std::string> SerialLine::read() {
-  std::string bytes;
-  std::array<char, 4096> chunk{};
-  while (bytes.size() < most_bytes) {
-    const auto count = ::read(file_, chunk.data(), chunk.size());
-    if (count > 0) {
-      bytes.append(chunk.data(), static_cast<std::size_t>(count));
-      continue;
-    }
-    if (count < 0 && (errno == EAGAIN || errno == EINTR)) break;
-    // What came before the line hung up is still good; the next call tells.
-    if (bytes.empty()) return failure("read: the line hung up", count < 0 ? errno : EIO);
-    break;
-  }
-  return bytes;
+  const std::unique_lock lock(mutex_, std::try_to_lock);
+  if (!lock) return std::string();
+  // What came before the line hung up is still good; the next call tells.
+  if (waiting_.empty() && error_ != 0) return failure("read: the line hung up", error_);
+  changed_.notify_all();  // there is room again
+  return std::exchange(waiting_, {});
 }
 
-void SerialLine::wait(std::chrono::milliseconds longest) const {
-  pollfd line{file_, POLLIN, 0};
-  (void)::poll(&line, 1, std::max(0, static_cast<int>(longest.count())));  // below 0 is forever
+void SerialLine::wait(std::chrono::milliseconds longest) {
+  std::unique_lock lock(mutex_);
+  changed_.wait_for(lock, longest, [this] { return !waiting_.empty() || error_ != 0; });
+}
+
+// What nobody fetches stays in the line once there is enough of it.
+void SerialLine::listen(const std::stop_token& stop) noexcept {
+  (void)make_this_thread_urgent();  // so is who reads
+  for (int error = 0; error == 0 && !stop.stop_requested();) {
+    std::string bytes;
+    if (!take(bytes, error)) continue;
+    std::unique_lock lock(mutex_);
+    waiting_ += bytes;
+    error_ = error;
+    changed_.notify_all();
+    changed_.wait(lock, stop, [this] { return waiting_.size() < most_bytes; });
+  }
+}
+
+// Waits for bytes, and takes them. @return false if there is no news
+bool SerialLine::take(std::string& bytes, int& error) const {
+  std::array<pollfd, 2> watched{{{file_, POLLIN, 0}, {wake_, POLLIN, 0}}};
+  if (::poll(watched.data(), watched.size(), -1) < 0) return false;
+  if (watched[1].revents != 0) return false;
+  std::array<char, 4096> chunk{};
+  const auto count = ::read(file_, chunk.data(), chunk.size());
+  if (count > 0) {
+    bytes.assign(chunk.data(), static_cast<std::size_t>(count));
+    return true;
+  }
+  if (count < 0 && (errno == EAGAIN || errno == EINTR)) return false;
+  error = count < 0 ? errno : EIO;
+  return true;
 }
 
 }  // namespace rvbench::hal

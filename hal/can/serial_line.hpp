@@ -1,8 +1,12 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <stop_token>
 #include <string>
 #include <string_view>
+#include <thread>
 
 #include "hal/types/result.hpp"
 
@@ -10,6 +14,10 @@ namespace rvbench::hal {
 
 /// A serial line or pseudo-terminal that hands bytes on as they are, 8N1, and never blocks.
 ///
+/// Reading  in a thread of its own: Linux makes whoever reads or polls a terminal that has nothing
+///          wait for the kernel's worker that fills it, O_NONBLOCK or not. That worker is an
+///          ordinary thread, and on a busy computer 0.2 s late (n_tty_read and n_tty_poll flush its
+///          work: drivers/tty/n_tty.c)
 /// Errors   disconnected: no such device, no terminal, hung up, or its output is stuck
 class SerialLine {
  public:
@@ -33,10 +41,21 @@ class SerialLine {
   Result<std::string> read();
 
   /// Waits until there is something to read, or the line hung up.
-  void wait(std::chrono::milliseconds longest) const;
+  void wait(std::chrono::milliseconds longest);
 
  private:
+  void listen(const std::stop_token& stop) noexcept;
+  bool take(std::string& bytes, int& error) const;
+
   int file_ = -1;
+  int wake_ = -1;  ///< becomes readable when the reading is to end
+
+  std::mutex mutex_;  ///< guards what follows
+  std::condition_variable_any changed_;
+  std::string waiting_;
+  int error_ = 0;  ///< why nothing comes after that; 0 while something may
+
+  std::jthread reader_;
 };
 
 }  // namespace rvbench::hal
