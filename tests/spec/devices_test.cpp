@@ -10,6 +10,7 @@
 #include <string>
 
 #include "bench/run_folder.hpp"
+#include "sim/remote_io_server.hpp"
 #include "tests/spec/rvbench.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -91,6 +92,31 @@ std::string reason_of(const ScratchFolder& folder) {
 }
 
 }  // namespace
+
+TEST_CASE("devices write a rig file that can be checked and probed", "[spec][devices]") {
+  const ScratchFolder folder;
+  Bench bench(folder);
+  CHECK(test::rvbench(folder.path(), {"check", "rig.json"}).code == 0);
+  const Answer probed = test::rvbench(folder.path(), {"probe", "--rig", "rig.json", "--json"});
+  INFO(probed.err);
+  CHECK(probed.code == 0);
+  CHECK(nlohmann::json::parse(probed.out).at("watchdog").at("timeout_s") == 1);
+  bench.program().send(SIGINT);
+  CHECK(bench.program().wait().code == 0);
+}
+
+TEST_CASE("devices that cannot be served are refused, with the reason", "[spec][devices]") {
+  const ScratchFolder folder;
+  bench::write_file(folder / "replay.json", R"({"rig": "replay", "recording": "r.h5"})");
+  Answer answer = test::rvbench(folder.path(), {"devices", "--rig", "replay.json"});
+  CHECK(answer.code == 3);
+  CHECK_THAT(answer.err, Contains("/rig: only the simulated bench can be served"));
+  const sim::RemoteIoServer other;
+  answer = test::rvbench(
+      folder.path(), {"devices", "--rig", "sim", "--safety-port", std::to_string(other.port())});
+  CHECK(answer.code == 2);
+  CHECK_THAT(answer.err, Contains("cannot listen on 127.0.0.1:" + std::to_string(other.port())));
+}
 
 TEST_CASE("a run on real wires passes a good unit, in real time", "[spec][devices]") {
   const ScratchFolder folder;
