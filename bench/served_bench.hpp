@@ -25,8 +25,7 @@
 namespace rvbench::bench {
 
 struct ServedOptions {
-  std::uint16_t inverter_port = 0;  ///< of make_world()
-  std::uint16_t coupler_port = 0;   ///< 0: the kernel chooses one, here and below
+  std::uint16_t coupler_port = 0;  ///< 0: the kernel chooses one, here and below
   std::uint16_t daq_port = 0;
   std::string can_interface = {};  ///< "vcan0"; "" = a serial adapter
   bool drive_on_line = false;      ///< the rig file has the drive's serial line, not its port
