@@ -219,14 +219,15 @@ Status IioSource::set_rate() {
 Status IioSource::start() {
   const NoPipeSignal quiet;
   buffer_.reset();
+  // libiio lets the other side wait half as long as itself: its answer must come first. A buffer
+  // has the time-out of its beginning.
+  const double patience_s = std::max(least_patience_s, options_.deadline_s);
+  (void)iio_context_set_timeout(context_.get(), unsigned(2e3 * patience_s));
   const double scans = std::max(1.0, std::round(rate_Hz_ * options_.block_s));
   const double blocks = std::ceil(kernel_buffer_s * rate_Hz_ / scans);
   (void)iio_device_set_kernel_buffers_count(device_, unsigned(std::max(4.0, blocks)));
   buffer_.reset(iio_device_create_buffer(device_, std::size_t(scans), false));
   if (!buffer_) return IoError{IoErrc::refused, "start: " + reason(errno)};
-  // libiio lets the other side wait half as long as itself: its answer must come first.
-  const double patience_s = std::max(least_patience_s, options_.deadline_s);
-  (void)iio_context_set_timeout(context_.get(), unsigned(2e3 * patience_s));
   return Done{};
 }
 
