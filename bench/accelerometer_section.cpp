@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
@@ -17,10 +18,8 @@ hal::DaqInput read_input(hal::ConfigReader& entry) {
   input.info.unit = "m/s²";
   input.info.direction = entry.choice("direction", {"+X", "-X", "+Y", "-Y", "+Z", "-Z"});
   input.device_channel = entry.text("channel");
-  input.m_s2_per_unit = 1;
   if (entry.has("sensitivity_V_per_m_s2")) {
     input.info.sensitivity = entry.number("sensitivity_V_per_m_s2", {1e-9, 1e3});
-    input.m_s2_per_unit = 1 / input.info.sensitivity;
   }
   return input;
 }
@@ -29,19 +28,14 @@ nlohmann::ordered_json to_json(const hal::DaqInput& input) {
   nlohmann::ordered_json json{{"name", input.info.name},
                               {"channel", input.device_channel},
                               {"direction", input.info.direction}};
-  if (input.m_s2_per_unit != 1) json["sensitivity_V_per_m_s2"] = input.info.sensitivity;
+  if (std::isfinite(input.info.sensitivity))
+    json["sensitivity_V_per_m_s2"] = input.info.sensitivity;
   return json;
 }
 
-}  // namespace
-
-AccelerometerSection read_accelerometer_section(hal::ConfigReader& accelerometers) {
-  AccelerometerSection section;
-  hal::IioOptions& options = section.options;
-  const std::size_t faults_before = accelerometers.faults().size();
-  (void)accelerometers.choice("backend", {"iio"});
-  options.uri = accelerometers.text("uri");
-  options.device = accelerometers.text("device");
+// What both kinds of front end have.
+template <typename Options>
+void read_common(hal::ConfigReader& accelerometers, Options& options) {
   options.rate_Hz = accelerometers.number("rate_Hz", {100, 1e6});
   options.range_m_s2 = accelerometers.number("range_m_s2", {0.1, 1e6});
   options.block_s = accelerometers.number("block_s", {0.001, 0.05}, options.block_s);
@@ -51,6 +45,59 @@ AccelerometerSection read_accelerometer_section(hal::ConfigReader& accelerometer
     options.inputs.push_back(read_input(entry));
     const std::string& name = options.inputs.back().info.name;
     if (!names.insert(name).second) entry.fault("name", "there is another input of this name");
+  }
+}
+
+hal::IioOptions read_iio(hal::ConfigReader& accelerometers) {
+  hal::IioOptions options;
+  options.uri = accelerometers.text("uri");
+  options.device = accelerometers.text("device");
+  read_common(accelerometers, options);
+  return options;
+}
+
+hal::ComediOptions read_comedi(hal::ConfigReader& accelerometers) {
+  hal::ComediOptions options;
+  options.device = accelerometers.text("device", options.device);
+  options.volts = accelerometers.number("volts", {1e-3, 100}, options.volts);
+  read_common(accelerometers, options);
+  return options;
+}
+
+nlohmann::ordered_json start_of(const hal::IioOptions& options) {
+  return {{"backend", "iio"}, {"uri", options.uri}, {"device", options.device}};
+}
+
+nlohmann::ordered_json start_of(const hal::ComediOptions& options) {
+  return {{"backend", "comedi"}, {"device", options.device}, {"volts", options.volts}};
+}
+
+std::string place_of(const hal::IioOptions& options) {
+  return fmt::format("{} of {} at {}", options.inputs.size(), options.device, options.uri);
+}
+
+std::string place_of(const hal::ComediOptions& options) {
+  return fmt::format("{} of {}", options.inputs.size(), options.device);
+}
+
+std::unique_ptr<hal::Accelerometers> made(const hal::IioOptions& options, hal::Clock& clock) {
+  return hal::make_iio_accelerometers(options, clock);
+}
+
+std::unique_ptr<hal::Accelerometers> made(const hal::ComediOptions& options, hal::Clock& clock) {
+  return hal::make_comedi_accelerometers(options, clock);
+}
+
+}  // namespace
+
+AccelerometerSection read_accelerometer_section(hal::ConfigReader& accelerometers) {
+  AccelerometerSection section;
+  const std::size_t faults_before = accelerometers.faults().size();
+  const std::string backend = accelerometers.choice("backend", {"iio", "comedi"});
+  if (backend == "comedi") {
+    section.options = read_comedi(accelerometers);
+  } else {
+    section.options = read_iio(accelerometers);
   }
   if (accelerometers.faults().size() > faults_before) return section;
   try {
@@ -63,27 +110,29 @@ AccelerometerSection read_accelerometer_section(hal::ConfigReader& accelerometer
 }
 
 nlohmann::ordered_json to_json(const AccelerometerSection& accelerometers) {
-  const hal::IioOptions& options = accelerometers.options;
-  auto inputs = nlohmann::ordered_json::array();
-  for (const hal::DaqInput& input : options.inputs) inputs.push_back(to_json(input));
-  return {{"backend", "iio"},
-          {"uri", options.uri},
-          {"device", options.device},
-          {"rate_Hz", options.rate_Hz},
-          {"range_m_s2", options.range_m_s2},
-          {"block_s", options.block_s},
-          {"deadline_s", options.deadline_s},
-          {"inputs", inputs}};
+  return std::visit(
+      [](const auto& options) {
+        auto inputs = nlohmann::ordered_json::array();
+        for (const hal::DaqInput& input : options.inputs) inputs.push_back(to_json(input));
+        nlohmann::ordered_json json = start_of(options);
+        json["rate_Hz"] = options.rate_Hz;
+        json["range_m_s2"] = options.range_m_s2;
+        json["block_s"] = options.block_s;
+        json["deadline_s"] = options.deadline_s;
+        json["inputs"] = inputs;
+        return json;
+      },
+      accelerometers.options);
 }
 
 std::string address_of(const AccelerometerSection& accelerometers) {
-  const hal::IioOptions& options = accelerometers.options;
-  return fmt::format("{} of {} at {}", options.inputs.size(), options.device, options.uri);
+  return std::visit([](const auto& options) { return place_of(options); }, accelerometers.options);
 }
 
 std::unique_ptr<hal::Accelerometers> make_accelerometers(const AccelerometerSection& accelerometers,
                                                          hal::Clock& clock) {
-  return hal::make_iio_accelerometers(accelerometers.options, clock);
+  return std::visit([&clock](const auto& options) { return made(options, clock); },
+                    accelerometers.options);
 }
 
 }  // namespace rvbench::bench

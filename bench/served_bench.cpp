@@ -42,18 +42,16 @@ std::unique_ptr<sim::IioServer> make_daq(const sim::BenchWorld& world, std::uint
 
 // The front end tells m/s² by itself.
 AccelerometerSection section_of(const sim::IioServer& daq, const sim::BenchWorld& world) {
-  AccelerometerSection section;
-  hal::IioOptions& options = section.options;
+  hal::IioOptions options;
   options.uri = fmt::format("ip:127.0.0.1:{}", daq.port());
   options.device = sim::IioFrontEnd().device;
   options.rate_Hz = world.acceleration_rate_Hz();
   options.range_m_s2 = world.acceleration_range_m_s2();
   for (const ChannelInfo& channel : world.acceleration_channels()) {
-    options.inputs.push_back({.device_channel = fmt::format("voltage{}", options.inputs.size()),
-                              .info = channel,
-                              .m_s2_per_unit = 1});
+    options.inputs.push_back({fmt::format("accel{}", options.inputs.size()), channel});
+    options.inputs.back().info.sensitivity = not_known;
   }
-  return section;
+  return {options};
 }
 
 }  // namespace

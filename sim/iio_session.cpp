@@ -62,10 +62,10 @@ std::string context_of(const IioFrontEnd& front_end) {
                     std::string(id) + "\" name=\"" + front_end.device + "\">";
   for (std::size_t i = 0; i < front_end.labels.size(); ++i) {
     const std::string n = std::to_string(i);
-    xml += "<channel id=\"voltage" + n + "\" type=\"input\"><scan-element index=\"" + n +
+    xml += "<channel id=\"accel" + n + "\" type=\"input\"><scan-element index=\"" + n +
            "\" format=\"le:S32/32&gt;&gt;0\" scale=\"" + decimal(front_end.m_s2_per_count) +
-           "\"/><attribute name=\"scale\" filename=\"in_voltage" + n +
-           "_scale\"/><attribute name=\"label\" filename=\"in_voltage" + n + "_label\"/></channel>";
+           "\"/><attribute name=\"scale\" filename=\"in_accel" + n +
+           "_scale\"/><attribute name=\"label\" filename=\"in_accel" + n + "_label\"/></channel>";
   }
   return xml + "<attribute name=\"sampling_frequency\"/></device></context>";
 }
@@ -141,8 +141,8 @@ std::string IioSession::read_attribute(std::string_view words) const {
   if (first != "INPUT") return number(-ENOENT);
   std::string_view channel = next_word(rest);
   const std::string_view attribute = next_word(rest);
-  if (!channel.starts_with("voltage")) return number(-ENOENT);
-  channel.remove_prefix(7);
+  if (!channel.starts_with("accel")) return number(-ENOENT);
+  channel.remove_prefix(5);
   const auto at = parsed<std::size_t>(channel, 10);
   if (!at || *at >= front_end_.labels.size()) return number(-ENOENT);
   if (attribute == "scale") return with_length(decimal(front_end_.m_s2_per_count));

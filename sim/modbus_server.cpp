@@ -110,6 +110,4 @@ int ModbusServer::requests() const { return service_->requests.count; }
 
 int ModbusServer::misbehaved() const { return service_->requests.faults.met(); }
 
-int InverterServer::misbehaved() const { return service_->requests.faults.met(); }
-
 }  // namespace rvbench::sim

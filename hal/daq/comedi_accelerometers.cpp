@@ -117,7 +117,7 @@ Status ComediSource::find_inputs() {
         comedi_get_range(device_.get(), subdevice_, channel, unsigned(range));
     const lsampl_t most = comedi_get_maxdata(device_.get(), subdevice_, channel);
     if (volts == nullptr || most == 0) return refused(fmt::format("input {}: no range", channel));
-    const double scale = input.m_s2_per_unit;
+    const double scale = 1 / input.info.sensitivity;
     inputs_.push_back({volts->min * scale, (volts->max - volts->min) / double(most) * scale});
     scan_list_.push_back(CR_PACK(channel, unsigned(range), AREF_GROUND));
     board_m_s2_ = std::min(board_m_s2_,
@@ -255,8 +255,8 @@ void check(const ComediOptions& options) {
     const auto channel = channel_number(input.device_channel);
     require(channel.has_value(), "channel '" + input.device_channel + "' is no number");
     require(used.insert(*channel).second, fmt::format("channel {} comes twice", *channel));
-    require(std::isfinite(input.m_s2_per_unit) && input.m_s2_per_unit != 0,
-            fmt::format("m_s2_per_unit of {} is {}", *channel, input.m_s2_per_unit));
+    require(std::isfinite(input.info.sensitivity) && input.info.sensitivity != 0,
+            fmt::format("sensitivity of {} is {}", *channel, input.info.sensitivity));
   }
 }
 

@@ -22,7 +22,7 @@ struct ComediOptions {
 
 /// Accelerometers on a data acquisition board that comedi drives, in this machine.
 ///
-/// Values   volts of the input's range, ground referred, times the input's m_s2_per_unit; the ends
+/// Values   volts of the input's range, ground referred, by the input's sensitivity; the ends
 ///          of the range are full scale, and clipped
 /// Rate     as the board makes it of the one asked for: read back from its command
 /// Errors   disconnected (connect): no device; refused: no inputs that scan, no such channel or

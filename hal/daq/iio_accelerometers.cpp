@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -112,6 +113,17 @@ double attribute_or(const iio_channel* channel, const char* name, double without
   return iio_channel_attr_read_double(channel, name, &value) == 0 ? value : without;
 }
 
+bool is_voltage(const iio_channel* channel) { return iio_channel_get_type(channel) == IIO_VOLTAGE; }
+
+// m/s² per unit of the scaled value, which is a millivolt, or m/s² where the device knows its
+// sensors. Nothing if the sensitivity, V per m/s², does not fit. Source: Linux'
+// Documentation/ABI/testing/sysfs-bus-iio, in_voltageY_raw and in_accel_x_raw.
+std::optional<double> unit_of(const iio_channel* channel, double sensitivity) {
+  const bool is_known = std::isfinite(sensitivity);
+  if (is_voltage(channel) != is_known) return std::nullopt;
+  return is_known ? 1e-3 / sensitivity : 1;
+}
+
 // A sample in the device's own format, of up to 64 bits.
 double count_of(const iio_channel* channel, const void* sample) {
   const iio_data_format* format = iio_channel_get_data_format(channel);
@@ -186,7 +198,15 @@ Status IioSource::find_inputs() {
                                           there_is(input.device_channel, input_names(device_))};
     }
     iio_channel_enable(channel);
-    const double scale = attribute_or(channel, "scale", 1) * input.m_s2_per_unit;
+    const auto m_s2_per_unit = unit_of(channel, input.info.sensitivity);
+    if (!m_s2_per_unit) {
+      return IoError{
+          IoErrc::refused,
+          input.device_channel + (is_voltage(channel)
+                                      ? ": it tells volts, and the sensor has no sensitivity"
+                                      : ": it tells m/s², and needs no sensitivity")};
+    }
+    const double scale = attribute_or(channel, "scale", 1) * *m_s2_per_unit;
     inputs_.push_back({channel, scale, attribute_or(channel, "offset", 0)});
     const iio_data_format* format = iio_channel_get_data_format(channel);
     const double full_counts = std::exp2(double(format->bits) - (format->is_signed ? 1 : 0)) - 1;
@@ -264,8 +284,8 @@ void check(const IioOptions& options) {
   require(options.block_s > 0 && options.block_s <= 0.2,
           fmt::format("block_s is {}, must be above 0, at most 0.2", options.block_s));
   for (const DaqInput& input : options.inputs) {
-    require(std::isfinite(input.m_s2_per_unit) && input.m_s2_per_unit != 0,
-            fmt::format("m_s2_per_unit of {} is {}", input.device_channel, input.m_s2_per_unit));
+    require(input.info.sensitivity != 0,
+            fmt::format("sensitivity of {} is 0", input.device_channel));
   }
 }
 

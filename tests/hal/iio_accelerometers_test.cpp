@@ -71,9 +71,8 @@ IioOptions options(std::uint16_t port) {
   options.deadline_s = 2;  // this computer may be busy elsewhere
   for (const int input : {0, 3}) {
     hal::DaqInput daq;
-    daq.device_channel = "voltage" + std::to_string(input);
+    daq.device_channel = "accel" + std::to_string(input);
     daq.info = {"accel_" + std::to_string(input), "m/s²", "+X"};
-    daq.m_s2_per_unit = 1;
     options.inputs.push_back(daq);
   }
   return options;
@@ -156,16 +155,23 @@ TEST_CASE("time stamps are those of the rig's clock, and go on", "[hal][daq]") {
   CHECK(bench.accelerometers->time_uncertainty_s() < 0.02);
 }
 
-TEST_CASE("the sensor's sensitivity and the converter's full scale count", "[hal][daq]") {
+TEST_CASE("the converter's full scale counts where it is below the sensors'", "[hal][daq]") {
   const CountingDaq daq;
   IioOptions how = options(daq.port());
-  how.inputs[1].m_s2_per_unit = 1e-5;  // 2^31 counts of 0.001 are then 21.5 m/s²
+  how.range_m_s2 = 1e9;
   Connected bench(how);
   REQUIRE(bench.accelerometers->connect());
-  CHECK(bench.accelerometers->range_m_s2() == Approx(21.47).epsilon(0.001));
-  REQUIRE(bench.accelerometers->start());
-  const auto scans = bench.read(10);
-  CHECK(double(scans(0, 1)) == Approx((3000 + double(scans(0, 0))) * 1e-5));
+  CHECK(bench.accelerometers->range_m_s2() == Approx(0.001 * 2147483647));
+}
+
+TEST_CASE("a front end that tells m/s² by itself is given no sensitivity", "[hal][daq]") {
+  const CountingDaq daq;
+  IioOptions how = options(daq.port());
+  how.inputs[1].info.sensitivity = 0.01;
+  Connected bench(how);
+  const auto status = bench.accelerometers->connect();
+  REQUIRE_FALSE(status);
+  CHECK_THAT(status.error().where, Catch::Contains("accel3: it tells m/s²"));
 }
 
 TEST_CASE("what is not there is told with what is", "[hal][daq]") {
@@ -181,12 +187,12 @@ TEST_CASE("what is not there is told with what is", "[hal][daq]") {
                                          Catch::Contains("there is: rvbench-daq"));
   }
   SECTION("an input") {
-    how.inputs[1].device_channel = "voltage4";
+    how.inputs[1].device_channel = "accel4";
     Connected bench(how);
     const auto status = bench.accelerometers->connect();
     REQUIRE_FALSE(status);
     CHECK_THAT(status.error().where,
-               Catch::Contains("no input \"voltage4\"") && Catch::Contains("voltage0, voltage1"));
+               Catch::Contains("no input \"accel4\"") && Catch::Contains("accel0, accel1"));
   }
   SECTION("a server") {
     how.uri = "ip:127.0.0.1:1";
@@ -226,7 +232,7 @@ TEST_CASE("a front end with options that make no sense is the caller's bug", "[h
   bad([](IioOptions& how) { how.uri.clear(); });
   bad([](IioOptions& how) { how.device.clear(); });
   bad([](IioOptions& how) { how.inputs.clear(); });
-  bad([](IioOptions& how) { how.inputs[0].m_s2_per_unit = 0; });
+  bad([](IioOptions& how) { how.inputs[0].info.sensitivity = 0; });
   bad([](IioOptions& how) { how.rate_Hz = 0; });
   bad([](IioOptions& how) { how.range_m_s2 = -1; });
   bad([](IioOptions& how) { how.block_s = 1; });

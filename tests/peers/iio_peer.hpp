@@ -57,7 +57,7 @@ inline hal::IioOptions options_of(const Iiod& iiod, double rate_Hz, int channels
     hal::DaqInput input;
     input.device_channel = "voltage" + std::to_string(i);
     input.info = {"accel_" + std::to_string(i), "m/s²", "+X"};
-    input.m_s2_per_unit = 1;
+    input.info.sensitivity = 1e-3;  // V per m/s²: of a voltage in mV the same number
     options.inputs.push_back(input);
   }
   return options;

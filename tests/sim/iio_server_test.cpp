@@ -72,7 +72,7 @@ TEST_CASE("iio_info, which is not ours, finds device, inputs and attributes", "[
   CHECK(told.err.empty());
   CHECK_THAT(told.out, Catch::Contains("rvbench-daq"));
   CHECK_THAT(told.out, Catch::Contains("3 channels found"));
-  CHECK_THAT(told.out, Catch::Contains("voltage2:  (input, index: 2, format: le:S32/32>>0)"));
+  CHECK_THAT(told.out, Catch::Contains("accel2:  (input, index: 2, format: le:S32/32>>0)"));
   CHECK_THAT(told.out, Catch::Contains("value: accel_1"));
   CHECK_THAT(told.out, Catch::Contains("sampling_frequency value: 4960.000000000"));
 }
@@ -83,7 +83,7 @@ TEST_CASE("iio_readdev, which is not ours, reads scan after scan without a hole"
   const test::ScratchFolder scratch;
   const std::string file = (scratch / "scans").string();
   const auto read = shell("iio_readdev -u " + uri(server) +
-                          " -b 100 -s 1000 rvbench-daq voltage0 voltage2 >" + file);
+                          " -b 100 -s 1000 rvbench-daq accel0 accel2 >" + file);
   INFO(read.out + read.err);
   CHECK(read.code == 0);
   std::ifstream in(file, std::ios::binary);
@@ -113,9 +113,9 @@ TEST_CASE("a session answers each command, and refuses what makes no sense", "[s
   IioSession session(daq, ring);
   CHECK(session.answer("VERSION")->starts_with("0.24."));
   CHECK(session.answer("TIMEOUT 100") == "0\n");
-  CHECK(session.answer("READ iio:device0 INPUT voltage1 label") == "7\naccel_1\n");
-  CHECK(session.answer("READ iio:device0 INPUT voltage3 label") == "-2\n");
-  CHECK(session.answer("READ iio:device0 INPUT voltage99999999999999999999 label") == "-2\n");
+  CHECK(session.answer("READ iio:device0 INPUT accel1 label") == "7\naccel_1\n");
+  CHECK(session.answer("READ iio:device0 INPUT accel3 label") == "-2\n");
+  CHECK(session.answer("READ iio:device0 INPUT accel99999999999999999999 label") == "-2\n");
   CHECK(session.answer("READ iio:device1 sampling_frequency") == "-19\n");
   CHECK(session.answer("READBUF iio:device0 12") == "-9\n");
   CHECK(session.answer("OPEN iio:device0 1 00000008") == "-22\n");
