@@ -153,7 +153,7 @@ TEST_CASE("a bench that is gone in the middle of a run is missed at once", "[spe
   bench::write_file(folder / "plan.json", plan);
   Bench bench(folder);
   Program program(folder.path(), run_words());
-  REQUIRE(program.says("measure"));
+  REQUIRE(program.says("record 1815 rpm"));
   bench.program().send(SIGKILL);
   bench.program().wait();
   const Answer answer = program.wait();
@@ -169,7 +169,7 @@ TEST_CASE("an emergency stop ends a run on real wires", "[spec][devices][safety]
   bench::write_file(folder / "plan.json", plan);
   Bench bench(folder);
   Program program(folder.path(), run_words());
-  REQUIRE(program.says("measure"));
+  REQUIRE(program.says("record 1815 rpm"));
   bench.type("estop");
   Answer answer = program.wait();
   INFO(answer.err);
