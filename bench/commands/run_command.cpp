@@ -163,7 +163,7 @@ void RunCommand::enter_result(Console& console, const Judgement& judgement) cons
   Status entered = Done{};
   if (database) {
     ResultDatabase results = std::move(database).value();
-    entered = results.enter(row_of(out_, folder_, judgement));
+    entered = results.enter(row_of(out_, place_.folder, judgement));
     if (entered) {
       const auto caught_up = results.catch_up();
       if (!caught_up) entered = caught_up.error();
@@ -173,7 +173,7 @@ void RunCommand::enter_result(Console& console, const Judgement& judgement) cons
   }
   if (entered) return;
   console.err << "rvbench: " << describe(entered.error()) << "; the result is safe in "
-              << folder_.string() << " and will be entered by the next run\n";
+              << place_.folder.string() << " and will be entered by the next run\n";
 }
 
 }  // namespace
