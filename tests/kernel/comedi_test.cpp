@@ -28,7 +28,7 @@ ComediOptions options(int inputs, double rate_Hz) {
   options.deadline_s = 2;
   for (int i = 0; i < inputs; ++i) {
     const std::string number = std::to_string(i);
-    options.inputs.push_back({number, {"accel_" + number, "m/s²", "+X"}, m_s2_per_V});
+    options.inputs.push_back({number, {"accel_" + number, "m/s²", "+X", 1 / m_s2_per_V}});
   }
   return options;
 }
