@@ -13,6 +13,7 @@
 #include "sim/remote_io_server.hpp"
 #include "tests/spec/rvbench.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/under_sanitizer.hpp"
 
 // Two programs that share nothing but wires: `rvbench devices` is the bench, `rvbench run` drives
 // it. Real time: each test takes as long as its plan, and neither needs much of a processor.
@@ -119,6 +120,7 @@ TEST_CASE("devices that cannot be served are refused, with the reason", "[spec][
 }
 
 TEST_CASE("a run on real wires passes a good unit, in real time", "[spec][devices]") {
+  if (test::too_long_under_sanitizer()) return;
   const ScratchFolder folder;
   bench::write_file(folder / "plan.json", plan);
   Bench bench(folder);
@@ -137,6 +139,7 @@ TEST_CASE("a run on real wires passes a good unit, in real time", "[spec][device
 
 TEST_CASE("a run on real wires finds the fault of a unit, its drive on a serial line",
           "[spec][devices]") {
+  if (test::too_long_under_sanitizer()) return;
   const ScratchFolder folder;
   bench::write_file(folder / "plan.json", plan);
   Bench bench(folder, "--preset input_shaft --drive-line");
@@ -149,6 +152,7 @@ TEST_CASE("a run on real wires finds the fault of a unit, its drive on a serial 
 }
 
 TEST_CASE("a bench that is gone in the middle of a run is missed at once", "[spec][devices]") {
+  if (test::too_long_under_sanitizer()) return;
   const ScratchFolder folder;
   bench::write_file(folder / "plan.json", plan);
   Bench bench(folder);
@@ -165,6 +169,7 @@ TEST_CASE("a bench that is gone in the middle of a run is missed at once", "[spe
 }
 
 TEST_CASE("an emergency stop ends a run on real wires", "[spec][devices][safety]") {
+  if (test::too_long_under_sanitizer()) return;
   const ScratchFolder folder;
   bench::write_file(folder / "plan.json", plan);
   Bench bench(folder);
