@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <iio.h>
-#include <pthread.h>
-#include <signal.h>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +14,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "hal/daq/no_pipe_signal.hpp"
 #include "hal/did_you_mean.hpp"
 
 namespace rvbench::hal {
@@ -24,27 +23,6 @@ namespace {
 constexpr double least_patience_s = 0.25;
 constexpr unsigned connect_ms = 2000;
 constexpr double kernel_buffer_s = 1;  // libiio's own four blocks are lost on a busy computer
-
-// libiio writes to a connection that may be broken, and the signal that this raises would end the
-// process: while one of these lives, it does not reach this thread.
-class NoPipeSignal {
- public:
-  NoPipeSignal() {
-    sigemptyset(&pipe_);
-    sigaddset(&pipe_, SIGPIPE);
-    pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
-  }
-  ~NoPipeSignal() {
-    const timespec at_once{};
-    while (sigtimedwait(&pipe_, nullptr, &at_once) == SIGPIPE) continue;
-    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-  }
-  NoPipeSignal(const NoPipeSignal&) = delete;
-  NoPipeSignal& operator=(const NoPipeSignal&) = delete;
-
- private:
-  sigset_t pipe_{}, before_{};
-};
 
 struct DestroyContext {
   void operator()(iio_context* context) const noexcept {
