@@ -53,11 +53,14 @@ void bind(const Statement& statement, int at, const std::string& text) {
 // Folders two levels below, in no order: <serial>/<time>.
 std::vector<std::filesystem::path> run_folders(const std::filesystem::path& root) {
   std::vector<std::filesystem::path> folders;
-  std::error_code absent;
-  for (const auto& serial : std::filesystem::directory_iterator(root, absent)) {
-    if (!serial.is_directory()) continue;
-    for (const auto& run : std::filesystem::directory_iterator(serial.path(), absent)) {
-      if (run.is_directory()) folders.push_back(run.path());
+  std::error_code error;  // what cannot be read is no run
+  using Entries = std::filesystem::directory_iterator;
+  for (Entries serial(root, error), end; !error && serial != end; serial.increment(error)) {
+    std::error_code unreadable;
+    for (Entries run(serial->path(), unreadable); !unreadable && run != end;
+         run.increment(unreadable)) {
+      std::error_code unknown;
+      if (run->is_directory(unknown)) folders.push_back(run->path());
     }
   }
   return folders;

@@ -45,8 +45,11 @@ void BenchDevices::read() {
       std::fmax(fastest_since_heard_rpm_, std::abs(measured_speed_rpm(window_s)));
 }
 
+// The supervisor may stop the drive at any moment: its stop has the last word.
 void BenchDevices::write(double speed_rpm, double brake_torque_Nm) {
+  if (supervisor_.is_tripped()) return;
   drive_.command.ask<Done>(*rig_.clock, [&] { return rig_.drive->set_speed(speed_rpm); });
+  if (supervisor_.is_tripped()) rig_.drive->stop();
   hold_brake(brake_torque_Nm);
 }
 

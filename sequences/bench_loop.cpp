@@ -68,6 +68,11 @@ std::optional<Ending> BenchLoop::trouble() {
     const Ending asked{Outcome::aborted, ErrorKind::none, "stopped on request"};
     ending = ending ? graver(*ending, asked) : asked;
   }
+  if (!ending && supervisor_.silence_s() > plan_.interlocks.stale_after_s) {
+    return device_lost(
+        fmt::format("the supervisor has not come round for {:.2f} s: a device holds it",
+                    supervisor_.silence_s()));
+  }
   if (!ending && speeds_disagree()) {
     return device_lost(
         fmt::format("the drive reports {:.0f} rpm, the torque sensor's angle {:.0f} rpm",
@@ -114,7 +119,8 @@ std::optional<Ending> BenchLoop::arm() {
 }
 
 void BenchLoop::command(double speed_rpm, double brake_torque_Nm) {
-  const bool may_turn = speed_rpm == 0 || ended() || supervisor_.handle(SupervisorEvent::run);
+  const bool may_turn =
+      speed_rpm == 0 || supervisor_.is_tripped() || supervisor_.handle(SupervisorEvent::run);
   if (!may_turn) {
     throw std::logic_error(fmt::format("BenchLoop::command: {} rpm while {}", speed_rpm,
                                        to_string(supervisor_.state())));

@@ -24,6 +24,7 @@ void Supervisor::start(const DriveReport& drive) {
   field_.start();
   is_watching_ = true;
   if (rig_.clock->is_virtual()) return;
+  round_s_ = rig_.clock->now_s();
   has_thread_ = true;
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
@@ -43,6 +44,7 @@ void Supervisor::run(const std::stop_token& stop) noexcept {
     try {
       rig_.clock->wait_until(next_s);
       const double now_s = rig_.clock->now_s();
+      round_s_ = now_s;
       lateness_.add(now_s - next_s);
       next_s = std::max(next_s + period_s, now_s);  // rounds that were missed are not made up for
       step();
@@ -156,6 +158,8 @@ void Supervisor::trip(const Ending& ending) {
   const std::lock_guard lock(mutex_);
   latched_ = latched_ ? graver(*latched_, ending) : ending;
 }
+
+double Supervisor::silence_s() const { return has_thread_ ? rig_.clock->now_s() - round_s_ : 0; }
 
 std::optional<Ending> Supervisor::latched() const {
   const std::lock_guard lock(mutex_);

@@ -65,8 +65,12 @@ class Supervisor {
 
   /// Stops the drive, if nobody has yet, and latches the ending.
   void trip(const Ending& ending);
+  bool is_tripped() const { return is_latched_; }  ///< the drive is stopped, or about to be
   std::optional<Ending> latched() const;  ///< how the run must end; told once the drive is stopped
   double latched_s() const { return latched_s_; }  ///< when it was found; NaN if it was not
+
+  /// Since its thread came round last; 0 without one.
+  double silence_s() const;
 
   std::string without_priority() const;  ///< why its thread has no real-time priority; "" if it has
   Lateness lateness() const;             ///< of its thread's rounds; @pre end()
@@ -93,6 +97,7 @@ class Supervisor {
   std::atomic<bool> is_latched_ = false;
   std::atomic<double> latched_s_ = not_known;
   std::atomic<bool> has_thread_ = false;
+  std::atomic<double> round_s_ = 0;  ///< when its thread came round last
 
   // The supervisor's own: what it was told last, what it could not hand over yet.
   DriveReport drive_;

@@ -18,7 +18,8 @@ struct IioFrontEnd {
 };
 
 /// The DAQ of a simulated bench as a network context of Linux industrial I/O: any libiio client
-/// reads it as "ip:127.0.0.1:<port>". Inputs are "accel0", "accel1", ..., 32 bits signed, which its `scale` makes m/s².
+/// reads it as "ip:127.0.0.1:<port>". Inputs are "accel0", "accel1", ..., 32 bits signed, which its
+/// `scale` makes m/s².
 ///
 /// Protocol  that of iiod, version 0.24, as far as clients that read need it
 /// Time      push() never waits; a client that falls ten seconds behind is told EOVERFLOW

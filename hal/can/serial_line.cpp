@@ -68,6 +68,8 @@ void SerialLine::close() {
   reader_.request_stop();
   if (wake_ >= 0) (void)::eventfd_write(wake_, 1);
   reader_ = {};
+  // What an adapter that hangs has not taken would hold close() up for half a minute.
+  if (file_ >= 0) (void)::tcflush(file_, TCOFLUSH);
   for (int* file : {&file_, &wake_}) {
     if (*file >= 0) ::close(*file);
     *file = -1;

@@ -108,7 +108,7 @@ AccelerationStep unpack_acceleration(Unpacker& in) {
   const auto channels = in.number<std::uint64_t>();
   std::vector<float> samples(in.size(sizeof(float)));
   in.array(samples.data(), samples.size());
-  if (channels == 0 || samples.size() % channels != 0) {
+  if (channels == 0 || samples.empty() || samples.size() % channels != 0) {
     throw FileFailure(IoErrc::bad_reply, "journal: a block of another shape");
   }
   step.block.scans = Eigen::Map<const AccelerationBlock::Scans>(

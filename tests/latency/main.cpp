@@ -11,15 +11,19 @@ namespace {
 
 using rvbench::test::Figure;
 
-void print(const std::vector<Figure>& figures) {
+// Whether all are within their limits.
+bool print(const std::vector<Figure>& figures) {
+  bool within = true;
   for (const Figure& figure : figures) {
     const std::string limit =
         figure.limit > 0 ? fmt::format("limit {:g}{}", figure.limit,
                                        figure.value <= figure.limit ? "" : "   ABOVE ITS LIMIT")
                          : "";
+    within = within && !(figure.limit > 0 && figure.value > figure.limit);
     fmt::print("{:<60} {:10.3f} {:<4} {}\n", figure.what, figure.value, figure.unit, limit);
   }
   std::fflush(stdout);
+  return within;
 }
 
 }  // namespace
@@ -42,13 +46,15 @@ int main(int argc, char** argv) {
       {"lateness", [&] { return measure_lateness(is_short ? 1 : 30); }},
       {"polling", [&] { return measure_polling(is_short ? 100 : 20'000); }},
       {"recording", [&] { return measure_recording(is_short ? 1 : 20); }}};
+  bool within = true;
   try {
     for (const auto& [name, measure] : all) {
-      if (only.empty() || std::ranges::find(only, name) != only.end()) print(measure());
+      if (only.empty() || std::ranges::find(only, name) != only.end())
+        within = print(measure()) && within;
     }
   } catch (const std::exception& error) {
     fmt::print(stderr, "rvbench_latency: {}\n", error.what());
     return 1;
   }
-  return 0;
+  return within || is_short ? 0 : 1;
 }

@@ -67,6 +67,7 @@ class LiveDrive final : public hal::Drive {
   }
   void stop() noexcept override {
     bench_.setpoint_rpm = 0;
+    if (bench_.stop_is_slow) bench_.clock.wait_until(bench_.clock.now_s() + 0.05);
     bench_.stopped_s = bench_.clock.now_s();
     ++bench_.stops;
   }

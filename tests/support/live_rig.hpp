@@ -15,7 +15,8 @@ struct LiveBench final : hal::Backstage {
 
   hal::Clock& clock;
   std::atomic<bool> estop = false;
-  std::atomic<bool> drive_hangs = false;  ///< its calls take 50 ms and fail
+  std::atomic<bool> drive_hangs = false;   ///< its calls take 50 ms and fail
+  std::atomic<bool> stop_is_slow = false;  ///< it takes 50 ms
   std::atomic<double> torque_Nm = 1.0;
   std::atomic<double> setpoint_rpm = 0;
   std::atomic<int> stops = 0;
