@@ -20,6 +20,9 @@ class RecordingBehind final : public hal::RecordingWriter {
   /// Both must outlive it.
   RecordingBehind(hal::RecordingWriter& recording, Scribe& scribe)
       : recording_(recording), scribe_(scribe) {}
+  ~RecordingBehind() override { scribe_.finish(); }  // whose jobs know this object
+  RecordingBehind(const RecordingBehind&) = delete;
+  RecordingBehind& operator=(const RecordingBehind&) = delete;
 
   Status append(int point, const hal::AccelerationBlock& block) override;
   Status append(int point, const hal::TorqueBlock& block) override;
@@ -46,6 +49,9 @@ class ObserverBehind final : public RunObserver {
  public:
   /// Both must outlive it.
   ObserverBehind(RunObserver& observer, Scribe& scribe) : observer_(observer), scribe_(scribe) {}
+  ~ObserverBehind() override { scribe_.finish(); }  // whose jobs know this object
+  ObserverBehind(const ObserverBehind&) = delete;
+  ObserverBehind& operator=(const ObserverBehind&) = delete;
 
   void progress(double done_s, double total_s, const std::string& doing) override;
   void event(double time_s, const std::string& text) override;
