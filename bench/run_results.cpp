@@ -57,7 +57,10 @@ std::vector<std::string> unwritten_files(const std::filesystem::path& folder,
     try {
       file.write();
     } catch (const std::system_error& error) {
-      missing.push_back(file.name + ": " + error.code().message());
+      // The sums come to grief over another file's: then that one is named.
+      const std::string what = error.what();
+      const bool is_its_own = what.starts_with((folder / file.name).string());
+      missing.push_back(file.name + ": " + (is_its_own ? error.code().message() : what));
       std::error_code ignored;
       std::filesystem::remove(folder / file.name, ignored);
     }
