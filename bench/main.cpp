@@ -1,6 +1,22 @@
+#include <fcntl.h>
+#include <unistd.h>
+
 #include "bench/cli.hpp"
 
+namespace {
+
+// A file opened where standard input, output or error is closed would get its number, and be read
+// or written as if it were that.
+void open_standard_files() {
+  int file = 0;
+  while (file >= 0 && file <= STDERR_FILENO) file = ::open("/dev/null", O_RDWR);
+  if (file > STDERR_FILENO) ::close(file);
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  open_standard_files();
   rvbench::bench::Console console = rvbench::bench::system_console();
   return rvbench::bench::run_cli({argv + 1, argv + argc}, rvbench::bench::make_commands(), console);
 }

@@ -15,6 +15,9 @@ void DeviceWatch::note_failure(double now_s, const IoError& why) {
 std::string DeviceWatch::lost(double now_s, double stale_after_s) const {
   const double age_s = now_s - seen_s;
   if (age_s <= stale_after_s + 1e-6) return "";
+  if (seen_s == never_seen_s) {
+    return device + " has never answered" + (error.empty() ? "" : " (" + error + ")");
+  }
   return fmt::format("{} silent for {:.2f} s{}", device, age_s,
                      error.empty() ? "" : " (" + error + ")");
 }

@@ -106,6 +106,15 @@ TEST_CASE("devices write a rig file that can be checked and probed", "[spec][dev
   CHECK(bench.program().wait().code == 0);
 }
 
+TEST_CASE("devices whose standard input is closed end when they are told to", "[spec][devices]") {
+  const ScratchFolder folder;
+  Program program(folder.path(),
+                  {"/bin/sh", "-c", "exec " RVBENCH_PROGRAM " devices --rig sim <&-"});
+  REQUIRE(program.says("Ctrl-C ends it"));
+  program.send(SIGINT);
+  CHECK(program.wait().code == 0);
+}
+
 TEST_CASE("devices that cannot be served are refused, with the reason", "[spec][devices]") {
   const ScratchFolder folder;
   bench::write_file(folder / "replay.json", R"({"rig": "replay", "recording": "r.h5"})");
