@@ -160,15 +160,10 @@ SCENARIO("what a serial adapter loses is told once, and counted", "[hal][can]") 
       CHECK(counted(*monitor, "data_overrun") == 1);
     }
   }
-  WHEN("nobody fetches what it hears") {
-    for (int i = 0; i < 4000; ++i) REQUIRE(bench.bus.nodes->send({.id = 0x281, .length = 8}));
-    wait_for([&] { return bench.adapter->frames_from_bus() == 4000; });
-    auto frame = next(can);
-    int frames = 0;
-    for (; frame; frame = next(can)) ++frames;
-    CHECK(frame.error().code == IoErrc::overrun);
-    CHECK(frames < 4000);
-    CHECK(counted(*monitor, "receive_queue_full") > 0);
+  WHEN("its queue is full, for nobody fetches what it hears") {
+    bench.adapter->raise_flags(0x01);
+    CHECK(next(can).error().code == IoErrc::overrun);
+    CHECK(counted(*monitor, "receive_queue_full") == 1);
   }
   WHEN("the bus has errors, or a frame had to wait for another") {
     bench.adapter->raise_flags(0xC4);
