@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
 #include "hal/modbus/modbus_safety_inputs.hpp"
 #include "hal/steady_clock.hpp"
