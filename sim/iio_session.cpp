@@ -1,10 +1,10 @@
 #include "sim/iio_session.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
-#include <cstring>
 #include <string_view>
 #include <utility>
 #include <vector>

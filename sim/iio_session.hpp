@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "sim/iio_server.hpp"
 #include "sim/scan_ring.hpp"

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double rate_Hz = 5000;
 
-// A front end of four inputs that counts scans; sends what is due each millisecond.
+// A front end of four inputs that counts scans; sends ten of them every 2 ms.
 class CountingDaq {
  public:
   CountingDaq() : server_(std::make_unique<IioServer>(front_end())) { go_on(); }
@@ -45,7 +45,6 @@ class CountingDaq {
     pause();
     server_.reset();
   }
-  void skip(int scans) { scan_ += scans; }
   std::uint16_t port() const { return server_->port(); }
 
  private:

@@ -27,7 +27,6 @@ class WireTap {
   /// Nothing passes any more, and nobody is told: as a cable that is out. New connections are not
   /// answered either.
   void pull() { is_pulled_ = true; }
-  void plug_in() { is_pulled_ = false; }
 
  private:
   struct Pair {
