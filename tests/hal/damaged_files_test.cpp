@@ -9,10 +9,6 @@
 #include "tests/hal/mat5_builder.hpp"
 #include "tests/hal/recording_fixture.hpp"
 
-// HDF5 1.10 does not free what it had decoded of a damaged object before it gave up.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5_serial"; }
-
 // None of these may crash, hang or allocate by a false claim; run them under asan, too. Whether a
 // damaged file is refused depends on where it was hit: samples carry no checksum.
 namespace rvbench::hal {

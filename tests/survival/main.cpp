@@ -11,9 +11,6 @@
 #include "tests/survival/crashes.hpp"
 #include "tests/survival/writing_process.hpp"
 
-// Where a call fails, libhdf5 loses some memory of its own.
-extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5_serial\n"; }
-
 namespace {
 
 using namespace rvbench;
