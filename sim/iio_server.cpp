@@ -1,7 +1,5 @@
 #include "sim/iio_server.hpp"
 
-#include <netinet/in.h>
-#include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/eventfd.h>
 #include <sys/socket.h>
@@ -12,13 +10,13 @@
 #include <atomic>
 #include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <list>
 #include <stdexcept>
 #include <thread>
 
 #include "sim/iio_session.hpp"
+#include "sim/loopback_listener.hpp"
 #include "sim/scan_ring.hpp"
 
 namespace rvbench::sim {
@@ -31,23 +29,6 @@ std::int32_t count_of(float value_m_s2, double m_s2_per_count) {
   constexpr double most = std::numeric_limits<std::int32_t>::max();
   if (std::isnan(value_m_s2)) return std::numeric_limits<std::int32_t>::max();
   return std::int32_t(std::clamp(std::round(double(value_m_s2) / m_s2_per_count), -most, most));
-}
-
-int listen_on(std::uint16_t port) {
-  const int listener = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  const int yes = 1;
-  (void)::setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(port);
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  const bool listens =
-      ::bind(listener, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
-      ::listen(listener, 8) == 0;
-  if (listens) return listener;
-  const std::string why = std::strerror(errno);
-  ::close(listener);
-  throw std::runtime_error("IioServer: cannot listen on 127.0.0.1: " + why);
 }
 
 bool send_all(int socket, const std::string& bytes) {
@@ -66,7 +47,7 @@ class IioServer::Service {
   Service(const IioFrontEnd& front_end, std::uint16_t port)
       : front_end_(front_end),
         ring_(front_end.labels.size(), std::size_t(seconds_kept * front_end.rate_Hz) + 1),
-        listener_(listen_on(port)),
+        listener_(port, "IioServer"),
         ending_(::eventfd(0, EFD_CLOEXEC)),
         thread_([this] { accept_clients(); }) {}
 
@@ -81,19 +62,13 @@ class IioServer::Service {
       client.thread.join();
       ::close(client.socket);
     }
-    ::close(listener_);
     ::close(ending_);
   }
 
   Service(const Service&) = delete;
   Service& operator=(const Service&) = delete;
 
-  std::uint16_t port() const {
-    sockaddr_in address{};
-    socklen_t size = sizeof address;
-    if (::getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size) != 0) return 0;
-    return ntohs(address.sin_port);
-  }
+  std::uint16_t port() const { return listener_.port(); }
 
   void push(const hal::AccelerationBlock::Scans& scans) {
     if (scans.cols() != Eigen::Index(front_end_.labels.size())) {
@@ -116,14 +91,14 @@ class IioServer::Service {
 
   void accept_clients() {
     while (!is_ending_) {
-      std::array<pollfd, 2> watched{{{ending_, POLLIN, 0}, {listener_, POLLIN, 0}}};
-      if (::poll(watched.data(), watched.size(), -1) < 0 && errno != EINTR) return;
-      if (watched[1].revents == 0) continue;
-      const int socket = ::accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
-      if (socket < 0) continue;
-      const int yes = 1;
-      (void)::setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
+      std::array<pollfd, 2> watched{{{ending_, POLLIN, 0}, {listener_.watched(), POLLIN, 0}}};
+      if (::poll(watched.data(), watched.size(), listener_.patience_ms()) < 0 && errno != EINTR) {
+        return;
+      }
       bury_the_gone();
+      if (watched[1].revents == 0) continue;
+      const int socket = listener_.accept();
+      if (socket < 0) continue;
       Client& client = clients_.emplace_back();
       client.socket = socket;
       client.thread = std::thread([this, &client] {
@@ -180,7 +155,7 @@ class IioServer::Service {
 
   const IioFrontEnd front_end_;
   ScanRing ring_;
-  int listener_;
+  LoopbackListener listener_;
   int ending_;
   std::atomic<bool> is_ending_ = false;
   std::list<Client> clients_;

@@ -1,18 +1,15 @@
 #include "sim/modbus_server.hpp"
 
 #include <modbus/modbus.h>
-#include <netinet/in.h>
 #include <poll.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
-#include <stdexcept>
-#include <string>
+#include <new>
 #include <thread>
 #include <vector>
 
+#include "sim/loopback_listener.hpp"
 #include "sim/modbus_requests.hpp"
 
 namespace rvbench::sim {
@@ -28,12 +25,10 @@ struct FreeModbus {
 class ModbusServer::Service {
  public:
   Service(ModbusDevice& device, std::uint8_t unit_id, std::uint16_t port)
-      : requests(device, unit_id), context_(modbus_new_tcp("127.0.0.1", port)) {
-    listener_ = context_ ? modbus_tcp_listen(context_.get(), 4) : -1;
-    if (listener_ < 0) {
-      throw std::runtime_error("ModbusServer: cannot listen on 127.0.0.1:" + std::to_string(port) +
-                               ": " + std::strerror(errno));
-    }
+      : requests(device, unit_id),
+        listener_(port, "ModbusServer"),
+        context_(modbus_new_tcp("127.0.0.1", listener_.port())) {
+    if (!context_) throw std::bad_alloc();
     modbus_set_byte_timeout(context_.get(), 0, 100'000);
     thread_ = std::thread([this] { serve(); });
   }
@@ -42,27 +37,23 @@ class ModbusServer::Service {
     requests.end();
     thread_.join();
     for (const int client : clients_) ::close(client);
-    ::close(listener_);
   }
 
   Service(const Service&) = delete;
   Service& operator=(const Service&) = delete;
 
-  std::uint16_t port() const {
-    sockaddr_in address{};
-    socklen_t size = sizeof address;
-    if (::getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size) != 0) return 0;
-    return ntohs(address.sin_port);
-  }
+  std::uint16_t port() const { return listener_.port(); }
 
   ModbusRequests requests;
 
  private:
   void serve() {
     for (;;) {
-      std::vector<pollfd> watched{{requests.ending(), POLLIN, 0}, {listener_, POLLIN, 0}};
+      std::vector<pollfd> watched{{requests.ending(), POLLIN, 0}, {listener_.watched(), POLLIN, 0}};
       for (const int client : clients_) watched.push_back({client, POLLIN, 0});
-      if (::poll(watched.data(), watched.size(), -1) < 0 && errno != EINTR) return;
+      if (::poll(watched.data(), watched.size(), listener_.patience_ms()) < 0 && errno != EINTR) {
+        return;
+      }
       if (watched[0].revents != 0) return;
       // Older connections first: a request left behind on one must not overtake a newer stop.
       for (std::size_t i = 2; i < watched.size(); ++i) {
@@ -75,7 +66,7 @@ class ModbusServer::Service {
   }
 
   void accept_client() {
-    const int client = ::accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
+    const int client = listener_.accept();
     if (client < 0) return;
     if (requests.faults.is_dead()) {
       ::close(client);
@@ -89,8 +80,8 @@ class ModbusServer::Service {
     std::erase(clients_, client);
   }
 
+  LoopbackListener listener_;
   std::unique_ptr<modbus_t, FreeModbus> context_;
-  int listener_ = -1;
   std::vector<int> clients_;
   std::thread thread_;
 };

@@ -1,11 +1,10 @@
 #include "sim/can_bridge.hpp"
 
 #include <catch2/catch.hpp>
-#include <chrono>
 #include <optional>
-#include <thread>
 
 #include "hal/can/in_process_transport.hpp"
+#include "tests/support/can_frames.hpp"
 
 using namespace rvbench;
 
@@ -15,14 +14,10 @@ hal::InProcessBus make_bus() {
   return hal::make_in_process_bus([] { return 0.0; });
 }
 
-// The next frame, that comes from another thread; nothing after two seconds.
+// The next frame, that comes from another thread; nothing if none does.
 std::optional<std::uint32_t> next_id(hal::CanTransport& bus) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(2);
-  while (std::chrono::steady_clock::now() < end) {
-    if (const auto frame = bus.receive()) return frame.value().id;
-    std::this_thread::yield();
-  }
-  return std::nullopt;
+  const auto frame = test::next(bus);
+  return frame ? std::optional(frame.value().id) : std::nullopt;
 }
 
 }  // namespace
