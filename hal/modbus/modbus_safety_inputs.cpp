@@ -93,7 +93,8 @@ Result<SafetyStatus> ModbusSafetyInputs::ask() {
   if (!link_.is_open()) {
     if (const Status opened = link_.open(); !opened) return opened.error();
   }
-  const auto [first, last] = std::minmax(options_.estop.address, options_.guard.address);
+  const auto first = std::min(options_.estop.address, options_.guard.address);
+  const auto last = std::max(options_.estop.address, options_.guard.address);
   std::vector<std::uint8_t> bits(static_cast<std::size_t>(last - first + 1));
   if (const Status done = link_.read_bits("read contacts", first, bits); !done) {
     return done.error();
