@@ -2,18 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
-
 #include "hal/can/serial_line.hpp"
 #include "hal/can/slcan_frames.hpp"
 #include "hal/can/slcan_link.hpp"
+#include "hal/types/require.hpp"
 
 namespace rvbench::hal {
 namespace {
 
-void require(bool holds, const std::string& what) {
-  if (!holds) throw std::invalid_argument("SlcanTransport: " + what);
-}
+constexpr Require require{"SlcanTransport"};
 
 class SlcanMonitor final : public BusMonitor {
  public:

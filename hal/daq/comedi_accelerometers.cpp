@@ -14,8 +14,9 @@
 #include <cstring>
 #include <optional>
 #include <set>
-#include <stdexcept>
 #include <utility>
+
+#include "hal/daq/require_inputs.hpp"
 
 namespace rvbench::hal {
 namespace {
@@ -236,27 +237,22 @@ void ComediSource::stop() noexcept {
   if (device_) (void)comedi_cancel(device_.get(), subdevice_);
 }
 
-void require(bool holds, const std::string& what) {
-  if (!holds) throw std::invalid_argument("make_comedi_accelerometers: " + what);
-}
+constexpr Require require{"make_comedi_accelerometers"};
 
 void check(const ComediOptions& options) {
   require(!options.device.empty(), "no device");
-  require(!options.inputs.empty(), "no inputs");
   require(options.rate_Hz >= 1 && options.rate_Hz <= 1e6,
           fmt::format("rate_Hz is {}, must be 1 to 1e6", options.rate_Hz));
   require(options.volts > 0 && std::isfinite(options.volts),
           fmt::format("volts is {}", options.volts));
-  require(options.range_m_s2 > 0, fmt::format("range_m_s2 is {}", options.range_m_s2));
-  require(options.block_s > 0 && options.block_s <= 0.2,
-          fmt::format("block_s is {}, must be above 0, at most 0.2", options.block_s));
+  require_inputs(require, options.inputs, options.range_m_s2, options.block_s);
   std::set<unsigned> used;
   for (const DaqInput& input : options.inputs) {
     const auto channel = channel_number(input.device_channel);
     require(channel.has_value(), "channel '" + input.device_channel + "' is no number");
-    require(used.insert(*channel).second, fmt::format("channel {} comes twice", *channel));
-    require(std::isfinite(input.info.sensitivity) && input.info.sensitivity != 0,
+    require(std::isfinite(input.info.sensitivity),
             fmt::format("sensitivity of {} is {}", *channel, input.info.sensitivity));
+    require(used.insert(*channel).second, fmt::format("channel {} comes twice", *channel));
   }
 }
 

@@ -11,10 +11,10 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include "hal/daq/no_pipe_signal.hpp"
+#include "hal/daq/require_inputs.hpp"
 #include "hal/did_you_mean.hpp"
 
 namespace rvbench::hal {
@@ -248,23 +248,14 @@ Status IioSource::wait(AccelerationBlock::Scans& scans) {
   return Done{};
 }
 
-void require(bool holds, const std::string& what) {
-  if (!holds) throw std::invalid_argument("make_iio_accelerometers: " + what);
-}
+constexpr Require require{"make_iio_accelerometers"};
 
 void check(const IioOptions& options) {
   require(!options.uri.empty(), "no uri");
   require(!options.device.empty(), "no device");
-  require(!options.inputs.empty(), "no inputs");
   require(options.rate_Hz > 0 && std::isfinite(options.rate_Hz),
           fmt::format("rate_Hz is {}", options.rate_Hz));
-  require(options.range_m_s2 > 0, fmt::format("range_m_s2 is {}", options.range_m_s2));
-  require(options.block_s > 0 && options.block_s <= 0.2,
-          fmt::format("block_s is {}, must be above 0, at most 0.2", options.block_s));
-  for (const DaqInput& input : options.inputs) {
-    require(input.info.sensitivity != 0,
-            fmt::format("sensitivity of {} is 0", input.device_channel));
-  }
+  require_inputs(require, options.inputs, options.range_m_s2, options.block_s);
 }
 
 }  // namespace

@@ -11,10 +11,11 @@
 #include <cerrno>
 #include <cmath>
 #include <new>
-#include <stdexcept>
 #include <string_view>
 #include <thread>
 #include <utility>
+
+#include "hal/types/require.hpp"
 
 namespace rvbench::hal {
 namespace {
@@ -36,9 +37,7 @@ IoErrc code_from_errno(int error) {
   }
 }
 
-void require(bool holds, const std::string& what) {
-  if (!holds) throw std::invalid_argument("ModbusLink: " + what);
-}
+constexpr Require require{"ModbusLink"};
 
 void check(const ModbusTcp& tcp) {
   in_addr address{};
