@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 #include <poll.h>
 #include <unistd.h>
 
@@ -9,7 +8,7 @@
 #include <utility>
 
 #include "bench/commands/commands.hpp"
-#include "bench/file_kind.hpp"
+#include "bench/commands/sim_choice.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/rig_file.hpp"
 #include "bench/run_folder.hpp"
@@ -64,14 +63,8 @@ class DevicesCommand final : public Command {
   std::vector<Option> options() override {
     return {
         {"--rig", "rig: sim, or a rig file of the simulated bench", &rig_, true},
-        {"--preset", "simulated unit: " + listed(preset_names()) + "; default: " + preset_,
-         &preset_},
-        {"--seed",
-         fmt::format("of everything that the simulation draws; default: {}", RigOptions().seed),
-         &seed_,
-         false,
-         {},
-         max_seed},
+        unit_.preset(),
+        unit_.seed(),
         {"--write-rig", "file that says where the devices are: the --rig of a run", &written_rig_},
         {"--drive-line", "that file has the drive's serial line instead of its TCP port",
          &drive_on_line_},
@@ -93,8 +86,7 @@ class DevicesCommand final : public Command {
   int serve(Console& console, const SimRig& rig);
 
   std::string rig_;
-  std::string preset_ = RigOptions().preset;
-  std::optional<std::uint64_t> seed_;
+  SimChoice unit_;
   std::string written_rig_;
   bool drive_on_line_ = false;
   std::string can_;
@@ -102,7 +94,7 @@ class DevicesCommand final : public Command {
 };
 
 int DevicesCommand::run(Console& console) {
-  const auto file = read_rig(rig_, {.preset = preset_, .seed = seed_.value_or(RigOptions().seed)});
+  const auto file = read_rig(rig_, unit_.rig_options());
   if (file.index() == 1) return refuse_file(console, rig_, std::get<1>(file));
   const auto* sim = std::get_if<SimRig>(&std::get<0>(file));
   if (sim == nullptr) {

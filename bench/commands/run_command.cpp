@@ -1,10 +1,9 @@
-#include <fmt/format.h>
-
 #include <system_error>
 #include <utility>
 
 #include "bench/acceptance.hpp"
 #include "bench/commands/commands.hpp"
+#include "bench/commands/sim_choice.hpp"
 #include "bench/file_kind.hpp"
 #include "bench/find_plan.hpp"
 #include "bench/judging.hpp"
@@ -40,14 +39,8 @@ class RunCommand final : public Command {
     return {{"PLAN", "plan: " + listed(names_of(plan_files())) + ", or a plan file", &plan_, true},
             {"--rig", "rig: sim, or a rig file", &rig_, true},
             {"--serial", "serial number of the unit; no default", &serial_},
-            {"--preset", "simulated unit: " + listed(preset_names()) + "; default: " + preset_,
-             &preset_},
-            {"--seed",
-             fmt::format("of everything that the simulation draws; default: {}", RigOptions().seed),
-             &seed_,
-             false,
-             {},
-             max_seed},
+            unit_.preset(),
+            unit_.seed(),
             {"--dry-run", "print the timeline and its envelope; touch nothing", &dry_run_},
             {"--out", "folder for run folders; default: " + out_, &out_},
             {"--resume", "go on with the newest unfinished run of this serial", &resume_},
@@ -65,8 +58,7 @@ class RunCommand final : public Command {
   std::string plan_;
   std::string rig_;
   std::string serial_;
-  std::string preset_ = RigOptions().preset;
-  std::optional<std::uint64_t> seed_;
+  SimChoice unit_;
   std::string out_ = "runs";
   bool dry_run_ = false;
   bool resume_ = false;
@@ -92,9 +84,7 @@ int RunCommand::run(Console& console) {
   return measure(console, test, with_limits(std::get<0>(std::move(kinematics)), test.limits));
 }
 
-RigOptions RunCommand::rig_options() const {
-  return {.preset = preset_, .seed = seed_.value_or(RigOptions().seed)};
-}
+RigOptions RunCommand::rig_options() const { return unit_.rig_options(); }
 
 // A new run folder with the resolved plan, rig and machine, or the one to go on with.
 int RunCommand::prepare_folder(Console& console, const sequences::TestPlan& plan) {
