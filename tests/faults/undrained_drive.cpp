@@ -1,16 +1,13 @@
 #include "tests/faults/undrained_drive.hpp"
 
-#include <arpa/inet.h>
-#include <netinet/in.h>
 #include <poll.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <vector>
 
 #include "hal/modbus/drive_profile_json.hpp"
 #include "hal/modbus/drive_words.hpp"
+#include "tests/support/loopback.hpp"
 
 namespace rvbench::test {
 namespace {
@@ -33,23 +30,12 @@ class UndrainedDrive final : public hal::Drive {
         clock_(clock),
         response_timeout_s_(response_timeout_s),
         patience_s_(patience_s) {}
-  ~UndrainedDrive() override {
-    if (socket_ >= 0) ::close(socket_);
-  }
-  UndrainedDrive(const UndrainedDrive&) = delete;
-  UndrainedDrive& operator=(const UndrainedDrive&) = delete;
 
   hal::DriveLimits limits() const override { return {.max_speed_rpm = 3000}; }
 
   Status connect() override {
-    if (socket_ < 0) socket_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(port_);
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    if (::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
-      return IoError{IoErrc::disconnected, "undrained drive: connect"};
-    }
+    if (!socket_) socket_ = connected_to(port_);
+    if (!socket_) return IoError{IoErrc::disconnected, "undrained drive: connect"};
     return write(hal::words_for_stop(profile_));
   }
 
@@ -116,9 +102,9 @@ class UndrainedDrive final : public hal::Drive {
     ++transaction_;
     Bytes request{high(transaction_), low(transaction_), 0, 0, 0, std::uint8_t(1 + pdu.size()), 1};
     request.insert(request.end(), pdu.begin(), pdu.end());
-    const bool sent =
-        ::send(socket_, request.data(), request.size(), MSG_NOSIGNAL) == ssize_t(request.size());
-    pollfd line{socket_, POLLIN, 0};
+    const bool sent = ::send(socket_.number(), request.data(), request.size(), MSG_NOSIGNAL) ==
+                      ssize_t(request.size());
+    pollfd line{socket_.number(), POLLIN, 0};
     if (!sent || ::poll(&line, 1, int(std::lround(1000 * patience_s_))) != 1) {
       clock_.wait_until(clock_.now_s() + response_timeout_s_);
       return IoError{IoErrc::timeout, "undrained drive"};
@@ -133,7 +119,7 @@ class UndrainedDrive final : public hal::Drive {
   }
 
   bool receive(std::uint8_t* to, std::size_t count) const {
-    return ::recv(socket_, to, count, MSG_WAITALL) == ssize_t(count);
+    return ::recv(socket_.number(), to, count, MSG_WAITALL) == ssize_t(count);
   }
 
   hal::DriveProfile profile_;
@@ -142,7 +128,7 @@ class UndrainedDrive final : public hal::Drive {
   hal::Clock& clock_;
   double response_timeout_s_;
   double patience_s_;
-  int socket_ = -1;
+  Socket socket_;
   unsigned transaction_ = 0;
 };
 

@@ -1,7 +1,3 @@
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
 #include <array>
 #include <thread>
 
@@ -9,6 +5,7 @@
 #include "hal/modbus/modbus_inverter.hpp"
 #include "hal/steady_clock.hpp"
 #include "tests/fuzz/scratch_file.hpp"
+#include "tests/support/loopback.hpp"
 
 using namespace rvbench;
 
@@ -17,39 +14,23 @@ namespace {
 // Sends whatever it is given to whoever connects, and hangs up.
 class Babbler {
  public:
-  Babbler() : listener_(::socket(AF_INET, SOCK_STREAM, 0)) {
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof address;
-    auto* const any = reinterpret_cast<sockaddr*>(&address);
-    test::must(::bind(listener_, any, size) == 0 && ::listen(listener_, 16) == 0 &&
-               ::getsockname(listener_, any, &size) == 0);
-    port_ = ntohs(address.sin_port);
-  }
-  ~Babbler() { ::close(listener_); }
-  Babbler(const Babbler&) = delete;
-  Babbler& operator=(const Babbler&) = delete;
-
-  std::uint16_t port() const { return port_; }
+  std::uint16_t port() const { return test::port_of(listener_); }
 
   void answer(const std::uint8_t* data, std::size_t size) const {
-    const int client = ::accept(listener_, nullptr, nullptr);
+    const test::Socket client = test::accepted(listener_);
     std::array<std::uint8_t, 64> request{};
-    if (::read(client, request.data(), request.size()) > 2) {
+    if (::read(client.number(), request.data(), request.size()) > 2) {
       // Most replies are to be taken for an answer to what was asked.
       std::string reply = test::text_of(data, size);
       for (std::size_t i = 0; i < 2 && i < reply.size(); ++i) {
         reply[i] = static_cast<char>(request[i]);
       }
-      (void)!::send(client, reply.data(), reply.size(), MSG_NOSIGNAL);
+      (void)!::send(client.number(), reply.data(), reply.size(), MSG_NOSIGNAL);
     }
-    ::close(client);
   }
 
  private:
-  int listener_;
-  std::uint16_t port_ = 0;
+  test::Socket listener_ = test::listening_socket();
 };
 
 }  // namespace

@@ -1,13 +1,11 @@
 #include <modbus/modbus.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
-#include <array>
 #include <memory>
 
 #include "sim/inverter_device.hpp"
 #include "sim/modbus_requests.hpp"
 #include "tests/fuzz/scratch_file.hpp"
+#include "tests/support/loopback.hpp"
 
 using namespace rvbench;
 
@@ -20,14 +18,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   sim::InverterModel model;
   sim::InverterDevice device(model);
   sim::ModbusRequests requests(device, 1);
-  std::array<int, 2> line{};
-  test::must(::socketpair(AF_UNIX, SOCK_STREAM, 0, line.data()) == 0);
-  (void)!::write(line[0], data, size);
-  ::shutdown(line[0], SHUT_WR);
-  while (requests.serve(context.get(), line[1])) {
+  const auto [client, line] = test::connected_pair();
+  (void)!::write(client.number(), data, size);
+  ::shutdown(client.number(), SHUT_WR);
+  while (requests.serve(context.get(), line.number())) {
   }
-  ::close(line[0]);
-  ::close(line[1]);
   test::must(model.state().setpoint_Hz >= 0);
   test::must(model.state().setpoint_Hz <= model.parameters().max_frequency_Hz);
   return 0;

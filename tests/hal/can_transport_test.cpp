@@ -13,14 +13,12 @@
 #include "hal/can/in_process_transport.hpp"
 #include "hal/can/socketcan_transport.hpp"
 #include "tests/hal/can_bench.hpp"
+#include "tests/support/can_frames.hpp"
 
 using namespace rvbench;
+using test::numbered;
 
 namespace {
-
-hal::CanFrame numbered(std::uint32_t id, std::uint8_t number) {
-  return {.id = id, .length = 1, .data = {number}};
-}
 
 // A bus that gives frames and errors as scripted, then nothing.
 class ScriptedBus final : public hal::CanTransport {

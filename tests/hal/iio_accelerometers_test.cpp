@@ -1,13 +1,13 @@
 #include "hal/daq/iio_accelerometers.hpp"
 
 #include <catch2/catch.hpp>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <thread>
 
 #include "hal/steady_clock.hpp"
 #include "sim/iio_server.hpp"
+#include "tests/support/wait_until.hpp"
 
 using namespace rvbench;
 using hal::IioOptions;
@@ -83,24 +83,26 @@ struct Connected {
   // Reads until so many scans are there.
   hal::AccelerationBlock::Scans read(Eigen::Index count) {
     hal::AccelerationBlock::Scans all(0, 2);
-    while (all.rows() < count) {
+    CHECK(test::wait_until([&] {
       const auto block = accelerometers->read();
       INFO((block ? "" : describe(block.error())));
       REQUIRE(block);
       const Eigen::Index before = all.rows();
       all.conservativeResize(before + block.value().scans.rows(), 2);
       all.bottomRows(block.value().scans.rows()) = block.value().scans;
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
+      return all.rows() >= count;
+    }));
     return all;
   }
   // Reads until an error comes.
   IoError error() {
-    for (;;) {
+    IoError found{IoErrc::refused, "no error came"};
+    CHECK(test::wait_until([&] {
       const auto block = accelerometers->read();
-      if (!block) return block.error();
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
+      if (!block) found = block.error();
+      return !block;
+    }));
+    return found;
   }
 
   hal::SteadyClock clock;
@@ -142,6 +144,7 @@ TEST_CASE("time stamps are those of the rig's clock, and go on", "[hal][daq]") {
   double end_s = not_known;
   const double until_s = bench.clock.now_s() + 4;
   while (bench.clock.now_s() < until_s) {
+    bench.clock.wait_until(bench.clock.now_s() + 0.001);
     const auto block = bench.accelerometers->read();
     INFO((block ? "" : describe(block.error())));
     REQUIRE(block);

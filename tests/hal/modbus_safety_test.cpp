@@ -10,6 +10,7 @@
 #include "sim/remote_io_server.hpp"
 #include "tests/contracts/safety_inputs_contract.hpp"
 #include "tests/hal/modbus_bench.hpp"
+#include "tests/support/wait_until.hpp"
 
 using namespace rvbench;
 using sim::WireFault;
@@ -27,13 +28,9 @@ struct CouplerBench {
     inputs = std::make_unique<hal::ModbusSafetyInputs>(options_, clock);
   }
 
-  // Waits until a reading is as wanted; false after two seconds.
+  // Waits until a reading is as wanted.
   bool comes(const std::function<bool(const Result<hal::SafetyStatus>&)>& wanted) {
-    for (const double end_s = clock.now_s() + 2; clock.now_s() < end_s;) {
-      if (wanted(inputs->read())) return true;
-      clock.wait_until(clock.now_s() + 0.001);
-    }
-    return false;
+    return test::wait_until([&] { return wanted(inputs->read()); });
   }
 
   hal::SteadyClock clock;

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
-#include <chrono>
 #include <functional>
 #include <string>
 #include <thread>
@@ -15,6 +14,7 @@
 #include "hal/steady_clock.hpp"
 #include "sim/pseudo_terminal.hpp"
 #include "sim/slcan_adapter.hpp"
+#include "tests/support/can_frames.hpp"
 
 namespace rvbench::test {
 
@@ -75,42 +75,23 @@ inline void must_open(hal::CanTransport& can) {
   REQUIRE(opened);
 }
 
-/// Asks again until the answer is no time-out, for as long as a busy computer may need.
-inline Result<hal::CanFrame> next(hal::CanTransport& can) {
-  for (int i = 0; i < 5000; ++i) {
-    auto frame = can.receive();
-    if (frame || frame.error().code != IoErrc::timeout) return frame;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return IoError{IoErrc::timeout, "nothing in five seconds"};
-}
-
 /// Sends as soon as the frame before is acknowledged.
 inline Status send_next(hal::CanTransport& can, const hal::CanFrame& frame) {
-  for (int i = 0; i < 2500; ++i) {
-    Status sent = can.send(frame);
-    if (sent || sent.error().code != IoErrc::timeout) return sent;
-  }
-  return IoError{IoErrc::timeout, "the frame before is never acknowledged"};
-}
-
-inline hal::CanFrame numbered(std::uint32_t id, std::uint8_t number) {
-  return {.id = id, .length = 1, .data = {number}};
-}
-
-inline void wait_for(const std::function<bool()>& met) {
-  for (int i = 0; i < 5000 && !met(); ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  REQUIRE(met());
+  Status sent = IoError{IoErrc::timeout, "not tried yet"};
+  (void)wait_until([&] {
+    sent = can.send(frame);
+    return sent || sent.error().code != IoErrc::timeout;
+  });
+  return sent;
 }
 
 /// On a busy computer an answer may take longer than the monitor waits for it.
 inline hal::BusCounters counters(hal::BusMonitor& monitor) {
   auto read = monitor.read();
-  for (int i = 0; i < 20 && !read && read.error().code == IoErrc::timeout; ++i) {
-    read = monitor.read();
-  }
+  (void)wait_until([&] {
+    if (!read && read.error().code == IoErrc::timeout) read = monitor.read();
+    return read || read.error().code != IoErrc::timeout;
+  });
   REQUIRE(read);
   return std::move(read).value();
 }

@@ -17,7 +17,7 @@ using test::must_open;
 using test::next;
 using test::numbered;
 using test::send_next;
-using test::wait_for;
+using test::wait_until;
 
 SCENARIO("a serial adapter carries frames both ways", "[hal][can]") {
   test::SlcanBench bench;
@@ -45,7 +45,7 @@ SCENARIO("a serial adapter carries frames both ways", "[hal][can]") {
   THEN("what waits in the line is dropped when it is opened anew") {
     const int heard = bench.adapter->frames_from_bus();
     REQUIRE(bench.bus.nodes->send(numbered(0x281, 7)));
-    wait_for([&] { return bench.adapter->frames_from_bus() > heard; });
+    REQUIRE(wait_until([&] { return bench.adapter->frames_from_bus() > heard; }));
     must_open(can);
     REQUIRE(bench.bus.nodes->send(numbered(0x281, 8)));
     CHECK(next(can).value().data[0] == 8);
@@ -136,7 +136,7 @@ TEST_CASE("a serial adapter leaves the bus with whoever opened it", "[hal][can]"
     SlcanTransport can(bench.options(), bench.clock);
     must_open(can);
   }
-  wait_for([&] { return !bench.adapter->is_channel_open(); });
+  CHECK(wait_until([&] { return !bench.adapter->is_channel_open(); }));
 }
 
 SCENARIO("what a serial adapter loses is told once, and counted", "[hal][can]") {
@@ -237,11 +237,11 @@ SCENARIO("transducer and brake work through a serial adapter", "[hal][can]") {
   REQUIRE(sensor.connect());
   REQUIRE(brake.connect());
   REQUIRE(brake.set_torque(125));
-  wait_for([&] {
+  CHECK(wait_until([&] {
     const auto status = brake.read();
     REQUIRE(status);
     return status.value().torque_Nm == 125;
-  });
+  }));
   const auto block = sensor.read();
   REQUIRE(block);
   REQUIRE_FALSE(block.value().samples.empty());

@@ -65,13 +65,12 @@ class Slcanpty {
   Slcanpty()
       : program_(folder_.path(),
                  {"/bin/sh", "-c", "mkfifo never && exec slcanpty /dev/ptmx vcan0 <>never"}) {
-    for (int i = 0; device_.empty() && i < 5000; ++i) {
+    REQUIRE(test::wait_until([this] {
       for (const std::string& name : terminals()) {
         if (!before_.contains(name)) device_ = name;
       }
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    REQUIRE_FALSE(device_.empty());
+      return !device_.empty();
+    }));
   }
 
   const std::string& device() const { return device_; }

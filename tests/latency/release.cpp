@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <stdexcept>
-#include <variant>
 
-#include "sequences/sequencer.hpp"
 #include "tests/latency/figures.hpp"
 #include "tests/latency/live_plant.hpp"
+#include "tests/support/nobody.hpp"
+#include "tests/support/plan_of.hpp"
 
 namespace rvbench::test {
 namespace {
@@ -22,27 +22,6 @@ const std::string plan_text = R"({
   "teardown": {"standstill_timeout_s": 5}
 })";
 
-sequences::TestPlan plan() {
-  auto read = sequences::parse_plan(hal::ConfigReader::from_text(plan_text, "release.json"));
-  if (read.index() == 1) throw std::logic_error(std::get<1>(read).front().message);
-  return std::get<0>(std::move(read));
-}
-
-class Nowhere final : public hal::RecordingWriter {
- public:
-  Status append(int, const hal::AccelerationBlock&) override { return Done{}; }
-  Status append(int, const hal::TorqueBlock&) override { return Done{}; }
-  Status end_point(const hal::PointResult&) override { return Done{}; }
-  Status note(double, const std::string&) override { return Done{}; }
-  Status close() override { return Done{}; }
-};
-
-class Nobody final : public sequences::RunObserver {
- public:
-  void progress(double, double, const std::string&) override {}
-  void event(double, const std::string&) override {}
-};
-
 // From then on that it may be released until it was: by the plant.
 double held_too_long_ms(bool is_deaf) {
   hal::Rig rig = make_live_plant_rig({});
@@ -59,7 +38,8 @@ double held_too_long_ms(bool is_deaf) {
       bench.disturbance.over_torque = true;
     });
   });
-  const auto summary = sequences::run_sequence(plan(), rig, nowhere, nobody, stop.get_token());
+  const auto summary =
+      sequences::run_sequence(plan_of(plan_text), rig, nowhere, nobody, stop.get_token());
   return plant.look([&](const FaultBench& bench) {
     if (bench.brake_Nm() > 0)
       throw std::runtime_error("the brake still holds: " + summary.ending.reason);

@@ -5,6 +5,9 @@
 #include <functional>
 #include <string>
 #include <thread>
+#include <vector>
+
+#include "tests/support/loopback.hpp"
 
 namespace rvbench::test {
 
@@ -20,7 +23,7 @@ class WireTap {
   WireTap(const WireTap&) = delete;
   WireTap& operator=(const WireTap&) = delete;
 
-  std::uint16_t port() const { return port_; }
+  std::uint16_t port() const { return port_of(listener_); }
   double stop_seen_s() const { return stop_seen_s_; }  ///< the first since forget_stop(); -1: none
   void forget_stop() { stop_seen_s_ = -1; }
 
@@ -30,18 +33,18 @@ class WireTap {
 
  private:
   struct Pair {
-    int client, server;
+    Socket client, server;
   };
 
   void run(const std::stop_token& stop);
   void accept_client();
-  bool forward(int from, int to, bool is_request);
+  bool forward(const Socket& from, const Socket& to, bool is_request);
   void look_at(const std::string& request);
 
   const std::uint16_t server_port_;
   std::function<double()> now_s_;
-  int listener_ = -1;
-  std::uint16_t port_ = 0;
+  Socket listener_ = listening_socket();
+  std::vector<Pair> pairs_;  ///< of the thread
   std::atomic<bool> is_pulled_ = false;
   std::atomic<double> stop_seen_s_ = -1;
   std::jthread thread_;

@@ -1,12 +1,11 @@
 #include <catch2/catch.hpp>
-#include <chrono>
 #include <string>
-#include <thread>
 
 #include "hal/modbus/drive_profile_json.hpp"
 #include "hal/modbus/modbus_inverter.hpp"
 #include "hal/steady_clock.hpp"
 #include "tests/support/program.hpp"
+#include "tests/support/wait_until.hpp"
 
 using namespace rvbench;
 
@@ -44,14 +43,12 @@ class Standin {
 
 // Sets the speed as a sequencer does, again and again, until the drive runs.
 bool starts(hal::Drive& drive, double speed_rpm) {
-  for (int i = 0; i < 20; ++i) {
-    if (!drive.set_speed(speed_rpm)) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  return test::wait_until([&] {
+    REQUIRE(drive.set_speed(speed_rpm));
     const auto status = drive.read();
-    if (!status) return false;
-    if (status.value().running && std::abs(status.value().speed_rpm) > 1) return true;
-  }
-  return false;
+    REQUIRE(status);
+    return status.value().running && std::abs(status.value().speed_rpm) > 1;
+  });
 }
 
 void drive_through(hal::Drive& drive, Standin& standin) {

@@ -7,12 +7,10 @@
 // SIGUSR1: the device falls silent, or goes on. SIGUSR2: iiod is killed.
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <netinet/in.h>
 #include <sched.h>
 #include <signal.h>
 #include <sys/mount.h>
 #include <sys/prctl.h>
-#include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -27,8 +25,11 @@
 #include <thread>
 #include <vector>
 
+#include "tests/support/loopback.hpp"
+
 namespace {
 
+using namespace rvbench;
 namespace fs = std::filesystem;
 
 const fs::path device = "/sys/bus/iio/devices/iio:device0";
@@ -89,18 +90,6 @@ pid_t start_iiod(const char* port) {
   ::execlp("iiod", "iiod", "-p", port, nullptr);
   std::perror("iiod");
   ::_exit(127);
-}
-
-bool answers(std::uint16_t port) {
-  const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(port);
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  const bool answered =
-      ::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
-  ::close(socket);
-  return answered;
 }
 
 // What the kernel would do: scans of the enabled channels at their rate, in a buffer of as many as
@@ -204,7 +193,7 @@ int main(int argc, char** argv) {
     bool has_told = false;
     while (is_over == 0) {
       feeder.tick();
-      if (!has_told && answers(std::uint16_t(std::stoi(argv[1])))) {
+      if (!has_told && test::connected_to(std::uint16_t(std::stoi(argv[1])))) {
         fmt::print(stderr, "serving at {}\n", argv[1]);
         has_told = true;
       }

@@ -1,15 +1,16 @@
 #include "sequences/supervisor.hpp"
 
 #include <catch2/catch.hpp>
-#include <functional>
 #include <thread>
 
 #include "tests/support/live_rig.hpp"
 #include "tests/support/plan_of.hpp"
+#include "tests/support/wait_until.hpp"
 
 using namespace rvbench;
 using sequences::DriveReport;
 using sequences::Supervisor;
+using test::wait_until;
 
 namespace {
 
@@ -22,16 +23,6 @@ sequences::Interlocks limits(double stale_after_s) {
           .acceleration_m_s2 = 300,
           .housing_temp_degC = 60,
           .stale_after_s = stale_after_s};
-}
-
-// Ten seconds are for ever here: what is waited for comes within milliseconds, or never.
-bool comes_true(const std::function<bool()>& condition) {
-  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > until) return false;
-    std::this_thread::yield();
-  }
-  return true;
 }
 
 // A supervisor whose sequencer has told of the drive once, and not come back since.
@@ -61,8 +52,8 @@ TEST_CASE("an interlock stops the drive though the sequencer hangs", "[sequences
   (void)watched.supervisor.exchange(watched.report);
   SECTION("an E-stop") { watched.bench.estop = true; }
   SECTION("torque above its limit") { watched.bench.torque_Nm = 9; }
-  CHECK(comes_true([&] { return watched.bench.stops > 0; }));
-  CHECK(comes_true([&] { return watched.supervisor.latched().has_value(); }));
+  CHECK(wait_until([&] { return watched.bench.stops > 0; }));
+  CHECK(wait_until([&] { return watched.supervisor.latched().has_value(); }));
   CHECK(watched.supervisor.latched()->error_kind == ErrorKind::safety_trip);
   CHECK(watched.supervisor.state() == sequences::SupervisorState::faulted);
 }
@@ -72,7 +63,7 @@ TEST_CASE("a trip is latched: a good value does not take it back, and the drive 
   Watched watched;
   watched.drive_is_well();
   watched.bench.estop = true;
-  REQUIRE(comes_true([&] { return watched.supervisor.latched().has_value(); }));
+  REQUIRE(wait_until([&] { return watched.supervisor.latched().has_value(); }));
   watched.bench.estop = false;
   const double later_s = watched.rig.clock->now_s() + 0.05;
   while (watched.rig.clock->now_s() < later_s) watched.drive_is_well();
@@ -83,8 +74,8 @@ TEST_CASE("a trip is latched: a good value does not take it back, and the drive 
 TEST_CASE("a sequencer that hangs ends the run: nobody tells of the drive any more",
           "[sequences][safety]") {
   Watched watched(impatient_s);
-  CHECK(comes_true([&] { return watched.bench.stops > 0; }));
-  REQUIRE(comes_true([&] { return watched.supervisor.latched().has_value(); }));
+  CHECK(wait_until([&] { return watched.bench.stops > 0; }));
+  REQUIRE(wait_until([&] { return watched.supervisor.latched().has_value(); }));
   CHECK(watched.supervisor.latched()->error_kind == ErrorKind::device_lost);
   CHECK_THAT(watched.supervisor.latched()->reason, Catch::Contains("drive silent for "));
   CHECK(watched.bench.stopped_s >= impatient_s - Supervisor::period_s);
@@ -118,7 +109,7 @@ TEST_CASE("a command to the brake is passed on once: nobody repeats an old one",
   Watched watched;
   watched.drive_is_well();
   watched.supervisor.hold_brake(70);
-  REQUIRE(comes_true([&] { return watched.bench.brake_commands == 1; }));
+  REQUIRE(wait_until([&] { return watched.bench.brake_commands == 1; }));
   const double later_s = watched.rig.clock->now_s() + 0.02;
   while (watched.rig.clock->now_s() < later_s) watched.drive_is_well();
   CHECK(watched.bench.brake_commands == 1);

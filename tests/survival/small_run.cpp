@@ -11,6 +11,7 @@
 #include "bench/run_start.hpp"
 #include "hal/mirror_rig.hpp"
 #include "hal/types/units.hpp"
+#include "tests/support/plan_of.hpp"
 #include "tests/survival/disk_calls.hpp"
 #include "tests/survival/watched_recording.hpp"
 
@@ -28,14 +29,6 @@ const std::string plan_text = R"({
             "settling": {"hold_s": 0.5, "timeout_s": 10}, "record": {"output_turns": 6}}],
   "teardown": {"standstill_timeout_s": 10}
 })";
-
-sequences::TestPlan small_plan() {
-  auto read = sequences::parse_plan(hal::ConfigReader::from_text(plan_text, "survival.json"));
-  if (read.index() == 1) {
-    throw std::logic_error(describe("survival.json", std::get<1>(read).front()));
-  }
-  return std::get<0>(std::move(read));
-}
 
 // Passes as the rig's time does, so much faster than real time.
 class PacedClock final : public hal::Clock {
@@ -131,7 +124,7 @@ std::optional<bench::RunPlace> place_of(const std::filesystem::path& root,
 
 std::optional<SmallRunEnd> make_small_run(const std::filesystem::path& root,
                                           const SmallRunOptions& options) {
-  const sequences::TestPlan plan = small_plan();
+  const sequences::TestPlan plan = plan_of(plan_text);
   hal::Rig rig = small_rig(options.pace);
   std::optional<bench::RunPlace> place = place_of(root, plan, options.resume);
   if (!place) return std::nullopt;
