@@ -13,7 +13,10 @@ constexpr double rotor_time_s = 0.03;   // how fast the shaft follows the field
 constexpr double inertia_kg_m2 = 2e-3;  // of motor, coupling and reducer at the input
 constexpr double friction_Nm = 0.1;     // at the input
 constexpr double efficiency = 0.8;
-constexpr double record_after_s = 6;  // the field's ramp and the settling are over by then
+constexpr double drift_m_s3 = 150;       // of a charge amplifier that integrates its leak,
+constexpr double most_drift_m_s2 = 250;  // until its limiter holds it
+constexpr double coupling_s = 0.3;       // time constant of AC coupling at 0.5 Hz
+constexpr double record_after_s = 6;     // the field's ramp and the settling are over by then
 
 }  // namespace
 
@@ -114,18 +117,33 @@ void FaultBench::sample() {
     const float shaft = float(2e-4 * speed_rad_s_ * speed_rad_s_ * std::cos(angle_rad_));
     for (std::size_t i = 0; i < channels_.size(); ++i) {
       float value = shaft + noise_(random_);
-      if (i == 1) {
-        if (disturbance.channel_open) value = float(range_m_s2);
-        if (disturbance.channel_flat) value = 0;
-        if (disturbance.channel_clipped) {
-          value = std::clamp(1000 * value, -float(range_m_s2), float(range_m_s2));
-        }
-        if (std::exchange(disturbance.spike, false)) value = float(0.95 * range_m_s2);
-      }
+      if (i == 1) value = spoilt(value);
       if (is_lost || (disturbance.scans_lost && steps_ % 10 == 0)) value = std::nanf("");
       waiting_.push_back(value);
     }
   }
+}
+
+float FaultBench::spoilt(float value) {
+  constexpr auto most = float(range_m_s2);
+  if (disturbance.mains_hum) {
+    const double turn = units::two_pi * 50 * time_s_;
+    value += float(20 * std::cos(turn) + 8 * std::cos(3 * turn) + 4 * std::cos(5 * turn));
+  }
+  if (disturbance.drifts) {
+    drifted_m_s2_ = std::min(drifted_m_s2_ + drift_m_s3 / rate_Hz, most_drift_m_s2);
+    value += float(drifted_m_s2_);
+  }
+  if (disturbance.iepe_off) {
+    disturbance.bias_jump_m_s2 *= std::exp(-1 / (rate_Hz * coupling_s));
+    value = float(disturbance.bias_jump_m_s2) + 2e-3F * noise_(random_);
+    value = std::clamp(value, -most, most);
+  }
+  if (disturbance.channel_open) value = most;
+  if (disturbance.channel_flat) value = 0;
+  if (disturbance.channel_clipped) value = std::clamp(1000 * value, -most, most);
+  if (std::exchange(disturbance.spike, false)) value = 0.95F * most;
+  return value;
 }
 
 hal::AccelerationBlock FaultBench::take_accelerations() {

@@ -38,6 +38,10 @@ struct Disturbance {
   bool channel_flat = false;     ///< accelerometer dead: 0
   bool channel_clipped = false;  ///< amplifier too high: cut at full scale
   bool spike = false;            ///< one sample near full scale
+  bool mains_hum = false;        ///< ground loop: 50 Hz and its odd harmonics
+  bool drifts = false;           ///< charge amplifier integrates its leak
+  bool iepe_off = false;         ///< no supply: nothing but the front end's noise,
+  double bias_jump_m_s2 = 0;     ///< and what AC coupling leaves of a bias that breaks down
   bool scans_lost = false;       ///< every tenth scan is NaN
   int scans_to_lose = 0;         ///< the next ones are NaN
   int scans_to_swallow = 0;      ///< the next ones are missing, and nobody says so
@@ -110,6 +114,7 @@ class FaultBench final : public hal::PlantPort {
   void step();
   void turn(double dt_s);
   void sample();
+  float spoilt(float value);  ///< as the channel shows it that is at fault
   void follow_states();
   void enter(BenchState state);
   void fire_triggers();
@@ -120,6 +125,7 @@ class FaultBench final : public hal::PlantPort {
   double angle_rad_ = 0;
   double shown_angle_rad_ = 0;
   double input_torque_Nm_ = 0;
+  double drifted_m_s2_ = 0;
   double setpoint_Hz_ = 0;
   int speeds_asked_ = 0;  ///< one after the other, other than 0
   double driven_until_s_ = 0, moved_until_s_ = 0, braked_until_s_ = 0;

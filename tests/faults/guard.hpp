@@ -4,21 +4,19 @@
 #include <string>
 #include <vector>
 
-#include "analysis/diagnosis.hpp"
 #include "hal/rig.hpp"
 #include "sequences/plan.hpp"
+#include "tests/faults/record_flaw.hpp"
 
 namespace rvbench::test {
 
 class KeptRecording;
 
-using ChannelCheck = std::function<std::vector<analysis::QualityNote>(const Channel&, double)>;
-
 /// What judges a run besides its plan: all that a guard can be taken from.
 struct Controller {
   sequences::TestPlan& plan;
   hal::Rig& rig;
-  ChannelCheck& check;  ///< of the recorded accelerations
+  RecordCheck& check;
   KeptRecording& recording;
   std::function<void()> forget_to_drain;  ///< puts make_undrained_drive() in the driver's place
 };

@@ -1,4 +1,3 @@
-#include "analysis/quality.hpp"
 #include "tests/faults/fault_bench.hpp"
 #include "tests/faults/guard.hpp"
 #include "tests/faults/kept_recording.hpp"
@@ -21,7 +20,8 @@ const std::vector<Guard>& guards() {
         {"acknowledged once written",
          [](Controller& controller) { controller.recording.acknowledges_early = true; }},
         {"dead stretches",
-         [](Controller& controller) { controller.check = analysis::channel_quality; }},
+         [](Controller& controller) { controller.check = flaw_but_dead_stretches; }},
+        {"channels compared", [](Controller& controller) { controller.check = flaw_of_channels; }},
     };
     for (const auto& group : {guards_of_the_drive(), guards_of_the_field()}) {
       named.insert(named.end(), group.begin(), group.end());

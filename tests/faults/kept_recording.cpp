@@ -22,16 +22,6 @@ bool is_same(const hal::PointResult& a, const hal::PointResult& b) {
          is_same(a.speed_rpm, b.speed_rpm) && is_same(a.torque_Nm, b.torque_Nm);
 }
 
-std::string first_flaw(const Recording& record, const ChannelCheck& check) {
-  for (const Channel& channel : record.channels) {
-    if (is_of_shaft(channel.info)) continue;
-    for (const auto& note : check(channel, FaultBench::range_m_s2)) {
-      if (note.invalidates) return channel.info.name + " is " + note.what;
-    }
-  }
-  return "";
-}
-
 long lost_scans(const Recording& record) {
   long lost = 0;
   for (const Channel& channel : record.channels) {
@@ -41,7 +31,7 @@ long lost_scans(const Recording& record) {
 }
 
 void read_point(hal::RecordingReader& reader, const hal::PointResult& result,
-                const PlantTruth& truth, const ChannelCheck& check, ReadBack& all) {
+                const PlantTruth& truth, const RecordCheck& check, ReadBack& all) {
   const auto lose = [&](const std::string& what) {
     all.losses.push_back(fmt::format("point {} ({}): {}", result.point, result.status, what));
   };
@@ -53,7 +43,7 @@ void read_point(hal::RecordingReader& reader, const hal::PointResult& result,
   if (const long lost = lost_scans(record.value()); lost > 0) {
     lose(fmt::format("{} samples of it are lost", lost));
   }
-  if (all.flaw.empty()) all.flaw = first_flaw(record.value(), check);
+  if (all.flaw.empty()) all.flaw = check(record.value());
 }
 
 }  // namespace
@@ -103,7 +93,7 @@ Status KeptRecording::note(double time_s, const std::string& event) {
 
 ReadBack read_back(const std::filesystem::path& file,
                    const std::vector<hal::PointResult>& acknowledged, const PlantTruth& truth,
-                   const ChannelCheck& check) {
+                   const RecordCheck& check) {
   ReadBack all;
   if (const Status repaired = hal::repair_recording(file); !repaired) {
     all.losses.push_back("the recording cannot be repaired: " + describe(repaired.error()));

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "hal/recording_file.hpp"
-#include "tests/faults/guard.hpp"
 #include "tests/faults/plant_truth.hpp"
+#include "tests/faults/record_flaw.hpp"
 
 namespace rvbench::test {
 
@@ -46,7 +46,7 @@ struct ReadBack {
 
 ReadBack read_back(const std::filesystem::path& file,
                    const std::vector<hal::PointResult>& acknowledged, const PlantTruth& truth,
-                   const ChannelCheck& check);
+                   const RecordCheck& check);
 
 /// A folder for recordings, in memory where the system has such.
 std::filesystem::path folder_for_recordings();

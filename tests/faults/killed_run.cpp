@@ -12,7 +12,6 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "analysis/quality.hpp"
 #include "tests/faults/scene.hpp"
 
 namespace rvbench::test {
@@ -119,8 +118,8 @@ FaultReport run_killed(const FaultCase& fault, const std::filesystem::path& file
   const bool was_killed = WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
   report.outcome = was_killed ? "killed" : "not killed";
   if (report.struck != was_killed) report.violations.push_back("the controller lived on");
-  const ReadBack found = read_back(file, result.acknowledged, PlantTruth::load(truth),
-                                   analysis::accelerometer_quality);
+  const ReadBack found =
+      read_back(file, result.acknowledged, PlantTruth::load(truth), flaw_of_record);
   report.violations.insert(report.violations.end(), found.losses.begin(), found.losses.end());
   return report;
 }

@@ -18,8 +18,8 @@ namespace {
 using namespace rvbench;
 
 constexpr int states = test::bench_states;
-constexpr int most_attempts = 10;        // at a run that the computer holds up
-constexpr double most_repeated = 0.005;  // of the runs
+constexpr int most_attempts = 10;         // at a run that the computer holds up
+constexpr double repeated_share = 0.005;  // of the runs, at most
 
 struct Options {
   int runs = 500;
@@ -100,6 +100,8 @@ struct Totals {
   double worst_trip_s = 0, worst_released_s = -1e9;
 };
 
+double most_repeated(const Totals& totals) { return std::ceil(repeated_share * totals.runs); }
+
 void take(const std::string& line, const Options& options, Totals& totals) {
   if (line.starts_with("! ")) {
     ++totals.violations;
@@ -126,27 +128,10 @@ void take(const std::string& line, const Options& options, Totals& totals) {
   }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  Options options;
-  CLI::App app{"Fault campaign: every fault in every state of a run, judged by the plant."};
-  app.add_option("--runs", options.runs, "how many");
-  app.add_option("--first", options.first, "number of the first, to see one of them again");
-  app.add_option("--seed", options.seed, "of when faults strike");
-  app.add_option("--jobs", options.jobs, "processes side by side")->check(CLI::Range(1, 64));
-  app.add_option("--without", options.without, "guard that is switched off")
-      ->check(CLI::IsMember(names_of(test::guards())));
-  app.add_option("--only", options.only, "one kind of fault")
-      ->check(CLI::IsMember(names_of(test::fault_kinds())));
-  CLI11_PARSE(app, argc, argv);
-  if (!test::wall_clock_can_step()) {
-    fmt::print("the wall clock cannot be stepped here: nothing would be shown by it\n");
-    return 1;
-  }
-  const auto began = std::chrono::steady_clock::now();
+// Starts the processes that share the runs. @return where each tells of its own
+std::FILE* start_workers(const Options& options) {
   int ends[2];
-  if (::pipe(ends) != 0) return 1;
+  if (::pipe(ends) != 0) return nullptr;
   for (int job = 0; job < options.jobs; ++job) {
     if (::fork() != 0) continue;
     ::close(ends[0]);
@@ -156,14 +141,17 @@ int main(int argc, char** argv) {
     ::_exit(0);
   }
   ::close(ends[1]);
-  Totals totals;
-  std::FILE* in = ::fdopen(ends[0], "r");
-  char line[4096];
-  while (std::fgets(line, sizeof line, in) != nullptr) take(line, options, totals);
+  return ::fdopen(ends[0], "r");
+}
+
+// @return how many of them did not come to their end
+int failed_workers() {
   int failed = 0;
   for (int status = 0; ::wait(&status) > 0;) failed += status == 0 ? 0 : 1;
-  const double took_s =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  return failed;
+}
+
+void print(const Totals& totals, double took_s) {
   fmt::print(
       "{} kinds in {} states: {} runs in {:.0f} s, {} struck\n"
       "violations                        {:8}   limit 0\n"
@@ -171,13 +159,44 @@ int main(int argc, char** argv) {
       "interlock to undriven shaft, worst {:7.3f} s limit 0.025 s, virtual time\n"
       "brake held after standstill, worst {:7.3f} s limit 0.210 s, virtual time\n",
       test::fault_kinds().size(), states, totals.runs, took_s, totals.struck, totals.violations,
-      totals.repeated, std::ceil(most_repeated * totals.runs), totals.worst_trip_s,
-      totals.worst_released_s);
+      totals.repeated, most_repeated(totals), totals.worst_trip_s, totals.worst_released_s);
+}
+
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("--runs", options.runs, "how many");
+  app.add_option("--first", options.first, "number of the first, to see one of them again");
+  app.add_option("--seed", options.seed, "of when faults strike");
+  app.add_option("--jobs", options.jobs, "processes side by side")->check(CLI::Range(1, 64));
+  app.add_option("--without", options.without, "guard that is switched off")
+      ->check(CLI::IsMember(names_of(test::guards())));
+  app.add_option("--only", options.only, "one kind of fault")
+      ->check(CLI::IsMember(names_of(test::fault_kinds())));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app{"Fault campaign: every fault in every state of a run, judged by the plant."};
+  add_options(app, options);
+  CLI11_PARSE(app, argc, argv);
+  if (!test::wall_clock_can_step()) {
+    fmt::print("the wall clock cannot be stepped here: nothing would be shown by it\n");
+    return 1;
+  }
+  const auto began = std::chrono::steady_clock::now();
+  std::FILE* told = start_workers(options);
+  if (told == nullptr) return 1;
+  Totals totals;
+  char line[4096];
+  while (std::fgets(line, sizeof line, told) != nullptr) take(line, options, totals);
+  const int failed = failed_workers();
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+  print(totals, took.count());
   if (failed > 0 || totals.runs != options.runs) {
     fmt::print("{} workers failed; {} runs of {} came to an end\n", failed, totals.runs,
                options.runs);
     return 1;
   }
-  const bool is_judged = totals.repeated <= std::ceil(most_repeated * totals.runs);
-  return totals.violations == 0 && is_judged ? 0 : 1;
+  return totals.violations == 0 && totals.repeated <= most_repeated(totals) ? 0 : 1;
 }

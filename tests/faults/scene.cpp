@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <map>
-#include <stdexcept>
 
-#include "analysis/quality.hpp"
 #include "hal/simulated_rig.hpp"
-#include "sequences/sequencer.hpp"
 #include "tests/faults/oracle.hpp"
 #include "tests/faults/undrained_drive.hpp"
+#include "tests/support/nobody.hpp"
+#include "tests/support/plan_of.hpp"
 
 namespace rvbench::test {
 namespace {
@@ -31,18 +30,6 @@ const std::string plan_text = R"({
             "record": {"output_turns": 4}}],
   "teardown": {"standstill_timeout_s": 10}
 })";
-
-sequences::TestPlan campaign_plan() {
-  auto read = sequences::parse_plan(hal::ConfigReader::from_text(plan_text, "faults.json"));
-  if (read.index() == 1) throw std::logic_error(describe("faults.json", std::get<1>(read).front()));
-  return std::get<0>(std::move(read));
-}
-
-class Silence final : public sequences::RunObserver {
- public:
-  void progress(double, double, const std::string&) override {}
-  void event(double, const std::string&) override {}
-};
 
 // Within that time of a state being entered; a record goes on for two seconds after it, so that
 // there is something to be seen of the fault.
@@ -72,8 +59,8 @@ Scene::Scene(const FaultCase& fault, const std::filesystem::path& recording, con
     : fault_(fault),
       file_(recording),
       on_kill_(std::move(on_kill)),
-      plan_(campaign_plan()),
-      check_(analysis::accelerometer_quality),
+      plan_(plan_of(plan_text)),
+      check_(flaw_of_record),
       owned_(std::make_unique<FaultBench>(
           fault.seed, fault.kind != nullptr ? fault.kind->drive : FaultKind{}.drive)),
       bench_(*owned_) {
@@ -103,9 +90,8 @@ void Scene::strike() {
 }
 
 Ending Scene::measure() {
-  Silence silence;
-  const auto summary =
-      sequences::run_sequence(plan_, rig_, *recording_, silence, stop_.get_token());
+  Nobody nobody;
+  const auto summary = sequences::run_sequence(plan_, rig_, *recording_, nobody, stop_.get_token());
   Oracle(fault_, bench_, report_).after_return();
   return summary.ending;
 }

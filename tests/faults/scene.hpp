@@ -39,7 +39,7 @@ class Scene {
   std::filesystem::path file_;
   std::function<void(Scene&)> on_kill_;
   sequences::TestPlan plan_;
-  ChannelCheck check_;
+  RecordCheck check_;
   std::unique_ptr<FaultBench> owned_;
   FaultBench& bench_;
   Witness witness_;
