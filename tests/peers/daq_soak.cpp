@@ -23,6 +23,8 @@ double cpu_s(int who) {
          1e-6 * double(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
 }
 
+constexpr double most_writing_share = 0.05;
+
 struct Options {
   double seconds = 600;
   double rate_Hz = 102'400;
@@ -96,28 +98,48 @@ Soak soak(const Options& options, const std::filesystem::path& folder) {
   return result;
 }
 
+// Of one core; judged where the run is as long and as wide as it is meant to be.
+double writing_share(const Soak& soak) { return soak.writing_s / soak.took_s; }
+
+bool is_whole(const Options& options) {
+  const Options meant;
+  return options.seconds >= meant.seconds && options.rate_Hz >= meant.rate_Hz &&
+         options.channels >= meant.channels;
+}
+
+void print(const Options& options, const Soak& soak) {
+  fmt::print("{} channels at {:g} Hz from Debian's iiod: {} scans in {:.1f} s\n", options.channels,
+             options.rate_Hz, soak.scans, soak.took_s);
+  fmt::print("scans lost or wrong                {:10}     limit 0\n", soak.wrong);
+  fmt::print("writing HDF5, of one core          {:10.2f} %   limit {:g}{}\n",
+             100 * writing_share(soak), 100 * most_writing_share,
+             is_whole(options) ? "" : ", not judged in a shorter run");
+  fmt::print("receiving, of one core             {:10.2f} %\n",
+             100 * soak.receiving_s / soak.took_s);
+  fmt::print("longest time between two blocks    {:10.1f} ms\n", 1e3 * soak.longest_gap_s);
+  fmt::print("time stamps scatter by             {:10.2f} ms\n", 1e3 * soak.uncertainty_s);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app{"Streams from iiod into a recording, and looks at every sample."};
-  app.add_option("--seconds", options.seconds, "how long");
-  app.add_option("--rate", options.rate_Hz, "scans per second");
-  app.add_option("--channels", options.channels, "of each scan")->check(CLI::Range(1, 31));
+  CLI::App app{
+      "Streams from iiod into a recording, and looks at every sample. What writing takes of a core "
+      "is "
+      "judged in a run with all defaults, or more."};
+  app.add_option("--seconds", options.seconds, "how long")->capture_default_str();
+  app.add_option("--rate", options.rate_Hz, "scans per second")->capture_default_str();
+  app.add_option("--channels", options.channels, "of each scan")
+      ->check(CLI::Range(1, 31))
+      ->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   try {
     const test::ScratchFolder scratch;
     const Soak result = soak(options, scratch.path());
-    fmt::print("{} channels at {:g} Hz from Debian's iiod: {} scans in {:.1f} s\n",
-               options.channels, options.rate_Hz, result.scans, result.took_s);
-    fmt::print("scans lost or wrong                {:10}     limit 0\n", result.wrong);
-    fmt::print("writing HDF5, of one core          {:10.2f} %   limit 5\n",
-               100 * result.writing_s / result.took_s);
-    fmt::print("receiving, of one core             {:10.2f} %\n",
-               100 * result.receiving_s / result.took_s);
-    fmt::print("longest time between two blocks    {:10.1f} ms\n", 1e3 * result.longest_gap_s);
-    fmt::print("time stamps scatter by             {:10.2f} ms\n", 1e3 * result.uncertainty_s);
-    return result.wrong == 0 ? 0 : 1;
+    print(options, result);
+    const bool is_slow = is_whole(options) && writing_share(result) > most_writing_share;
+    return result.wrong == 0 && !is_slow ? 0 : 1;
   } catch (const std::exception& error) {
     fmt::print(stderr, "rvbench_daq_soak: {}\n", error.what());
     return 1;
