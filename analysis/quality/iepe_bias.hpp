@@ -16,8 +16,7 @@ namespace rvbench::analysis {
 /// Whether a channel hears the front end only:
 /// * less than 1/100 of the middle one of at least two others of its (stated) unit. On one machine
 ///   paths differ, but the cross-talk of a sound sensor's axes alone, 1-5 %, is more;
-/// * white from 20 Hz on, within 6 dB from octave to octave, with less power in lines than in
-/// noise:
+/// * white from 20 Hz on, within 6 dB from octave to octave, with less power in lines than in noise:
 ///   a machine that turns is neither.
 ///
 /// Limits  a channel that is a hundred times below its neighbours and shows a line is quiet, not

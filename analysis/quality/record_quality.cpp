@@ -37,9 +37,8 @@ Complaint of_drift(const Channel& c, double period_s) {
   const std::optional<Drift> drift = find_drift(c.samples, c.rate_Hz, period_s);
   if (!drift) return {};
   return fmt::format(
-      "drift: its mean moves by {:.3g} {unit}, its vibration is {:.3g} {unit} rms: the amplifier "
-      "or "
-      "the IEPE supply has not settled",
+      "drift: its mean moves by {:.3g} {unit}, its vibration is {:.3g} {unit} rms: the "
+      "amplifier or the IEPE supply has not settled",
       drift->change, drift->vibration, fmt::arg("unit", c.info.unit));
 }
 
@@ -53,8 +52,7 @@ Complaint of_silence(const std::vector<Heard>& all, std::size_t one) {
   if (!hears_front_end_only(all, one)) return {};
   return fmt::format(
       "IEPE bias: only white noise of {:.3g} {} rms, a hundredth of what its neighbours hear: "
-      "cable "
-      "open or shorted, or the sensor is off",
+      "cable open or shorted, or the sensor is off",
       all[one].rms, all[one].unit);
 }
 
@@ -70,8 +68,7 @@ Complaint of_hum(const std::vector<Heard>& all, std::size_t one, const ShaftAngl
   if (!hum) return {};
   return fmt::format(
       "mains hum: {:.2f} Hz x {}, {:.0f} % of its rms, and hardly in its neighbours: a ground loop "
-      "or "
-      "a lost shield",
+      "or a lost shield",
       hum->grid_Hz, fmt::join(hum->harmonics, ", "), 100 * hum->share);
 }
 
