@@ -8,6 +8,7 @@
 
 #include "analysis/explain/explanation.hpp"
 #include "bench/located.hpp"
+#include "tests/support/bearing_seat.hpp"
 #include "tests/support/under_sanitizer.hpp"
 
 using namespace rvbench;
@@ -79,52 +80,12 @@ struct ShakenSeat {
 // The seat as a fitter would write it down: off by some, the rolling not known.
 sim::PlantSpec seat() {
   constexpr double free = sim::Quantity::free_pct;
-  sim::PlantSpec plant;
-  plant.name = "seat";
-  plant.bodies = {{"seat", sim::Motion::translation, {1, "kg"}}};
-  plant.terms = {
-      {"spring",
-       "spring",
-       "seat",
-       "housing",
-       "",
-       {{"stiffness", {0.93 * stiffness_N_m, "N/m", 20}}}},
-      {"damper", "damper", "seat", "housing", "", {{"damping", {1.3 * damping_Ns_m, "N·s/m", 50}}}},
-      {"bearing",
-       "rolling_bearing",
-       "seat",
-       "housing",
-       "shaft_speed",
-       {{"balls", {9, "1"}},
-        {"ball_diameter", {7.94e-3, "m"}},
-        {"pitch_diameter", {39.04e-3, "m"}},
-        {"contact_angle", {0, "rad"}},
-        {"roughness_force", {0.5, "N", free}},
-        {"roughness_corner", {1000, "Hz", free}},
-        {"load_zone_once", {0.05, "1", free}},
-        {"load_zone_twice", {0, "1"}},
-        {"spalled_part", {0, "1"}},
-        {"impact_impulse", {0, "N·s"}},
-        {"impact_time", {1e-4, "s"}},
-        {"impact_scatter", {0, "1"}},
-        {"seed", {0, "1"}}}}};
-  plant.inputs = {{.name = "shaft_speed",
-                   .channel = "shaft_speed",
-                   .unit = "Hz",
-                   .kind = sim::InputKind::signal,
-                   .body = "",
-                   .gain = {1, "1"},
-                   .offset = {0, "Hz"}}};
-  plant.outputs = {{.channel = "vibration",
-                    .unit = "m/s²",
-                    .kind = sim::OutputKind::acceleration,
-                    .of = "seat",
-                    .gain = {1, "1"},
-                    .offset = {0, "m/s²"},
-                    .delay = {0, "s"},
-                    .compared_by = sim::ComparedBy::envelope,
-                    .from_Hz = 300,
-                    .to_Hz = 4000}};
+  sim::PlantSpec plant = test::bearing_seat({{"roughness_force", {0.5, "N", free}},
+                                             {"roughness_corner", {1000, "Hz", free}},
+                                             {"load_zone_once", {0.05, "1", free}}},
+                                            4000);
+  plant.terms[0].parameters["stiffness"] = {0.93 * stiffness_N_m, "N/m", 20};
+  plant.terms[1].parameters["damping"] = {1.3 * damping_Ns_m, "N·s/m", 50};
   return plant;
 }
 

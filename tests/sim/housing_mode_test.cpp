@@ -7,19 +7,10 @@
 #include "tests/sim/sine_run.hpp"
 
 using namespace rvbench;
+using test::mass_on_spring;
 using Complex = std::complex<double>;
 
 namespace {
-
-// 2 kg on 800 N/m and 8 N·s/m: 3.18 Hz.
-sim::PlantSpec mass_on_spring() {
-  return test::plant_of(test::mass_on(
-      R"({"type": "spring", "body_a": "m",
-          "parameters": {"stiffness": {"value": 800, "unit": "N/m"}}},
-         {"type": "damper", "body_a": "m",
-          "parameters": {"damping": {"value": 8, "unit": "N·s/m"}}})",
-      "", "band_limited"));
-}
 
 sim::PlantSpec with_unbalance(sim::PlantSpec plant) {
   plant.bodies.push_back({"rotor", sim::Motion::rotation, {1, "kg·m²"}});

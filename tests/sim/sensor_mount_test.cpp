@@ -8,19 +8,10 @@
 #include "tests/sim/sine_run.hpp"
 
 using namespace rvbench;
+using test::mass_on_spring;
 using Complex = std::complex<double>;
 
 namespace {
-
-// 2 kg on 800 N/m and 8 N·s/m, its way "x" and its speed "v" seen.
-sim::PlantSpec mass_on_spring() {
-  return test::plant_of(test::mass_on(
-      R"({"type": "spring", "body_a": "m",
-          "parameters": {"stiffness": {"value": 800, "unit": "N/m"}}},
-         {"type": "damper", "body_a": "m",
-          "parameters": {"damping": {"value": 8, "unit": "N·s/m"}}})",
-      "", "band_limited"));
-}
 
 // The sensor of "v" on a mount.
 sim::PlantSpec with_loose_sensor(double frequency_Hz = 8, double damping_ratio = 0.05) {

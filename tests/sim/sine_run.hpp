@@ -11,6 +11,16 @@ namespace rvbench::test {
 
 constexpr double sine_rate_Hz = 200;
 
+/// 2 kg on 800 N/m and 8 N·s/m, 3.18 Hz: its way "x" and its speed "v" are seen.
+inline sim::PlantSpec mass_on_spring() {
+  return plant_of(mass_on(
+      R"({"type": "spring", "body_a": "m",
+          "parameters": {"stiffness": {"value": 800, "unit": "N/m"}}},
+         {"type": "damper", "body_a": "m",
+          "parameters": {"damping": {"value": 8, "unit": "N·s/m"}}})",
+      "", "band_limited"));
+}
+
 /// 40 s of 3 N at this frequency, for the input "u".
 inline std::vector<Channel> sine_of(double frequency_Hz) {
   Eigen::VectorXd push(8000);
