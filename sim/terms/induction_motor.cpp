@@ -55,6 +55,14 @@ const InductionMotor& motor_of(const TermSite& site) {
   return *motor;
 }
 
+TermGate in_a_motor() {
+  return {.translation = false,
+          .between_two = false,
+          .reference = ReferenceKind::term,
+          .reference_key = "motor",
+          .reference_type = "induction_motor"};
+}
+
 TermType induction_motor() {
   return {.card = {.name = "induction_motor",
                    .effect = false,

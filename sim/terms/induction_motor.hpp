@@ -65,4 +65,7 @@ TermType induction_motor();
 /// @throws std::invalid_argument if it is none
 const InductionMotor& motor_of(const TermSite& site);
 
+/// Where a term may act that is part of what an induction motor makes: beside it.
+TermGate in_a_motor();
+
 }  // namespace rvbench::sim

@@ -63,11 +63,7 @@ TermType rotor_bar() {
                              "the slip; a hunting drive and an outer force keep theirs"},
       .parameters = {{.name = "depth", .unit = UnitKind::ratio, .min = 0, .max = 1, .start = 0.02},
                      phase_card("phase")},
-      .gate = {.translation = false,
-               .between_two = false,
-               .reference = ReferenceKind::term,
-               .reference_key = "motor",
-               .reference_type = "induction_motor"},
+      .gate = in_a_motor(),
       .make = [](const TermSite& at) -> std::unique_ptr<PhysicsTerm> {
         return std::make_unique<RotorBar>(at, motor_of(at));
       }};

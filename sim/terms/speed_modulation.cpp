@@ -59,11 +59,7 @@ TermType speed_modulation() {
           {{.name = "depth", .unit = UnitKind::ratio, .min = 0, .max = 1, .start = 0.01},
            phase_card("phase"),
            {.name = "frequency", .unit = UnitKind::frequency, .min = 0, .max = 1e3, .start = 1}},
-      .gate = {.translation = false,
-               .between_two = false,
-               .reference = ReferenceKind::term,
-               .reference_key = "motor",
-               .reference_type = "induction_motor"},
+      .gate = in_a_motor(),
       .make = [](const TermSite& at) -> std::unique_ptr<PhysicsTerm> {
         return std::make_unique<SpeedModulation>(at, motor_of(at));
       }};
