@@ -242,6 +242,17 @@ void SteadyMotion::move(AndersonMixing& mixing, const Eigen::MatrixXcd& step,
   rhythms_.keep(speed_rad_s_);
 }
 
+// Lines of the forces that the motion leaves open.
+Eigen::MatrixXcd SteadyMotion::unbalanced(const Eigen::MatrixXcd& remainder) const {
+  Eigen::MatrixXcd open =
+      remainder - linear_.stiffness * lines_ - linear_.damping * differentiated(lines_);
+  for (Eigen::Index k = 1; k <= count_; ++k) {
+    open.col(k) += omega_rad_s(k) * omega_rad_s(k) *
+                   model_.inertia.cast<Complex>().cwiseProduct(lines_.col(k));
+  }
+  return open;
+}
+
 bool SteadyMotion::come_to_rest(const Rest& rest) {
   AndersonMixing mixing(steps_mixed);
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> held;
@@ -261,12 +272,7 @@ bool SteadyMotion::come_to_rest(const Rest& rest) {
     const Eigen::MatrixXcd remainder = lines_of(pushes, orders_);
     Eigen::VectorXd mean = remainder.col(0).real() - linear_.stiffness * lines_.col(0).real() -
                            linear_.damping * common_ * speed_rad_s_;
-    Eigen::MatrixXcd open =
-        remainder - linear_.stiffness * lines_ - linear_.damping * differentiated(lines_);
-    for (Eigen::Index k = 1; k <= count_; ++k) {
-      open.col(k) += omega_rad_s(k) * omega_rad_s(k) *
-                     model_.inertia.cast<Complex>().cwiseProduct(lines_.col(k));
-    }
+    const Eigen::MatrixXcd open = unbalanced(remainder);
     const double largest_push =
         std::max(pushes.cwiseAbs().maxCoeff(),
                  (linear_.damping * common_ * speed_rad_s_).cwiseAbs().maxCoeff());

@@ -61,6 +61,7 @@ class SteadyMotion {
   double drive_at(double speed_rad_s);
   bool find_speed();
   void find_slopes();
+  Eigen::MatrixXcd unbalanced(const Eigen::MatrixXcd& remainder) const;
   bool come_to_rest(const Rest& rest);
   void move(AndersonMixing& mixing, const Eigen::MatrixXcd& step, double speed_step_rad_s);
 

@@ -153,6 +153,32 @@ void add_hums(const PlantSpec& plant, SteadyState& state, std::vector<Eigen::Vec
   }
 }
 
+// What terms with a time of their own show, once and twice in it, about the steady motion.
+void add_rhythms(const PlantSpec& plant, const PlantModel& model, const SteadyMotion& motion,
+                 const SteadySensors& sensors, SteadyState& state,
+                 std::vector<Eigen::VectorXcd>& timed) {
+  const auto outputs = static_cast<Eigen::Index>(plant.outputs.size());
+  for (std::size_t i = 0; i < model.terms.size(); ++i) {
+    const PhysicsTerm& term = *model.terms[i];
+    PlantState s = motion.mean_state(0);
+    const double rhythm_Hz = term.rhythm_Hz(s);
+    if (rhythm_Hz == 0) continue;
+    s.v *= other_speed;
+    state.rhythms_Hz.push_back(rhythm_Hz);
+    const bool by_slip = term.rhythm_Hz(s) != rhythm_Hz;
+    state.slip_of.push_back(by_slip ? plant.terms[i].reference : "");
+    const Rhythm rhythm{sensors, motion, outputs, term, rhythm_Hz};
+    const Eigen::VectorXcd push = rhythm.push(1, Eigen::VectorXcd::Zero(motion.common().size()));
+    const Eigen::VectorXcd way = rhythm.answer(1, push);
+    timed.push_back(rhythm.shown(1, way));
+    const Eigen::VectorXcd again = rhythm.push(2, way);
+    if (again.norm() < negligible_push * push.norm()) continue;
+    state.rhythms_Hz.push_back(2 * rhythm_Hz);
+    state.slip_of.emplace_back();
+    timed.push_back(rhythm.shown(2, rhythm.answer(2, again)));
+  }
+}
+
 SteadyState shown(const PlantSpec& plant, const PlantModel& model, const SteadyMotion& motion) {
   const SteadySensors sensors(plant, model);
   SteadyState result{std::abs(motion.speed_rad_s()) / units::two_pi,
@@ -165,25 +191,7 @@ SteadyState shown(const PlantSpec& plant, const PlantModel& model, const SteadyM
   const auto outputs = static_cast<Eigen::Index>(plant.outputs.size());
   const Eigen::MatrixXcd lines = by_orders(shaft_lines(sensors, motion, outputs), motion.orders());
   std::vector<Eigen::VectorXcd> timed;
-  for (std::size_t i = 0; i < model.terms.size(); ++i) {
-    const PhysicsTerm& term = *model.terms[i];
-    PlantState s = motion.mean_state(0);
-    const double rhythm_Hz = term.rhythm_Hz(s);
-    if (rhythm_Hz == 0) continue;
-    s.v *= other_speed;
-    result.rhythms_Hz.push_back(rhythm_Hz);
-    const bool by_slip = term.rhythm_Hz(s) != rhythm_Hz;
-    result.slip_of.push_back(by_slip ? plant.terms[i].reference : "");
-    const Rhythm rhythm{sensors, motion, outputs, term, rhythm_Hz};
-    const Eigen::VectorXcd push = rhythm.push(1, Eigen::VectorXcd::Zero(motion.common().size()));
-    const Eigen::VectorXcd way = rhythm.answer(1, push);
-    timed.push_back(rhythm.shown(1, way));
-    const Eigen::VectorXcd again = rhythm.push(2, way);
-    if (again.norm() < negligible_push * push.norm()) continue;
-    result.rhythms_Hz.push_back(2 * rhythm_Hz);
-    result.slip_of.emplace_back();
-    timed.push_back(rhythm.shown(2, rhythm.answer(2, again)));
-  }
+  add_rhythms(plant, model, motion, sensors, result, timed);
   add_hums(plant, result, timed);
   for (Eigen::Index o = 0; o < outputs; ++o) {
     SteadyOutput output;
