@@ -38,33 +38,26 @@ test::Answer run(const ScratchFolder& scratch) {
 
 }  // namespace
 
-SCENARIO("results that another program keeps locked cost no run", "[spec][results]") {
+TEST_CASE("results that another program keeps locked cost no run", "[spec][results]") {
   const ScratchFolder scratch;
   bench::write_file(scratch.path() / "short.json", test::short_plan);
   const std::filesystem::path runs = scratch.path() / "runs";
   std::filesystem::create_directory(runs);
-  GIVEN("a run during which they are locked") {
-    const test::Answer locked_out = [&] {
-      const Hog hog(runs);
-      return run(scratch);
-    }();
-    INFO(locked_out.err);
-    THEN("its folder has the verdict, whole, and it says what is missing") {
-      const auto folder = std::filesystem::directory_iterator(runs / "A17")->path();
-      CHECK(bench::read_file(folder / "verdict.json") == locked_out.out);
-      CHECK(nlohmann::json::parse(locked_out.out).at("exit_code") == locked_out.code);
-      CHECK(bench::verify_sums(folder).empty());
-      CHECK_THAT(locked_out.err,
-                 Contains("database is locked") && Contains("will be entered by the next run"));
-    }
-    WHEN("the next run ends, and nobody locks them any more") {
-      CHECK(run(scratch).code == locked_out.code);
-      THEN("both are in the history") {
-        const test::Answer history = test::rvbench(scratch.path(), {"history", "--json"});
-        CHECK(nlohmann::json::parse(history.out).at("runs").size() == 2);
-      }
-    }
-  }
+  const test::Answer locked_out = [&] {
+    const Hog hog(runs);
+    return run(scratch);
+  }();
+  INFO(locked_out.err);
+  const auto folder = std::filesystem::directory_iterator(runs / "A17")->path();
+  CHECK(bench::read_file(folder / "verdict.json") == locked_out.out);
+  CHECK(nlohmann::json::parse(locked_out.out).at("exit_code") == locked_out.code);
+  CHECK(bench::verify_sums(folder).empty());
+  CHECK_THAT(locked_out.err,
+             Contains("database is locked") && Contains("will be entered by the next run"));
+  // Nobody locks them any more.
+  CHECK(run(scratch).code == locked_out.code);
+  const test::Answer history = test::rvbench(scratch.path(), {"history", "--json"});
+  CHECK(nlohmann::json::parse(history.out).at("runs").size() == 2);
 }
 
 }  // namespace rvbench
