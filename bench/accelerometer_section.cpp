@@ -2,23 +2,38 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
+#include <type_traits>
 
+#include "bench/misfit.hpp"
+#include "hal/did_you_mean.hpp"
 #include "hal/steady_clock.hpp"
 
 namespace rvbench::bench {
 namespace {
 
-hal::DaqInput read_input(hal::ConfigReader& entry) {
+// Boards count their channels.
+bool is_number(const std::string& text) {
+  unsigned number = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc() && stop == end;
+}
+
+hal::DaqInput read_input(hal::ConfigReader& entry, bool is_board) {
   hal::DaqInput input;
   input.info.name = entry.text("name");
   input.info.unit = "m/s²";
   input.info.direction = entry.choice("direction", {"+X", "-X", "+Y", "-Y", "+Z", "-Z"});
   input.device_channel = entry.text("channel");
-  if (entry.has("sensitivity_V_per_m_s2")) {
+  if (is_board && entry.is_text("channel") && !is_number(input.device_channel)) {
+    entry.fault("channel", hal::in_quotes(input.device_channel) + " is no number");
+  }
+  if (is_board || entry.has("sensitivity_V_per_m_s2")) {
     input.info.sensitivity = entry.number("sensitivity_V_per_m_s2", {1e-9, 1e3});
   }
   return input;
@@ -40,11 +55,20 @@ void read_common(hal::ConfigReader& accelerometers, Options& options) {
   options.range_m_s2 = accelerometers.number("range_m_s2", {0.1, 1e6});
   options.block_s = accelerometers.number("block_s", {0.001, 0.05}, options.block_s);
   options.deadline_s = accelerometers.number("deadline_s", {0.02, 2}, options.deadline_s);
-  std::set<std::string> names;
+  constexpr bool is_board = std::is_same_v<Options, hal::ComediOptions>;
+  const std::size_t faults_before = accelerometers.faults().size();
+  std::set<std::string> names, channels;
   for (hal::ConfigReader& entry : accelerometers.objects("inputs")) {
-    options.inputs.push_back(read_input(entry));
-    const std::string& name = options.inputs.back().info.name;
-    if (!names.insert(name).second) entry.fault("name", "there is another input of this name");
+    options.inputs.push_back(read_input(entry, is_board));
+    const auto& [channel, info] = options.inputs.back();
+    if (entry.has("name") && !names.insert(info.name).second)
+      entry.fault("name", "there is another input of this name");
+    if (entry.has("channel") && !channels.insert(channel).second) {
+      entry.fault("channel", "there is another input on this channel");
+    }
+  }
+  if (options.inputs.empty() && accelerometers.faults().size() == faults_before) {
+    accelerometers.fault("inputs", "must not be empty");
   }
 }
 
@@ -104,7 +128,7 @@ AccelerometerSection read_accelerometer_section(hal::ConfigReader& accelerometer
     hal::SteadyClock clock;
     (void)make_accelerometers(section, clock);  // opens nothing; knows what does not fit together
   } catch (const std::invalid_argument& error) {
-    accelerometers.fault("", error.what());
+    note_misfit(accelerometers, "inputs", error);
   }
   return section;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bench/judging.hpp"
+#include "bench/roll_call.hpp"
 #include "bench/run_log.hpp"
 #include "bench/run_recordings.hpp"
 #include "bench/run_results.hpp"
@@ -86,6 +87,13 @@ Ending measure(Acceptance& acceptance, hal::Rig& rig, RunLog& log, std::stop_tok
     acceptance.facts.resumed_at_point = first_point;
     log.event(0, fmt::format("resumed at point {} of {}; the rig's time starts again",
                              first_point + 1, points));
+  }
+  for (const std::string& warning : acceptance.warnings) log.event(0, "warning: " + warning);
+  if (acceptance.may_be_absent) {
+    if (auto absent = roll_call(rig)) {
+      log.event(0, absent->reason);
+      return *absent;
+    }
   }
   return record(acceptance, rig, log, std::move(stop), before.value());
 }

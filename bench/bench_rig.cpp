@@ -1,7 +1,5 @@
 #include "bench/bench_rig.hpp"
 
-#include <fmt/format.h>
-
 #include <cstdint>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -19,20 +17,6 @@ std::optional<Section> read_optional(hal::ConfigReader& root, const char* key,
                                      Section (*read)(hal::ConfigReader&)) {
   auto section = root.optional_object(key);
   return section ? std::optional(read(*section)) : std::nullopt;
-}
-
-// What a run needs and the file does not have.
-std::string missing(const BenchRig& rig) {
-  std::string names;
-  const auto need = [&](bool has, const char* name) {
-    if (!has) names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", name);
-  };
-  need(rig.can.has_value(), "can");
-  need(rig.torque.has_value(), "torque");
-  need(rig.brake.has_value(), "brake");
-  need(rig.accelerometers.has_value(), "accelerometers");
-  need(rig.safety.has_value(), "safety");
-  return names;
 }
 
 }  // namespace
@@ -67,16 +51,25 @@ nlohmann::ordered_json to_json(const BenchRig& rig) {
   return json;
 }
 
+std::vector<hal::ConfigFault> unfit_for_runs(const BenchRig& rig) {
+  std::vector<hal::ConfigFault> faults;
+  const auto need = [&](bool has, const std::string& key) {
+    if (has) return;
+    faults.push_back(
+        {0, "/" + key, "this section is missing: a run needs it, rvbench probe does not"});
+  };
+  need(rig.can.has_value(), "can");
+  need(rig.torque.has_value(), "torque");
+  need(rig.brake.has_value(), "brake");
+  need(rig.accelerometers.has_value(), "accelerometers");
+  need(rig.safety.has_value(), "safety");
+  const std::string why = rig.torque ? unfit_for_runs(*rig.torque) : "";
+  if (!why.empty()) faults.push_back({0, "/torque/frames", why});
+  return faults;
+}
+
 std::variant<hal::Rig, std::vector<hal::ConfigFault>> make_bench(const BenchRig& rig) {
-  using Faults = std::vector<hal::ConfigFault>;
-  if (const std::string names = missing(rig); !names.empty()) {
-    return Faults{{0, "/rig",
-                   "a run needs every device, and the file has no " + names +
-                       "; rvbench probe works with it"}};
-  }
-  if (const std::string why = unfit_for_runs(*rig.torque); !why.empty()) {
-    return Faults{{0, "/torque/frames", why}};
-  }
+  if (auto faults = unfit_for_runs(rig); !faults.empty()) return faults;
   hal::Rig made;
   made.name = "bench";
   made.clock = std::make_unique<hal::SteadyClock>();

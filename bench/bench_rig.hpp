@@ -34,6 +34,9 @@ BenchRig read_bench_rig(hal::ConfigReader& root);
 /// With every default spelled out.
 nlohmann::ordered_json to_json(const BenchRig& rig);
 
+/// What a run needs and the file does not have; nothing that a probe would miss. Without lines.
+std::vector<hal::ConfigFault> unfit_for_runs(const BenchRig& rig);
+
 /// The rig, not yet connected, on a clock of its own; or what a run lacks.
 std::variant<hal::Rig, std::vector<hal::ConfigFault>> make_bench(const BenchRig& rig);
 

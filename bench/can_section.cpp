@@ -6,6 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "bench/misfit.hpp"
+#include "hal/can/serial_line.hpp"
+#include "hal/can/slcan_frames.hpp"
 #include "hal/can/socketcan_counters.hpp"
 #include "hal/can/socketcan_transport.hpp"
 #include "hal/steady_clock.hpp"
@@ -18,6 +21,12 @@ hal::SlcanOptions read_slcan(hal::ConfigReader& slcan) {
   options.device = slcan.text("device");
   options.bitrate_kbit_s = slcan.integer("bitrate_kbit_s", {10, 1000});
   options.baud = slcan.integer("baud", {1200, 4e6}, options.baud);
+  if (!hal::slcan_frames::command_from_bitrate(options.bitrate_kbit_s)) {
+    slcan.fault("bitrate_kbit_s", "must be 10, 20, 50, 100, 125, 250, 500, 800 or 1000");
+  }
+  if (!hal::SerialLine::knows_baud(options.baud)) {
+    slcan.fault("baud", fmt::format("{} is no rate of a serial line", options.baud));
+  }
   return options;
 }
 
@@ -39,7 +48,7 @@ CanSection read_can_section(hal::ConfigReader& can) {
     rig.clock = std::make_unique<hal::SteadyClock>();
     (void)make_can(section, {}, rig);  // opens nothing; knows what does not fit together
   } catch (const std::invalid_argument& error) {
-    can.fault(slcan ? "slcan" : "socketcan", error.what());
+    note_misfit(can, slcan ? "slcan" : "socketcan", error);
   }
   return section;
 }

@@ -3,6 +3,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 
@@ -70,6 +71,15 @@ std::string clipped_to(std::string_view text, int columns) {
     if (!continues_character(text[i]) && ++width > columns) return std::string(text.substr(0, i));
   }
   return std::string(text);
+}
+
+std::string as_cell(std::string_view text, int columns) {
+  std::string cell(text);
+  const auto is_control = [](char byte) {
+    return static_cast<unsigned char>(byte) < 0x20 || byte == 0x7F;
+  };
+  std::ranges::replace_if(cell, is_control, '?');
+  return shown_width(cell) <= columns ? cell : clipped_to(cell, columns - 1) + "…";
 }
 
 }  // namespace rvbench::bench

@@ -38,6 +38,9 @@ Tone tone_of(Outcome outcome);
 /// Characters that `text` shows on a terminal (UTF-8 code points).
 int shown_width(std::string_view text);
 
+/// Fit for one row of a table: control characters become '?', and what is longer ends in "…".
+std::string as_cell(std::string_view text, int columns);
+
 /// The first `columns` characters of `text`; never cuts a UTF-8 sequence.
 std::string clipped_to(std::string_view text, int columns);
 

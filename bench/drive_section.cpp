@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "bench/misfit.hpp"
 #include "bench/modbus_path_section.hpp"
 #include "hal/modbus/drive_profile_json.hpp"
 #include "hal/steady_clock.hpp"
@@ -45,7 +46,7 @@ DriveSection read_drive_section(hal::ConfigReader& rig) {
     hal::SteadyClock clock;
     (void)hal::ModbusInverter(options, clock);  // opens nothing; knows what does not fit together
   } catch (const std::invalid_argument& error) {
-    drive.fault("", error.what());
+    note_misfit(drive, "max_speed_rpm", error);  // the rest was looked at above
   }
   return section;
 }

@@ -1,11 +1,27 @@
 #include "bench/modbus_path_section.hpp"
 
+#include <arpa/inet.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "hal/did_you_mean.hpp"
+
 namespace rvbench::bench {
+namespace {
+
+// libmodbus sets any other to 9600.
+constexpr std::array bauds{1200, 2400, 4800, 9600, 19200, 38400, 57600, 115200};
+
+bool is_address(const std::string& host) {
+  in_addr address{};
+  return ::inet_pton(AF_INET, host.c_str(), &address) == 1;
+}
+
+}  // namespace
 
 hal::ModbusPath read_modbus_path(hal::ConfigReader& section, const std::string& what) {
   auto tcp = section.optional_object("tcp");
@@ -17,13 +33,21 @@ hal::ModbusPath read_modbus_path(hal::ConfigReader& section, const std::string& 
     hal::ModbusRtu rtu;
     rtu.device = serial->text("device");
     rtu.baud = serial->integer("baud", {1200, 115200}, rtu.baud);
+    if (std::ranges::find(bauds, rtu.baud) == bauds.end()) {
+      serial->fault("baud",
+                    fmt::format("{} is no rate of a Modbus line, such as 9600 or 19200", rtu.baud));
+    }
     rtu.parity = serial->choice("parity", {"N", "E", "O"}, "N").front();
     rtu.stop_bits = serial->integer("stop_bits", {1, 2}, rtu.stop_bits);
     return rtu;
   }
   hal::ModbusTcp path;
   if (!tcp) return path;
+  const std::size_t faults_before = section.faults().size();
   path.host = tcp->text("host");
+  if (section.faults().size() == faults_before && !is_address(path.host)) {
+    tcp->fault("host", hal::in_quotes(path.host) + " is not an IPv4 address");
+  }
   path.port = static_cast<std::uint16_t>(tcp->integer("port", {1, 65535}, path.port));
   return path;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include <nlohmann/json.hpp>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -76,7 +77,7 @@ ResultDatabase::ResultDatabase(std::filesystem::path root, std::unique_ptr<sqlit
     : root_(std::move(root)), database_(std::move(database)) {}
 
 Result<ResultDatabase> ResultDatabase::open(const std::filesystem::path& root) {
-  const std::filesystem::path file = root / "results.db";
+  const std::filesystem::path file = root / result_database_name;
   sqlite3* opened = nullptr;
   const int code =
       sqlite3_open_v2(file.c_str(), &opened, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
@@ -138,8 +139,28 @@ Status ResultDatabase::execute(const char* sql) {
 }
 
 IoError ResultDatabase::failure(const std::string& what) const {
-  return {IoErrc::refused, fmt::format("{} {}: {}", (root_ / "results.db").string(), what,
+  return {IoErrc::refused, fmt::format("{} {}: {}", (root_ / result_database_name).string(), what,
                                        sqlite3_errmsg(database_.get()))};
+}
+
+std::vector<RunRow> unfinished_runs(const std::filesystem::path& root) {
+  std::vector<RunRow> rows;
+  for (const std::filesystem::path& folder : run_folders(root)) {
+    if (has_sums(folder) || !std::filesystem::exists(folder / "plan.json")) continue;
+    const RunBegin begin = read_run_begin(folder);
+    const auto plan =
+        nlohmann::json::parse(read_file(folder / "plan.json").value_or(""), nullptr, false);
+    const bool is_named = plan.is_object() && plan.contains("name") && plan["name"].is_string();
+    rows.push_back({.folder = folder.lexically_relative(root).string(),
+                    .serial = begin.serial,
+                    .started_utc = begin.started_utc,
+                    .plan = is_named ? plan["name"].get<std::string>() : "",
+                    .verdict = "",
+                    .error_kind = "",
+                    .reason = "not finished: still at work, or cut short",
+                    .software = ""});
+  }
+  return rows;
 }
 
 RunRow row_of(const std::filesystem::path& root, const std::filesystem::path& folder,

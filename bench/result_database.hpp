@@ -18,7 +18,7 @@ struct RunRow {
   std::string serial;
   std::string started_utc;
   std::string plan;
-  std::string verdict;     ///< "PASS", ...
+  std::string verdict;     ///< "PASS", ...; "" if there is none (yet)
   std::string error_kind;  ///< "none", "device_lost", ...
   std::string reason;
   std::string software;
@@ -58,6 +58,10 @@ class ResultDatabase {
   std::filesystem::path root_;
   std::unique_ptr<sqlite3, Close> database_;
 };
+
+/// The runs below the root that have no result: their verdict is empty. Of what each recorded when
+/// it began.
+std::vector<RunRow> unfinished_runs(const std::filesystem::path& root);
 
 /// The row of a run whose folder lies in `root`.
 RunRow row_of(const std::filesystem::path& root, const std::filesystem::path& folder,

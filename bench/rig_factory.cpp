@@ -1,8 +1,11 @@
 #include "bench/rig_factory.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "bench/fault_lines.hpp"
 #include "bench/file_kind.hpp"
 #include "bench/rig_file.hpp"
 #include "bench/sim_world.hpp"
@@ -46,10 +49,28 @@ Made make(const ReplayRig& rig) {
 }
 
 Made make(const BenchRig& rig) {
-  if (const auto twin = sim::read_plant(rig.plant); twin.index() == 1) {
-    return at_plant(rig.plant, std::get<1>(twin));
-  }
-  return make_bench(rig);
+  Made made = make_bench(rig);
+  const auto twin = sim::read_plant(rig.plant);
+  if (twin.index() == 0) return made;
+  auto faults = at_plant(rig.plant, std::get<1>(twin));
+  if (made.index() == 1) std::ranges::move(std::get<1>(made), std::back_inserter(faults));
+  return faults;
+}
+
+std::vector<hal::ConfigFault> check(const SimRig& rig) {
+  auto plant = runnable_plant(rig);
+  return plant.index() == 1 ? std::get<1>(std::move(plant)) : std::vector<hal::ConfigFault>{};
+}
+
+std::vector<hal::ConfigFault> check(const ReplayRig& rig) {
+  Made made = make(rig);  // its recording may be missing, or none
+  return made.index() == 1 ? std::get<1>(std::move(made)) : std::vector<hal::ConfigFault>{};
+}
+
+std::vector<hal::ConfigFault> check(const BenchRig& rig) {
+  const auto twin = sim::read_plant(rig.plant);
+  return twin.index() == 1 ? at_plant(rig.plant, std::get<1>(twin))
+                           : std::vector<hal::ConfigFault>{};
 }
 
 nlohmann::ordered_json to_json(const SimRig& rig) {
@@ -76,23 +97,25 @@ std::vector<std::string> preset_names() { return names_of(sim::preset_files()); 
 Made make_rig(const std::string& rig, const RigOptions& options) {
   auto file = read_rig(rig, options);
   if (file.index() == 1) return std::get<1>(std::move(file));
-  return std::visit([](const auto& kind) { return make(kind); }, std::get<0>(file));
+  Made made = std::visit([](const auto& kind) { return make(kind); }, std::get<0>(file));
+  if (made.index() == 1) return with_lines(rig, std::get<1>(std::move(made)));
+  return made;
 }
 
 std::vector<hal::ConfigFault> check_rig(const std::string& file) {
-  auto rig = read_rig(file, {});
-  if (rig.index() == 1) return std::get<1>(std::move(rig));
-  if (const auto* simulated = std::get_if<SimRig>(&std::get<0>(rig))) {
-    auto plant = runnable_plant(*simulated);
-    return plant.index() == 1 ? std::get<1>(std::move(plant)) : std::vector<hal::ConfigFault>{};
-  }
-  if (const auto* bench = std::get_if<BenchRig>(&std::get<0>(rig))) {
-    const auto twin = sim::read_plant(bench->plant);
-    return twin.index() == 1 ? at_plant(bench->plant, std::get<1>(twin))
-                             : std::vector<hal::ConfigFault>{};
-  }
-  Made made = make(std::get<ReplayRig>(std::get<0>(rig)));  // its recording may be missing, or none
-  return made.index() == 1 ? std::get<1>(std::move(made)) : std::vector<hal::ConfigFault>{};
+  const auto rig = read_rig(file, {});
+  if (rig.index() == 1) return std::get<1>(rig);
+  return with_lines(file,
+                    std::visit([](const auto& kind) { return check(kind); }, std::get<0>(rig)));
+}
+
+RigRemarks remarks_on(const std::string& file) {
+  const auto rig = read_rig(file, {});
+  const auto* bench = rig.index() == 0 ? std::get_if<BenchRig>(&std::get<0>(rig)) : nullptr;
+  if (bench == nullptr) return {};
+  RigRemarks remarks{with_lines(file, unfit_for_runs(*bench)), {}};
+  if (bench->safety) remarks.warnings = with_lines(file, warnings_of(*bench->safety));
+  return remarks;
 }
 
 std::string rig_to_json(const std::string& rig, const RigOptions& options) {

@@ -32,6 +32,15 @@ std::variant<hal::Rig, std::vector<hal::ConfigFault>> make_rig(const std::string
 /// Every fault of a rig file; opens nothing.
 std::vector<hal::ConfigFault> check_rig(const std::string& file);
 
+/// What check_rig() does not count as a fault, but somebody should know.
+struct RigRemarks {
+  std::vector<hal::ConfigFault> unfit_for_runs;  ///< why a run would be refused; a probe would not
+  std::vector<hal::ConfigFault> warnings;
+};
+
+/// Of a rig file of real devices; none of any other, and of one with faults.
+RigRemarks remarks_on(const std::string& file);
+
 /// The rig with every default spelled out: a rig file again.
 std::string rig_to_json(const std::string& rig, const RigOptions& options);
 

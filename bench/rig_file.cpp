@@ -68,7 +68,10 @@ std::variant<RigFile, std::vector<hal::ConfigFault>> read_rig(const std::string&
   hal::ConfigReader root = hal::ConfigReader::from_file(rig);
   if (auto fault = other_kind_fault(root, "rig")) return Faults{*fault};
   RigFile file = SimRig{};
+  const std::size_t faults_before = root.faults().size();
   const std::string kind = root.choice("rig", {"sim", "replay", "bench"}, "sim");
+  if (root.faults().size() > faults_before)
+    return root.faults();  // whose keys these are, nobody knows
   if (kind == "sim") file = read_sim(root, options);
   if (kind == "replay") file = read_replay(root);
   if (kind == "bench") file = read_bench_rig(root);

@@ -9,9 +9,11 @@
 #include <cstdio>
 #include <ctime>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
+#include <tuple>
 
 #include "bench/sha256.hpp"
 #include "bench/verdict_json.hpp"
@@ -21,6 +23,7 @@ namespace rvbench::bench {
 namespace {
 
 constexpr std::size_t longest_name = 64;
+constexpr std::uint64_t most_runs = 1'000'000'000;
 
 bool is_plain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
@@ -54,6 +57,25 @@ void make_folders(const std::filesystem::path& folder) {
   sync_folder_of(folder);
 }
 
+// Runs of one serial in the order in which they began. Without numbers it is that of their names:
+// "20260102T030405Z", "20260102T030405Z-2", ..., "20260102T030405Z-10".
+std::tuple<int, std::string, std::size_t, std::string> order_of(const std::filesystem::path& run) {
+  const std::string name = run.filename().string();
+  const std::string second = name.substr(0, name.find('-'));
+  return {read_run_begin(run).number, second, name.size(), name};
+}
+
+std::vector<std::filesystem::path> folders_in(const std::filesystem::path& parent) {
+  std::vector<std::filesystem::path> folders;
+  std::error_code error;
+  using Entries = std::filesystem::directory_iterator;
+  for (Entries entry(parent, error), end; !error && entry != end; entry.increment(error)) {
+    std::error_code unknown;
+    if (entry->is_directory(unknown)) folders.push_back(entry->path());
+  }
+  return folders;
+}
+
 }  // namespace
 
 std::string folder_name_of(const std::string& serial) {
@@ -62,6 +84,7 @@ std::string folder_name_of(const std::string& serial) {
   std::ranges::replace_if(
       name, [](char c) { return !is_plain(c); }, '_');
   if (name.front() == '.' || name.front() == '-') name.front() = '_';
+  if (name.starts_with(result_database_name)) name.front() = '_';  // SQLite adds -wal and -shm
   if (name != serial) name.append("-").append(sha256_of_text(serial), 0, 8);
   return name;
 }
@@ -78,6 +101,37 @@ std::filesystem::path create_run_folder(const std::filesystem::path& root,
   return folder;
 }
 
+RunBegin next_run(const std::filesystem::path& root, const std::string& serial,
+                  const std::string& utc) {
+  RunBegin begin{serial, utc, 1};
+  for (const auto& run : folders_in(root / folder_name_of(serial))) {
+    begin.number = std::max(begin.number, read_run_begin(run).number + 1);
+  }
+  return begin;
+}
+
+std::string run_begin_to_json(const RunBegin& begin) {
+  const nlohmann::ordered_json json{
+      {"serial", begin.serial}, {"started_utc", begin.started_utc}, {"number", begin.number}};
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+RunBegin read_run_begin(const std::filesystem::path& run) {
+  RunBegin begin{run.parent_path().filename().string(), run.filename().string(), 0};
+  const auto json =
+      nlohmann::json::parse(read_file(run / "start.json").value_or(""), nullptr, false);
+  if (!json.is_object()) return begin;
+  const auto text = [&json](const char* key, std::string& value) {
+    if (json.contains(key) && json[key].is_string()) value = json[key].get<std::string>();
+  };
+  text("serial", begin.serial);
+  text("started_utc", begin.started_utc);
+  if (json.contains("number") && json["number"].is_number_unsigned()) {
+    begin.number = static_cast<int>(std::min(json["number"].get<std::uint64_t>(), most_runs));
+  }
+  return begin;
+}
+
 // Sums are written last: a run without them was killed while its results were written.
 bool is_finished(const std::filesystem::path& run) {
   if (!has_sums(run)) return false;
@@ -90,18 +144,12 @@ bool is_finished(const std::filesystem::path& run) {
 
 std::optional<std::filesystem::path> newest_unfinished_run(const std::filesystem::path& root,
                                                            const std::string& serial) {
-  std::vector<std::filesystem::path> runs;
-  std::error_code absent;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(root / folder_name_of(serial), absent)) {
-    if (entry.is_directory() && std::filesystem::exists(entry.path() / "plan.json")) {
-      runs.push_back(entry.path());
-    }
-  }
+  std::vector<std::filesystem::path> runs = folders_in(root / folder_name_of(serial));
+  std::erase_if(runs, [](const auto& run) { return !std::filesystem::exists(run / "plan.json"); });
   if (runs.empty()) return std::nullopt;
-  std::ranges::sort(runs);
-  if (is_finished(runs.back())) return std::nullopt;
-  return runs.back();
+  const auto newest = std::ranges::max_element(runs, {}, order_of);
+  if (is_finished(*newest)) return std::nullopt;
+  return *newest;
 }
 
 std::string utc_now() {

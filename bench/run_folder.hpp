@@ -12,6 +12,9 @@
 
 namespace rvbench::bench {
 
+/// The table of results, which lies beside the folders of the serials.
+inline constexpr const char* result_database_name = "results.db";
+
 /// One point of the matrix (or one stored file), judged.
 struct JudgedPoint {
   std::string status = "ok";  ///< "not_recorded", or as the recording says: "unsettled", ...
@@ -61,9 +64,25 @@ struct Judgement {
 };
 
 /// A name that is safe as one path component. Characters other than letters, digits, '.', '_' and
-/// '-' become '_' and a short hash keeps different serials apart.
+/// '-' become '_' and a short hash keeps different serials apart, and from results.db beside them.
 /// @throws std::invalid_argument if `serial` is empty
 std::string folder_name_of(const std::string& serial);
+
+/// How a run began: start.json of its folder.
+struct RunBegin {
+  std::string serial;
+  std::string started_utc;
+  int number = 0;  ///< among the runs of that serial, from 1: clocks may be set back
+};
+
+/// Counted on from the runs that are there.
+RunBegin next_run(const std::filesystem::path& root, const std::string& serial,
+                  const std::string& utc);
+
+std::string run_begin_to_json(const RunBegin& begin);
+
+/// Of a folder without start.json the number is 0, and names stand for serial and time.
+RunBegin read_run_begin(const std::filesystem::path& run);
 
 /// Makes <root>/<folder_name_of(serial)>/<utc>/, on the disk when this returns; a folder that
 /// exists is never used again.
@@ -74,8 +93,8 @@ std::filesystem::path create_run_folder(const std::filesystem::path& root,
 /// Whether a run came to PASS, FAIL or INVALID, with all of its files.
 bool is_finished(const std::filesystem::path& run);
 
-/// The newest run of that serial, if it did not come to PASS, FAIL or INVALID with all of its
-/// files.
+/// The run of that serial that began last, by its number, if it did not come to PASS, FAIL or
+/// INVALID with all of its files.
 std::optional<std::filesystem::path> newest_unfinished_run(const std::filesystem::path& root,
                                                            const std::string& serial);
 

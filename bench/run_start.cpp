@@ -3,11 +3,19 @@
 #include "bench/run_folder.hpp"
 
 namespace rvbench::bench {
+namespace {
+
+// Somebody works in the folder while this is locked.
+std::filesystem::path log_of(const std::filesystem::path& folder) { return folder / "log.jsonl"; }
+
+}  // namespace
 
 RunPlace begin_run(const std::filesystem::path& root, const std::string& serial,
                    const ResolvedFiles& resolved) {
-  RunPlace place{create_run_folder(root, serial, utc_now()), std::nullopt};
-  place.lock = RunLock::take(place.folder);
+  const RunBegin begin = next_run(root, serial, utc_now());
+  RunPlace place{create_run_folder(root, serial, begin.started_utc), std::nullopt};
+  place.lock = FileLock::take(log_of(place.folder));
+  write_file(place.folder / "start.json", run_begin_to_json(begin));
   for (const auto& [name, text] : resolved) write_file(place.folder / name, text);
   return place;
 }
@@ -17,7 +25,7 @@ std::variant<RunPlace, std::string> resume_run(const std::filesystem::path& root
                                                const ResolvedFiles& resolved) {
   const auto newest = newest_unfinished_run(root, serial);
   if (!newest) return serial + " has no unfinished run to resume";
-  RunPlace place{*newest, RunLock::take(*newest)};
+  RunPlace place{*newest, FileLock::take(log_of(*newest))};
   if (!place.lock) {
     return "another rvbench is at work in " + newest->string() + ": wait for its end, or stop it";
   }

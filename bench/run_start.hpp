@@ -7,14 +7,14 @@
 #include <variant>
 #include <vector>
 
-#include "bench/run_lock.hpp"
+#include "bench/file_lock.hpp"
 
 namespace rvbench::bench {
 
 /// A run folder to work in, with its lock.
 struct RunPlace {
   std::filesystem::path folder;
-  std::optional<RunLock> lock;
+  std::optional<FileLock> lock;  ///< on log.jsonl
 };
 
 /// Names and texts of the files that say what is run: rig.json, kinematics.json, plan.json.

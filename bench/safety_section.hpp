@@ -2,6 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "hal/config_reader.hpp"
 #include "hal/modbus/modbus_safety_inputs.hpp"
@@ -28,6 +29,10 @@ SafetySection read_safety_section(hal::ConfigReader& safety);
 
 /// With every default spelled out.
 nlohmann::ordered_json to_json(const SafetySection& safety);
+
+/// What of it runs, and better would not: a contact whose broken wire reads as safe. Pointers are
+/// those of the rig file.
+std::vector<hal::ConfigFault> warnings_of(const SafetySection& safety);
 
 /// "192.168.3.20:502, unit 1"
 std::string address_of(const SafetySection& safety);

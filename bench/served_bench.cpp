@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "bench/file_kind.hpp"
@@ -11,6 +12,7 @@
 #include "hal/can/can_frames.hpp"
 #include "hal/can/socketcan_transport.hpp"
 #include "hal/did_you_mean.hpp"
+#include "hal/types/units.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -176,6 +178,19 @@ std::string ServedBench::obey(const std::string& line) {
   std::vector<std::string> known;
   for (const auto& [phrase, act] : mischief_) known.push_back(phrase);
   return "not understood: " + hal::in_quotes(line) + what_there_is(line, known);
+}
+
+std::string ServedBench::status() {
+  const std::lock_guard lock(mutex_);
+  const double speed_rpm = units::rpm_from_rad_s(world_->plant().motor_speed_rad_s());
+  const double load_Nm = world_->plant().brake_torque_Nm();
+  const hal::SafetyStatus safety = world_->safety_status();
+  // Rounded first: no "-0 rpm".
+  return fmt::format("shaft {:.0f} rpm, load {:.1f} N·m, brake {}{}{}", std::round(speed_rpm) + 0.0,
+                     std::round(10 * load_Nm) / 10 + 0.0,
+                     world_->brake().engaged() ? "engaged" : "released",
+                     safety.estop_pressed ? ", emergency stop pressed" : "",
+                     safety.guard_open ? ", guard open" : "");
 }
 
 std::string ServedBench::commands() {

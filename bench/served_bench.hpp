@@ -60,6 +60,9 @@ class ServedBench {
   /// @return what was done, or what is not understood
   std::string obey(const std::string& line);
 
+  /// "shaft 1815 rpm, load 83.5 N·m, brake engaged", and what is wrong with the safety chain.
+  std::string status();
+
   static std::string commands();  ///< lines for --help
 
  private:

@@ -11,6 +11,7 @@
 #include "bench/run_folder.hpp"
 #include "hal/can/can_frames.hpp"
 #include "hal/can/can_torque_sensor.hpp"
+#include "hal/did_you_mean.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -63,9 +64,25 @@ Canopen read_canopen(hal::ConfigReader& canopen) {
   return frames;
 }
 
+// The one kind of frames that a word is enough for.
+void read_frames_word(hal::ConfigReader& torque) {
+  if (!torque.has("frames")) return torque.fault("frames", "this key is missing");
+  const std::string word = torque.text("frames");
+  if (word == "rvbench") return;
+  std::string example;
+  if (word == "dbc") {
+    example = R"(; a DBC file is {"dbc": {"file": ..., "message": ..., "torque": ..., )"
+              R"("angle": ..., "counter": ...}})";
+  }
+  if (word == "canopen") example = R"(; such a node is {"canopen": {"node": ...}})";
+  torque.fault("frames",
+               R"(expected "rvbench", or an object with one of "dbc" and "canopen"; found )" +
+                   hal::in_quotes(word) + hal::did_you_mean(word, {"rvbench"}) + example);
+}
+
 void read_frames(hal::ConfigReader& torque, TorqueSection& section) {
   if (torque.is_text("frames") || !torque.has("frames")) {
-    (void)torque.choice("frames", {"rvbench"});
+    read_frames_word(torque);
     return;
   }
   hal::ConfigReader frames = torque.object("frames");

@@ -3,6 +3,7 @@
 
 #include "bench/campaign.hpp"
 #include "bench/commands/commands.hpp"
+#include "bench/fault_lines.hpp"
 #include "bench/file_kind.hpp"
 #include "bench/judging.hpp"
 #include "bench/kinematics_file.hpp"
@@ -71,8 +72,12 @@ int check_file(Console& console, const std::string& file) {
   const std::string kind = file_kind(root);
   const Faults faults =
       kind.empty() && !root.faults().empty() ? root.faults() : faults_of(kind, file);
-  if (!faults.empty()) return refuse_file(console, file, faults);
-  console.out << file << ": " << kind << ", no fault\n";
+  if (!faults.empty()) return refuse_file(console, file, with_lines(file, faults));
+  console.out << file << ": " << kind << ", no fault";
+  const RigRemarks remarks = kind == "rig" ? remarks_on(file) : RigRemarks{};
+  console.out << (remarks.unfit_for_runs.empty() ? "\n" : "; fit for probe, not for a run\n");
+  remark(console, "note", file, remarks.unfit_for_runs);
+  remark(console, "warning", file, remarks.warnings);
   return exit_codes::done;
 }
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <system_error>
+#include <utility>
 
 namespace rvbench::bench {
 namespace {
@@ -31,9 +33,28 @@ int refuse_file(Console& console, const std::filesystem::path& file,
   return exit_codes::bad_file;
 }
 
+void remark(Console& console, const char* kind, const std::filesystem::path& file,
+            const std::vector<hal::ConfigFault>& remarks) {
+  for (const hal::ConfigFault& at : remarks) {
+    console.err << "rvbench: " << kind << ": " << hal::describe(file, at) << '\n';
+  }
+}
+
 int refuse_usage(Console& console, const std::string& message) {
   complain(console, "rvbench: " + message);
   return exit_codes::usage;
+}
+
+std::optional<BenchLock> lock_devices(Console& console, const std::string& command,
+                                      const std::vector<std::string>& devices) {
+  try {
+    auto taken = BenchLock::take(devices);
+    if (taken.index() == 0) return std::get<0>(std::move(taken));
+    refuse_usage(console, command + ": " + std::get<1>(taken));
+  } catch (const std::system_error& error) {
+    refuse_usage(console, command + ": the devices cannot be locked: " + error.what());
+  }
+  return std::nullopt;
 }
 
 bool is_positive(Console& console, const std::string& option, std::optional<double> value) {

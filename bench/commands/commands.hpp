@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/bench_lock.hpp"
 #include "bench/command.hpp"
 #include "hal/config_reader.hpp"
 
@@ -25,6 +26,10 @@ std::unique_ptr<Command> make_history_command();
 int refuse_file(Console& console, const std::filesystem::path& file,
                 const std::vector<hal::ConfigFault>& faults);
 
+/// Prints what should be known of a file that is used all the same, as "warning" or "note".
+void remark(Console& console, const char* kind, const std::filesystem::path& file,
+            const std::vector<hal::ConfigFault>& remarks);
+
 /// Prints why the arguments make no sense. @return exit_codes::usage
 int refuse_usage(Console& console, const std::string& message);
 
@@ -34,6 +39,11 @@ bool is_positive(Console& console, const std::string& option, std::optional<doub
 /// Whether --rate is a sample rate, 1 mHz to 100 MHz as in a campaign file, or not given; prints it
 /// if not.
 bool is_rate(Console& console, std::optional<double> rate_Hz);
+
+/// Keeps other processes from these devices while it lives; prints who has them if that fails.
+/// @param command  that wants them: "probe"
+std::optional<BenchLock> lock_devices(Console& console, const std::string& command,
+                                      const std::vector<std::string>& devices);
 
 /// Prints why a recording cannot be used. @return exit_codes::data_refused
 int refuse_data(Console& console, const std::string& message);

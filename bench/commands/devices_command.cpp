@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+#include <net/if.h>
 #include <poll.h>
 #include <unistd.h>
 
@@ -9,12 +11,16 @@
 
 #include "bench/commands/commands.hpp"
 #include "bench/commands/sim_choice.hpp"
+#include "bench/fault_lines.hpp"
+#include "bench/file_kind.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/rig_file.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/served_bench.hpp"
 #include "bench/sim_world.hpp"
+#include "bench/status_line.hpp"
 #include "bench/stop_on_signal.hpp"
+#include "hal/did_you_mean.hpp"
 #include "hal/real_time.hpp"
 
 namespace rvbench::bench {
@@ -98,7 +104,12 @@ int DevicesCommand::run(Console& console) {
   if (file.index() == 1) return refuse_file(console, rig_, std::get<1>(file));
   const auto* sim = std::get_if<SimRig>(&std::get<0>(file));
   if (sim == nullptr) {
-    return refuse_file(console, rig_, {{0, "/rig", "only the simulated bench can be served"}});
+    return refuse_file(console, rig_,
+                       with_lines(rig_, {{0, "/rig", "only the simulated bench can be served"}}));
+  }
+  if (can_.size() >= IFNAMSIZ) {
+    return refuse_usage(console, "devices: --can " + hal::in_quotes(can_) +
+                                     ": an interface has a name of at most 15 characters");
   }
   try {
     return serve(console, *sim);
@@ -113,11 +124,15 @@ int DevicesCommand::serve(Console& console, const SimRig& rig) {
   // without the right to it they are as late as the computer is busy, and that is told.
   (void)hal::make_this_thread_urgent();
   auto world = make_world(rig, chosen(inverter_port_));
-  if (world.index() == 1) return refuse_file(console, rig_, std::get<1>(world));
+  if (world.index() == 1) {
+    return refuse_file(console, rig_, with_lines(rig_, std::get<1>(world)));
+  }
   std::mutex speaking;
+  StatusLine status(console);
   const auto tell = [&](const std::string& what) {
     const std::lock_guard lock(speaking);
     console.err << "rvbench devices: " << what << std::endl;
+    status.move_down();
   };
   ServedBench bench(rig, std::get<0>(std::move(world)),
                     {.coupler_port = chosen(coupler_port_),
@@ -134,6 +149,8 @@ int DevicesCommand::serve(Console& console, const SimRig& rig) {
   tell("serving; Ctrl-C ends it");
   for (TypedLines typed; !signals.token().stop_requested();) {
     for (const std::string& line : typed.wait()) tell(bench.obey(line));
+    const std::lock_guard lock(speaking);
+    if (status.is_due()) status.show(bench.status());
   }
   return exit_codes::done;
 }

@@ -10,11 +10,18 @@
 namespace rvbench::bench {
 namespace {
 
+constexpr int widest_name = 32;
+constexpr int longest_reason = 500;
+
 // "2026-11-21 11:45:59" of "20261121T114559Z"; as it is, if it is written otherwise.
 std::string readable(const std::string& utc) {
   if (utc.size() < 15 || utc[8] != 'T') return utc;
   return fmt::format("{}-{}-{} {}:{}:{}", utc.substr(0, 4), utc.substr(4, 2), utc.substr(6, 2),
                      utc.substr(9, 2), utc.substr(11, 2), utc.substr(13, 2));
+}
+
+nlohmann::ordered_json json_or_null(const std::string& text) {
+  return text.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(text);
 }
 
 std::string as_json(const std::vector<RunRow>& rows) {
@@ -24,25 +31,26 @@ std::string as_json(const std::vector<RunRow>& rows) {
                     {"serial", row.serial},
                     {"started_utc", row.started_utc},
                     {"plan", row.plan},
-                    {"verdict", row.verdict},
-                    {"error_kind", row.error_kind},
+                    {"verdict", json_or_null(row.verdict)},
+                    {"error_kind", json_or_null(row.error_kind)},
                     {"reason", row.reason},
-                    {"software", row.software}});
+                    {"software", json_or_null(row.software)}});
   }
   return nlohmann::ordered_json{{"runs", runs}}.dump(2, ' ', false,
                                                      nlohmann::json::error_handler_t::replace) +
          "\n";
 }
 
+std::string padded(const std::string& cell, int columns) {
+  return cell + std::string(std::size_t(std::max(0, columns - shown_width(cell))), ' ');
+}
+
 void print(Console& console, const std::vector<RunRow>& rows) {
   int serial_columns = 6, plan_columns = 4;
   for (const RunRow& row : rows) {
-    serial_columns = std::max(serial_columns, shown_width(row.serial));
-    plan_columns = std::max(plan_columns, shown_width(row.plan));
+    serial_columns = std::max(serial_columns, shown_width(as_cell(row.serial, widest_name)));
+    plan_columns = std::max(plan_columns, shown_width(as_cell(row.plan, widest_name)));
   }
-  const auto padded = [](const std::string& text, int columns) {
-    return text + std::string(std::size_t(std::max(0, columns - shown_width(text))), ' ');
-  };
   console.out << fmt::format("{:<19}  {}  {}  {:<7}  reason\n", "started (UTC)",
                              padded("serial", serial_columns), padded("plan", plan_columns),
                              "verdict");
@@ -50,11 +58,25 @@ void print(Console& console, const std::vector<RunRow>& rows) {
     const Tone tone = row.verdict == "PASS"   ? Tone::good
                       : row.verdict == "FAIL" ? Tone::bad
                                               : Tone::warning;
+    const std::string verdict = padded(row.verdict.empty() ? "-" : row.verdict, 7);
     console.out << fmt::format("{:<19}  {}  {}  {}  {}\n", readable(row.started_utc),
-                               padded(row.serial, serial_columns), padded(row.plan, plan_columns),
-                               paint(console, tone, padded(row.verdict, 7)), row.reason);
+                               padded(as_cell(row.serial, widest_name), serial_columns),
+                               padded(as_cell(row.plan, widest_name), plan_columns),
+                               paint(console, tone, verdict), as_cell(row.reason, longest_reason));
   }
   if (rows.empty()) console.out << "no run yet\n";
+}
+
+// Those with a result, and those without: also of one that is resumed just now.
+std::vector<RunRow> merged(std::vector<RunRow> judged, const std::vector<RunRow>& unfinished,
+                           const std::string& serial) {
+  for (const RunRow& row : unfinished) {
+    if (!serial.empty() && row.serial != serial) continue;
+    std::erase_if(judged, [&row](const RunRow& old) { return old.folder == row.folder; });
+    judged.push_back(row);
+  }
+  std::ranges::stable_sort(judged, {}, &RunRow::started_utc);
+  return judged;
 }
 
 class HistoryCommand final : public Command {
@@ -64,7 +86,8 @@ class HistoryCommand final : public Command {
   std::string examples() const override {
     return "  rvbench history\n"
            "  rvbench history --serial A17 --json\n"
-           "Runs that are not in the folder's results.db yet are entered first.\n";
+           "Runs that are not in the folder's results.db yet are entered first. One without a\n"
+           "result has the verdict - (null with --json).\n";
   }
   std::vector<Option> options() override {
     return {{"--serial", "of this unit only", &serial_},
@@ -84,10 +107,11 @@ class HistoryCommand final : public Command {
     if (!caught_up) return refuse_data(console, "history: " + describe(caught_up.error()));
     const auto rows = results.runs(serial_);
     if (!rows) return refuse_data(console, "history: " + describe(rows.error()));
+    const auto all = merged(rows.value(), unfinished_runs(out_), serial_);
     if (json_) {
-      console.out << as_json(rows.value());
+      console.out << as_json(all);
     } else {
-      print(console, rows.value());
+      print(console, all);
     }
     return exit_codes::done;
   }

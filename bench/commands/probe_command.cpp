@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "bench/bench_lock.hpp"
 #include "bench/commands/commands.hpp"
 #include "bench/drive_probe.hpp"
+#include "bench/fault_lines.hpp"
 #include "bench/plug_test.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/rig_file.hpp"
@@ -149,6 +151,7 @@ class ProbeCommand final : public Command {
   int run(Console& console) override;
 
  private:
+  int probe_bench(Console& console, const BenchRig& bench);
   int probe(Console& console, const Probed& probed);
   bool may_turn(Console& console) const;
 
@@ -166,9 +169,11 @@ int ProbeCommand::run(Console& console) {
   if (file.index() == 1) return refuse_file(console, rig_, std::get<1>(file));
   const RigFile& rig = std::get<0>(file);
   if (std::holds_alternative<ReplayRig>(rig)) {
-    return refuse_file(console, rig_, {{0, "/rig", "a recording has no drive to ask"}});
+    return refuse_file(console, rig_,
+                       with_lines(rig_, {{0, "/rig", "a recording has no drive to ask"}}));
   }
-  if (const auto* bench = std::get_if<BenchRig>(&rig)) return probe(console, open_bench(*bench));
+  remark(console, "warning", rig_, remarks_on(rig_).warnings);
+  if (const auto* bench = std::get_if<BenchRig>(&rig)) return probe_bench(console, *bench);
   auto made = make_rig(rig_, {});
   if (made.index() == 1) return refuse_file(console, rig_, std::get<1>(made));
   return probe(console, {.rig = std::get<0>(std::move(made)),
@@ -177,6 +182,11 @@ int ProbeCommand::run(Console& console) {
                          .about = "",
                          .unverified = {},
                          .timeout_s = 0});
+}
+
+int ProbeCommand::probe_bench(Console& console, const BenchRig& bench) {
+  const auto lock = lock_devices(console, name(), devices_of(bench.drive));
+  return lock ? probe(console, open_bench(bench)) : exit_codes::usage;
 }
 
 // The shaft is about to turn: somebody at a terminal says so, or the caller did.

@@ -1,14 +1,21 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
 #include <system_error>
 #include <utility>
 
 #include "bench/acceptance.hpp"
+#include "bench/bench_lock.hpp"
 #include "bench/commands/commands.hpp"
 #include "bench/commands/sim_choice.hpp"
+#include "bench/fault_lines.hpp"
 #include "bench/file_kind.hpp"
 #include "bench/find_plan.hpp"
 #include "bench/judging.hpp"
 #include "bench/kinematics_file.hpp"
 #include "bench/plan_files.hpp"
+#include "bench/plan_on_rig.hpp"
 #include "bench/progress_bar.hpp"
 #include "bench/result_database.hpp"
 #include "bench/rig_factory.hpp"
@@ -52,7 +59,9 @@ class RunCommand final : public Command {
   RigOptions rig_options() const;
   int prepare_folder(Console& console, const sequences::TestPlan& plan);
   RunFacts facts(const sequences::TestPlan& plan, const RigFile& rig) const;
-  int measure(Console& console, const sequences::TestPlan& plan, analysis::Kinematics kinematics);
+  int measure(Console& console, const sequences::TestPlan& plan,
+              const analysis::Kinematics& kinematics, hal::Rig& rig,
+              const std::vector<hal::ConfigFault>& warnings);
   void enter_result(Console& console, const Judgement& judgement) const;
 
   std::string plan_;
@@ -67,21 +76,28 @@ class RunCommand final : public Command {
 };
 
 int RunCommand::run(Console& console) {
+  if (serial_.empty() && !dry_run_) return refuse_usage(console, "run: --serial is required");
   const auto plan = find_plan(plan_);
-  if (plan.index() == 1) return refuse_file(console, plan_, std::get<1>(plan));
+  auto rig = make_rig(rig_, rig_options());  // opens nothing
+  if (plan.index() == 1) refuse_file(console, plan_, std::get<1>(plan));
+  if (rig.index() == 1) refuse_file(console, rig_, std::get<1>(rig));
+  if (plan.index() == 1 || rig.index() == 1) return exit_codes::bad_file;
   const sequences::TestPlan& test = std::get<0>(plan);
-  if (dry_run_) {
-    console.out << (json_ ? timeline_json(test) : timeline_table(test));
-    return exit_codes::done;
-  }
-  if (serial_.empty()) return refuse_usage(console, "run: --serial is required");
   auto kinematics = read_kinematics(test.specimen.kinematics);
   if (kinematics.index() == 1) {
     return refuse_file(console, test.specimen.kinematics, std::get<1>(kinematics));
   }
-  const auto unknown = limits_on_unknown_parts(test.limits, std::get<0>(kinematics));
-  if (!unknown.empty()) return refuse_file(console, plan_, unknown);
-  return measure(console, test, with_limits(std::get<0>(std::move(kinematics)), test.limits));
+  auto faults = limits_on_unknown_parts(test.limits, std::get<0>(kinematics));
+  std::ranges::move(faults_of_plan_on(std::get<0>(rig), test), std::back_inserter(faults));
+  if (!faults.empty()) return refuse_file(console, plan_, with_lines(plan_, faults));
+  const auto warnings = remarks_on(rig_).warnings;
+  remark(console, "warning", rig_, warnings);
+  if (dry_run_) {
+    console.out << (json_ ? timeline_json(test) : timeline_table(test));
+    return exit_codes::done;
+  }
+  return measure(console, test, with_limits(std::get<0>(std::move(kinematics)), test.limits),
+                 std::get<0>(rig), warnings);
 }
 
 RigOptions RunCommand::rig_options() const { return unit_.rig_options(); }
@@ -122,10 +138,14 @@ std::string twin_of(const RigFile& rig) {
 }
 
 int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
-                        analysis::Kinematics kinematics) {
+                        const analysis::Kinematics& kinematics, hal::Rig& rig,
+                        const std::vector<hal::ConfigFault>& warnings) {
   StopOnSignal signals;
-  auto rig = make_rig(rig_, rig_options());
-  if (rig.index() == 1) return refuse_file(console, rig_, std::get<1>(rig));
+  const RigFile file = std::get<0>(read_rig(rig_, rig_options()));  // make_rig() could read it
+  const auto* bench = std::get_if<BenchRig>(&file);
+  const auto devices = bench != nullptr ? devices_of(*bench) : std::vector<std::string>();
+  const auto lock = lock_devices(console, name(), devices);
+  if (!lock) return exit_codes::usage;
   try {
     if (const int refused = prepare_folder(console, plan); refused != exit_codes::done)
       return refused;
@@ -133,10 +153,12 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
     return refuse_usage(console, "run: no run folder in --out " + out_ + ": " + error.what());
   }
   ProgressBar bar(console, progress_style(console, json_));
-  const RigFile file = std::get<0>(read_rig(rig_, rig_options()));  // make_rig() could read it
-  const Judgement judgement =
-      run_acceptance({plan, kinematics, place_.folder, facts(plan, file), twin_of(file)},
-                     std::get<0>(rig), bar, signals.token());
+  Acceptance acceptance{plan, kinematics, place_.folder, facts(plan, file), twin_of(file)};
+  acceptance.may_be_absent = bench != nullptr;
+  for (const hal::ConfigFault& warning : warnings) {
+    acceptance.warnings.push_back(hal::describe(rig_, warning));
+  }
+  const Judgement judgement = run_acceptance(std::move(acceptance), rig, bar, signals.token());
   print_unwritten(console, judgement);
   enter_result(console, judgement);
   if (json_) {

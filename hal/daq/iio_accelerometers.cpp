@@ -13,6 +13,7 @@
 #include <optional>
 #include <utility>
 
+#include "hal/daq/captured_complaints.hpp"
 #include "hal/daq/no_pipe_signal.hpp"
 #include "hal/daq/require_inputs.hpp"
 #include "hal/did_you_mean.hpp"
@@ -151,8 +152,15 @@ Status IioSource::connect() {
   buffer_.reset();
   inputs_.clear();
   std::string uri = options_.uri;  // libiio 0.24 cuts the port off the very text it is given
-  context_.reset(iio_create_context_from_uri(uri.data()));
-  if (!context_) return IoError{IoErrc::disconnected, "connect: " + reason(errno)};
+  {
+    const CapturedComplaints complaints;
+    context_.reset(iio_create_context_from_uri(uri.data()));
+    const std::string why = context_ ? "" : reason(errno);
+    const std::string more = context_ ? "" : complaints.text();
+    if (!context_) {
+      return IoError{IoErrc::disconnected, "connect: " + why + (more.empty() ? "" : ": ") + more};
+    }
+  }
   (void)iio_context_set_timeout(context_.get(), connect_ms);
   device_ = iio_context_find_device(context_.get(), options_.device.c_str());
   if (device_ == nullptr) {

@@ -1,11 +1,16 @@
 #include "bench/bench_rig.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <chrono>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "bench/rig_factory.hpp"
 #include "bench/run_folder.hpp"
+#include "tests/bench/answers.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace rvbench::bench {
@@ -44,11 +49,12 @@ struct RigOnDisk {
     write_file(path(), rig.dump(2));
     const auto made = make_rig(path(), {});
     if (made.index() == 0) return "";
-    const hal::ConfigFault& fault = std::get<1>(made).at(0);
-    return fault.pointer + ": " + fault.message;
+    std::string all;
+    for (const auto& fault : std::get<1>(made)) all += fault.pointer + ": " + fault.message + "\n";
+    return all;
   }
 
-  test::ScratchFolder scratch;
+  rvbench::test::ScratchFolder scratch;
 };
 
 }  // namespace
@@ -109,7 +115,7 @@ SCENARIO("everything that is wrong with a bench is told at once, with its place"
     rig["safty"] = 1;
     const std::string told = disk.told(rig);
     for (const char* place :
-         {"/can/slcan: SlcanTransport: bitrate_kbit_s is 400",
+         {"/can/slcan/bitrate_kbit_s: must be 10, 20, 50",
           "/torque/frames: ", "/torque/rate_Hz: 0 is below", "/brake/max_torque_Nm: -1 is below",
           "/accelerometers/backend: ", "/safety/estop/input: -1 is below",
           "/safety/estop/closed: 2 is above",
@@ -135,8 +141,170 @@ SCENARIO("everything that is wrong with a bench is told at once, with its place"
   }
   GIVEN("both contacts on one input") {
     rig["safety"]["guard"] = rig["safety"]["estop"];
-    CHECK_THAT(disk.told(rig), Contains("/safety: ") && Contains("on one input"));
+    CHECK_THAT(disk.told(rig), Contains("/safety/guard/input: ") && Contains("on one input"));
   }
+}
+
+TEST_CASE("what does not fit together is told at the value, in the words of the file",
+          "[bench][rig]") {
+  const RigOnDisk disk;
+  const auto [place, value, told] = GENERATE(table<std::string, Json, std::string>({
+      {"/drive/tcp/host", "drive.local", "\"drive.local\" is not an IPv4 address"},
+      {"/drive/max_speed_rpm", 99999, "99999, must be above 0, at most 65535"},
+      {"/can", {{"socketcan", "averyverylongname0"}}, "must have 1 to 15 characters"},
+      {"/can/slcan/baud", 12345, "12345 is no rate of a serial line"},
+      {"/torque/frames", "dbc", "found \"dbc\"; a DBC file is {\"dbc\": {\"file\": ..., "},
+      {"/torque/frames", "canopen", "such a node is {\"canopen\": {\"node\": ...}}"},
+      {"/torque/frames", "rvbnch", "found \"rvbnch\", did you mean \"rvbench\"?"},
+      {"/accelerometers/inputs", Json::array(), "must not be empty"},
+      {"/safety/temperature/scale_degC", 0, "0 makes one temperature of them all"},
+      {"/safety/temperature/max_degC", -50, "no temperature is within -40 to -50 degC"},
+      {"/safety/guard/input", 3000, "do not fit into one request"},
+  }));
+  Json rig = example();
+  rig[Json::json_pointer(place)] = value;
+  const std::string all = disk.told(rig);
+  INFO(all);
+  CHECK_THAT(all, Catch::StartsWith(place) && Contains(told));
+  CHECK_THAT(all, !Contains("Transport") && !Contains("Modbus") && !Contains("make_"));
+  CHECK(std::count(all.begin(), all.end(), '\n') == 1);
+}
+
+TEST_CASE("a Modbus line has a rate that there is", "[bench][rig]") {
+  const RigOnDisk disk;
+  Json rig = example();
+  rig["drive"].erase("tcp");
+  rig["drive"]["serial"] = {{"device", "/dev/ttyUSB0"}, {"baud", 12345}};
+  CHECK_THAT(disk.told(rig), Contains("/drive/serial/baud: 12345 is no rate of a Modbus line"));
+  rig["drive"]["serial"]["baud"] = 57600;
+  CHECK(disk.told(rig) == "");
+}
+
+TEST_CASE("no two inputs are on one channel, and a board's channels are numbers with a sensor",
+          "[bench][rig]") {
+  const RigOnDisk disk;
+  Json rig = example();
+  Json& inputs = rig["accelerometers"]["inputs"];
+  inputs.push_back(inputs[0]);
+  inputs[1]["name"] = "accel_1y";
+  CHECK_THAT(disk.told(rig),
+             Contains("/accelerometers/inputs/1/channel: there is another input on this channel"));
+  rig["accelerometers"].erase("uri");
+  rig["accelerometers"]["backend"] = "comedi";
+  rig["accelerometers"]["device"] = "/dev/comedi0";
+  Json& second = rig["accelerometers"]["inputs"][1];
+  second["channel"] = "1";
+  second.erase("sensitivity_V_per_m_s2");
+  CHECK_THAT(disk.told(rig),
+             Contains("/accelerometers/inputs/0/channel: \"voltage0\" is no number") &&
+                 Contains("/accelerometers/inputs/1/sensitivity_V_per_m_s2: this key is missing"));
+}
+
+TEST_CASE("of a kind of rig that there is not, no key is called unknown", "[bench][rig]") {
+  const RigOnDisk disk;
+  Json rig = example();
+  rig["rig"] = "bnch";
+  const auto faults = disk.faults(rig);
+  REQUIRE(faults.size() == 1);
+  CHECK(faults[0].pointer == "/rig");
+}
+
+TEST_CASE("faults that are found after the reading have a line, too", "[bench][rig]") {
+  const RigOnDisk disk;
+  Json rig = example();
+  rig["plant"] = "rv20";
+  const auto faults = disk.faults(rig);
+  REQUIRE(faults.size() == 1);
+  CHECK(faults[0].pointer == "/plant");
+  const std::string text = rig.dump(2);
+  const auto before = text.begin() + std::ptrdiff_t(text.find("\"plant\""));
+  CHECK(faults[0].line == 1 + std::count(text.begin(), before, '\n'));
+}
+
+TEST_CASE("a contact whose broken wire reads as safe is warned of, and works", "[bench][rig]") {
+  const RigOnDisk disk;
+  Json rig = example();
+  write_file(disk.path(), rig.dump(2));
+  CHECK(remarks_on(disk.path()).warnings.empty());
+  rig["drive"]["tcp"] = {{"host", "127.0.0.1"}, {"port", 1}};  // nobody there: refused at once
+  rig["safety"]["estop"]["closed"] = 0;
+  CHECK(disk.told(rig) == "");
+  const auto warnings = remarks_on(disk.path()).warnings;
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].pointer == "/safety/estop/closed");
+  CHECK(warnings[0].line > 0);
+  CHECK_THAT(warnings[0].message, Contains("a broken wire") && Contains("reads as not pressed"));
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"check", disk.path()},
+                                                {"run", "quick", "--rig", disk.path(), "--dry-run"},
+                                                {"probe", "--rig", disk.path()}}) {
+    CHECK_THAT(test::rvbench(words).err,
+               Contains("warning: " + disk.path()) && Contains("/safety/estop/closed: "));
+  }
+}
+
+TEST_CASE("a drive alone is checked as what it is: enough for a probe, not for a run",
+          "[bench][rig]") {
+  const RigOnDisk disk;
+  write_file(disk.path(), Json{{"rig", "bench"}, {"drive", example().at("drive")}}.dump(2));
+  const test::Answer checked = test::rvbench({"check", disk.path()});
+  CHECK(checked.code == 0);
+  CHECK_THAT(checked.out, Contains("fit for probe, not for a run"));
+  CHECK_THAT(checked.err, Contains("note: ") && Contains("/safety: this section is missing"));
+  const test::Answer planned = test::rvbench({"run", "quick", "--rig", disk.path(), "--dry-run"});
+  CHECK(planned.code == 3);
+  CHECK(planned.out.empty());
+  CHECK_THAT(planned.err, Contains("/can: ") && Contains("/torque: ") && Contains("/brake: ") &&
+                              Contains("/accelerometers: ") && Contains("/safety: "));
+}
+
+TEST_CASE("what a plan asks for and the rig cannot do is told before anything turns, all at once",
+          "[bench][rig]") {
+  const RigOnDisk disk;
+  Json rig = example();
+  rig["drive"]["max_speed_rpm"] = 1500;
+  rig["brake"]["max_torque_Nm"] = 100;
+  rig["accelerometers"]["rate_Hz"] = 5120;
+  rig["accelerometers"]["range_m_s2"] = 200;
+  write_file(disk.path(), rig.dump(2));
+  Json plan = Json::parse(read_file(RVBENCH_SOURCE_DIR "/sequences/plans/quick.json").value());
+  plan["acceleration_rate_Hz"] = 4960;
+  write_file(disk.path("plan.json"), plan.dump(2));
+  for (const char* how : {"--dry-run", "--json"}) {
+    const test::Answer answer = test::rvbench({"run", disk.path("plan.json"), "--rig", disk.path(),
+                                               "--serial", "A", "--out", disk.path("runs"), how});
+    CHECK(answer.code == 3);
+    CHECK_THAT(answer.err,
+               Contains("/acceleration_rate_Hz: the plan asks for 4960 Hz, the rig's "
+                        "accelerometers run at 5120 Hz") &&
+                   Contains("/interlocks/acceleration_m_s2: ") && Contains("could never trip") &&
+                   Contains("/main/0: it asks for 1815 rpm, the rig's drive can do 1500 rpm") &&
+                   Contains("/main/0: it asks for 167 N·m, the rig's brake can do 100 N·m"));
+    CHECK_THAT(answer.err, Catch::StartsWith(disk.path("plan.json") + ":"));
+  }
+  CHECK_FALSE(std::filesystem::exists(disk.path("runs")));
+}
+
+TEST_CASE("a bench where nothing is there says what is not, and does not wait for a standstill",
+          "[bench][rig]") {
+  const RigOnDisk disk;
+  Json rig = example();
+  const Json nobody{{"host", "127.0.0.1"}, {"port", 1}};
+  rig["drive"]["tcp"] = nobody;
+  rig["safety"]["tcp"] = nobody;
+  rig["can"]["slcan"]["device"] = disk.path("no_adapter");
+  rig["accelerometers"]["uri"] = "ip:127.0.0.1:1";
+  write_file(disk.path(), rig.dump(2));
+  const auto start = std::chrono::steady_clock::now();
+  const test::Answer answer = test::rvbench({"run", "quick", "--rig", disk.path(), "--serial", "A",
+                                             "--out", disk.path("runs"), "--json"});
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(10));
+  CHECK(answer.code == 30);
+  const Json verdict = Json::parse(answer.out);
+  CHECK(verdict.at("verdict") == "ERROR");
+  CHECK_THAT(verdict.at("reason").get<std::string>(),
+             Contains("not every device answers: ") && Contains("inverter 127.0.0.1:1: ") &&
+                 Contains("safety inputs 127.0.0.1:1: ") && Contains("no_adapter") &&
+                 Contains("accelerometers ip:127.0.0.1:1: "));
 }
 
 SCENARIO("a database that does not fit is told at the key that names it", "[bench][rig]") {
@@ -167,8 +335,10 @@ SCENARIO("a run is refused what it needs and the bench does not have", "[bench][
   WHEN("there is a drive alone") {
     rig = {{"rig", "bench"}, {"drive", example().at("drive")}};
     CHECK(disk.told(rig) == "");  // it can be probed
-    CHECK_THAT(disk.refusal(rig), Contains("/rig: ") && Contains("\"can\", \"torque\", \"brake\", "
-                                                                 "\"accelerometers\", \"safety\""));
+    const std::string told = disk.refusal(rig);
+    for (const char* at : {"/can: ", "/torque: ", "/brake: ", "/accelerometers: ", "/safety: "}) {
+      CHECK_THAT(told, Contains(at + std::string("this section is missing: a run needs it")));
+    }
   }
   WHEN("the transducer tells no angle") {
     rig["torque"]["frames"] = {{"canopen", {{"node", 1}}}};

@@ -53,6 +53,12 @@ TEST_CASE("a run without serial is a usage error, one without a plan a bad file"
   CHECK_THAT(answer.err, Contains("did you mean \"quick\"?"));
 }
 
+TEST_CASE("an interface of a name that none can have is a usage error", "[bench]") {
+  const Answer answer = rvbench({"devices", "--rig", "sim", "--can", "averyverylongname0"});
+  CHECK(answer.code == 2);
+  CHECK_THAT(answer.err, Contains("--can \"averyverylongname0\"") && Contains("15 characters"));
+}
+
 TEST_CASE("nothing to resume is a usage error", "[bench]") {
   const ScratchFolder scratch;
   const Answer answer = rvbench({"run", "quick", "--rig", "sim", "--serial", "A", "--resume",
@@ -116,9 +122,9 @@ TEST_CASE("check follows what a plan and a rig name", "[bench]") {
   write_file(rig, R"({"rig": "replay", "recording": "gone.h5"})");
   const Answer answer = rvbench({"check", plan, rig});
   CHECK(answer.code == 3);
-  CHECK_THAT(answer.err, Contains("plan.json: /specimen/kinematics: rv20: cannot be read") &&
+  CHECK_THAT(answer.err, Contains("/specimen/kinematics: rv20: cannot be read") &&
                              Contains("did you mean \"rv20e\"?"));
-  CHECK_THAT(answer.err, Contains("rig.json: /recording: gone.h5: no such file"));
+  CHECK_THAT(answer.err, Contains("rig.json:1: /recording: gone.h5: no such file"));
 }
 
 TEST_CASE("judge never guesses a rate or a speed", "[bench]") {

@@ -3,10 +3,10 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "bench/file_lock.hpp"
 #include "bench/find_plan.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/run_folder.hpp"
-#include "bench/run_lock.hpp"
 #include "bench/sha256.hpp"
 #include "bench/verdict_json.hpp"
 #include "tests/bench/answers.hpp"
@@ -125,9 +125,9 @@ TEST_CASE("a run that another process is at work on is not resumed", "[bench]") 
                                         "--serial", "A",     "--out", scratch.path().string(),
                                         "--resume"};
   {
-    const auto lock = RunLock::take(folder);
+    const auto lock = FileLock::take(folder / "log.jsonl");
     REQUIRE(lock);
-    CHECK_FALSE(RunLock::take(folder));
+    CHECK_FALSE(FileLock::take(folder / "log.jsonl"));
     const Answer answer = rvbench(resume);
     CHECK(answer.code == 2);
     CHECK_THAT(answer.err, Contains("another rvbench is at work in"));

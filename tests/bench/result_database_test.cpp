@@ -5,10 +5,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "bench/run_start.hpp"
 #include "bench/sha256.hpp"
 #include "bench/verdict_json.hpp"
 #include "tests/bench/answers.hpp"
@@ -185,6 +187,30 @@ TEST_CASE("history tells every run of a folder, also those nobody entered", "[be
   CHECK(none.out.find("no run yet") != std::string::npos);
   const test::Answer absent = test::rvbench({"history", "--out", (root / "no").string()});
   CHECK(absent.code == 2);
+}
+
+TEST_CASE("history tells runs without a result, in rows that hold", "[bench][results]") {
+  const ScratchFolder root;
+  finished_run(root, "A17");
+  const std::string odd = "A\n17\x1b[31m" + std::string(200, 'x');
+  for (const std::string& serial : {odd, std::string("results.db")}) {
+    const auto place = begin_run(root.path(), serial, {{"plan.json", R"({"name": "mine"})"}});
+    CHECK(read_run_begin(place.folder).serial == serial);
+  }
+  const test::Answer all = test::rvbench({"history", "--out", root.path().string()});
+  CHECK(all.code == 0);
+  CHECK(std::count(all.out.begin(), all.out.end(), '\n') == 4);
+  CHECK_THAT(all.out,
+             Catch::Contains("A?17?[31mxxxxxxxxxxxxxxxxxxxxxx…  mine   -        not finished"));
+  CHECK_THAT(all.out, Catch::Contains("  results.db "));
+  CHECK(all.out.find('\x1b') == std::string::npos);
+  const test::Answer one =
+      test::rvbench({"history", "--out", root.path().string(), "--serial", odd, "--json"});
+  const auto runs = nlohmann::json::parse(one.out).at("runs");
+  REQUIRE(runs.size() == 1);
+  CHECK(runs[0].at("serial") == odd);
+  CHECK(runs[0].at("verdict").is_null());
+  CHECK_THAT(runs[0].at("reason").get<std::string>(), Catch::Contains("not finished"));
 }
 
 TEST_CASE("history of a locked database says so", "[bench][results]") {

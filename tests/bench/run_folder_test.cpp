@@ -89,6 +89,46 @@ TEST_CASE("only a run without a verdict on the unit can be resumed", "[bench]") 
   CHECK_FALSE(newest_unfinished_run(scratch.path(), "A17"));
 }
 
+TEST_CASE("the newest run is the one that began last, whatever the clock said", "[bench]") {
+  const ScratchFolder scratch;
+  const auto begin = [&](const std::string& utc) {
+    const RunBegin begun = next_run(scratch.path(), "A17", utc);
+    const auto run = create_run_folder(scratch.path(), "A17", utc);
+    write_file(run / "start.json", run_begin_to_json(begun));
+    write_file(run / "plan.json", "{}");
+    return run;
+  };
+  SECTION("it was set back") {
+    begin("20260102T030405Z");
+    const auto newest = begin("20260102T020000Z");
+    CHECK(newest_unfinished_run(scratch.path(), "A17") == newest);
+    CHECK(read_run_begin(newest).number == 2);
+    CHECK(read_run_begin(newest).serial == "A17");
+  }
+  SECTION("ten others began in the same second") {
+    for (int i = 0; i < 10; ++i) begin("20260102T030405Z");
+    const auto newest = begin("20260102T030405Z");
+    CHECK(newest.filename() == "20260102T030405Z-11");
+    CHECK(newest_unfinished_run(scratch.path(), "A17") == newest);
+  }
+  SECTION("they did so before runs were numbered") {
+    for (const char* name : {"20260102T030405Z", "20260102T030405Z-2", "20260102T030405Z-10"}) {
+      std::filesystem::create_directories(scratch.path() / "A17" / name);
+      write_file(scratch.path() / "A17" / name / "plan.json", "{}");
+    }
+    CHECK(newest_unfinished_run(scratch.path(), "A17")->filename() == "20260102T030405Z-10");
+    const auto numbered = begin("20250101T000000Z");
+    CHECK(newest_unfinished_run(scratch.path(), "A17") == numbered);
+  }
+}
+
+TEST_CASE("no serial takes the place of the table of results", "[bench]") {
+  for (const char* serial : {"results.db", "results.db-wal", "results.db-shm"}) {
+    CHECK(folder_name_of(serial).starts_with("_esults.db"));
+  }
+  CHECK(folder_name_of("results.db") != folder_name_of("_esults.db"));
+}
+
 TEST_CASE("a run that was killed while its results were written can be resumed", "[bench]") {
   const ScratchFolder scratch;
   const auto run = create_run_folder(scratch.path(), "A17", "20260102T030405Z");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -158,6 +159,38 @@ TEST_CASE("a run on real wires finds the fault of a unit, its drive on a serial 
   const auto verdict = verdict_of(folder);
   CHECK(verdict.at("verdict") == "FAIL");
   CHECK(verdict.at("findings").at(0).at("component") == "input_shaft");
+}
+
+TEST_CASE("a bench that hangs is missed before anything turns, within seconds", "[spec][devices]") {
+  const ScratchFolder folder;
+  bench::write_file(folder / "plan.json", plan);
+  Bench bench(folder);
+  bench.program().send(SIGSTOP);
+  const auto start = std::chrono::steady_clock::now();
+  const Answer answer = Program(folder.path(), run_words()).wait();
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(15));
+  bench.program().send(SIGCONT);
+  CHECK(answer.code == 30);
+  CHECK_THAT(reason_of(folder), Contains("not every device answers: ") &&
+                                    Contains("safety inputs") && Contains("CAN /dev/pts/") &&
+                                    Contains("accelerometers") && Contains("inverter"));
+}
+
+TEST_CASE("a bench that is at work is left alone", "[spec][devices]") {
+  const ScratchFolder folder;
+  bench::write_file(folder / "plan.json", plan);
+  Bench bench(folder);
+  Program program(folder.path(), run_words());
+  REQUIRE(program.says("warm up"));
+  const Answer second =
+      test::rvbench(folder.path(), {"run", "plan.json", "--rig", "rig.json", "--serial", "Y"});
+  CHECK(second.code == 2);
+  CHECK_THAT(second.err, Contains("in use by another rvbench, process ") && Contains("/dev/pts/"));
+  CHECK(test::rvbench(folder.path(), {"probe", "--rig", "rig.json"}).code == 2);
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "runs" / "Y"));
+  program.send(SIGINT);
+  CHECK(program.wait().code == 50);  // it was not disturbed
+  CHECK(test::rvbench(folder.path(), {"probe", "--rig", "rig.json"}).code == 0);
 }
 
 TEST_CASE("a bench that is gone in the middle of a run is missed at once", "[spec][devices]") {

@@ -260,6 +260,23 @@ TEST_CASE("a run folder whose recording was cut is told, and nothing judges it",
             .code == 20);
 }
 
+TEST_CASE("what libiio says of a front end is told in the reason, and nowhere else", "[spec]") {
+  const ScratchFolder scratch;
+  auto rig = nlohmann::json::parse(
+      bench::read_file(RVBENCH_SOURCE_DIR "/bench/rigs/rv20e_bench.json").value());
+  rig["drive"]["tcp"] = {{"host", "127.0.0.1"}, {"port", 1}};
+  rig["safety"]["tcp"] = rig["drive"]["tcp"];
+  rig["can"]["slcan"]["device"] = "no_adapter";
+  rig["accelerometers"]["uri"] = "usb:";
+  bench::write_file(scratch.path() / "rig.json", rig.dump());
+  const Answer answer = run(scratch, test::short_plan,
+                            {"run", "short.json", "--rig", "rig.json", "--serial", "A", "--json"});
+  check_verdict(answer, 30, "ERROR");
+  CHECK_THAT(nlohmann::json::parse(answer.out).at("reason").get<std::string>(),
+             Contains("accelerometers usb:: connect: ") && Contains("Bad URI: 'usb:'"));
+  CHECK(answer.err.empty());
+}
+
 TEST_CASE("any serial number makes a folder of its own inside --out", "[spec]") {
   const ScratchFolder scratch;
   const std::vector<std::string> serials{

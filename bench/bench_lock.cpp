@@ -1,0 +1,91 @@
+#include "bench/bench_lock.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "bench/run_folder.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+std::string real_path(const std::string& device) {
+  std::error_code error;
+  const std::filesystem::path path = std::filesystem::weakly_canonical(device, error);
+  return error ? device : path.string();
+}
+
+std::string device_of(const hal::ModbusTcp& tcp) {
+  return fmt::format("{}:{}", tcp.host, tcp.port);
+}
+std::string device_of(const hal::ModbusRtu& rtu) { return real_path(rtu.device); }
+std::string device_of(const std::string& can_interface) { return can_interface; }
+std::string device_of(const hal::SlcanOptions& slcan) { return real_path(slcan.device); }
+std::string device_of(const hal::IioOptions& iio) { return iio.uri; }
+std::string device_of(const hal::ComediOptions& comedi) { return real_path(comedi.device); }
+
+// Whoever holds the lock signs a moment after it has it.
+std::string holder_of(const std::filesystem::path& file) {
+  const std::string signature = read_file(file).value_or("");
+  const std::string number = signature.substr(0, signature.find('\n'));
+  return number.empty() ? "another rvbench" : "another rvbench, process " + number;
+}
+
+std::filesystem::path folder_for_all() {
+  const char* const lock_folder = "/run/lock";
+  return ::access(lock_folder, W_OK | X_OK) == 0 ? lock_folder : "/tmp";
+}
+
+}  // namespace
+
+std::vector<std::string> devices_of(const DriveSection& drive) {
+  return {std::visit([](const auto& at) { return device_of(at); }, drive.options.path)};
+}
+
+std::vector<std::string> devices_of(const BenchRig& rig) {
+  std::vector<std::string> devices = devices_of(rig.drive);
+  const auto add = [&](const auto& place) {
+    devices.push_back(std::visit([](const auto& at) { return device_of(at); }, place));
+  };
+  if (rig.can) add(rig.can->bus);
+  if (rig.accelerometers) add(rig.accelerometers->options);
+  if (rig.safety) add(rig.safety->options.path);
+  std::ranges::sort(devices);
+  const auto twice = std::ranges::unique(devices);
+  devices.erase(twice.begin(), twice.end());
+  return devices;
+}
+
+std::variant<BenchLock, std::string> BenchLock::take(const std::vector<std::string>& devices,
+                                                     const std::filesystem::path& folder) {
+  BenchLock taken;
+  std::map<std::string, std::string> in_use;  // of each holder
+  for (const std::string& device : devices) {
+    const std::filesystem::path file = folder / ("rvbench-" + folder_name_of(device) + ".lock");
+    std::optional<FileLock> lock = FileLock::take_shared(file);
+    if (lock) {
+      lock->sign();
+      taken.locks_.push_back(std::move(*lock));
+    } else {
+      std::string& held = in_use[holder_of(file)];
+      held += (held.empty() ? "" : ", ") + device;
+    }
+  }
+  if (in_use.empty()) return taken;
+  std::string told;
+  for (const auto& [holder, held] : in_use) {
+    told += fmt::format("{}in use by {}: {}", told.empty() ? "" : "; ", holder, held);
+  }
+  return told;
+}
+
+std::variant<BenchLock, std::string> BenchLock::take(const std::vector<std::string>& devices) {
+  return take(devices, folder_for_all());
+}
+
+}  // namespace rvbench::bench

@@ -1,0 +1,94 @@
+#include "bench/bench_lock.hpp"
+
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <string>
+
+#include "bench/run_folder.hpp"
+#include "tests/bench/answers.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+using Catch::Contains;
+
+BenchRig rig_on(const std::string& adapter, const std::string& host) {
+  BenchRig rig;
+  rig.drive.options.path = hal::ModbusTcp{host, 502};
+  rig.can.emplace().bus = hal::SlcanOptions{.device = adapter};
+  hal::IioOptions front_end;
+  front_end.uri = "ip:192.168.3.30";
+  rig.accelerometers.emplace().options = front_end;
+  rig.safety.emplace().options.path = hal::ModbusTcp{host, 502};
+  return rig;
+}
+
+}  // namespace
+
+SCENARIO("two processes do not use one device", "[bench][lock]") {
+  const rvbench::test::ScratchFolder folder;
+  const auto take = [&](const BenchRig& rig) {
+    return BenchLock::take(devices_of(rig), folder.path());
+  };
+  const BenchRig rig = rig_on("/dev/ttyACM0", "192.168.3.10");
+  GIVEN("one that has a bench, drive and coupler behind one gateway") {
+    auto first = take(rig);
+    REQUIRE(first.index() == 0);
+    THEN("another is told which of its devices are in use, by whom") {
+      const auto second = take(rig_on("/dev/ttyACM1", "192.168.3.10"));
+      REQUIRE(second.index() == 1);
+      CHECK(std::get<1>(second) == "in use by another rvbench, process " +
+                                       std::to_string(::getpid()) +
+                                       ": 192.168.3.10:502, ip:192.168.3.30");
+    }
+    THEN("one on other devices goes ahead") {
+      BenchRig other = rig_on("/dev/ttyACM1", "192.168.3.11");
+      std::get<hal::IioOptions>(other.accelerometers->options).uri = "local:";
+      CHECK(take(other).index() == 0);
+    }
+    WHEN("it has ended, the devices are free") {
+      { const BenchLock ended = std::get<0>(std::move(first)); }
+      CHECK(take(rig).index() == 0);
+    }
+  }
+  GIVEN("a link to the adapter's device, as in /dev/serial/by-id") {
+    std::filesystem::create_symlink("/dev/null", folder / "by-id");
+    const auto first = take(rig_on("/dev/null", "192.168.3.10"));
+    const auto second = take(rig_on(folder / "by-id", "192.168.3.11"));
+    REQUIRE(second.index() == 1);
+    CHECK_THAT(std::get<1>(second), Contains("/dev/null"));
+  }
+}
+
+TEST_CASE("any user may lock what another user has locked before", "[bench][lock]") {
+  const rvbench::test::ScratchFolder folder;
+  REQUIRE(BenchLock::take({"can0"}, folder.path()).index() == 0);
+  using std::filesystem::perms;
+  const auto mode = std::filesystem::status(folder / "rvbench-can0.lock").permissions();
+  CHECK((mode & perms::others_write) != perms::none);
+}
+
+TEST_CASE("run and probe leave a bench alone that another process has", "[bench][lock]") {
+  const rvbench::test::ScratchFolder folder;
+  std::string text = read_file(RVBENCH_SOURCE_DIR "/bench/rigs/rv20e_bench.json").value();
+  const std::string host = "192.168.3.10";
+  text.replace(text.find(host), host.size(), "127.0.0.1");  // nobody there, and refused at once
+  write_file(folder / "rig.json", text);
+  const auto taken = BenchLock::take({"127.0.0.1:502"});
+  REQUIRE(taken.index() == 0);
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"probe", "--rig", folder / "rig.json"},
+        {"run", "quick", "--rig", folder / "rig.json", "--serial", "A", "--out",
+         folder / "runs"}}) {
+    const test::Answer answer = test::rvbench(words);
+    CHECK(answer.code == 2);
+    CHECK_THAT(answer.err, Contains(words[0] + ": in use by another rvbench, process ") &&
+                               Contains(": 127.0.0.1:502"));
+  }
+  CHECK_FALSE(std::filesystem::exists(folder / "runs"));
+}
+
+}  // namespace rvbench::bench
