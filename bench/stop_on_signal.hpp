@@ -7,8 +7,8 @@
 
 namespace rvbench::bench {
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP (the terminal is gone) request a stop instead of
-/// killing the process. Further ones change nothing: the teardown that stops the shaft cannot be
+/// While it lives, SIGINT, SIGTERM, SIGHUP (the terminal is gone) and SIGQUIT (Ctrl-\\) request a
+/// stop instead of killing the process. Further ones change nothing: the teardown that stops the shaft cannot be
 /// skipped from the keyboard. A SIGHUP that the caller ignores (nohup) stays ignored. SIGPIPE is
 /// ignored, too: a run does not end because nobody reads.
 ///
@@ -23,7 +23,7 @@ class StopOnSignal {
   std::stop_token token() const { return source_.get_token(); }
 
  private:
-  static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+  static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE};
 
   std::stop_source source_;
   std::array<struct sigaction, signals.size()> previous_{};

@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 #include <net/if.h>
 #include <poll.h>
 #include <unistd.h>
@@ -12,7 +11,6 @@
 #include "bench/commands/commands.hpp"
 #include "bench/commands/sim_choice.hpp"
 #include "bench/fault_lines.hpp"
-#include "bench/file_kind.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/rig_file.hpp"
 #include "bench/run_folder.hpp"
