@@ -169,7 +169,7 @@ TEST_CASE("a bad rig is refused before anything else happens", "[spec][bad_files
       {"replay of nothing", "{\"rig\": \"replay\"}", {":1: /recording: this key is missing"}},
       {"replay of what is not there",
        "{\"rig\": \"replay\", \"recording\": \"gone.h5\"}",
-       {": /recording: gone.h5: "}},
+       {":1: /recording: gone.h5: "}},
       {"seed", "{\"rig\": \"sim\", \"seed\": -1}", {":1: /seed: -1 is below 0"}},
   };
   for (const BadFile& bad : rigs) {
