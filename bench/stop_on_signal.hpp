@@ -7,10 +7,10 @@
 
 namespace rvbench::bench {
 
-/// While it lives, SIGINT, SIGTERM, SIGHUP (the terminal is gone) and SIGQUIT (Ctrl-\\) request a
-/// stop instead of killing the process. Further ones change nothing: the teardown that stops the shaft cannot be
-/// skipped from the keyboard. A SIGHUP that the caller ignores (nohup) stays ignored. SIGPIPE is
-/// ignored, too: a run does not end because nobody reads.
+/// While it lives, SIGINT, SIGTERM, SIGHUP (the terminal is gone) and SIGQUIT (Ctrl-\) request a
+/// stop instead of killing the process. Further ones change nothing: the teardown that stops the
+/// shaft cannot be skipped from the keyboard. A SIGHUP that the caller ignores (nohup) stays
+/// ignored. SIGPIPE is ignored, too: a run does not end because nobody reads.
 ///
 /// Threads  one object at a time in a process
 class StopOnSignal {
