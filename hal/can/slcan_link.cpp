@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <mutex>
 #include <thread>
 #include <utility>
 
@@ -18,6 +19,7 @@ using RealClock = std::chrono::steady_clock;
 constexpr milliseconds longest_taking{2};  // of a frame: the adapter only puts it into its queue
 constexpr milliseconds longest_open{2000};
 constexpr milliseconds longest_count{250};
+constexpr milliseconds idle{10};   // after that nobody receives
 constexpr milliseconds quiet{20};  // USB hands bytes on in bunches, 16 ms apart
 constexpr double flags_period_s = 0.1;
 constexpr double silence_s = 1;  // an adapter that owes an answer for so long is gone
@@ -149,7 +151,7 @@ Result<BusCounters> SlcanLink::count() {
   for (bool has_asked = false;;) {
     {
       const std::lock_guard lock(mutex_);
-      take_lines();
+      if (RealClock::now() - taken_ > idle) take_lines();
       if (!line_.is_open()) return failure(IoErrc::disconnected, "count: " + lost_);
       if (!flags_asked_s_) {
         if (has_asked) return counters();
@@ -175,6 +177,7 @@ void SlcanLink::close() {
 
 void SlcanLink::take_lines() {
   if (!line_.is_open()) return;
+  taken_ = RealClock::now();
   const auto bytes = line_.read();
   if (!bytes) return lose(bytes.error().where);
   lines_.add(bytes.value());

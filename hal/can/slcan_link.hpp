@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <deque>
 #include <map>
-#include <mutex>
 #include <optional>
 #include <string>
 
@@ -13,6 +12,7 @@
 #include "hal/can/slcan_frames.hpp"
 #include "hal/can/slcan_transport.hpp"
 #include "hal/clock.hpp"
+#include "hal/inheriting_mutex.hpp"
 
 namespace rvbench::hal {
 
@@ -21,9 +21,9 @@ namespace rvbench::hal {
 /// Answers  only BEL does not say what it answers: it is taken for the older of the two questions
 ///          that can be open, a frame and the status flags
 /// Flags    are asked for every 0.1 s while somebody sends or receives. Flags as they are at
-/// bus-off,
-///          error-passive and a bus error together, are taken for it
-/// Threads  one caller at a time; only count() may come from another thread, and it holds nobody up
+///          bus-off, error-passive and a bus error together, are taken for it
+/// Threads  one caller at a time; only count() may come from another thread, and holds nobody up:
+///          while somebody receives it reads no line, and with the lock it has his priority
 class SlcanLink {
  public:
   SlcanLink(SlcanOptions options, const Clock& clock)
@@ -66,9 +66,10 @@ class SlcanLink {
 
   const SlcanOptions options_;
   const Clock& clock_;
-  std::mutex mutex_;  ///< for all below
+  InheritingMutex mutex_;  ///< for all below
   SerialLine line_;
   slcan_frames::LineReader lines_;
+  Deadline taken_;                       ///< when lines were taken last
   std::deque<CanFrame> frames_;          ///< let in, waiting for receive()
   std::optional<IoError> news_;          ///< to be told once, after the frames
   std::optional<double> frame_asked_s_;  ///< when the frame went that has no answer yet

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <stdexcept>
 #include <utility>
 
@@ -24,6 +25,7 @@ double largest_speed_rpm(const DriveRegister& at) {
 ModbusInverter::ModbusInverter(ModbusInverterOptions options, Clock& clock)
     : options_(std::move(options)),
       status_blocks_(status_blocks(options_.profile)),
+      stop_words_(words_for_stop(options_.profile)),
       clock_(clock),
       link_({.path = options_.path,
              .unit_id = options_.unit_id,
@@ -55,7 +57,7 @@ Status ModbusInverter::connect() {
     was_connected_ = true;
     connected_ = false;
     link_.close();
-    Status done = attempt([this] { return write_words("stop", words_for_stop(options_.profile)); });
+    Status done = attempt([this] { return write_words("stop", stop_words_); });
     if (done) done = reset_trip();
     connected_ = static_cast<bool>(done);
     return done;
@@ -101,7 +103,7 @@ void ModbusInverter::stop() noexcept {
     const std::lock_guard lock(mutex_);
     stop_waits_ = false;
     if (!was_connected_) return;
-    (void)attempt_twice([this] { return write_words("stop", words_for_stop(options_.profile)); });
+    (void)attempt_twice([this] { return write_words("stop", stop_words_); });
   } catch (...) {
     // Out of memory or no mutex: the drive's own watchdog does the rest.
   }
@@ -218,7 +220,7 @@ Status ModbusInverter::write_words(const char* operation, const std::vector<Driv
 Status ModbusInverter::command_speed(double speed_rpm) {
   const DriveProfile& profile = options_.profile;
   const std::vector<DriveWrite> words = words_for_speed(profile, speed_rpm, options_.motor);
-  const bool is_start = words != words_for_stop(profile);
+  const bool is_start = words != stop_words_;
   if (is_start && (state_ == DriveState::fault || state_ == DriveState::fault_reaction)) {
     return link_.failure(IoErrc::refused, "set speed: the drive has tripped");
   }
@@ -240,7 +242,7 @@ Status ModbusInverter::reset_trip() {
     for (const DriveWrite& write : options_.profile.reset) {
       if (done) done = link_.write_one("reset", write.address, write.word);
     }
-    if (done) done = write_words("stop", words_for_stop(options_.profile));
+    if (done) done = write_words("stop", stop_words_);
     if (done) done = read_status(status);
   }
   if (!done) return done;

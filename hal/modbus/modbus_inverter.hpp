@@ -3,12 +3,12 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
-#include <mutex>
 #include <string>
 #include <vector>
 
 #include "hal/clock.hpp"
 #include "hal/drive.hpp"
+#include "hal/inheriting_mutex.hpp"
 #include "hal/modbus/drive_profile.hpp"
 #include "hal/modbus/drive_words.hpp"
 #include "hal/modbus/modbus_link.hpp"
@@ -72,8 +72,9 @@ class ModbusInverter final : public Drive {
 
   const ModbusInverterOptions options_;
   const std::vector<DriveBlock> status_blocks_;
+  const std::vector<DriveWrite> stop_words_;  ///< ready: a stop must not ask for memory
   Clock& clock_;
-  std::mutex mutex_;  ///< guards the link and what follows
+  InheritingMutex mutex_;  ///< guards the link and what follows; stop() may be the more urgent
   ModbusLink link_;
   bool was_connected_ = false;                ///< connect() was called
   bool connected_ = false;                    ///< connect() has succeeded
