@@ -1,64 +1,107 @@
 #include "sequences/scribe.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
 #include <utility>
 
 namespace rvbench::sequences {
+namespace {
 
-Scribe::Scribe(std::size_t most_bytes) : most_bytes_(most_bytes), thread_([this] { run(); }) {}
+using Steady = std::chrono::steady_clock;
+
+struct Job {
+  std::size_t bytes;
+  std::function<void()> work;
+  Steady::time_point posted = Steady::now();
+};
+
+}  // namespace
+
+struct Scribe::Desk {
+  mutable std::mutex mutex;  // guards all
+  std::condition_variable changed;
+  std::deque<Job> jobs;
+  std::size_t waiting_bytes = 0;
+  double longest_lag_s = 0;
+  bool is_working = false;
+  bool is_ending = false;
+  bool is_given_up = false;
+
+  bool is_idle() const { return jobs.empty() && !is_working; }
+};
+
+Scribe::Scribe(std::size_t most_bytes)
+    : most_bytes_(most_bytes),
+      desk_(std::make_shared<Desk>()),
+      thread_([desk = desk_] { work_at(*desk); }) {}
 
 Scribe::~Scribe() {
+  if (!thread_.joinable()) return;
   {
-    const std::lock_guard lock(mutex_);
-    is_ending_ = true;
+    const std::lock_guard lock(desk_->mutex);
+    desk_->is_ending = true;
   }
-  changed_.notify_all();
+  desk_->changed.notify_all();
   thread_.join();
 }
 
 bool Scribe::post(std::size_t bytes, std::function<void()> job) {
   {
-    const std::lock_guard lock(mutex_);
-    if (waiting_bytes_ + bytes > most_bytes_) return false;
-    waiting_bytes_ += bytes;
-    jobs_.push_back({bytes, std::move(job)});
+    const std::lock_guard lock(desk_->mutex);
+    if (desk_->is_given_up || desk_->waiting_bytes + bytes > most_bytes_) return false;
+    desk_->waiting_bytes += bytes;
+    desk_->jobs.push_back({bytes, std::move(job)});
   }
-  changed_.notify_all();
+  desk_->changed.notify_all();
   return true;
 }
 
 void Scribe::finish() {
-  std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return jobs_.empty() && !is_working_; });
+  std::unique_lock lock(desk_->mutex);
+  desk_->changed.wait(lock, [this] { return desk_->is_idle() || desk_->is_given_up; });
+}
+
+std::size_t Scribe::finish_within(double longest_s) {
+  std::unique_lock lock(desk_->mutex);
+  const std::chrono::duration<double> longest(longest_s);
+  if (desk_->changed.wait_for(lock, longest, [this] { return desk_->is_idle(); })) return 0;
+  const std::size_t undone = desk_->jobs.size() + (desk_->is_working ? 1 : 0);
+  desk_->jobs.clear();
+  desk_->is_ending = desk_->is_given_up = true;
+  if (thread_.joinable()) thread_.detach();
+  return undone;
 }
 
 bool Scribe::is_busy() const {
-  const std::lock_guard lock(mutex_);
-  return !jobs_.empty() || is_working_;
+  const std::lock_guard lock(desk_->mutex);
+  return !desk_->is_idle();
 }
 
 double Scribe::longest_lag_s() const {
-  const std::lock_guard lock(mutex_);
-  return longest_lag_s_;
+  const std::lock_guard lock(desk_->mutex);
+  return desk_->longest_lag_s;
 }
 
-void Scribe::run() {
-  std::unique_lock lock(mutex_);
+void Scribe::work_at(Desk& desk) {
+  std::unique_lock lock(desk.mutex);
   for (;;) {
-    changed_.wait(lock, [this] { return !jobs_.empty() || is_ending_; });
-    if (jobs_.empty()) return;
-    Job job = std::move(jobs_.front());
-    jobs_.pop_front();
-    is_working_ = true;
+    desk.changed.wait(lock, [&desk] { return !desk.jobs.empty() || desk.is_ending; });
+    if (desk.jobs.empty()) return;
+    Job job = std::move(desk.jobs.front());
+    desk.jobs.pop_front();
+    desk.is_working = true;
     lock.unlock();
     job.work();
     job.work = nullptr;  // what it holds is freed before its bytes count as free
     lock.lock();
-    is_working_ = false;
-    const std::chrono::duration<double> lag = std::chrono::steady_clock::now() - job.posted;
-    longest_lag_s_ = std::max(longest_lag_s_, lag.count());
-    waiting_bytes_ -= job.bytes;
-    changed_.notify_all();
+    desk.is_working = false;
+    const std::chrono::duration<double> lag = Steady::now() - job.posted;
+    desk.longest_lag_s = std::max(desk.longest_lag_s, lag.count());
+    desk.waiting_bytes -= job.bytes;
+    desk.changed.notify_all();
   }
 }
 

@@ -1,11 +1,8 @@
 #pragma once
 
-#include <chrono>
-#include <condition_variable>
 #include <cstddef>
-#include <deque>
 #include <functional>
-#include <mutex>
+#include <memory>
 #include <thread>
 
 namespace rvbench::sequences {
@@ -14,41 +11,37 @@ namespace rvbench::sequences {
 /// thread of its own. A disk or a terminal that hangs holds up the scribe and nobody else.
 ///
 /// Threads  post() from any thread; jobs run in the scribe's, in the order they were posted, and
-/// must
-///          not throw
+///          must not throw
 class Scribe {
  public:
   /// @param most_bytes  of jobs that wait: what a disk may fall behind before data is lost
   explicit Scribe(std::size_t most_bytes);
-  ~Scribe();  ///< as finish()
+  ~Scribe();  ///< as finish(), where the scribe was not given up
   Scribe(const Scribe&) = delete;
   Scribe& operator=(const Scribe&) = delete;
 
   /// @param bytes  that the job holds on to
-  /// @return false, and the job is dropped, if as many bytes as allowed wait already
+  /// @return false, and the job is dropped, if as many bytes as allowed wait already, or if the
+  ///         scribe was given up
   bool post(std::size_t bytes, std::function<void()> job);
 
   void finish();  ///< waits until everything posted has been done
+
+  /// Waits as finish(), but no longer than that. A scribe that hangs by then is given up: the jobs
+  /// that wait are dropped, and the one that runs is left to a thread that nobody waits for. What
+  /// that job uses must outlive it.
+  /// @return how many jobs were not done; 0 if all were
+  std::size_t finish_within(double longest_s);
+
   bool is_busy() const;
   double longest_lag_s() const;  ///< from post() until a job was done, at the worst
 
  private:
-  struct Job {
-    std::size_t bytes;
-    std::function<void()> work;
-    std::chrono::steady_clock::time_point posted = std::chrono::steady_clock::now();
-  };
-
-  void run();
+  struct Desk;
+  static void work_at(Desk& desk);
 
   const std::size_t most_bytes_;
-  mutable std::mutex mutex_;
-  std::condition_variable changed_;
-  std::deque<Job> jobs_;
-  std::size_t waiting_bytes_ = 0;
-  double longest_lag_s_ = 0;
-  bool is_working_ = false;
-  bool is_ending_ = false;
+  const std::shared_ptr<Desk> desk_;  // also the thread's, which may be left behind
   std::thread thread_;
 };
 

@@ -1,10 +1,12 @@
 #include "sequences/sequencer.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 
 #include "sequences/bench_loop.hpp"
 #include "sequences/scribe.hpp"
@@ -16,8 +18,11 @@ namespace rvbench::sequences {
 namespace {
 
 constexpr std::size_t most_bytes_behind = 256UL
-                                          << 20U;  // half a minute of 24 channels at 102.4 kHz
+                                          << 20U;      // half a minute of 24 channels at 102.4 kHz
+constexpr std::size_t most_bytes_of_log = 1UL << 20U;  // some two thousand events
 constexpr double slow_disk_s = 0.5;
+constexpr const char* hung =
+    "supervisor hung: a device's call does not return, the program must exit";
 const Ending all_well{Outcome::pass, ErrorKind::none, "everything was measured"};
 
 Ending bench_fault(std::string reason) {
@@ -107,6 +112,18 @@ bool brake_lets_go(hal::Rig& rig) {
   return false;
 }
 
+std::string faults_of_teardown(const RunSummary& summary) {
+  std::vector<std::string> faults;
+  if (summary.supervisor_hung) {
+    faults.emplace_back(hung);
+  }
+  if (!summary.shaft_stopped) faults.emplace_back("standstill was not seen");
+  if (!summary.brake_released) {
+    faults.emplace_back("the brake does not confirm that it has released");
+  }
+  return fmt::format("{}", fmt::join(faults, ", "));
+}
+
 // Stop, standstill or time-out, release: each step is tried whatever became of the others.
 Ending tear_down(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
   hal::Rig& rig = loop.rig();
@@ -125,19 +142,16 @@ Ending tear_down(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
                     if (!summary.shaft_stopped) rig.clock->wait_until(until_s);
                     return all_well;
                   }));
-  loop.supervisor().end();  // the brake is the sequencer's again
-  rig.brake->release();
-  ending = graver(ending, guarded([&] {
-                    summary.brake_released = brake_lets_go(rig);
-                    return all_well;
-                  }));
-  rig.accelerometers->stop();
-  std::string fault;
-  if (!summary.shaft_stopped) fault = "standstill was not seen";
-  if (!summary.brake_released) {
-    if (!fault.empty()) fault += ", ";
-    fault += "the brake does not confirm that it has released";
+  summary.supervisor_hung = !loop.supervisor().end();
+  if (!summary.supervisor_hung) {  // the brake is the sequencer's again
+    rig.brake->release();
+    ending = graver(ending, guarded([&] {
+                      summary.brake_released = brake_lets_go(rig);
+                      return all_well;
+                    }));
+    rig.accelerometers->stop();
   }
+  const std::string fault = faults_of_teardown(summary);
   if (fault.empty()) return ending;
   return graver(ending, {Outcome::error, ErrorKind::device_lost, "teardown: " + fault});
 }
@@ -173,6 +187,9 @@ void run(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
                        return all_well;
                      }));
   summary.ending = graver(measured, torn_down);
+  if (summary.supervisor_hung && summary.ending.reason != torn_down.reason) {
+    summary.ending.reason += std::string("; ") + hung;
+  }
   summary.points = loop.points();
   summary.drive_retries = loop.rig().drive->retries();
   summary.duration_s = loop.now_s() - start_s;
@@ -186,15 +203,23 @@ RunSummary run_unhindered(const TestPlan& plan, hal::Rig& rig, hal::RecordingWri
   RunSummary summary;
   summary.ending = all_well;
   const Ending unforeseen = guarded([&] {
-    BenchLoop loop(plan, rig, recording, observer, std::move(stop), first_point);
-    run(plan, loop, summary);
-    return all_well;
+    auto loop =
+        std::make_unique<BenchLoop>(plan, rig, recording, observer, std::move(stop), first_point);
+    const Ending ending = guarded([&] {
+      run(plan, *loop, summary);
+      return all_well;
+    });
+    summary.supervisor_hung = !loop->supervisor().end();
+    if (summary.supervisor_hung) (void)loop.release();  // its thread goes on in there
+    return ending;
   });
   if (unforeseen.outcome != Outcome::pass) {
     // Nobody knows how far the run has come: these are legal in every state.
     rig.drive->stop();
-    rig.brake->release();
-    rig.accelerometers->stop();
+    if (!summary.supervisor_hung) {
+      rig.brake->release();
+      rig.accelerometers->stop();
+    }
   }
   summary.ending = graver(summary.ending, unforeseen);
   return summary;
@@ -212,9 +237,10 @@ RunSummary run_sequence(const TestPlan& plan, hal::Rig& rig, hal::RecordingWrite
   summary.ending = all_well;
   const Ending written = guarded([&]() -> Ending {
     Scribe disk(most_bytes_behind);
-    Scribe screen(most_bytes_behind);
+    Scribe log(most_bytes_of_log);
+    Scribe screen(most_bytes_of_log);
     RecordingBehind recording_behind(recording, disk);
-    ObserverBehind observer_behind(observer, screen);
+    ObserverBehind observer_behind(observer, log, screen);
     summary =
         run_unhindered(plan, rig, recording_behind, observer_behind, std::move(stop), first_point);
     const Status settled = recording_behind.settle();
@@ -226,6 +252,8 @@ RunSummary run_sequence(const TestPlan& plan, hal::Rig& rig, hal::RecordingWrite
                       "cost as much of the record",
                       lag_s));
     }
+    summary.observer_hung = !observer_behind.finish();
+    summary.events_untold = observer_behind.untold();
     if (settled) return all_well;
     return bench_fault("the recording cannot be written: " + describe(settled.error()));
   });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -12,6 +13,9 @@
 namespace rvbench::sequences {
 
 /// What the sequencer tells while it works: progress bar, log, live page.
+///
+/// Threads  in real time progress() comes from one thread and event() from another, so that a
+///          screen that hangs leaves the log alone; each of them one call at a time
 class RunObserver {
  public:
   virtual ~RunObserver() = default;
@@ -28,10 +32,21 @@ struct RunSummary {
   bool shaft_stopped = false;  ///< standstill was seen on a measured value
   bool brake_released = false;
   double duration_s = 0;  ///< of the rig's time
+  /// A device's call has never returned. Its thread goes on: the rig must not be used any more, nor
+  /// destroyed, and the process has to exit without doing so. See Supervisor.
+  bool supervisor_hung = false;
+  /// A call of the observer has not returned either, a second after the end: it goes on in a thread
+  /// of its own, so that the observer must neither be told more in that way nor be destroyed.
+  bool observer_hung = false;
+  std::size_t events_untold = 0;  ///< to the observer, whose log was too far behind or hangs
 };
 
 /// Setup → main → teardown. Never throws: whatever happens inside ends in teardown, with the
 /// shaft stopped and the brake released, and in an Ending that says why.
+///
+/// A supervisor that hangs in a device's call holds up neither the stop nor the end: the drive is
+/// the sequencer's own and is told to stop; brake and accelerometers are left alone, for the call
+/// that hangs may hold whatever theirs would wait for. Their own watchdogs release the brake.
 ///
 /// @param first_point  points before it are skipped (a resumed run); warm-up is done again
 /// @param stop         requested by Ctrl-C: ends ABORTED at the next tick

@@ -1,7 +1,10 @@
 #include "sequences/supervisor.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <exception>
 #include <iterator>
+#include <mutex>
 #include <utility>
 
 #include "hal/real_time.hpp"
@@ -17,7 +20,9 @@ constexpr std::size_t most_rounds_kept = 60'000;  // a minute
 Supervisor::Supervisor(hal::Rig& rig, const Interlocks& limits)
     : rig_(rig), limits_(limits), field_(rig) {}
 
-Supervisor::~Supervisor() { end(); }
+Supervisor::~Supervisor() {
+  if (!end()) std::terminate();  // better than a thread that goes on in memory that is no more
+}
 
 void Supervisor::start(const DriveReport& drive) {
   drive_ = drive;
@@ -26,35 +31,58 @@ void Supervisor::start(const DriveReport& drive) {
   if (rig_.clock->is_virtual()) return;
   round_s_ = rig_.clock->now_s();
   has_thread_ = true;
-  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+  std::promise<void> gone;
+  gone_ = gone.get_future();
+  thread_ = std::jthread([this, gone = std::move(gone)](const std::stop_token& stop) mutable {
+    run(stop);
+    gone.set_value();
+  });
 }
 
-void Supervisor::end() noexcept {
+bool Supervisor::end() noexcept {
   is_watching_ = false;
-  if (!thread_.joinable()) return;
+  if (!thread_.joinable()) return !has_thread_;
   thread_.request_stop();
+  if (gone_.wait_for(std::chrono::duration<double>(longest_end_s)) != std::future_status::ready) {
+    thread_.detach();
+    return false;
+  }
   thread_.join();
   has_thread_ = false;
+  return true;
 }
 
 void Supervisor::run(const std::stop_token& stop) noexcept {
-  tell_priority(hal::make_this_thread_urgent());
   double next_s = rig_.clock->now_s();
+  bool is_urgent = false;
   while (!stop.stop_requested()) {
     try {
+      if (!std::exchange(is_urgent, true)) tell_priority(hal::make_this_thread_urgent());
       rig_.clock->wait_until(next_s);
       const double now_s = rig_.clock->now_s();
       round_s_ = now_s;
       lateness_.add(now_s - next_s);
       next_s = std::max(next_s + period_s, now_s);  // rounds that were missed are not made up for
       step();
-      service_.feed(now_s);
+      if (!stop.stop_requested()) service_.feed(now_s);
     } catch (const std::exception& exception) {
-      trip({Outcome::error, ErrorKind::none,
-            std::string("internal error of the supervisor: ") + exception.what()});
+      fault(exception.what());
     } catch (...) {
-      trip({Outcome::error, ErrorKind::none, "internal error of the supervisor"});
+      fault("of unknown kind");
     }
+  }
+}
+
+// The stop first: telling why asks for memory, and there may be none left.
+void Supervisor::fault(const char* what) noexcept {
+  halt();
+  try {
+    trip({Outcome::error, ErrorKind::none,
+          std::string("internal error of the supervisor: ") + what});
+  } catch (...) {
+    const std::lock_guard lock(mutex_);
+    // A text as short as this one needs no memory of its own.
+    if (!latched_) latched_.emplace(Ending{Outcome::error, ErrorKind::none, "no memory left"});
   }
 }
 
@@ -68,7 +96,7 @@ void Supervisor::step() {
   FreshValues fresh = field_.read();
   fresh.drive = std::exchange(drive_.fresh, std::nullopt);
   look_for_trouble(fresh);
-  if (brake_Nm) field_.hold_brake(*brake_Nm);
+  if (brake_Nm && is_watching_) field_.hold_brake(*brake_Nm);
   hand_over(std::move(fresh));
 }
 
@@ -150,13 +178,17 @@ bool Supervisor::handle(SupervisorEvent event) noexcept {
 }
 
 void Supervisor::trip(const Ending& ending) {
-  if (!is_latched_.exchange(true)) {
-    handle(SupervisorEvent::trip);
-    latched_s_ = rig_.clock->now_s();
-    rig_.drive->stop();  // before anything that may take its time
-  }
+  halt();
   const std::lock_guard lock(mutex_);
   latched_ = latched_ ? graver(*latched_, ending) : ending;
+}
+
+// Before anything that may take its time.
+void Supervisor::halt() noexcept {
+  if (is_latched_.exchange(true)) return;
+  handle(SupervisorEvent::trip);
+  latched_s_ = rig_.clock->now_s();
+  rig_.drive->stop();
 }
 
 double Supervisor::silence_s() const { return has_thread_ ? rig_.clock->now_s() - round_s_ : 0; }

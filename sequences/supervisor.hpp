@@ -1,13 +1,13 @@
 #pragma once
 
 #include <atomic>
-#include <memory>
-#include <mutex>
+#include <future>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "hal/inheriting_mutex.hpp"
 #include "hal/rig.hpp"
 #include "hal/service_watchdog.hpp"
 #include "hal/types/outcome.hpp"
@@ -44,16 +44,27 @@ struct Handover {
 ///          answers hold it up, and it never waits for the sequencer. In virtual time, and outside
 ///          of start() and end(), exchange() does its round in the caller's thread.
 ///          The field devices are its own meanwhile; the others call from one thread
-/// Service  while its thread turns, systemd's watchdog is fed
+/// Priority the sequencer's thread is an ordinary one, on purpose: it connects, formats and asks
+///          for memory, and under SCHED_FIFO would keep from running whoever the supervisor needs.
+///          One that is starved is found by the age of the drive's answers. Locks that both take
+///          inherit priority; those within malloc do not, and are held for less than a microsecond
+/// Hung     a thread that a device's call never gives back cannot be ended. end() gives it up after
+///          longest_end_s; the field devices stay its own for ever, this object and the rig must
+///          outlive it, and so the process has to exit without destroying them. Until then, and
+///          if it does not, the last line is the drive's own watchdog, and the brake's
+/// Service  while its thread turns, systemd's watchdog is fed; of one that hangs it hears no more
 class Supervisor {
  public:
   Supervisor(hal::Rig& rig, const Interlocks& limits);
-  ~Supervisor();
+  ~Supervisor();  ///< as end(); @pre its thread does not hang, or std::terminate()
   Supervisor(const Supervisor&) = delete;
   Supervisor& operator=(const Supervisor&) = delete;
 
   void start(const DriveReport& drive);  ///< from now on everything must be seen
-  void end() noexcept;                   ///< its thread is gone; nothing is watched any more
+
+  /// Nothing is watched any more, and its thread is gone. False if it hangs, and always from then
+  /// on: see above.
+  bool end() noexcept;
 
   /// Tells about the drive and takes over what came since the last call.
   Handover exchange(const DriveReport& drive);
@@ -76,10 +87,13 @@ class Supervisor {
   Lateness lateness() const;             ///< of its thread's rounds; @pre end()
 
   static constexpr double period_s = 0.001;
+  static constexpr double longest_end_s = 2;  ///< no device's deadline is longer
 
  private:
   void run(const std::stop_token& stop) noexcept;
   void step();
+  void halt() noexcept;
+  void fault(const char* what) noexcept;
   void look_for_trouble(const FreshValues& fresh);
   std::string lost() const;
   void hand_over(FreshValues fresh);
@@ -103,7 +117,8 @@ class Supervisor {
   DriveReport drive_;
   std::vector<FreshValues> kept_;
 
-  mutable std::mutex mutex_;  // held for moments only; the supervisor's rounds never wait for it
+  mutable hal::InheritingMutex
+      mutex_;  // held for moments only; the supervisor's rounds never wait for it
   std::optional<DriveReport> told_drive_;
   std::optional<double> told_brake_Nm_;
   std::vector<FreshValues> ready_;
@@ -112,6 +127,7 @@ class Supervisor {
   std::optional<Ending> latched_;
   std::string without_priority_;
 
+  std::future<void> gone_;  ///< ready once its thread is about to return
   std::jthread thread_;
 };
 

@@ -1,13 +1,24 @@
 #include "sequences/written_behind.hpp"
 
+#include <fmt/format.h>
+
 #include <exception>
-#include <memory>
 #include <utility>
 
 namespace rvbench::sequences {
 namespace {
 
 constexpr std::size_t bytes_of_a_line = 512;
+constexpr double longest_farewell_s = 1;
+
+// What cannot be told is no reason to end a run.
+template <typename Tell>
+void quietly(Tell&& tell) {
+  try {
+    tell();
+  } catch (...) {
+  }
+}
 
 std::size_t bytes_of(const hal::AccelerationBlock& block) {
   return sizeof(float) * static_cast<std::size_t>(block.scans.size()) + bytes_of_a_line;
@@ -65,23 +76,33 @@ void RecordingBehind::fail(const IoError& error) {
   if (!failure_) failure_ = error;
 }
 
+// The jobs know the observer alone: one that hangs may outlive this object.
 void ObserverBehind::progress(double done_s, double total_s, const std::string& doing) {
-  if (scribe_.is_busy()) return;
-  post([this, done_s, total_s, doing] { observer_.progress(done_s, total_s, doing); });
+  if (screen_.is_busy()) return;
+  (void)screen_.post(0, [&observer = observer_, done_s, total_s, doing] {
+    quietly([&] { observer.progress(done_s, total_s, doing); });
+  });
 }
 
 void ObserverBehind::event(double time_s, const std::string& text) {
-  post([this, time_s, text] { observer_.event(time_s, text); });
+  if (untold_ > 0 && tell(time_s, fmt::format("{} events were left out here: the log was too far "
+                                              "behind, the recording has them",
+                                              untold_))) {
+    untold_ = 0;
+  }
+  if (untold_ > 0 || !tell(time_s, text)) ++untold_;
 }
 
-// What cannot be shown is no reason to end a run: the recording has the events as well.
-void ObserverBehind::post(std::function<void()> tell) {
-  (void)scribe_.post(0, [tell = std::move(tell)] {
-    try {
-      tell();
-    } catch (...) {
-    }
+bool ObserverBehind::tell(double time_s, const std::string& text) {
+  return log_.post(bytes_of_a_line + text.size(), [&observer = observer_, time_s, text] {
+    quietly([&] { observer.event(time_s, text); });
   });
+}
+
+bool ObserverBehind::finish() {
+  const std::size_t unwritten = log_.finish_within(longest_farewell_s);
+  untold_ += unwritten;
+  return screen_.finish_within(longest_farewell_s) == 0 && unwritten == 0;
 }
 
 }  // namespace rvbench::sequences

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -43,24 +44,32 @@ class RecordingBehind final : public hal::RecordingWriter {
   std::optional<IoError> failure_;  // the first one
 };
 
-/// An observer whose screen and log may take their time. Progress is left out while it is behind,
-/// events never are.
+/// An observer whose log and screen may take their time, and hang.
+///
+/// Progress is left out while its screen is behind. Events wait for the log, as many as its scribe
+/// takes; more are left out, and once there is room it is told how many. The recording has them
+/// all.
 class ObserverBehind final : public RunObserver {
  public:
-  /// Both must outlive it.
-  ObserverBehind(RunObserver& observer, Scribe& scribe) : observer_(observer), scribe_(scribe) {}
-  ~ObserverBehind() override { scribe_.finish(); }  // whose jobs know this object
-  ObserverBehind(const ObserverBehind&) = delete;
-  ObserverBehind& operator=(const ObserverBehind&) = delete;
+  /// All must outlive it.
+  ObserverBehind(RunObserver& observer, Scribe& log, Scribe& screen)
+      : observer_(observer), log_(log), screen_(screen) {}
 
   void progress(double done_s, double total_s, const std::string& doing) override;
   void event(double time_s, const std::string& text) override;
 
+  /// Waits for the log and the screen, as long as they may need and not for ever.
+  /// @return false if a call of the observer hangs: see Scribe::finish_within()
+  bool finish();
+  std::size_t untold() const { return untold_; }  ///< events that were left out, since told last
+
  private:
-  void post(std::function<void()> tell);
+  bool tell(double time_s, const std::string& text);
 
   RunObserver& observer_;
-  Scribe& scribe_;
+  Scribe& log_;
+  Scribe& screen_;
+  std::size_t untold_ = 0;
 };
 
 }  // namespace rvbench::sequences

@@ -1,0 +1,118 @@
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <memory>
+#include <thread>
+
+#include "sequences/supervisor.hpp"
+#include "tests/hal/service_manager.hpp"
+#include "tests/sequences/run_fixture.hpp"
+#include "tests/support/live_rig.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+using namespace rvbench;
+
+namespace {
+
+const std::string warm_up_plan = R"({
+  "name": "short",
+  "specimen": {"kinematics": "rv20e", "gear_ratio": 1.5, "rated_output_torque_Nm": 1},
+  "interlocks": {"input_speed_rpm": 2200, "input_torque_Nm": 8, "acceleration_m_s2": 300,
+                 "housing_temp_degC": 60, "stale_after_s": 0.5},
+  "setup": [{"phase": "connect"},
+            {"phase": "warm_up", "duration_s": 60, "speed_rpm": 605, "load_pct": 50}],
+  "main": [{"phase": "matrix", "speeds_rpm": [1815], "loads_pct": [100],
+            "settling": {"hold_s": 0.5, "timeout_s": 10}, "record": {"output_turns": 40}}],
+  "teardown": {"standstill_timeout_s": 5}
+})";
+
+// Safety inputs that answer as long as they may.
+class HangingInputs final : public hal::SafetyInputs {
+ public:
+  explicit HangingInputs(const std::atomic<bool>& answers) : answers_(answers) {}
+  Status connect() override { return Done{}; }
+  Result<hal::SafetyStatus> read() override {
+    answers_.wait(false);
+    return hal::SafetyStatus{false, false, 25};
+  }
+
+ private:
+  const std::atomic<bool>& answers_;
+};
+
+// Counts calls to devices that only the supervisor may use.
+class CountingBrake final : public hal::Brake {
+ public:
+  CountingBrake(std::unique_ptr<hal::Brake> brake, std::atomic<int>& releases)
+      : brake_(std::move(brake)), releases_(releases) {}
+  hal::BrakeLimits limits() const override { return brake_->limits(); }
+  Status connect() override { return brake_->connect(); }
+  Status set_torque(double torque_Nm) override { return brake_->set_torque(torque_Nm); }
+  Result<hal::BrakeStatus> read() override { return brake_->read(); }
+  void release() noexcept override {
+    ++releases_;
+    brake_->release();
+  }
+
+ private:
+  std::unique_ptr<hal::Brake> brake_;
+  std::atomic<int>& releases_;
+};
+
+struct HangingBench {
+  HangingBench() {
+    rig.safety = std::make_unique<HangingInputs>(answers);
+    rig.brake = std::make_unique<CountingBrake>(std::move(rig.brake), releases);
+  }
+
+  hal::Rig rig = test::make_live_rig();
+  std::atomic<bool> answers = true;
+  std::atomic<int> releases = 0;
+  test::MemoryRecording recording;
+};
+
+class Deaf final : public sequences::RunObserver {
+ public:
+  void progress(double, double, const std::string&) override {}
+  void event(double, const std::string& text) override { texts.push_back(text); }
+  std::vector<std::string> texts;
+};
+
+}  // namespace
+
+TEST_CASE("a supervisor that hangs in a device's call holds up neither stop nor end",
+          "[sequences][safety]") {
+  const test::ScratchFolder scratch;
+  const test::ServiceManager manager((scratch / "notify").string());
+  // Its thread never comes back: what it uses stays until the program ends.
+  HangingBench& hanging = *new HangingBench;
+  test::LiveBench& bench = test::live_bench(hanging.rig);
+  double hung_s = 0;
+  std::jthread trouble([&](const std::stop_token& stop) {
+    while (bench.setpoint_rpm < 605 && !stop.stop_requested()) std::this_thread::yield();
+    hung_s = bench.clock.now_s();
+    hanging.answers = false;
+  });
+  Deaf observer;
+  std::stop_source nobody;
+  const auto summary = sequences::run_sequence(test::plan_of(warm_up_plan), hanging.rig,
+                                               hanging.recording, observer, nobody.get_token());
+  const double ended_s = bench.clock.now_s();
+  trouble.join();
+  CHECK(summary.supervisor_hung);
+  CHECK(summary.ending.error_kind == ErrorKind::device_lost);
+  CHECK_THAT(summary.ending.reason, Catch::Contains("the supervisor has not come round for 0.5"));
+  CHECK_THAT(summary.ending.reason, Catch::Contains("supervisor hung"));
+  CHECK_THAT(observer.texts.back(), Catch::Contains("supervisor hung"));
+  CHECK(bench.stops > 0);
+  CHECK(bench.setpoint_rpm == 0);
+  CHECK(summary.shaft_stopped);  // by the drive's word
+  CHECK_FALSE(summary.brake_released);
+  CHECK(hanging.releases == 0);  // its own watchdog lets it go: nobody may wait for its lock
+  CHECK(ended_s - hung_s > sequences::Supervisor::longest_end_s);
+  CHECK(ended_s - hung_s < sequences::Supervisor::longest_end_s + 5);
+  // Of one that hangs systemd hears no more: what it heard before fits into its queue.
+  while (!manager.heard().empty()) continue;
+  std::this_thread::sleep_for(std::chrono::milliseconds(600));
+  CHECK(manager.heard().empty());
+}
