@@ -26,8 +26,11 @@ bool BenchDevices::all_answered() const {
 
 // The drive first, it takes its time: what interlocks act on is then as new as can be.
 void BenchDevices::read() {
-  drive_.fresh =
-      drive_.status.ask<hal::DriveStatus>(*rig_.clock, [this] { return rig_.drive->read(); });
+  drive_.fresh.reset();
+  if (!supervisor_.is_stopping_drive()) {
+    drive_.fresh =
+        drive_.status.ask<hal::DriveStatus>(*rig_.clock, [this] { return rig_.drive->read(); });
+  }
   taken_ = supervisor_.exchange(drive_);
   FreshValues& fresh = taken_.fresh;
   fresh.drive = drive_.fresh;
@@ -54,6 +57,11 @@ void BenchDevices::write(double speed_rpm, double brake_torque_Nm) {
 }
 
 void BenchDevices::hold_brake(double torque_Nm) { supervisor_.hold_brake(torque_Nm); }
+
+// A stop that hangs holds whatever this one would wait for: the drive's own watchdog is left.
+void BenchDevices::stop_drive() noexcept {
+  if (!supervisor_.is_stopping_drive()) rig_.drive->stop();
+}
 
 void BenchDevices::leave_drive_alone(double until_s) { drive_.status.due_s = until_s; }
 

@@ -31,6 +31,7 @@ class BenchDevices {
   void write(double speed_rpm,
              double brake_torque_Nm);      ///< nothing once the supervisor has tripped
   void hold_brake(double torque_Nm);       ///< the brake alone, while the drive is stopped
+  void stop_drive() noexcept;              ///< unless the supervisor is just doing it
   void leave_drive_alone(double until_s);  ///< asks it nothing: each request feeds its watchdog
   void end_speed_commands();               ///< from now on none is missed
 

@@ -129,7 +129,7 @@ Ending tear_down(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
   hal::Rig& rig = loop.rig();
   const double until_s = rig.clock->now_s() + plan.teardown.standstill_timeout_s;
   loop.supervisor().handle(SupervisorEvent::stop);
-  rig.drive->stop();
+  loop.devices().stop_drive();
   Ending ending = guarded([&] {
     const RunDown run_down = wait_for_standstill(rig, loop.devices(), plan, loop.brake_torque_Nm());
     summary.shaft_stopped = run_down.stopped;
@@ -137,7 +137,7 @@ Ending tear_down(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
     if (run_down.trouble) loop.supervisor().handle(SupervisorEvent::trip);
     return run_down.trouble.value_or(all_well);
   });
-  rig.drive->stop();
+  loop.devices().stop_drive();
   ending = graver(ending, guarded([&] {
                     if (!summary.shaft_stopped) rig.clock->wait_until(until_s);
                     return all_well;

@@ -48,7 +48,7 @@ class Stopper {
     if (now_s < next_s_) return;
     const Speeds before = std::exchange(before_, speeds());
     if (!was_silent_ && !before.slowed_to(before_, obeys_share_)) return leave_alone(now_s);
-    rig_.drive->stop();
+    devices_.stop_drive();
     was_silent_ = false;
     next_s_ = now_s + stop_again_s;
   }

@@ -188,7 +188,9 @@ void Supervisor::halt() noexcept {
   if (is_latched_.exchange(true)) return;
   handle(SupervisorEvent::trip);
   latched_s_ = rig_.clock->now_s();
+  is_stopping_drive_ = true;
   rig_.drive->stop();
+  is_stopping_drive_ = false;
 }
 
 double Supervisor::silence_s() const { return has_thread_ ? rig_.clock->now_s() - round_s_ : 0; }

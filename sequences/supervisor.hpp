@@ -77,6 +77,8 @@ class Supervisor {
   /// Stops the drive, if nobody has yet, and latches the ending.
   void trip(const Ending& ending);
   bool is_tripped() const { return is_latched_; }  ///< the drive is stopped, or about to be
+  /// The stop is under way, and may hang: whoever asks the drive for something now may wait for it.
+  bool is_stopping_drive() const { return is_stopping_drive_; }
   std::optional<Ending> latched() const;  ///< how the run must end; told once the drive is stopped
   double latched_s() const { return latched_s_; }  ///< when it was found; NaN if it was not
 
@@ -109,6 +111,7 @@ class Supervisor {
   std::atomic<SupervisorState> state_ = SupervisorState::faulted;
   std::atomic<bool> is_watching_ = false;
   std::atomic<bool> is_latched_ = false;
+  std::atomic<bool> is_stopping_drive_ = false;
   std::atomic<double> latched_s_ = not_known;
   std::atomic<bool> has_thread_ = false;
   std::atomic<double> round_s_ = 0;  ///< when its thread came round last

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <memory>
+#include <mutex>
 #include <thread>
 
 #include "sequences/supervisor.hpp"
@@ -71,6 +72,36 @@ struct HangingBench {
   test::MemoryRecording recording;
 };
 
+// A drive whose stop hangs, and with it every later call: they wait for one lock.
+class HangingDrive final : public hal::Drive {
+ public:
+  explicit HangingDrive(std::unique_ptr<hal::Drive> drive) : drive_(std::move(drive)) {}
+  hal::DriveLimits limits() const override { return drive_->limits(); }
+  Status connect() override { return drive_->connect(); }
+  Result<hal::DriveWatchdog> read_watchdog() override { return drive_->read_watchdog(); }
+  Status set_speed(double speed_rpm) override {
+    const std::lock_guard lock(mutex_);
+    return drive_->set_speed(speed_rpm);
+  }
+  Result<hal::DriveStatus> read() override {
+    const std::lock_guard lock(mutex_);
+    return drive_->read();
+  }
+  void stop() noexcept override {
+    const std::lock_guard lock(mutex_);
+    has_hung = true;
+    never_.wait(false);
+  }
+  int retries() const override { return 0; }
+
+  std::atomic<bool> has_hung = false;
+
+ private:
+  std::unique_ptr<hal::Drive> drive_;
+  std::mutex mutex_;
+  std::atomic<bool> never_ = false;
+};
+
 class Deaf final : public sequences::RunObserver {
  public:
   void progress(double, double, const std::string&) override {}
@@ -115,4 +146,26 @@ TEST_CASE("a supervisor that hangs in a device's call holds up neither stop nor 
   while (!manager.heard().empty()) continue;
   std::this_thread::sleep_for(std::chrono::milliseconds(600));
   CHECK(manager.heard().empty());
+}
+
+TEST_CASE("a stop that hangs holds up the supervisor, and not the end", "[sequences][safety]") {
+  HangingBench& hanging = *new HangingBench;  // as above
+  auto hanging_drive = std::make_unique<HangingDrive>(std::move(hanging.rig.drive));
+  const HangingDrive& drive = *hanging_drive;
+  hanging.rig.drive = std::move(hanging_drive);
+  test::LiveBench& bench = test::live_bench(hanging.rig);
+  std::jthread trouble([&](const std::stop_token& stop) {
+    while (bench.setpoint_rpm < 605 && !stop.stop_requested()) std::this_thread::yield();
+    bench.torque_Nm = 9;  // above its interlock
+  });
+  Deaf observer;
+  std::stop_source nobody;
+  const auto summary = sequences::run_sequence(test::plan_of(warm_up_plan), hanging.rig,
+                                               hanging.recording, observer, nobody.get_token());
+  trouble.join();
+  CHECK(drive.has_hung);
+  CHECK(summary.supervisor_hung);
+  CHECK(summary.ending.outcome == Outcome::error);
+  CHECK_FALSE(summary.shaft_stopped);  // here nothing but the drive's own watchdog could do it
+  CHECK_THAT(observer.texts.back(), Catch::Contains("supervisor hung"));
 }
