@@ -83,7 +83,7 @@ hal::IioOptions read_iio(hal::ConfigReader& accelerometers) {
 hal::ComediOptions read_comedi(hal::ConfigReader& accelerometers) {
   hal::ComediOptions options;
   options.device = accelerometers.text("device", options.device);
-  options.volts = accelerometers.number("volts", {1e-3, 100}, options.volts);
+  options.range_V = accelerometers.number("volts", {1e-3, 100}, options.range_V);
   read_common(accelerometers, options);
   return options;
 }
@@ -93,7 +93,7 @@ nlohmann::ordered_json start_of(const hal::IioOptions& options) {
 }
 
 nlohmann::ordered_json start_of(const hal::ComediOptions& options) {
-  return {{"backend", "comedi"}, {"device", options.device}, {"volts", options.volts}};
+  return {{"backend", "comedi"}, {"device", options.device}, {"volts", options.range_V}};
 }
 
 std::string place_of(const hal::IioOptions& options) {

@@ -17,7 +17,7 @@
 
 #include "bench/sha256.hpp"
 #include "bench/verdict_json.hpp"
-#include "hal/sync_folder.hpp"
+#include "hal/put_on_disk.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -45,8 +45,8 @@ int fill(int fd, const std::string& text) {
   throw std::system_error(error, std::generic_category(), file.string());
 }
 
-void sync_folder_of(const std::filesystem::path& file) {
-  if (const int error = hal::sync_folder(file); error != 0) throw_error(error, file);
+void put_folder_on_disk(const std::filesystem::path& file) {
+  if (const int error = hal::sync_folder_of(file); error != 0) throw_error(error, file);
 }
 
 // With those above it, each on the disk before the next.
@@ -54,7 +54,7 @@ void make_folders(const std::filesystem::path& folder) {
   if (folder.empty() || std::filesystem::exists(folder)) return;
   make_folders(folder.parent_path());
   std::filesystem::create_directory(folder);
-  sync_folder_of(folder);
+  put_folder_on_disk(folder);
 }
 
 // Runs of one serial in the order in which they began. Without numbers it is that of their names:
@@ -97,7 +97,7 @@ std::filesystem::path create_run_folder(const std::filesystem::path& root,
   for (int copy = 2; !std::filesystem::create_directory(folder); ++copy) {
     folder = parent / fmt::format("{}-{}", utc, copy);
   }
-  sync_folder_of(folder);
+  put_folder_on_disk(folder);
   return folder;
 }
 
@@ -171,7 +171,7 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
     unlink(draft.c_str());
     throw_error(error, file);
   }
-  sync_folder_of(file);
+  put_folder_on_disk(file);
 }
 
 std::optional<std::string> read_file(const std::filesystem::path& file) {

@@ -1,8 +1,6 @@
 #include "bench/sha256.hpp"
 
-#include <fcntl.h>
 #include <sodium.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -13,7 +11,7 @@
 #include <system_error>
 
 #include "bench/run_folder.hpp"
-#include "hal/sync_folder.hpp"
+#include "hal/put_on_disk.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -58,11 +56,8 @@ std::vector<std::string> files_of(const std::filesystem::path& folder) {
 
 // One that cannot be read gets no sum either.
 void put_on_disk(const std::filesystem::path& file) {
-  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  const int error = fsync(descriptor) == 0 ? 0 : errno;
-  close(descriptor);
-  if (error != 0) throw_error(error, file);
+  const int error = hal::sync_file(file);
+  if (error != 0 && error != EACCES && error != ENOENT) throw_error(error, file);
 }
 
 // "<64 hex digits>  <name>" → name and hash; nullopt if the line is something else.
@@ -116,7 +111,7 @@ bool has_sums(const std::filesystem::path& folder) {
 void remove_sums(const std::filesystem::path& folder) {
   const std::filesystem::path sums = folder / sums_name;
   if (!std::filesystem::remove(sums)) return;
-  if (const int error = hal::sync_folder(sums); error != 0) throw_error(error, sums);
+  if (const int error = hal::sync_folder_of(sums); error != 0) throw_error(error, sums);
 }
 
 std::vector<std::string> verify_sums(const std::filesystem::path& folder) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -56,7 +57,8 @@ class MirrorWorld final : public Backstage {
   MirrorWorld(const MirrorOptions& options, Clock& clock);
 
   /// From `from_s` until `until_s` of the rig's time.
-  void schedule(MirrorFault fault, double from_s, double until_s = 1e300);
+  void schedule(MirrorFault fault, double from_s,
+                double until_s = std::numeric_limits<double>::infinity());
   bool has(MirrorFault fault) const;
 
   void advance();  ///< to the clock's time

@@ -22,7 +22,7 @@
 namespace rvbench::sim {
 namespace {
 
-constexpr double seconds_kept = 10;
+constexpr double kept_s = 10;
 constexpr std::size_t longest_line = 4096;
 
 std::int32_t count_of(float value_m_s2, double m_s2_per_count) {
@@ -46,7 +46,7 @@ class IioServer::Service {
  public:
   Service(const IioFrontEnd& front_end, std::uint16_t port)
       : front_end_(front_end),
-        ring_(front_end.labels.size(), std::size_t(seconds_kept * front_end.rate_Hz) + 1),
+        ring_(front_end.labels.size(), std::size_t(kept_s * front_end.rate_Hz) + 1),
         listener_(port, "IioServer"),
         ending_(::eventfd(0, EFD_CLOEXEC)),
         thread_([this] { accept_clients(); }) {}

@@ -4,6 +4,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -13,7 +14,12 @@ namespace rvbench::sim {
 
 PseudoTerminal::PseudoTerminal() : master_(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)) {
   if (master_ < 0 || ::grantpt(master_) != 0 || ::unlockpt(master_) != 0) refuse();
-  device_ = ::ptsname(master_);
+  std::array<char, 64> name{};
+  if (const int error = ::ptsname_r(master_, name.data(), name.size()); error != 0) {
+    errno = error;
+    refuse();
+  }
+  device_ = name.data();
   slave_ = ::open(device_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
   termios settings{};
   if (slave_ < 0 || ::tcgetattr(slave_, &settings) != 0) refuse();

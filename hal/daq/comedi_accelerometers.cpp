@@ -12,6 +12,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <optional>
 #include <set>
 #include <utility>
@@ -76,7 +77,7 @@ class ComediSource final : public ScanSource {
   std::vector<char> fetched_;   // from the last whole scan on
   std::optional<IoError> end_;  // of the stream
   double rate_Hz_ = 0;
-  double board_m_s2_ = 1e300;
+  double board_m_s2_ = std::numeric_limits<double>::infinity();
 };
 
 IoError refused(const std::string& why) { return {IoErrc::refused, "connect: " + why}; }
@@ -101,7 +102,7 @@ Status ComediSource::connect() {
 Status ComediSource::find_inputs() {
   inputs_.clear();
   scan_list_.clear();
-  board_m_s2_ = 1e300;
+  board_m_s2_ = std::numeric_limits<double>::infinity();
   const int channels = comedi_get_n_channels(device_.get(), subdevice_);
   for (const DaqInput& input : options_.inputs) {
     const unsigned channel = *channel_number(input.device_channel);
@@ -110,9 +111,9 @@ Status ComediSource::find_inputs() {
                                  channels - 1));
     }
     const int range = comedi_find_range(device_.get(), subdevice_, channel, UNIT_volt,
-                                        -options_.volts, options_.volts);
+                                        -options_.range_V, options_.range_V);
     if (range < 0) {
-      return refused(fmt::format("input {} has no range of ±{:g} V", channel, options_.volts));
+      return refused(fmt::format("input {} has no range of ±{:g} V", channel, options_.range_V));
     }
     const comedi_range* volts =
         comedi_get_range(device_.get(), subdevice_, channel, unsigned(range));
@@ -243,8 +244,8 @@ void check(const ComediOptions& options) {
   require(!options.device.empty(), "no device");
   require(options.rate_Hz >= 1 && options.rate_Hz <= 1e6,
           fmt::format("rate_Hz is {}, must be 1 to 1e6", options.rate_Hz));
-  require(options.volts > 0 && std::isfinite(options.volts),
-          fmt::format("volts is {}", options.volts));
+  require(options.range_V > 0 && std::isfinite(options.range_V),
+          fmt::format("range_V is {}", options.range_V));
   require_inputs(require, options.inputs, options.range_m_s2, options.block_s);
   std::set<unsigned> used;
   for (const DaqInput& input : options.inputs) {

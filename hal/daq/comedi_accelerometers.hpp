@@ -14,7 +14,7 @@ struct ComediOptions {
   std::string device = "/dev/comedi0";
   std::vector<DaqInput> inputs;  ///< device_channel is a number; the same one may not come twice
   double rate_Hz = 4960;    ///< asked for; boards divide a clock, and take the nearest they can
-  double volts = 10;        ///< the smallest range of the board that holds -volts to +volts
+  double range_V = 10;      ///< the smallest range of the board that holds -range_V to +range_V
   double range_m_s2 = 490;  ///< full scale of the sensors, as far as the board goes
   double block_s = 0.005;   ///< how often scans are fetched
   double deadline_s = 0.2;

@@ -1,11 +1,8 @@
 #include "hal/hdf5/hdf5_writer.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <optional>
@@ -13,6 +10,7 @@
 #include "hal/hdf5/growing_series.hpp"
 #include "hal/hdf5/recording_skeleton.hpp"
 #include "hal/hdf5/tables.hpp"
+#include "hal/put_on_disk.hpp"
 
 namespace rvbench::hal::hdf5 {
 namespace {
@@ -222,10 +220,14 @@ std::unique_ptr<RecordingWriter> make_hdf5_writer(const std::filesystem::path& f
 }
 
 void put_on_disk(const std::filesystem::path& file) {
-  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  int error = descriptor < 0 || ::fsync(descriptor) != 0 ? errno : 0;
-  if (descriptor >= 0) ::close(descriptor);
+  const int error = sync_file(file);
   if (error != 0) throw FileFailure(IoErrc::refused, std::string("fsync: ") + std::strerror(error));
+}
+
+void put_folder_on_disk(const std::filesystem::path& file) {
+  const int error = sync_folder_of(file);
+  if (error == 0) return;
+  throw FileFailure(IoErrc::refused, std::string("fsync of the folder: ") + std::strerror(error));
 }
 
 }  // namespace rvbench::hal::hdf5

@@ -15,7 +15,8 @@ std::unique_ptr<RecordingWriter> make_hdf5_writer(const std::filesystem::path& f
                                                   const RecordingLayout& layout,
                                                   std::chrono::milliseconds flush_interval);
 
-/// Puts a closed file on the disk. @throws FileFailure
+/// Puts a closed file, or the folder that it is in, on the disk. Both throw FileFailure.
 void put_on_disk(const std::filesystem::path& file);
+void put_folder_on_disk(const std::filesystem::path& file);
 
 }  // namespace rvbench::hal::hdf5

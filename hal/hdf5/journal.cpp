@@ -10,13 +10,16 @@
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
+#include <thread>
 
 #include "hal/hdf5/hdf5_handle.hpp"
 #include "hal/hdf5/journal_record.hpp"
-#include "hal/sync_folder.hpp"
+#include "hal/put_on_disk.hpp"
 
 namespace rvbench::hal::hdf5 {
 namespace {
+
+constexpr std::chrono::milliseconds longest_probe{100};  // of others, that do no more than look
 
 // Before each record; its checksum covers the first three and what follows.
 struct Head {
@@ -40,8 +43,8 @@ std::uint32_t checksum_of(const Head& head, const char* record) {
 int open_locked(const std::filesystem::path& path) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
   if (descriptor < 0) fail("create", errno);
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
-  const int error = errno;
+  const int error = lock_alone(descriptor);
+  if (error == 0) return descriptor;
   ::close(descriptor);
   fail("lock", error);
 }
@@ -90,10 +93,21 @@ std::filesystem::path journal_of(const std::filesystem::path& recording) {
   return recording.string() + ".journal";
 }
 
+int lock_alone(int descriptor) noexcept {
+  using namespace std::chrono;
+  const auto end = steady_clock::now() + longest_probe;
+  for (;;) {
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return 0;
+    if (errno != EWOULDBLOCK || steady_clock::now() > end) return errno;
+    std::this_thread::sleep_for(milliseconds(1));
+  }
+}
+
+// Any number may look at once: only a writer, or who repairs, holds the lock alone.
 bool is_left_behind(const std::filesystem::path& journal) {
   const int descriptor = ::open(journal.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return false;
-  const bool is_free = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+  const bool is_free = ::flock(descriptor, LOCK_SH | LOCK_NB) == 0;
   ::close(descriptor);
   return is_free;
 }
@@ -106,7 +120,7 @@ Journal::Journal(const std::filesystem::path& recording, const RecordingLayout& 
     if (::ftruncate(descriptor_, 0) != 0) fail("create", errno);
     add(bytes_of(layout));
     if (::fdatasync(descriptor_) != 0) fail("fdatasync", errno);
-    if (const int error = sync_folder(path_); error != 0) fail("fsync of the folder", error);
+    if (const int error = sync_folder_of(path_); error != 0) fail("fsync of the folder", error);
     sync_.emplace(descriptor_, sync_interval);
   } catch (...) {
     ::unlink(path_.c_str());
@@ -146,7 +160,7 @@ void Journal::remove() {
   if (::unlink(path_.c_str()) != 0) fail("remove", errno);
   // If it came back after a power failure, it would make the file anew that others know by its
   // hash.
-  if (const int error = sync_folder(path_); error != 0) fail("fsync of the folder", error);
+  if (const int error = sync_folder_of(path_); error != 0) fail("fsync of the folder", error);
 }
 
 std::unique_ptr<RecordingWriter> replay_journal(

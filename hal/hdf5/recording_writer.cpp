@@ -10,7 +10,6 @@
 #include "hal/hdf5/journal.hpp"
 #include "hal/hdf5/journal_record.hpp"
 #include "hal/recording_file.hpp"
-#include "hal/sync_folder.hpp"
 
 namespace rvbench::hal {
 namespace {
@@ -39,10 +38,7 @@ class JournaledWriter final : public RecordingWriter {
       : path_(std::move(path)), journal_(path_, layout, pace.sync) {
     try {
       file_ = make_hdf5_writer(path_, layout, pace.flush);
-      if (const int error = sync_folder(path_); error != 0) {
-        throw FileFailure(IoErrc::refused,
-                          std::string("fsync of the folder: ") + std::strerror(error));
-      }
+      put_folder_on_disk(path_);
     } catch (const FileFailure&) {
       abandon();
       throw;

@@ -1,6 +1,5 @@
 #include <fcntl.h>
 #include <hdf5.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -11,7 +10,6 @@
 #include "hal/hdf5/journal.hpp"
 #include "hal/hdf5/superblock.hpp"
 #include "hal/recording_file.hpp"
-#include "hal/sync_folder.hpp"
 
 namespace rvbench::hal {
 namespace {
@@ -24,7 +22,7 @@ class RepairLock {
   explicit RepairLock(const std::filesystem::path& path)
       : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
     if (descriptor_ < 0) throw FileFailure(IoErrc::refused, std::strerror(errno));
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+    if (lock_alone(descriptor_) != EWOULDBLOCK) return;
     ::close(descriptor_);
     throw FileFailure(IoErrc::refused, "in use by another program: not repaired");
   }
@@ -55,12 +53,6 @@ void put_right(const std::filesystem::path& path) {
   if (!file.close()) check(-1, "repair");
 }
 
-void sync_folder_of(const std::filesystem::path& file) {
-  if (const int error = sync_folder(file); error != 0) {
-    throw FileFailure(IoErrc::refused, std::string("fsync of the folder: ") + std::strerror(error));
-  }
-}
-
 // Takes the place of the file that was being written when its writer died. In this order: at every
 // moment either the journal is there, or the file made from it is on the disk.
 // @return whether the journal held a recording
@@ -80,7 +72,7 @@ bool make_anew(const std::filesystem::path& file, const std::filesystem::path& j
   std::error_code error;
   std::filesystem::rename(draft, file, error);
   if (error) throw FileFailure(IoErrc::refused, "rename: " + error.message());
-  sync_folder_of(file);
+  put_folder_on_disk(file);
   return true;
 }
 
@@ -91,7 +83,7 @@ void repair_from_journal(const std::filesystem::path& file) {
   std::error_code error;
   std::filesystem::remove(journal, error);
   if (error) throw FileFailure(IoErrc::refused, "journal: remove: " + error.message());
-  sync_folder_of(file);
+  put_folder_on_disk(file);
 }
 
 }  // namespace

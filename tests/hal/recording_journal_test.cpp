@@ -1,8 +1,15 @@
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <fstream>
 #include <iterator>
+#include <thread>
 
 #include "hal/formats/read_recordings.hpp"
+#include "hal/hdf5/journal.hpp"
 #include "tests/hal/recording_fixture.hpp"
 
 namespace rvbench::hal {
@@ -143,6 +150,28 @@ TEST_CASE("who reads a recording after a crash reads what its journal has", "[ha
   REQUIRE(read.value().size() == 2);  // the third was never begun
   CHECK(read.value()[0].find("accel_1")->samples.size() == blocks * scans);
   CHECK_THAT(read.value()[0].notes.back(), Catch::Contains("made anew"));
+}
+
+TEST_CASE("any number may look at once whether a journal was left behind", "[hal][recording]") {
+  const ScratchFolder scratch;
+  const std::filesystem::path journal = scratch / "r.h5.journal";
+  put_bytes(journal, left_behind().journal);
+  const int looking = ::open(journal.c_str(), O_RDONLY | O_CLOEXEC);
+  REQUIRE(::flock(looking, LOCK_SH | LOCK_NB) == 0);  // as another program just does
+  CHECK(hdf5::is_left_behind(journal));
+  SECTION("and who repairs waits for them a moment") {
+    std::jthread leaving([looking] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      ::close(looking);
+    });
+    CHECK(repair_recording(scratch / "r.h5"));
+  }
+  SECTION("but not for ever") {
+    const Status repaired = repair_recording(scratch / "r.h5");
+    REQUIRE_FALSE(repaired);
+    CHECK_THAT(repaired.error().where, Catch::Contains("in use by another program"));
+    ::close(looking);
+  }
 }
 
 TEST_CASE("a journal is there until its recording is closed", "[hal][recording]") {

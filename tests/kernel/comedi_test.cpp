@@ -96,12 +96,12 @@ TEST_CASE("a comedi board's range is the smallest that holds what is asked for")
   hal::SteadyClock clock;
   auto asked = options(1, 1000);
   for (const auto& [volts, range_V] : {std::pair{10.0, 10.0}, {4.0, 5.0}, {5.0, 5.0}}) {
-    asked.volts = volts;
+    asked.range_V = volts;
     const auto device = hal::make_comedi_accelerometers(asked, clock);
     REQUIRE(device->connect());
     CHECK(device->range_m_s2() == Approx(range_V * m_s2_per_V));
   }
-  asked.volts = 11;
+  asked.range_V = 11;
   const auto connected = hal::make_comedi_accelerometers(asked, clock)->connect();
   REQUIRE_FALSE(connected);
   CHECK(connected.error().code == IoErrc::refused);
