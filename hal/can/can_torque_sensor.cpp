@@ -13,6 +13,9 @@
 namespace rvbench::hal {
 namespace {
 
+constexpr double most_early = 16;       // samples: jitter of those before
+constexpr double slowest_clock = 1.01;  // of a transducer, against its stated period
+
 const char* flaw(const can_frames::TorqueFrame& frame) {
   if (frame.overload) return "overload";
   if (frame.shunt_on) return "shunt calibration is on";
@@ -95,14 +98,19 @@ Status CanTorqueSensor::take_waiting_frames(Track& track, TorqueBlock& block) {
 
 // Samples from the newest one to this one: 1 if none was lost, 0 or less if it is not new. The
 // same frame again is never new, however long it took: that is a transducer that stands still,
-// and not one of which exactly 255 samples were lost.
+// and not one of which exactly 255 samples were lost. A sample never comes before it was taken: 256
+// more were lost only if so many periods have passed without any. One that comes later than it
+// should was held up, and those behind it come in a burst.
 std::int64_t CanTorqueSensor::samples_since(const Track& track,
                                             const can_frames::TorqueFrame& frame,
                                             double time_s) const {
   if (frame == track.newest) return 0;
   const int step = static_cast<std::uint8_t>(frame.counter - track.newest.counter);
-  const double elapsed = (time_s - track.came_s) * options_.rate_Hz;
-  return step + 256 * std::llround((elapsed - step) / 256);
+  const double elapsed = (time_s - track.due_s) * options_.rate_Hz;
+  const auto wraps = static_cast<std::int64_t>(std::floor((elapsed - step + most_early) / 256));
+  // Half a turn of the counter ahead of what has come: a turn was taken for lost that was not.
+  const bool is_ahead = (track.time_s - time_s) * options_.rate_Hz + step > 128;
+  return step + 256 * (is_ahead ? wraps - 1 : wraps);
 }
 
 void CanTorqueSensor::append(const can_frames::TorqueFrame& frame, double time_s, Track& track,
@@ -111,7 +119,7 @@ void CanTorqueSensor::append(const can_frames::TorqueFrame& frame, double time_s
     track.started = true;
     track.clock.start(time_s);
     track.newest = frame;
-    track.came_s = track.time_s = time_s;
+    track.due_s = track.time_s = time_s;
     track.angle_turns = frame.angle_turns;
     block.samples.push_back({frame.torque_Nm, units::two_pi * track.angle_turns});
     return;
@@ -127,7 +135,7 @@ void CanTorqueSensor::append(const can_frames::TorqueFrame& frame, double time_s
   const double expected_turns = track.angle_turns + samples * track.turns_per_sample;
   const double turns = frame.angle_turns + std::round(expected_turns - frame.angle_turns);
   track.newest = frame;
-  track.came_s = time_s;
+  track.due_s = std::min(time_s, track.due_s + slowest_clock * samples / options_.rate_Hz);
   track.time_s = track.clock.next(time_s, steps);
   track.turns_per_sample = (turns - track.angle_turns) / samples;
   track.angle_turns = turns;

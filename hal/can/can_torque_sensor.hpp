@@ -24,10 +24,14 @@ struct CanTorqueSensorOptions {
 
 /// Torque transducer over CAN frames, one per sample: 0x181 of can_frames, or those of a DBC file.
 ///
-/// Samples  lost frames are found by the rolling counter (and by the time of arrival, for 256 and
-///          more) and filled with NaN; the angle is unwrapped over gaps at the last known speed,
-///          which holds as long as the speed changes by less than half a turn per gap. Their times
-///          are those of a FrameClock: frames come late, each by another while
+/// Samples  lost frames are found by the rolling counter and filled with NaN; the angle is
+///          unwrapped over gaps at the last known speed, which holds as long as the speed changes
+///          by less than half a turn per gap. Their times are those of a FrameClock: frames come
+///          late, each by another while
+/// Wraps    of the 8-bit counter are told by the time of arrival: 256 frames are lost only if so
+///          many periods have passed without one. A burst that was held up for 239 periods or less
+///          is told from that; of one that was held up for longer, 256 samples count as lost, and
+///          as many of what follows are dropped
 /// Errors   timeout: nothing came; stale: the counter stood still; bad_reply: a frame of wrong
 ///          length, or one that says zeroing, overload or shunt on. Samples of a failed read()
 ///          count as lost in the next one
@@ -52,7 +56,7 @@ class CanTorqueSensor final : public TorqueSensor {
     bool started = false;
     FrameClock clock;
     can_frames::TorqueFrame newest;
-    double came_s = 0;            ///< when the newest sample came
+    double due_s = 0;             ///< when the newest sample came, or should have
     double time_s = 0;            ///< and when it was taken
     double angle_turns = 0;       ///< unwrapped
     double turns_per_sample = 0;  ///< at the newest sample

@@ -1,7 +1,9 @@
 #include "hal/can/can_torque_sensor.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -28,6 +30,29 @@ struct Bench {
   test::CanBench world;
   hal::CanTorqueSensor sensor{
       std::move(world.bus.bench), {.rate_Hz = rate_Hz, .deadline_s = deadline_s}, world};
+};
+
+// An adapter that is held up for a while, and then hands on at once all that has come.
+class HeldTransport final : public hal::CanTransport {
+ public:
+  HeldTransport(std::unique_ptr<hal::CanTransport> bus, const hal::Clock& clock)
+      : bus_(std::move(bus)), clock_(clock) {}
+  Status open() override { return bus_->open(); }
+  Status send(const hal::CanFrame& frame) override { return bus_->send(frame); }
+  Result<hal::CanFrame> receive() override {
+    if (clock_.now_s() < held_until_s) return IoError{IoErrc::timeout, "held"};
+    auto frame = bus_->receive();
+    if (!frame) return frame;
+    hal::CanFrame late = frame.value();
+    late.time_s = std::max(late.time_s, held_until_s);
+    return late;
+  }
+
+  double held_until_s = 0;
+
+ private:
+  std::unique_ptr<hal::CanTransport> bus_;
+  const hal::Clock& clock_;
 };
 
 int count_nan(const hal::TorqueBlock& block) {
@@ -92,6 +117,59 @@ SCENARIO("lost frames become NaN, in their place and counted", "[hal][can]") {
     CHECK(block.value().samples.back().angle_rad ==
           Approx(angle_rad).margin(1.01 * count_rad).epsilon(0));
   }
+}
+
+TEST_CASE("frames that come late in a burst are not lost", "[hal][can]") {
+  test::CanBench world;
+  world.brake.set_fault(sim::NodeFault::silent);
+  auto held = std::make_unique<HeldTransport>(std::move(world.bus.bench), world);
+  HeldTransport& transport = *held;
+  hal::CanTorqueSensor sensor{std::move(held), {.rate_Hz = rate_Hz, .deadline_s = 2}, world};
+  REQUIRE(sensor.connect());
+  world.wait_until(0.1);
+  REQUIRE(sensor.read());
+  const int periods = GENERATE(10, 127, 130, 200, 239);
+  const bool has_loss = GENERATE(false, true);  // of frames that came when they should not have
+  if (has_loss) world.transducer.lose_frames(5);
+  transport.held_until_s = 0.1 + periods / rate_Hz;
+  std::size_t samples = 0;
+  int lost = 0;
+  for (int i = 0; i < 100; ++i) {
+    world.wait_until(0.1 + i * 0.01);
+    const auto block = sensor.read();
+    REQUIRE(block);
+    samples += block.value().samples.size();
+    lost += block.value().lost;
+  }
+  CHECK(lost == (has_loss ? 5 : 0));
+  CHECK(double(samples) == Approx(0.99 * rate_Hz).margin(1));
+}
+
+TEST_CASE(
+    "a burst that was held up for longer than its counter goes round leaves no trace but a "
+    "count of lost samples",
+    "[hal][can]") {
+  test::CanBench world;
+  world.brake.set_fault(sim::NodeFault::silent);
+  auto held = std::make_unique<HeldTransport>(std::move(world.bus.bench), world);
+  HeldTransport& transport = *held;
+  hal::CanTorqueSensor sensor{std::move(held), {.rate_Hz = rate_Hz, .deadline_s = 2}, world};
+  REQUIRE(sensor.connect());
+  world.wait_until(0.1);
+  REQUIRE(sensor.read());
+  transport.held_until_s = 0.1 + 300 / rate_Hz;
+  std::size_t samples = 0;
+  hal::TorqueBlock newest;
+  for (int i = 0; i < 200; ++i) {
+    world.wait_until(0.1 + i * 0.01);
+    const auto block = sensor.read();
+    REQUIRE(block);
+    samples += block.value().samples.size();
+    if (!block.value().samples.empty()) newest = block.value();
+  }
+  CHECK(double(samples) == Approx(1.99 * rate_Hz).margin(1));
+  const double newest_s = newest.t0_s + double(newest.samples.size() - 1) / rate_Hz;
+  CHECK(newest_s == Approx(world.now_s()).margin(0.003));
 }
 
 SCENARIO("a transducer that says nothing new is an error, each in its own word", "[hal][can]") {
