@@ -15,6 +15,7 @@ namespace {
 constexpr double tick_s = 0.01;
 constexpr double write_period_s = 0.1;  // well within any watchdog
 constexpr double report_period_s = 0.5;
+constexpr double longest_look_s = 2;  // at the counters of all buses
 // The drive's own speed may be an estimate that leaves slip out; a dead angle is far off.
 constexpr double speeds_apart_rpm = 60;
 constexpr double speeds_apart_share = 0.15;
@@ -150,14 +151,20 @@ std::optional<int> BenchLoop::next_point() {
 
 std::optional<Ending> BenchLoop::record_point(int point, double input_turns, double timeout_s) {
   buses_.begin();
+  if (auto ending = await_buses()) return ending;
   recorder_.open(point);
   const Waited waited =
       run_until([&](const BenchValues&) { return recorder_.covers(input_turns); }, timeout_s);
-  if (waited.ending) {
-    interrupt_record();
-    return waited.ending;
+  std::optional<Ending> ending = waited.ending;
+  if (!ending) {
+    buses_.end();
+    ending = await_buses();
   }
-  const std::string bus_errors = buses_.end();
+  if (ending) {
+    interrupt_record();
+    return ending;
+  }
+  const std::string bus_errors = buses_.verdict();
   const char* const status = !waited.met ? "too_short" : bus_errors.empty() ? "ok" : "bus_errors";
   const auto result = recorder_.close(status, least_torque_Nm());
   if (!result) return end(recording_failed(result.error()));
@@ -167,6 +174,12 @@ std::optional<Ending> BenchLoop::record_point(int point, double input_turns, dou
   }
   if (!bus_errors.empty()) event(fmt::format("point {}: {}", point, bus_errors));
   return std::nullopt;
+}
+
+// The devices are watched meanwhile.
+std::optional<Ending> BenchLoop::await_buses() {
+  if (buses_.is_ready()) return std::nullopt;
+  return run_until([this](const BenchValues&) { return buses_.is_ready(); }, longest_look_s).ending;
 }
 
 // A reducer puts out no more power than it takes in: half of what that asks for at the input

@@ -60,14 +60,14 @@ class BenchLoop {
   Supervisor& supervisor() { return supervisor_; }
   BenchDevices& devices() { return devices_; }
   double brake_torque_Nm() const { return brake_torque_Nm_; }  ///< as commanded
-  std::optional<Ending> ended() const {
-    return supervisor_.latched();
-  }  ///< empty while the run goes on
+  /// Empty while the run goes on.
+  std::optional<Ending> ended() const { return supervisor_.latched(); }
   const std::vector<hal::PointResult>& points() const { return points_; }
 
  private:
   std::optional<Ending> tick();
   std::optional<Ending> trouble();
+  std::optional<Ending> await_buses();
   double least_torque_Nm() const;
   bool speeds_disagree();
   Ending end(const Ending& ending);

@@ -3,8 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <mutex>
+#include <utility>
+
 namespace rvbench::sequences {
 namespace {
+
+constexpr double longest_farewell_s = 1;  // no bus takes longer to answer
 
 // A counter that has fallen belongs to an interface that was made anew meanwhile.
 std::string moved(const hal::BusCounters& before, const hal::BusCounters& after) {
@@ -18,7 +23,8 @@ std::string moved(const hal::BusCounters& before, const hal::BusCounters& after)
   return words.empty() ? "" : fmt::format("{}: {}", after.interface, fmt::join(words, ", "));
 }
 
-std::string verdict(const Result<hal::BusCounters>& before, const Result<hal::BusCounters>& after) {
+std::string in_words(const Result<hal::BusCounters>& before,
+                     const Result<hal::BusCounters>& after) {
   if (!before) return describe(before.error());
   if (!after) return describe(after.error());
   return moved(before.value(), after.value());
@@ -26,17 +32,50 @@ std::string verdict(const Result<hal::BusCounters>& before, const Result<hal::Bu
 
 }  // namespace
 
-void BusWatch::begin() {
-  before_.clear();
-  for (const auto& bus : rig_.buses) before_.push_back(bus->read());
+struct BusWatch::Looks {
+  std::mutex mutex;
+  std::optional<Look> before, after;
+};
+
+BusWatch::BusWatch(hal::Rig& rig) : rig_(rig), looks_(std::make_shared<Looks>()) {
+  if (!rig.clock->is_virtual() && !rig.buses.empty()) reader_ = std::make_unique<Scribe>(1);
 }
 
-std::string BusWatch::end() const {
+BusWatch::~BusWatch() {
+  if (reader_) (void)reader_->finish_within(longest_farewell_s);
+}
+
+void BusWatch::begin() {
+  {
+    const std::lock_guard lock(looks_->mutex);
+    looks_->before.reset();
+    looks_->after.reset();
+  }
+  look(&Looks::before);
+}
+
+void BusWatch::end() { look(&Looks::after); }
+
+void BusWatch::look(std::optional<Look> Looks::*into) {
+  const auto read = [&buses = rig_.buses, looks = looks_, into] {
+    Look seen;
+    for (const auto& bus : buses) seen.push_back(bus->read());
+    const std::lock_guard lock(looks->mutex);
+    (*looks).*into = std::move(seen);
+  };
+  if (!reader_) return read();
+  (void)reader_->post(0, read);
+}
+
+bool BusWatch::is_ready() const { return !reader_ || !reader_->is_busy(); }
+
+std::string BusWatch::verdict() const {
+  const std::lock_guard lock(looks_->mutex);
+  if (!looks_->before || !looks_->after) return "the counters of the buses are not told in time";
   std::vector<std::string> words;
-  for (std::size_t i = 0; i < before_.size(); ++i) {
-    if (std::string word = verdict(before_[i], rig_.buses[i]->read()); !word.empty()) {
-      words.push_back(std::move(word));
-    }
+  for (std::size_t i = 0; i < looks_->after->size(); ++i) {
+    std::string word = in_words((*looks_->before)[i], (*looks_->after)[i]);
+    if (!word.empty()) words.push_back(std::move(word));
   }
   return fmt::format("{}", fmt::join(words, "; "));
 }

@@ -1,10 +1,13 @@
 #include "sequences/bus_watch.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <memory>
+#include <thread>
 
 #include "tests/sequences/run_fixture.hpp"
+#include "tests/support/live_rig.hpp"
 
 using namespace rvbench;
 using test::Run;
@@ -36,6 +39,24 @@ class CountingBus final : public hal::BusMonitor {
   Script& script_;
   const hal::Clock& clock_;
 };
+
+// One that takes its time.
+class SlowBus final : public hal::BusMonitor {
+ public:
+  explicit SlowBus(const std::atomic<bool>& answers) : answers_(answers) {}
+  Result<hal::BusCounters> read() override {
+    answers_.wait(false);
+    return hal::BusCounters{"can0", {{"bus_error", 1}}};
+  }
+
+ private:
+  const std::atomic<bool>& answers_;
+};
+
+std::string at_end(sequences::BusWatch& watch) {
+  watch.end();
+  return watch.verdict();
+}
 
 // The record of small_plan is made within this time.
 constexpr double in_record_s = 15;
@@ -99,12 +120,28 @@ TEST_CASE("what has moved is told of each bus", "[sequences][can]") {
   BusRun run;
   sequences::BusWatch watch(run.rig);
   watch.begin();
-  CHECK(watch.end().empty());
+  CHECK(at_end(watch).empty());
   run.can0 = {.counter = "bus_off", .from_s = 0};
   run.can1 = {.counter = "bus_error", .from_s = 0};
-  CHECK(watch.end() == "can0: bus_off +10; can1: bus_error +3");
+  CHECK(at_end(watch) == "can0: bus_off +10; can1: bus_error +3");
   watch.begin();
-  CHECK(watch.end().empty());
+  CHECK(at_end(watch).empty());
   run.can1.from_s = never_s;  // as an interface that was taken down and made anew
-  CHECK(watch.end() == "can1: bus_error began anew");
+  CHECK(at_end(watch) == "can1: bus_error began anew");
+}
+
+TEST_CASE("in real time nobody waits for a bus", "[sequences][can][safety]") {
+  std::atomic<bool> answers = false;
+  hal::Rig rig = test::make_live_rig();
+  rig.buses.push_back(std::make_unique<SlowBus>(answers));
+  sequences::BusWatch watch(rig);
+  watch.begin();
+  CHECK_FALSE(watch.is_ready());
+  CHECK_THAT(watch.verdict(), Catch::Contains("not told in time"));
+  watch.end();
+  CHECK_FALSE(watch.is_ready());
+  answers = true;
+  answers.notify_all();
+  while (!watch.is_ready()) std::this_thread::yield();
+  CHECK(watch.verdict().empty());
 }
