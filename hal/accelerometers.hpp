@@ -29,6 +29,9 @@ class Accelerometers {
   virtual const std::vector<ChannelInfo>& channels() const = 0;  ///< unit "m/s²"
   virtual double range_m_s2() const = 0;  ///< full scale: samples there are clipped
   virtual double rate_Hz() const = 0;     ///< the rate the device really runs at
+  /// How long after it a hole in the stream is told at the latest, by read(): 0 where the device
+  /// tells each scan that it lost. A record is whole once later scans than that have come.
+  virtual double hole_told_after_s() const { return 0; }
   virtual Status connect() = 0;
   virtual Status start() = 0;
   virtual Result<AccelerationBlock> read() = 0;

@@ -157,9 +157,11 @@ std::optional<Ending> BenchLoop::record_point(int point, double input_turns, dou
       run_until([&](const BenchValues&) { return recorder_.covers(input_turns); }, timeout_s);
   std::optional<Ending> ending = waited.ending;
   if (!ending) {
+    recorder_.seal();
     buses_.end();
     ending = await_buses();
   }
+  if (!ending && waited.met) ending = await_sound_end();
   if (ending) {
     interrupt_record();
     return ending;
@@ -180,6 +182,16 @@ std::optional<Ending> BenchLoop::record_point(int point, double input_turns, dou
 std::optional<Ending> BenchLoop::await_buses() {
   if (buses_.is_ready()) return std::nullopt;
   return run_until([this](const BenchValues&) { return buses_.is_ready(); }, longest_look_s).ending;
+}
+
+// A stream with a hole ends, and with it its accelerometers are lost.
+std::optional<Ending> BenchLoop::await_sound_end() {
+  const double told_after_s = rig_.accelerometers->hole_told_after_s();
+  if (told_after_s <= 0) return std::nullopt;
+  const auto is_told = [&](const BenchValues&) { return recorder_.is_followed_for(told_after_s); };
+  const Waited waited = run_until(is_told, 2 * (told_after_s + plan_.interlocks.stale_after_s));
+  if (waited.ending || waited.met) return waited.ending;
+  return end(device_lost("accelerometers: no scans followed the record, which may have a hole"));
 }
 
 // A reducer puts out no more power than it takes in: half of what that asks for at the input

@@ -46,7 +46,8 @@ class BenchLoop {
   /// The number of the next point of the plan; nothing if an earlier run has recorded it.
   std::optional<int> next_point();
   /// Records until the input shaft has made so many turns; "too_short" at the time-out,
-  /// "bus_errors" if a counter of a bus has moved meanwhile.
+  /// "bus_errors" if a counter of a bus has moved meanwhile. It ends once every hole in it would
+  /// have been told: Accelerometers::hole_told_after_s().
   std::optional<Ending> record_point(int point, double input_turns, double timeout_s);
   /// Ends the record that an exception left open, if any.
   void interrupt_record();
@@ -68,6 +69,7 @@ class BenchLoop {
   std::optional<Ending> tick();
   std::optional<Ending> trouble();
   std::optional<Ending> await_buses();
+  std::optional<Ending> await_sound_end();
   double least_torque_Nm() const;
   bool speeds_disagree();
   Ending end(const Ending& ending);

@@ -20,17 +20,23 @@ constexpr double lags_apart_s =
 void PointRecorder::open(int point) {
   so_far_ = {};
   is_open_ = true;
+  is_sealed_ = false;
+  followed_until_s_ = not_known;
   point_ = point;
 }
 
 Status PointRecorder::take(const FreshValues& fresh) {
   if (!is_open_) return Done{};
+  if (fresh.accelerations) {
+    followed_until_s_ = fresh.accelerations->t0_s +
+                        double(fresh.accelerations->scans.rows()) / fresh.acceleration_rate_Hz;
+  }
+  if (is_sealed_) return Done{};
   compare_streams(fresh);
   if (fresh.accelerations) {
     const hal::AccelerationBlock& block = *fresh.accelerations;
     if (std::isnan(so_far_.t0_s)) so_far_.t0_s = block.t0_s;
-    so_far_.accelerations_end_s =
-        block.t0_s + double(block.scans.rows()) / fresh.acceleration_rate_Hz;
+    so_far_.accelerations_end_s = followed_until_s_;
     so_far_.scans_lost += block.lost;
     if (Status written = recording_.append(point_, block); !written) return written;
   }
@@ -101,6 +107,10 @@ bool PointRecorder::covers(double input_turns) const {
   const double share = (std::min(so_far_.last_s, so_far_.accelerations_end_s) - so_far_.first_s) /
                        (so_far_.last_s - so_far_.first_s);
   return std::abs(so_far_.last_rad - so_far_.first_rad) * share >= input_turns * units::two_pi;
+}
+
+bool PointRecorder::is_followed_for(double duration_s) const {
+  return followed_until_s_ >= so_far_.accelerations_end_s + duration_s;
 }
 
 Result<hal::PointResult> PointRecorder::close(std::string status, double least_torque_Nm) {

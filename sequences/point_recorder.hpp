@@ -20,6 +20,11 @@ class PointRecorder {
   Status take(const FreshValues& fresh);
   bool covers(double input_turns) const;
 
+  /// The record takes no more samples; it has not ended, for a hole at its end may yet be told.
+  void seal() { is_sealed_ = true; }
+  /// Scans have come that are so much later than the record's last one.
+  bool is_followed_for(double duration_s) const;
+
   /// Ends the point. A record in which samples are missing is never "ok", nor one in which one
   /// stream falls behind the other: a gap that nobody told. Nor one whose mean input torque, in
   /// the direction of rotation and over any stretch of a second and ten turns, is less than the
@@ -58,6 +63,8 @@ class PointRecorder {
 
   hal::RecordingWriter& recording_;
   bool is_open_ = false;
+  bool is_sealed_ = false;
+  double followed_until_s_ = not_known;
   int point_ = 0;
   SoFar so_far_;
 };

@@ -23,13 +23,16 @@ class SampleClock {
 
   /// When that sample was taken; 0 is the first. @pre a block has been added
   double time_s(std::int64_t sample) const;
-  double rate_Hz() const;  ///< as it really is; the nominal one for the first five seconds
-  double uncertainty_s()
-      const;  ///< how far the punctual blocks scatter; NaN before the third second
+  double rate_Hz() const;        ///< as it really is; the nominal one for the first five seconds
+  double uncertainty_s() const;  ///< scatter of the punctual blocks; NaN before the third second
 
   /// Time that the samples fall short of what has passed: a hole in the stream. 0 if there is none
-  /// above the scatter; a hole of 5 ms is found within two seconds.
+  /// that is longer than 5 ms and five times the scatter: a shorter one cannot be told from blocks
+  /// that come late. A longer one is found within hole_found_within_s. Not before the third second
   double missing_s() const { return missing_s_; }
+
+  /// Two of the seconds of which the most punctual block counts, each as long as a block more.
+  static constexpr double hole_found_within_s = 2.5;
 
  private:
   struct Block {

@@ -15,6 +15,8 @@ namespace rvbench::hal {
 ///
 /// Errors   timeout: no scan within the deadline; overrun: scans are missing, and where is not
 ///          known; whatever else the source says. After an error start() goes on
+/// Holes    that the front end does not tell are found by SampleClock, which says how small ones
+///          and when
 /// Time     t0_s by SampleClock: how sure, tells time_uncertainty_s(). The DAQ's own delay, which
 ///          stays in, is that of its converter and of the transport
 class StreamedAccelerometers final : public Accelerometers {
@@ -30,6 +32,7 @@ class StreamedAccelerometers final : public Accelerometers {
   const std::vector<ChannelInfo>& channels() const override { return channels_; }
   double range_m_s2() const override { return source_->range_m_s2(); }
   double rate_Hz() const override { return source_->rate_Hz(); }
+  double hole_told_after_s() const override { return SampleClock::hole_found_within_s; }
   Status connect() override;
   Status start() override;
   Result<AccelerationBlock> read() override;

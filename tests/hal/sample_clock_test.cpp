@@ -63,6 +63,27 @@ TEST_CASE("a hole in the stream is found within two seconds", "[hal][daq]") {
   CHECK(clock.missing_s() == Approx(0.02).margin(0.002));
 }
 
+TEST_CASE("a hole is found in time wherever it is, down to what lateness hides", "[hal][daq]") {
+  const double after_s = GENERATE(0.0, 0.25, 0.5, 0.75, 0.99);  // the last whole second
+  const double hole_s = GENERATE(0.001, 0.008, 0.05);
+  Device device{.scatter_s = 0.0005};
+  SampleClock clock(10'000);
+  device.send(clock, 20 + after_s);
+  REQUIRE(clock.missing_s() == 0);
+  device.start_s += hole_s;
+  double found_s = 0;
+  for (int block = 0; block < 250 && found_s == 0; ++block) {
+    device.send(clock, 0.01);
+    if (clock.missing_s() > 0) found_s = 0.01 * (block + 1);
+  }
+  if (hole_s < 0.005) {
+    CHECK(found_s == 0);
+  } else {
+    REQUIRE(found_s > 0);
+    CHECK(found_s <= SampleClock::hole_found_within_s);
+  }
+}
+
 TEST_CASE("a computer that was busy for a while is no hole", "[hal][daq]") {
   Device device;
   SampleClock clock(10'000);

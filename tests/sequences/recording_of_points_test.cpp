@@ -283,3 +283,53 @@ TEST_CASE("a last point that does not settle and cannot be written down is ERROR
   CHECK_THAT(summary.ending.reason, Catch::Contains("disk full"));
   CHECK(summary.shaft_stopped);
 }
+
+namespace {
+
+// Accelerometers of which a hole is told late, and then by the end of their stream.
+class HoleToldLate final : public hal::Accelerometers {
+ public:
+  HoleToldLate(std::unique_ptr<hal::Accelerometers> real, const hal::Clock& clock, double told_s)
+      : real_(std::move(real)), clock_(clock), told_s_(told_s) {}
+  const std::vector<ChannelInfo>& channels() const override { return real_->channels(); }
+  double range_m_s2() const override { return real_->range_m_s2(); }
+  double rate_Hz() const override { return real_->rate_Hz(); }
+  double hole_told_after_s() const override { return 2.5; }
+  Status connect() override { return real_->connect(); }
+  Status start() override { return real_->start(); }
+  Result<hal::AccelerationBlock> read() override {
+    if (clock_.now_s() >= told_s_) return IoError{IoErrc::overrun, "20 ms of samples are missing"};
+    return real_->read();
+  }
+  void stop() noexcept override { real_->stop(); }
+
+ private:
+  std::unique_ptr<hal::Accelerometers> real_;
+  const hal::Clock& clock_;
+  double told_s_;
+};
+
+}  // namespace
+
+TEST_CASE("a record ends once a hole at its end would have been told", "[sequences]") {
+  test::Run plain;
+  plain.go();
+  REQUIRE(plain.summary.points.at(0).status == "ok");
+  const double end_s = plain.recording.points.at(0).accelerations_to_s;
+
+  test::Run run;
+  const double told_s = GENERATE_COPY(1e9, end_s + 0.1, end_s + 2.4);
+  run.rig.accelerometers =
+      std::make_unique<HoleToldLate>(std::move(run.rig.accelerometers), *run.rig.clock, told_s);
+  run.go();
+  // It is no longer for that.
+  CHECK(run.recording.points.at(0).accelerations_to_s == Approx(end_s).margin(0.001));
+  if (told_s > end_s + 2.5) {
+    CHECK(run.summary.points.at(0).status == "ok");
+    CHECK(run.summary.duration_s == Approx(plain.summary.duration_s + 2.5).margin(0.1));
+  } else {
+    CHECK(run.summary.points.at(0).status == "interrupted");
+    CHECK(run.summary.ending.error_kind == ErrorKind::device_lost);
+    CHECK_THAT(run.summary.ending.reason, Catch::Contains("20 ms of samples are missing"));
+  }
+}
