@@ -65,6 +65,7 @@ Ending record(Acceptance& acceptance, hal::Rig& rig, RunLog& log, std::stop_toke
   acceptance.facts.drive_retries = summary.drive_retries;
   acceptance.facts.shaft_stopped = summary.shaft_stopped;
   acceptance.facts.brake_released = summary.brake_released;
+  acceptance.facts.must_exit = summary.supervisor_hung || summary.observer_hung;
   return closed ? summary.ending : graver(summary.ending, bench_fault(closed.error()));
 }
 
@@ -124,7 +125,7 @@ Ending judge_points(Judgement& judgement, const Acceptance& acceptance, RunRecor
   hal::ServiceWatchdog service;  // nobody supervises any more, but the service lives
   for (int number = 0; number < static_cast<int>(points.size()); ++number) {
     const auto& planned = points[static_cast<std::size_t>(number)];
-    service.feed(clock.now_s());
+    if (!acceptance.facts.must_exit) service.feed(clock.now_s());
     bar.show("judge", number / double(points.size()),
              fmt::format("{:.0f} rpm, {:.0f} %, repeat {}", planned.speed_rpm, planned.load_pct,
                          planned.repeat));

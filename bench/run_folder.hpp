@@ -48,6 +48,9 @@ struct RunFacts {
   int drive_retries = 0;
   bool shaft_stopped = false;
   bool brake_released = false;
+  /// A thread hangs in a call of the rig's or the log's: the process must exit without destroying
+  /// the rig. Not in the files.
+  bool must_exit = false;
   std::optional<int> resumed_at_point;
   std::vector<std::pair<double, std::string>> events;
 };

@@ -24,11 +24,11 @@ class Backstage {
 /// Members are destroyed from the last to the first: devices, then the clock, then the backstage.
 struct Rig {
   std::string name;
-  bool is_played = false;  ///< a recording: nothing turns, and nothing can get hot
+  bool is_played = false;                ///< a recording: nothing turns, and nothing can get hot
   std::unique_ptr<Backstage> backstage;  ///< may be null
   std::unique_ptr<Clock> clock;
-  std::vector<std::unique_ptr<BusMonitor>>
-      buses;  ///< of the devices; none where nothing is counted
+  /// Of the devices; none where nothing is counted.
+  std::vector<std::unique_ptr<BusMonitor>> buses;
   std::unique_ptr<SafetyInputs> safety;
   std::unique_ptr<Accelerometers> accelerometers;
   std::unique_ptr<TorqueSensor> torque_sensor;

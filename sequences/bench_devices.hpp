@@ -28,8 +28,8 @@ class BenchDevices {
   void start();               ///< from now on everything must be seen
   bool all_answered() const;  ///< since start()
   void read();
-  void write(double speed_rpm,
-             double brake_torque_Nm);      ///< nothing once the supervisor has tripped
+  /// Nothing once the supervisor has tripped.
+  void write(double speed_rpm, double brake_torque_Nm);
   void hold_brake(double torque_Nm);       ///< the brake alone, while the drive is stopped
   void stop_drive() noexcept;              ///< unless the supervisor is just doing it
   void leave_drive_alone(double until_s);  ///< asks it nothing: each request feeds its watchdog

@@ -10,10 +10,9 @@ namespace {
 
 // A lost frame of the torque sensor now and then harms nothing: its angle goes on.
 constexpr double most_torque_lost = 0.01;
-constexpr double stretch_s = 1;       // short enough to show what befell a part of the record
-constexpr double stretch_turns = 10;  // long enough for the ripple within a turn to even out
-constexpr double lags_apart_s =
-    0.05;  // of two streams, besides their blocks: as good as stamps are
+constexpr double stretch_s = 1;        // short enough to show what befell a part of the record
+constexpr double stretch_turns = 10;   // long enough for the ripple within a turn to even out
+constexpr double lags_apart_s = 0.05;  // of two streams, besides their blocks: as good as stamps
 
 }  // namespace
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdlib>
 #include <iterator>
 #include <system_error>
 #include <utility>
@@ -135,6 +136,13 @@ std::string twin_of(const RigFile& rig) {
   return std::holds_alternative<SimRig>(rig) ? "" : plant_of(rig);
 }
 
+// With a thread in a device's call that never returns, no destructor of the rig may run.
+[[noreturn]] void leave(Console& console, int code) {
+  console.out.flush();
+  console.err.flush();
+  std::_Exit(code);
+}
+
 int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
                         const analysis::Kinematics& kinematics, hal::Rig& rig,
                         const std::vector<hal::ConfigFault>& warnings) {
@@ -164,6 +172,7 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
   } else {
     print_summary(console, judgement, kinematics, place_.folder);
   }
+  if (judgement.facts.must_exit) leave(console, exit_code(judgement.ending));
   return exit_code(judgement.ending);
 }
 

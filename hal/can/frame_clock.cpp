@@ -9,8 +9,7 @@ namespace rvbench::hal {
 namespace {
 
 constexpr double exact_s = 1e-9;
-constexpr double most_hurry =
-    0.05;  // what a speed may be wrong by, well below any interlock's room
+constexpr double most_hurry = 0.05;  // a speed may be wrong by that: less than interlocks' room
 constexpr double patience_s = 1;
 
 }  // namespace
