@@ -17,8 +17,8 @@
 namespace rvbench::sequences {
 namespace {
 
-constexpr std::size_t most_bytes_behind = 256UL
-                                          << 20U;      // half a minute of 24 channels at 102.4 kHz
+// Half a minute of 24 channels at 102.4 kHz.
+constexpr std::size_t most_bytes_behind = 256UL << 20U;
 constexpr std::size_t most_bytes_of_log = 1UL << 20U;  // some two thousand events
 constexpr double slow_disk_s = 0.5;
 constexpr const char* hung =

@@ -23,8 +23,8 @@ struct ModbusInverterOptions {
   double stall_s = 0;               ///< real time granted on top, where the rig's clock is virtual:
                                     ///< a busy computer is no dead drive
   DriveLimits limits{.max_speed_rpm = 3000};
-  MotorPlate motor =
-      {};  ///< its pole pairs must agree with the drive's own setting, where it tells it
+  /// Its pole pairs must agree with the drive's own setting, where it tells it.
+  MotorPlate motor = {};
 };
 
 /// Drive over Modbus TCP or RTU, of any family that has a profile (hal/modbus/drives/).
