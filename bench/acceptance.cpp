@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "bench/judging.hpp"
-#include "bench/roll_call.hpp"
 #include "bench/run_log.hpp"
 #include "bench/run_recordings.hpp"
 #include "bench/run_results.hpp"
@@ -90,12 +89,6 @@ Ending measure(Acceptance& acceptance, hal::Rig& rig, RunLog& log, std::stop_tok
                              first_point + 1, points));
   }
   for (const std::string& warning : acceptance.warnings) log.event(0, "warning: " + warning);
-  if (acceptance.may_be_absent) {
-    if (auto absent = roll_call(rig)) {
-      log.event(0, absent->reason);
-      return *absent;
-    }
-  }
   return record(acceptance, rig, log, std::move(stop), before.value());
 }
 

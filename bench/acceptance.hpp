@@ -31,7 +31,6 @@ struct Acceptance {
   RunFacts facts;                   ///< what is known before the start
   std::string twin = {};            ///< plant that stands for what the rig turns; "" on a simulated
                                     ///< rig, which is its own
-  bool may_be_absent = false;       ///< devices are called before anything else is done with them
   std::vector<std::string> warnings = {};           ///< of the rig file; they go into the log
   RecordingMaker begin_recording = make_recording;  ///< another watches what is recorded
 };

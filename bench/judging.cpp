@@ -155,6 +155,11 @@ JudgedPoint judge_point(const Recording& record, const analysis::Kinematics& kin
   point.status = record.status.empty() ? "ok" : record.status;
   point.planned_speed_rpm = record.planned_speed_rpm;
   point.torque_Nm = record.torque_Nm;
+  for (const Channel& channel : record.channels) {
+    double& worst = is_of_shaft(channel.info) ? point.torque_time_uncertainty_s
+                                              : point.acceleration_time_uncertainty_s;
+    worst = std::fmax(worst, channel.time_uncertainty_s);
+  }
   if (point.status == "ok") {
     point.examination = analysis::examine(record, kinematics, options);
   } else {

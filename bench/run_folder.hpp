@@ -19,7 +19,9 @@ inline constexpr const char* result_database_name = "results.db";
 struct JudgedPoint {
   std::string status = "ok";  ///< "not_recorded", or as the recording says: "unsettled", ...
   double planned_speed_rpm = not_known;
-  double torque_Nm = not_known;  ///< measured mean input torque
+  double torque_Nm = not_known;                        ///< measured mean input torque
+  double acceleration_time_uncertainty_s = not_known;  ///< of when, on the rig's clock
+  double torque_time_uncertainty_s = not_known;        ///< likewise, of torque and angle
   analysis::Examination examination;
 };
 

@@ -68,9 +68,12 @@ LimitCheck limit_from_json(const nlohmann::ordered_json& json) {
 }
 
 nlohmann::ordered_json to_json(const JudgedPoint& point) {
-  nlohmann::ordered_json json = {{"status", point.status},
-                                 {"planned_speed_rpm", point.planned_speed_rpm},
-                                 {"torque_Nm", point.torque_Nm}};
+  nlohmann::ordered_json json = {
+      {"status", point.status},
+      {"planned_speed_rpm", point.planned_speed_rpm},
+      {"torque_Nm", point.torque_Nm},
+      {"acceleration_time_uncertainty_s", point.acceleration_time_uncertainty_s},
+      {"torque_time_uncertainty_s", point.torque_time_uncertainty_s}};
   json.update(json_of(point.examination));
   return json;
 }
@@ -80,6 +83,10 @@ JudgedPoint point_from_json(const nlohmann::ordered_json& json) {
   json.at("status").get_to(point.status);
   point.planned_speed_rpm = number_or_nan(json.at("planned_speed_rpm"));
   point.torque_Nm = number_or_nan(json.at("torque_Nm"));
+  const nlohmann::ordered_json unknown;  // to an rvbench that did not yet state them
+  point.acceleration_time_uncertainty_s =
+      number_or_nan(json.value("acceleration_time_uncertainty_s", unknown));
+  point.torque_time_uncertainty_s = number_or_nan(json.value("torque_time_uncertainty_s", unknown));
   point.examination = examination_from_json(json);
   return point;
 }

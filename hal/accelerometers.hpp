@@ -12,9 +12,10 @@ namespace rvbench::hal {
 struct AccelerationBlock {
   using Scans = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-  double t0_s = 0;  ///< time of the first scan on the rig's clock
-  Scans scans;      ///< n x channels, m/s²
-  int lost = 0;     ///< scans that are NaN
+  double t0_s = 0;                        ///< time of the first scan on the rig's clock
+  Scans scans;                            ///< n x channels, m/s²
+  int lost = 0;                           ///< scans that are NaN
+  double time_uncertainty_s = not_known;  ///< of t0_s
 };
 
 /// All accelerometers of the bench, sampled by one clock.

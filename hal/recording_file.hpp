@@ -38,6 +38,8 @@ struct PointResult {
   std::string status = "ok";  ///< at most 31 bytes: "ok", "unsettled", "samples_lost", ...
   double speed_rpm = not_known;
   double torque_Nm = not_known;
+  double acceleration_time_uncertainty_s = not_known;  ///< of when, on the rig's clock
+  double torque_time_uncertainty_s = not_known;
 };
 
 /// How often what was appended is handed on. In real time, also where the rig's is virtual.

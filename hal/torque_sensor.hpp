@@ -17,7 +17,8 @@ struct TorqueSample {
 struct TorqueBlock {
   double t0_s = 0;  ///< time of samples[0] on the rig's clock
   std::vector<TorqueSample> samples;
-  int lost = 0;  ///< how many of them are NaN
+  int lost = 0;                           ///< how many of them are NaN
+  double time_uncertainty_s = not_known;  ///< of t0_s
 };
 
 /// Torque transducer with incremental angle.

@@ -127,6 +127,7 @@ void BenchLoop::command(double speed_rpm, double brake_torque_Nm) {
                                        to_string(supervisor_.state())));
   }
   speed_rpm_ = speed_rpm;
+  has_turned_ = has_turned_ || speed_rpm != 0;
   brake_torque_Nm_ = brake_torque_Nm;
   next_write_s_ = now_s();
 }

@@ -61,6 +61,7 @@ class BenchLoop {
   Supervisor& supervisor() { return supervisor_; }
   BenchDevices& devices() { return devices_; }
   double brake_torque_Nm() const { return brake_torque_Nm_; }  ///< as commanded
+  bool has_turned() const { return has_turned_; }              ///< a speed was ever commanded
   /// Empty while the run goes on.
   std::optional<Ending> ended() const { return supervisor_.latched(); }
   const std::vector<hal::PointResult>& points() const { return points_; }
@@ -87,6 +88,7 @@ class BenchLoop {
   PointRecorder recorder_;
   BusWatch buses_;
   double speed_rpm_ = 0;
+  bool has_turned_ = false;
   double brake_torque_Nm_ = 0;
   double next_tick_s_ = 0;
   double next_write_s_ = 0;

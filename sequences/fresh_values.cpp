@@ -35,6 +35,7 @@ std::optional<hal::TorqueBlock> joined_torque(std::vector<FreshValues>& rounds) 
     all->samples.insert(all->samples.end(), round.torque->samples.begin(),
                         round.torque->samples.end());
     all->lost += round.torque->lost;
+    all->time_uncertainty_s = std::fmax(all->time_uncertainty_s, round.torque->time_uncertainty_s);
   }
   return all;
 }
@@ -57,6 +58,7 @@ std::optional<hal::AccelerationBlock> joined_accelerations(std::vector<FreshValu
     }
     all->scans.middleRows(from, block.scans.rows()) = block.scans;
     all->lost += block.lost;
+    all->time_uncertainty_s = std::fmax(all->time_uncertainty_s, block.time_uncertainty_s);
     from += block.scans.rows();
   }
   return all;

@@ -37,11 +37,15 @@ Status PointRecorder::take(const FreshValues& fresh) {
     if (std::isnan(so_far_.t0_s)) so_far_.t0_s = block.t0_s;
     so_far_.accelerations_end_s = followed_until_s_;
     so_far_.scans_lost += block.lost;
+    so_far_.acceleration_time_uncertainty_s =
+        std::fmax(so_far_.acceleration_time_uncertainty_s, block.time_uncertainty_s);
     if (Status written = recording_.append(point_, block); !written) return written;
   }
   if (fresh.torque) {
     const hal::TorqueBlock& block = *fresh.torque;
     so_far_.torque_lost += block.lost;
+    so_far_.torque_time_uncertainty_s =
+        std::fmax(so_far_.torque_time_uncertainty_s, block.time_uncertainty_s);
     for (std::size_t i = 0; i < block.samples.size(); ++i) {
       take_sample(block.t0_s + double(i) / fresh.torque_rate_Hz, block.samples[i]);
     }
@@ -114,7 +118,9 @@ bool PointRecorder::is_followed_for(double duration_s) const {
 
 Result<hal::PointResult> PointRecorder::close(std::string status, double least_torque_Nm) {
   is_open_ = false;
-  hal::PointResult result{point_, so_far_.t0_s, std::move(status), not_known, not_known};
+  hal::PointResult result{.point = point_, .t0_s = so_far_.t0_s, .status = std::move(status)};
+  result.acceleration_time_uncertainty_s = so_far_.acceleration_time_uncertainty_s;
+  result.torque_time_uncertainty_s = so_far_.torque_time_uncertainty_s;
   if (so_far_.last_s > so_far_.first_s) {
     result.speed_rpm = units::rpm_from_rad_s((so_far_.last_rad - so_far_.first_rad) /
                                              (so_far_.last_s - so_far_.first_s));

@@ -55,6 +55,7 @@ class PointRecorder {
     long torque_samples = 0;
     long torque_lost = 0;
     long scans_lost = 0;
+    double acceleration_time_uncertainty_s = not_known, torque_time_uncertainty_s = not_known;
     Stretch stretch;
     double weakest_Nm = not_known;  ///< mean of a stretch, in the direction of rotation
     double least_lag_s = not_known, most_lag_s = not_known;  ///< of accelerations behind torque

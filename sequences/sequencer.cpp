@@ -131,7 +131,7 @@ Ending tear_down(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
   loop.supervisor().handle(SupervisorEvent::stop);
   loop.devices().stop_drive();
   Ending ending = guarded([&] {
-    const RunDown run_down = wait_for_standstill(rig, loop.devices(), plan, loop.brake_torque_Nm());
+    const RunDown run_down = wait_for_standstill(loop, plan);
     summary.shaft_stopped = run_down.stopped;
     if (run_down.stopped) loop.supervisor().handle(SupervisorEvent::standstill);
     if (run_down.trouble) loop.supervisor().handle(SupervisorEvent::trip);
@@ -139,7 +139,8 @@ Ending tear_down(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
   });
   loop.devices().stop_drive();
   ending = graver(ending, guarded([&] {
-                    if (!summary.shaft_stopped) rig.clock->wait_until(until_s);
+                    const bool may_turn = !summary.shaft_stopped && loop.has_turned();
+                    if (may_turn) rig.clock->wait_until(until_s);
                     return all_well;
                   }));
   summary.supervisor_hung = !loop.supervisor().end();

@@ -27,6 +27,13 @@ struct Speeds {
   }
 };
 
+Speeds speeds_of(const BenchDevices& devices) {
+  Speeds told;
+  told.angle_rpm = std::abs(devices.measured_speed_rpm(0.2));
+  if (devices.drive_is_fresh()) told.drive_rpm = std::abs(devices.values().drive.speed_rpm);
+  return told;
+}
+
 // Tells a drive to stop until it does. One that answers but does not obey would have its watchdog
 // fed by every further request: after a stop in vain it hears nothing, so that the watchdog acts.
 // So does at once one that had fallen silent when it was told to stop: its answers may be garbled,
@@ -34,8 +41,8 @@ struct Speeds {
 // to stand still within the time-out.
 class Stopper {
  public:
-  Stopper(hal::Rig& rig, BenchDevices& devices, double timeout_s, double now_s)
-      : rig_(rig), devices_(devices), obeys_share_(1 - stop_again_s / timeout_s) {
+  Stopper(BenchDevices& devices, double timeout_s, double now_s)
+      : devices_(devices), obeys_share_(1 - stop_again_s / timeout_s) {
     if (devices.drive_fell_silent()) {
       leave_alone(now_s);
     } else {
@@ -44,9 +51,9 @@ class Stopper {
   }
 
   void tick(double now_s) {
-    if (!before_.told()) before_ = speeds();
+    if (!before_.told()) before_ = speeds_of(devices_);
     if (now_s < next_s_) return;
-    const Speeds before = std::exchange(before_, speeds());
+    const Speeds before = std::exchange(before_, speeds_of(devices_));
     if (!was_silent_ && !before.slowed_to(before_, obeys_share_)) return leave_alone(now_s);
     devices_.stop_drive();
     was_silent_ = false;
@@ -60,14 +67,6 @@ class Stopper {
     devices_.leave_drive_alone(next_s_);
   }
 
-  Speeds speeds() const {
-    Speeds told;
-    told.angle_rpm = std::abs(devices_.measured_speed_rpm(0.2));
-    if (devices_.drive_is_fresh()) told.drive_rpm = std::abs(devices_.values().drive.speed_rpm);
-    return told;
-  }
-
-  hal::Rig& rig_;
   BenchDevices& devices_;
   double obeys_share_;
   double next_s_ = 0;
@@ -103,14 +102,16 @@ std::string how_known(const BenchDevices& devices, bool stopped, double waited_s
 
 }  // namespace
 
-RunDown wait_for_standstill(hal::Rig& rig, BenchDevices& devices, const TestPlan& plan,
-                            double brake_torque_Nm) {
+RunDown wait_for_standstill(BenchLoop& loop, const TestPlan& plan) {
+  hal::Rig& rig = loop.rig();
+  BenchDevices& devices = loop.devices();
   const double timeout_s = plan.teardown.standstill_timeout_s;
   const double start_s = rig.clock->now_s();
   double moving_s = start_s;
+  double told_s = start_s;  // when a speed was told last
   double next_feed_s = start_s;
   RunDown result;
-  Stopper stopper(rig, devices, timeout_s, start_s);
+  Stopper stopper(devices, timeout_s, start_s);
   devices.end_speed_commands();
   for (double now_s = start_s; now_s < start_s + timeout_s;) {
     rig.clock->wait_until(now_s + tick_s);
@@ -122,9 +123,11 @@ RunDown wait_for_standstill(hal::Rig& rig, BenchDevices& devices, const TestPlan
     if (!devices.stands_still(plan.teardown.standstill_rpm)) moving_s = now_s;
     result.stopped = now_s - moving_s >= must_last_s;
     if (result.stopped) break;
+    if (speeds_of(devices).told()) told_s = now_s;
+    if (!loop.has_turned() && now_s - told_s > plan.interlocks.stale_after_s) break;
     stopper.tick(now_s);
     if (now_s >= next_feed_s) {
-      devices.hold_brake(brake_torque_Nm);
+      devices.hold_brake(loop.brake_torque_Nm());
       next_feed_s = now_s + feed_period_s;
     }
   }

@@ -108,6 +108,7 @@ void BenchWorld::heat(double dt_s) {
 
 hal::AccelerationBlock BenchWorld::take_accelerations() {
   hal::AccelerationBlock block;
+  block.time_uncertainty_s = 0;
   const auto channels = static_cast<Eigen::Index>(channels_.size());
   const auto count = static_cast<Eigen::Index>(waiting_.size()) / channels;
   block.t0_s = static_cast<double>(taken_ + 1) / RvBench::rate_Hz;

@@ -160,7 +160,6 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
   }
   ProgressBar bar(console, progress_style(console, json_));
   Acceptance acceptance{plan, kinematics, place_.folder, facts(plan, file), twin_of(file)};
-  acceptance.may_be_absent = bench != nullptr;
   for (const hal::ConfigFault& warning : warnings) {
     acceptance.warnings.push_back(hal::describe(rig_, warning));
   }

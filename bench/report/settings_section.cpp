@@ -48,14 +48,28 @@ std::string hashes_table(const ReportInput& input) {
   return "<h3>Hashes (SHA-256)</h3>\n" + table({"file", "hash"}, rows);
 }
 
-std::string bench_facts(const RunFacts& facts) {
+// The worst of all points, in milliseconds.
+std::string worst_ms(const Judgement& judgement, double JudgedPoint::*time_uncertainty_s) {
+  double worst_s = not_known;
+  for (const JudgedPoint& point : judgement.points) {
+    worst_s = std::fmax(worst_s, point.*time_uncertainty_s);
+  }
+  return std::isfinite(worst_s) ? fmt::format("±{:.3g} ms", 1e3 * worst_s) : "not known";
+}
+
+std::string bench_facts(const Judgement& judgement) {
+  const RunFacts& facts = judgement.facts;
   if (facts.rig.empty()) return "";  // a stored recording: no bench took part
   const std::string seed = facts.seed ? std::to_string(*facts.seed) : "–";
   return fmt::format(
       "<dl><dt>Seed</dt><dd>{}</dd><dt>Requests repeated by the drive's driver</dt><dd>{}</dd>"
-      "<dt>Shaft seen at standstill</dt><dd>{}</dd><dt>Brake released</dt><dd>{}</dd></dl>\n",
+      "<dt>Shaft seen at standstill</dt><dd>{}</dd><dt>Brake released</dt><dd>{}</dd>"
+      "<dt>Times of accelerations on the common clock</dt><dd>{}</dd>"
+      "<dt>Times of torque and angle on it</dt><dd>{}</dd></dl>\n",
       seed, facts.drive_retries, facts.shaft_stopped ? "yes" : "no",
-      facts.brake_released ? "yes" : "no");
+      facts.brake_released ? "yes" : "no",
+      worst_ms(judgement, &JudgedPoint::acceleration_time_uncertainty_s),
+      worst_ms(judgement, &JudgedPoint::torque_time_uncertainty_s));
 }
 
 }  // namespace
@@ -92,7 +106,7 @@ std::string limits_section(const ReportInput& input) {
 
 std::string settings_section(const ReportInput& input) {
   return section("Settings and traceability",
-                 bench_facts(input.judgement.facts) + events_table(input.judgement.facts) +
+                 bench_facts(input.judgement) + events_table(input.judgement.facts) +
                      hashes_table(input) +
                      document("Plan, every default spelled out", input.plan_json) +
                      document("Rig, every default spelled out", input.rig_json));

@@ -75,6 +75,7 @@ Result<TorqueBlock> CanTorqueSensor::read() {
   if (block.samples.empty()) return block;
   saw_repeats_ = false;
   block.t0_s = track.time_s - static_cast<double>(block.samples.size() - 1) / options_.rate_Hz;
+  block.time_uncertainty_s = track.clock.uncertainty_s();
   return block;
 }
 

@@ -29,6 +29,8 @@ double FrameClock::next(double came_s, std::int64_t steps) {
   } else {
     time_s_ = expected_s + std::min(late_s, late_s * step_s / patience_s);
   }
+  const double share = std::min(1.0, step_s / patience_s);
+  uncertainty_s_ += share * (std::abs(came_s - time_s_) - uncertainty_s_);
   return time_s_;
 }
 

@@ -13,6 +13,8 @@ namespace rvbench::hal {
 /// so much of its lateness as a period is of 1 s: so a stream whose rate is not quite the stated
 /// one is followed, 8 ms behind if it is 0.8 % slower. What comes when expected, within 1 ns, has
 /// the time at which it came.
+///
+/// How sure its times are, the arrivals tell: how far they are off them on average.
 class FrameClock {
  public:
   /// @throws std::invalid_argument if rate_Hz is not finite and positive
@@ -25,9 +27,13 @@ class FrameClock {
   /// @return when this one was taken
   double next(double came_s, std::int64_t steps);
 
+  /// Mean distance of when samples came and when they were taken, over the last second.
+  double uncertainty_s() const { return uncertainty_s_; }
+
  private:
   double period_s_;
   double time_s_ = 0;
+  double uncertainty_s_ = 0;
 };
 
 }  // namespace rvbench::hal

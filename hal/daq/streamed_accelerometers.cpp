@@ -68,6 +68,7 @@ Result<AccelerationBlock> StreamedAccelerometers::read() {
   if (!taken) return failure(taken.error());
   AccelerationBlock block;
   block.t0_s = taken.value().t0_s;
+  block.time_uncertainty_s = stream_->uncertainty_s();
   block.scans = std::move(taken).value().scans;
   if (block.scans.rows() > 0) {
     fresh_s_ = clock_.now_s();
@@ -87,10 +88,6 @@ void StreamedAccelerometers::stop() noexcept {
   }
   source_->stop();
   stream_.reset();
-}
-
-double StreamedAccelerometers::time_uncertainty_s() const {
-  return stream_ ? stream_->uncertainty_s() : not_known;
 }
 
 IoError StreamedAccelerometers::failure(const IoError& error) const {

@@ -17,7 +17,8 @@ namespace rvbench::hal {
 ///          known; whatever else the source says. After an error start() goes on
 /// Holes    that the front end does not tell are found by SampleClock, which says how small ones
 ///          and when
-/// Time     t0_s by SampleClock: how sure, tells time_uncertainty_s(). The DAQ's own delay, which
+/// Time     t0_s by SampleClock: how sure, a block tells from the third second on. The DAQ's own
+/// delay, which
 ///          stays in, is that of its converter and of the transport
 class StreamedAccelerometers final : public Accelerometers {
  public:
@@ -37,8 +38,6 @@ class StreamedAccelerometers final : public Accelerometers {
   Status start() override;
   Result<AccelerationBlock> read() override;
   void stop() noexcept override;
-
-  double time_uncertainty_s() const;  ///< NaN until it is known, which takes three seconds
 
  private:
   void pump(const std::stop_token& stop) noexcept;

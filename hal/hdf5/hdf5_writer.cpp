@@ -168,6 +168,8 @@ Status Hdf5RecordingWriter::end_point(const PointResult& result) {
     row.torque_Nm = result.torque_Nm;
     row.acceleration_t0_s = open_.acceleration_t0_s;
     row.torque_t0_s = open_.torque_t0_s;
+    row.acceleration_time_uncertainty_s = result.acceleration_time_uncertainty_s;
+    row.torque_time_uncertainty_s = result.torque_time_uncertainty_s;
     finish_point();
     append_row(file_, row);
     ended_[static_cast<std::size_t>(result.point)] = true;

@@ -136,6 +136,8 @@ PointResult unpack_result(Unpacker& in) {
   result.status = in.text();
   result.speed_rpm = in.number<double>();
   result.torque_Nm = in.number<double>();
+  result.acceleration_time_uncertainty_s = in.number<double>();
+  result.torque_time_uncertainty_s = in.number<double>();
   return result;
 }
 
@@ -207,6 +209,8 @@ std::string bytes_of(const PointResult& result) {
   out.text(result.status);
   out.number(result.speed_rpm);
   out.number(result.torque_Nm);
+  out.number(result.acceleration_time_uncertainty_s);
+  out.number(result.torque_time_uncertainty_s);
   return out.take();
 }
 

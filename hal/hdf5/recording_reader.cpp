@@ -103,7 +103,8 @@ void Hdf5RecordingReader::read_tables() {
   index_ = read_index(file_, file_bytes_);
   for (const IndexRow& row : index_) {
     results_.push_back({row.point, row.t0_s, text_of(row.status, sizeof(row.status)), row.speed_rpm,
-                        row.torque_Nm});
+                        row.torque_Nm, row.acceleration_time_uncertainty_s,
+                        row.torque_time_uncertainty_s});
   }
   for (const EventRow& row : read_events(file_, file_bytes_)) {
     events_.emplace_back(row.time_s, text_of(row.text, sizeof(row.text)));
@@ -132,8 +133,11 @@ void Hdf5RecordingReader::apply_index(int number, Recording& recording) const {
   recording.speed_rpm = row->speed_rpm;
   recording.torque_Nm = row->torque_Nm;
   for (Channel& channel : recording.channels) {
-    const double first_s = is_of_shaft(channel.info) ? row->torque_t0_s : row->acceleration_t0_s;
+    const bool is_shaft = is_of_shaft(channel.info);
+    const double first_s = is_shaft ? row->torque_t0_s : row->acceleration_t0_s;
     channel.start_s = std::isnan(first_s) ? row->t0_s : first_s;
+    channel.time_uncertainty_s =
+        is_shaft ? row->torque_time_uncertainty_s : row->acceleration_time_uncertainty_s;
   }
 }
 

@@ -29,6 +29,10 @@ Handle row_type(const IndexRow&) {
   add(row, "torque_Nm", offsetof(IndexRow, torque_Nm), H5T_NATIVE_DOUBLE);
   add(row, "acceleration_t0_s", offsetof(IndexRow, acceleration_t0_s), H5T_NATIVE_DOUBLE);
   add(row, "torque_t0_s", offsetof(IndexRow, torque_t0_s), H5T_NATIVE_DOUBLE);
+  add(row, "acceleration_time_uncertainty_s", offsetof(IndexRow, acceleration_time_uncertainty_s),
+      H5T_NATIVE_DOUBLE);
+  add(row, "torque_time_uncertainty_s", offsetof(IndexRow, torque_time_uncertainty_s),
+      H5T_NATIVE_DOUBLE);
   return row;
 }
 

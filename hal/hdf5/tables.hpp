@@ -15,8 +15,10 @@ struct IndexRow {
   char status[32] = "ok";
   double speed_rpm = not_known;
   double torque_Nm = not_known;
-  double acceleration_t0_s = not_known;  ///< of the first acceleration scan
-  double torque_t0_s = not_known;        ///< of the first torque and angle sample
+  double acceleration_t0_s = not_known;                ///< of the first acceleration scan
+  double torque_t0_s = not_known;                      ///< of the first torque and angle sample
+  double acceleration_time_uncertainty_s = not_known;  ///< of acceleration_t0_s
+  double torque_time_uncertainty_s = not_known;        ///< of torque_t0_s
 };
 
 /// One row of /events.

@@ -21,9 +21,10 @@ struct ChannelInfo {
 /// One uniformly sampled signal.
 struct Channel {
   ChannelInfo info;
-  double rate_Hz = 0;       ///< > 0
-  double start_s = 0;       ///< time of samples[0] on the rig's clock
-  Eigen::VectorXd samples;  ///< N values in info.unit; NaN where the device gave none
+  double rate_Hz = 0;                     ///< > 0
+  double start_s = 0;                     ///< time of samples[0] on the rig's clock
+  Eigen::VectorXd samples;                ///< N values in info.unit; NaN where the device gave none
+  double time_uncertainty_s = not_known;  ///< of start_s
 };
 
 /// The channel of that name; nullptr if there is none.

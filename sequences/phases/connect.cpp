@@ -1,8 +1,14 @@
 #include "sequences/phases/connect.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
+#include <future>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "hal/rig.hpp"
 #include "sequences/bench_loop.hpp"
@@ -11,20 +17,41 @@
 namespace rvbench::sequences {
 namespace {
 
-// Tries them all, so that one message names everything that does not answer.
+using Answers = std::vector<Status>;
+
+Answers connect_accelerometers(hal::Accelerometers& accelerometers) {
+  const Status connected = accelerometers.connect();
+  return {connected ? accelerometers.start() : connected};
+}
+
+// Both are on one bus, which has one caller at a time.
+Answers connect_bus(hal::Rig& rig) {
+  Answers answers;
+  answers.push_back(rig.torque_sensor->connect());
+  answers.push_back(rig.brake->connect());
+  return answers;
+}
+
+// Tries them all, so that one message names everything that does not answer; in real time those on
+// lines of their own at once, as each may take seconds to say that nobody is there.
 std::optional<Ending> connect_all(hal::Rig& rig) {
-  std::string silent;
-  const auto note = [&silent](const Status& status) {
-    if (!status) silent += (silent.empty() ? "" : "; ") + describe(status.error());
-    return bool(status);
+  const auto when = rig.clock->is_virtual() ? std::launch::deferred : std::launch::async;
+  std::array lines{
+      std::async(when, [&rig] { return Answers{rig.safety->connect()}; }),
+      std::async(when, [&rig] { return connect_bus(rig); }),
+      std::async(when, [&rig] { return connect_accelerometers(*rig.accelerometers); }),
+      std::async(when, [&rig] { return Answers{rig.drive->connect()}; }),
   };
-  note(rig.safety->connect());
-  note(rig.torque_sensor->connect());
-  if (note(rig.accelerometers->connect())) note(rig.accelerometers->start());
-  note(rig.brake->connect());
-  note(rig.drive->connect());
+  std::vector<std::string> silent;
+  for (auto& line : lines) {
+    for (const Status& answer : line.get()) {
+      if (answer) continue;
+      const std::string why = describe(answer.error());
+      if (std::ranges::find(silent, why) == silent.end()) silent.push_back(why);  // of one adapter
+    }
+  }
   if (silent.empty()) return std::nullopt;
-  return device_lost("not every device answers: " + silent);
+  return device_lost(fmt::format("not every device answers: {}", fmt::join(silent, "; ")));
 }
 
 class Connect final : public Phase {

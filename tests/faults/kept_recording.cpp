@@ -19,7 +19,9 @@ bool is_same(double a, double b) { return a == b || (std::isnan(a) && std::isnan
 
 bool is_same(const hal::PointResult& a, const hal::PointResult& b) {
   return a.point == b.point && a.status == b.status && is_same(a.t0_s, b.t0_s) &&
-         is_same(a.speed_rpm, b.speed_rpm) && is_same(a.torque_Nm, b.torque_Nm);
+         is_same(a.speed_rpm, b.speed_rpm) && is_same(a.torque_Nm, b.torque_Nm) &&
+         is_same(a.acceleration_time_uncertainty_s, b.acceleration_time_uncertainty_s) &&
+         is_same(a.torque_time_uncertainty_s, b.torque_time_uncertainty_s);
 }
 
 long lost_scans(const Recording& record) {

@@ -15,6 +15,7 @@ constexpr double rate_Hz = 496;
 
 struct Stream {
   std::vector<double> came_s, told_s;
+  double uncertainty_s = 0;
 };
 
 // A stream at rate_Hz whose sample i, taken at i / true_rate_Hz, comes so much later.
@@ -28,6 +29,7 @@ Stream stream(int samples, const std::function<double(int)>& late_s,
     stream.told_s.push_back(i == 0 ? came_s : clock.next(came_s, 1));
     stream.came_s.push_back(came_s);
   }
+  stream.uncertainty_s = clock.uncertainty_s();
   return stream;
 }
 
@@ -45,6 +47,7 @@ double worst_speed(const std::vector<double>& times_s, int from = 0) {
 TEST_CASE("samples that come when expected keep their times", "[hal]") {
   const Stream even = stream(5000, [](int) { return 0.25; });
   CHECK(even.told_s == even.came_s);
+  CHECK(even.uncertainty_s == 0);
 }
 
 SCENARIO("samples that come late, each by another while, were taken evenly", "[hal]") {
@@ -55,6 +58,14 @@ SCENARIO("samples that come late, each by another while, were taken evenly", "[h
       CHECK(worst_speed(uneven.came_s) > 0.5);
       CHECK(worst_speed(uneven.told_s) < 0.055);
       CHECK(worst_speed(uneven.told_s, 1000) < 0.02);
+    }
+    THEN("the clock says how far its times are off the arrivals: within them, and not at no time") {
+      double off_s = 0;
+      for (std::size_t i = 9000; i < 10'000; ++i) {
+        off_s += std::abs(uneven.came_s[i] - uneven.told_s[i]) / 1000;
+      }
+      CHECK(uneven.uncertainty_s == Approx(off_s).epsilon(0.1));
+      CHECK(uneven.uncertainty_s > 0.0005);
     }
   }
   GIVEN("a computer that is away for 0.3 s, then finds all that waited") {

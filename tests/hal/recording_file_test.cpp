@@ -26,7 +26,7 @@ void write_second_point(const std::filesystem::path& file) {
   REQUIRE(writer.append(1, acceleration_block(12.6, 100, 9000, 2)));
   REQUIRE(writer.append(1, torque_block(12.533, 30, 10)));
   REQUIRE(writer.note(12.7, "drive: one retry"));
-  REQUIRE(writer.end_point({1, 12.5, "unsettled", 1208.5, 4.25}));
+  REQUIRE(writer.end_point({1, 12.5, "unsettled", 1208.5, 4.25, 0.0001, 0.002}));
   REQUIRE(writer.close());
 }
 
@@ -68,6 +68,9 @@ TEST_CASE("what was written is read back, point by point", "[hal][recording]") {
   CHECK(recording.status == "unsettled");
   CHECK(recording.speed_rpm == 1208.5);
   CHECK(recording.torque_Nm == 4.25);
+  for (const Channel& channel : recording.channels) {
+    CHECK(channel.time_uncertainty_s == (is_of_shaft(channel.info) ? 0.002 : 0.0001));
+  }
 
   const Channel* second = recording.find("accel_2");
   REQUIRE(second != nullptr);

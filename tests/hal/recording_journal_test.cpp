@@ -47,7 +47,7 @@ Left left_behind() {
       REQUIRE(writer.append(point, acceleration_block(1, block * scans, scans, 2)));
       REQUIRE(writer.append(point, torque_block(1.5, block * scans, scans)));
     }
-    if (point == 0) REQUIRE(writer.end_point({0, 1, "unsettled", 604.5, 2.5}));
+    if (point == 0) REQUIRE(writer.end_point({0, 1, "unsettled", 604.5, 2.5, 0.0001, 0.002}));
   }
   return {bytes_in(scratch / "r.h5"), bytes_in(scratch / "r.h5.journal")};
 }

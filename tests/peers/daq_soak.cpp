@@ -81,6 +81,7 @@ Soak soak(const Options& options, const std::filesystem::path& folder) {
     const auto block = accelerometers->read();
     if (!block) throw std::runtime_error(describe(block.error()));
     if (block.value().scans.rows() == 0) continue;
+    result.uncertainty_s = block.value().time_uncertainty_s;
     const double before_s = cpu_s(RUSAGE_THREAD);
     result.wrong += wrong_scans(block.value().scans, result.scans);
     const double checked_s = cpu_s(RUSAGE_THREAD);
@@ -93,7 +94,6 @@ Soak soak(const Options& options, const std::filesystem::path& folder) {
   }
   result.took_s = clock.now_s() - start_s;
   result.receiving_s = cpu_s(RUSAGE_SELF) - cpu_before_s - checking_s - result.writing_s;
-  result.uncertainty_s = accelerometers->time_uncertainty_s();
   if (!writer->end_point({0, 0, "ok", 1210, 2})) throw std::runtime_error("the point does not end");
   return result;
 }
