@@ -1,8 +1,10 @@
 #include "bench/bench_rig.hpp"
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <utility>
 
 #include "hal/can/can_dispatcher.hpp"
@@ -17,6 +19,29 @@ std::optional<Section> read_optional(hal::ConfigReader& root, const char* key,
                                      Section (*read)(hal::ConfigReader&)) {
   auto section = root.optional_object(key);
   return section ? std::optional(read(*section)) : std::nullopt;
+}
+
+// The serial line of a device; "" if it has none.
+std::string line_of(const hal::ModbusPath& path) {
+  const auto* rtu = std::get_if<hal::ModbusRtu>(&path);
+  return rtu == nullptr ? "" : rtu->device;
+}
+
+std::string line_of(const CanSection& can) {
+  const auto* slcan = std::get_if<hal::SlcanOptions>(&can.bus);
+  return slcan == nullptr ? "" : slcan->device;
+}
+
+// Each would read what the others are answered. One address of TCP may be a gateway to several.
+void note_shared_lines(hal::ConfigReader& root, const BenchRig& rig) {
+  std::map<std::string, std::string> sections{{line_of(rig.drive.options.path), "drive"}};
+  const auto note = [&](const std::string& line, const char* section) {
+    const auto [other, is_first] = sections.emplace(line, section);
+    if (is_first || line.empty()) return;
+    root.fault(section, line + " is the serial line of \"" + other->second + "\", too");
+  };
+  if (rig.can) note(line_of(*rig.can), "can");
+  if (rig.safety) note(line_of(rig.safety->options.path), "safety");
 }
 
 }  // namespace
@@ -36,6 +61,7 @@ BenchRig read_bench_rig(hal::ConfigReader& root) {
   }
   const bool own_id = !rig.torque || !unfit_for_runs(*rig.torque).empty() ||
                       frame_id(*rig.torque) != hal::can_frames::brake_status_id;
+  note_shared_lines(root, rig);
   if (rig.brake && !own_id) root.fault("torque", "its frames have the identifier of the brake's");
   return rig;
 }

@@ -36,8 +36,8 @@ DriveSection read_drive_section(hal::ConfigReader& rig) {
   read_profile(drive, section);
   options.path = read_modbus_path(drive, "the drive");
   options.unit_id = static_cast<std::uint8_t>(drive.integer("unit_id", {1, 247}, options.unit_id));
-  options.response_timeout_s =
-      drive.number("response_timeout_s", {0.005, 2}, options.response_timeout_s);
+  options.response_timeout_s = drive.number(
+      "response_timeout_s", {0.005, longest_response_timeout_s}, options.response_timeout_s);
   options.limits.max_speed_rpm = drive.number("max_speed_rpm", {1, 1e5});
   options.motor.pole_pairs = drive.integer("pole_pairs", {1, 50});
   options.motor.rated_Hz = drive.number("rated_Hz", {1, 1000}, options.motor.rated_Hz);

@@ -8,6 +8,9 @@
 
 namespace rvbench::bench {
 
+/// A stop of the shaft waits for the reply that is under way.
+inline constexpr double longest_response_timeout_s = 0.3;
+
 /// Reads where a Modbus device is: one of `"tcp": {"host": ..., "port": 502}` and `"serial":
 /// {"device": ..., "baud": 9600, "parity": "N", "stop_bits": 1}`. Faults are noted at `section`.
 /// @param what  that is looked for: "the drive"

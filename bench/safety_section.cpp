@@ -59,8 +59,8 @@ SafetySection read_safety_section(hal::ConfigReader& safety) {
   options.estop = read_contact(estop, options.estop);
   options.guard = read_contact(guard, options.guard);
   options.temperature = read_temperature(safety.object("temperature"));
-  options.response_timeout_s =
-      safety.number("response_timeout_s", {0.005, 2}, options.response_timeout_s);
+  options.response_timeout_s = safety.number(
+      "response_timeout_s", {0.005, longest_response_timeout_s}, options.response_timeout_s);
   options.period_s = safety.number("period_s", {0.001, 0.1}, options.period_s);
   options.deadline_s = safety.number("deadline_s", {0.02, 2}, options.deadline_s);
   if (safety.faults().size() > faults_before) return section;

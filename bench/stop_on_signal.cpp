@@ -46,7 +46,8 @@ StopOnSignal::StopOnSignal() {
   for (std::size_t i = 0; i < signals.size(); ++i) {
     sigaction(signals[i], nullptr, &previous_[i]);
     const bool nohup = signals[i] == SIGHUP && previous_[i].sa_handler == SIG_IGN;
-    action.sa_handler = signals[i] == SIGPIPE || nohup ? SIG_IGN : on_stop_signal;
+    const bool is_error_of_write = signals[i] == SIGPIPE || signals[i] == SIGXFSZ;
+    action.sa_handler = is_error_of_write || nohup ? SIG_IGN : on_stop_signal;
     sigaction(signals[i], &action, nullptr);
   }
 }

@@ -7,10 +7,11 @@
 
 namespace rvbench::bench {
 
-/// While it lives, SIGINT, SIGTERM, SIGHUP (the terminal is gone) and SIGQUIT (Ctrl-\) request a
-/// stop instead of killing the process. Further ones change nothing: the teardown that stops the
-/// shaft cannot be skipped from the keyboard. A SIGHUP that the caller ignores (nohup) stays
-/// ignored. SIGPIPE is ignored, too: a run does not end because nobody reads.
+/// While it lives, SIGINT, SIGTERM, SIGHUP (the terminal is gone), SIGQUIT (Ctrl-\) and whatever
+/// else others may send to end a process request a stop instead of killing it. Further ones change
+/// nothing: the teardown that stops the shaft cannot be skipped from the keyboard. A SIGHUP that
+/// the caller ignores (nohup) stays ignored. SIGPIPE and SIGXFSZ are ignored, too: a run does not
+/// end because nobody reads, and a file that may not grow is an error of the write.
 ///
 /// Threads  one object at a time in a process
 class StopOnSignal {
@@ -23,7 +24,9 @@ class StopOnSignal {
   std::stop_token token() const { return source_.get_token(); }
 
  private:
-  static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE};
+  static constexpr std::array signals{SIGINT,  SIGTERM, SIGHUP,    SIGQUIT, SIGUSR1,
+                                      SIGUSR2, SIGALRM, SIGVTALRM, SIGPROF, SIGXCPU,
+                                      SIGPWR,  SIGIO,   SIGSTKFLT, SIGPIPE, SIGXFSZ};
 
   std::stop_source source_;
   std::array<struct sigaction, signals.size()> previous_{};

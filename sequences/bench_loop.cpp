@@ -16,6 +16,8 @@ constexpr double tick_s = 0.01;
 constexpr double write_period_s = 0.1;  // well within any watchdog
 constexpr double report_period_s = 0.5;
 constexpr double longest_look_s = 2;  // at the counters of all buses
+// A stop waits for the request to the drive that is under way, with all its repetitions.
+constexpr double longest_stop_s = 5;
 // The drive's own speed may be an estimate that leaves slip out; a dead angle is far off.
 constexpr double speeds_apart_rpm = 60;
 constexpr double speeds_apart_share = 0.15;
@@ -69,7 +71,9 @@ std::optional<Ending> BenchLoop::trouble() {
     const Ending asked{Outcome::aborted, ErrorKind::none, "stopped on request"};
     ending = ending ? graver(*ending, asked) : asked;
   }
-  if (!ending && supervisor_.silence_s() > plan_.interlocks.stale_after_s) {
+  const double patience_s =
+      supervisor_.is_tripped() ? longest_stop_s : plan_.interlocks.stale_after_s;
+  if (!ending && supervisor_.silence_s() > patience_s) {
     return device_lost(
         fmt::format("the supervisor has not come round for {:.2f} s: a device holds it",
                     supervisor_.silence_s()));

@@ -19,36 +19,35 @@ namespace {
 
 using Answers = std::vector<Status>;
 
-Answers connect_accelerometers(hal::Accelerometers& accelerometers) {
+Status connect(hal::Accelerometers& accelerometers) {
   const Status connected = accelerometers.connect();
-  return {connected ? accelerometers.start() : connected};
+  return connected ? accelerometers.start() : connected;
 }
 
-// Both are on one bus, which has one caller at a time.
-Answers connect_bus(hal::Rig& rig) {
+// All of them, so that one message names everything that does not answer; in real time those on
+// lines of their own at once, as each may take seconds to say that nobody is there. The bus comes
+// last, with one caller at a time: nobody takes its frames until all is connected, and what has
+// waited is as good as lost.
+Answers connect_each(hal::Rig& rig) {
+  const auto when = rig.clock->is_virtual() ? std::launch::deferred : std::launch::async;
+  std::array lines{
+      std::async(when, [&rig] { return rig.safety->connect(); }),
+      std::async(when, [&rig] { return connect(*rig.accelerometers); }),
+      std::async(when, [&rig] { return rig.drive->connect(); }),
+  };
   Answers answers;
+  for (auto& line : lines) answers.push_back(line.get());
   answers.push_back(rig.torque_sensor->connect());
   answers.push_back(rig.brake->connect());
   return answers;
 }
 
-// Tries them all, so that one message names everything that does not answer; in real time those on
-// lines of their own at once, as each may take seconds to say that nobody is there.
 std::optional<Ending> connect_all(hal::Rig& rig) {
-  const auto when = rig.clock->is_virtual() ? std::launch::deferred : std::launch::async;
-  std::array lines{
-      std::async(when, [&rig] { return Answers{rig.safety->connect()}; }),
-      std::async(when, [&rig] { return connect_bus(rig); }),
-      std::async(when, [&rig] { return connect_accelerometers(*rig.accelerometers); }),
-      std::async(when, [&rig] { return Answers{rig.drive->connect()}; }),
-  };
   std::vector<std::string> silent;
-  for (auto& line : lines) {
-    for (const Status& answer : line.get()) {
-      if (answer) continue;
-      const std::string why = describe(answer.error());
-      if (std::ranges::find(silent, why) == silent.end()) silent.push_back(why);  // of one adapter
-    }
+  for (const Status& answer : connect_each(rig)) {
+    if (answer) continue;
+    const std::string why = describe(answer.error());
+    if (std::ranges::find(silent, why) == silent.end()) silent.push_back(why);  // of one adapter
   }
   if (silent.empty()) return std::nullopt;
   return device_lost(fmt::format("not every device answers: {}", fmt::join(silent, "; ")));

@@ -180,6 +180,19 @@ TEST_CASE("a Modbus line has a rate that there is", "[bench][rig]") {
   CHECK(disk.told(rig) == "");
 }
 
+TEST_CASE("a serial line serves one device, and a reply may not be waited for long",
+          "[bench][rig]") {
+  const RigOnDisk disk;
+  Json rig = example();
+  CHECK(disk.told(rig) == "");
+  rig["drive"].erase("tcp");
+  rig["drive"]["serial"]["device"] = rig["can"]["slcan"]["device"];
+  rig["drive"]["response_timeout_s"] = 0.31;
+  const std::string told = disk.told(rig);
+  CHECK_THAT(told, Contains("/can: ") && Contains("is the serial line of \"drive\", too"));
+  CHECK_THAT(told, Contains("/drive/response_timeout_s: "));
+}
+
 TEST_CASE("no two inputs are on one channel, and a board's channels are numbers with a sensor",
           "[bench][rig]") {
   const RigOnDisk disk;

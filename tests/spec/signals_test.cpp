@@ -58,7 +58,8 @@ TEST_CASE("a signal ends a run ABORTED, with the shaft stopped and the folder wh
                                             {"Ctrl-C twice", SIGINT, 2},
                                             {"SIGTERM", SIGTERM, 1},
                                             {"the terminal is gone", SIGHUP, 1},
-                                            {"Ctrl-\\", SIGQUIT, 1}}) {
+                                            {"Ctrl-\\", SIGQUIT, 1},
+                                            {"a signal of somebody else's", SIGUSR1, 1}}) {
     for (const char* moment : {"warm up at", "measure: 10 %"}) {
       DYNAMIC_SECTION(name << " during " << moment) {
         const ScratchFolder scratch;
