@@ -13,8 +13,10 @@
 namespace rvbench::hal {
 namespace {
 
-constexpr double most_early = 16;       // samples: jitter of those before
-constexpr double slowest_clock = 1.01;  // of a transducer, against its stated period
+constexpr double most_early_samples = 16;     // jitter of those before
+constexpr double slowest_clock_share = 1.01;  // of a transducer, against its stated period
+// One that is slower yet is followed at this pace: a burst is over before it makes a difference.
+constexpr double samples_to_follow = 4096;
 
 const char* flaw(const can_frames::TorqueFrame& frame) {
   if (frame.overload) return "overload";
@@ -108,7 +110,8 @@ std::int64_t CanTorqueSensor::samples_since(const Track& track,
   if (frame == track.newest) return 0;
   const int step = static_cast<std::uint8_t>(frame.counter - track.newest.counter);
   const double elapsed = (time_s - track.due_s) * options_.rate_Hz;
-  const auto wraps = static_cast<std::int64_t>(std::floor((elapsed - step + most_early) / 256));
+  const auto wraps =
+      static_cast<std::int64_t>(std::floor((elapsed - step + most_early_samples) / 256));
   // Half a turn of the counter ahead of what has come: a turn was taken for lost that was not.
   const bool is_ahead = (track.time_s - time_s) * options_.rate_Hz + step > 128;
   return step + 256 * (is_ahead ? wraps - 1 : wraps);
@@ -136,7 +139,9 @@ void CanTorqueSensor::append(const can_frames::TorqueFrame& frame, double time_s
   const double expected_turns = track.angle_turns + samples * track.turns_per_sample;
   const double turns = frame.angle_turns + std::round(expected_turns - frame.angle_turns);
   track.newest = frame;
-  track.due_s = std::min(time_s, track.due_s + slowest_clock * samples / options_.rate_Hz);
+  const double due_s = track.due_s + slowest_clock_share * samples / options_.rate_Hz;
+  const double follows = std::min(1.0, samples / samples_to_follow);
+  track.due_s = std::min(time_s, due_s + follows * (time_s - due_s));
   track.time_s = track.clock.next(time_s, steps);
   track.turns_per_sample = (turns - track.angle_turns) / samples;
   track.angle_turns = turns;

@@ -31,7 +31,8 @@ struct CanTorqueSensorOptions {
 /// Wraps    of the 8-bit counter are told by the time of arrival: 256 frames are lost only if so
 ///          many periods have passed without one. A burst that was held up for 239 periods or less
 ///          is told from that; of one that was held up for longer, 256 samples count as lost, and
-///          as many of what follows are dropped
+///          as many of what follows are dropped. Of a transducer that is slower than it says, by
+///          up to 5 %, these periods are fewer
 /// Errors   timeout: nothing came; stale: the counter stood still; bad_reply: a frame of wrong
 ///          length, or one that says zeroing, overload or shunt on. Samples of a failed read()
 ///          count as lost in the next one

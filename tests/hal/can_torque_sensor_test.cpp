@@ -119,6 +119,26 @@ SCENARIO("lost frames become NaN, in their place and counted", "[hal][can]") {
   }
 }
 
+TEST_CASE("a transducer that is slower than it says loses nothing by it", "[hal][can]") {
+  const double slower = GENERATE(0.98, 0.96);
+  test::CanBench world;
+  world.brake.set_fault(sim::NodeFault::silent);
+  hal::CanTorqueSensor sensor{
+      std::move(world.bus.bench), {.rate_Hz = rate_Hz / slower, .deadline_s = deadline_s}, world};
+  REQUIRE(sensor.connect());
+  std::size_t samples = 1;
+  int lost = 0;
+  for (int i = 1; i <= 1500; ++i) {
+    world.wait_until(0.1 * i);
+    const auto block = sensor.read();
+    REQUIRE(block);
+    samples += block.value().samples.size();
+    lost += block.value().lost;
+  }
+  CHECK(lost == 0);
+  CHECK(double(samples) == Approx(150 * rate_Hz).margin(2));
+}
+
 TEST_CASE("frames that come late in a burst are not lost", "[hal][can]") {
   test::CanBench world;
   world.brake.set_fault(sim::NodeFault::silent);

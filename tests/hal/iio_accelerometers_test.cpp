@@ -126,6 +126,7 @@ TEST_CASE("every scan of the chosen inputs comes, in physical units", "[hal][daq
   CHECK_FALSE(bench.accelerometers->start());
   REQUIRE(bench.accelerometers->connect());
   CHECK(bench.accelerometers->rate_Hz() == rate_Hz);
+  CHECK(bench.accelerometers->hole_told_after_s() == 2.5);  // a record waits for it
   CHECK(bench.accelerometers->range_m_s2() == 490);
   CHECK(bench.accelerometers->channels().at(1).name == "accel_3");
   REQUIRE(bench.accelerometers->start());
