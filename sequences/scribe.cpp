@@ -1,6 +1,7 @@
 #include "sequences/scribe.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -29,6 +30,7 @@ struct Scribe::Desk {
   bool is_working = false;
   bool is_ending = false;
   bool is_given_up = false;
+  std::atomic<bool> has_failed = false;
 
   bool is_idle() const { return jobs.empty() && !is_working; }
 };
@@ -52,8 +54,8 @@ bool Scribe::post(std::size_t bytes, std::function<void()> job) {
   {
     const std::lock_guard lock(desk_->mutex);
     if (desk_->is_given_up || desk_->waiting_bytes + bytes > most_bytes_) return false;
-    desk_->waiting_bytes += bytes;
     desk_->jobs.push_back({bytes, std::move(job)});
+    desk_->waiting_bytes += bytes;
   }
   desk_->changed.notify_all();
   return true;
@@ -80,6 +82,8 @@ bool Scribe::is_busy() const {
   return !desk_->is_idle();
 }
 
+bool Scribe::has_failed() const { return desk_->has_failed; }
+
 double Scribe::longest_lag_s() const {
   const std::lock_guard lock(desk_->mutex);
   return desk_->longest_lag_s;
@@ -94,7 +98,11 @@ void Scribe::work_at(Desk& desk) {
     desk.jobs.pop_front();
     desk.is_working = true;
     lock.unlock();
-    job.work();
+    try {
+      job.work();
+    } catch (...) {
+      desk.has_failed = true;
+    }
     job.work = nullptr;  // what it holds is freed before its bytes count as free
     lock.lock();
     desk.is_working = false;

@@ -11,7 +11,7 @@ namespace rvbench::sequences {
 /// thread of its own. A disk or a terminal that hangs holds up the scribe and nobody else.
 ///
 /// Threads  post() from any thread; jobs run in the scribe's, in the order they were posted, and
-///          must not throw
+///          should not throw: of one that does, has_failed() tells, and the next ones are done
 class Scribe {
  public:
   /// @param most_bytes  of jobs that wait: what a disk may fall behind before data is lost
@@ -34,6 +34,7 @@ class Scribe {
   std::size_t finish_within(double longest_s);
 
   bool is_busy() const;
+  bool has_failed() const;       ///< a job threw
   double longest_lag_s() const;  ///< from post() until a job was done, at the worst
 
  private:

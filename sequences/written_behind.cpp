@@ -68,12 +68,14 @@ Status RecordingBehind::post(std::size_t bytes, std::function<Status()> write) {
 Status RecordingBehind::so_far() const {
   const std::lock_guard lock(mutex_);
   if (failure_) return *failure_;
+  // Where there was no memory to say more.
+  if (scribe_.has_failed()) return IoError{IoErrc::refused, "recording: a part was not written"};
   return Done{};
 }
 
-void RecordingBehind::fail(const IoError& error) {
+void RecordingBehind::fail(IoError error) {
   const std::lock_guard lock(mutex_);
-  if (!failure_) failure_ = error;
+  if (!failure_) failure_ = std::move(error);
 }
 
 // The jobs know the observer alone: one that hangs may outlive this object.

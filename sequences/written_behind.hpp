@@ -36,7 +36,7 @@ class RecordingBehind final : public hal::RecordingWriter {
  private:
   Status post(std::size_t bytes, std::function<Status()> write);
   Status so_far() const;
-  void fail(const IoError& error);
+  void fail(IoError error);
 
   hal::RecordingWriter& recording_;
   Scribe& scribe_;

@@ -33,3 +33,14 @@ TEST_CASE("a scribe that has fallen too far behind says so instead of filling th
   scribe.finish();
   CHECK(scribe.post(100, [] {}));
 }
+
+TEST_CASE("a job that throws is told, and harms no other", "[sequences]") {
+  Scribe scribe(100);
+  bool is_done = false;
+  REQUIRE(scribe.post(60, [] { throw 1; }));
+  scribe.finish();
+  CHECK(scribe.has_failed());
+  REQUIRE(scribe.post(100, [&] { is_done = true; }));
+  scribe.finish();
+  CHECK(is_done);
+}

@@ -69,6 +69,21 @@ class Teller final : public sequences::RunObserver {
   bool shows_, logs_;
 };
 
+// A recording that throws what nobody knows.
+class ThrowingRecording final : public hal::RecordingWriter {
+ public:
+  Status append(int, const hal::AccelerationBlock&) override { return Done{}; }
+  Status append(int, const hal::TorqueBlock&) override { return Done{}; }
+  Status end_point(const hal::PointResult&) override { throw 1; }
+  Status note(double, const std::string&) override {
+    ++notes;
+    return Done{};
+  }
+  Status close() override { return Done{}; }
+
+  int notes = 0;
+};
+
 double seconds_since(Steady::time_point start) {
   return std::chrono::duration<double>(Steady::now() - start).count();
 }
@@ -130,4 +145,17 @@ TEST_CASE("a log that hangs takes no more than its share of memory, and it is sa
     CHECK(behind.untold() == 10'001);
     terminal.resume_until(teller.has_logged);
   }
+}
+
+TEST_CASE("a recording that throws is no whole one", "[sequences]") {
+  ThrowingRecording recording;
+  Scribe disk(1'000'000);
+  sequences::RecordingBehind behind(recording, disk);
+  (void)behind.end_point({});
+  (void)behind.note(1, "after the hole");
+  const Status settled = behind.settle();
+  REQUIRE_FALSE(settled);
+  CHECK_THAT(settled.error().where, Catch::Contains("a part was not written"));
+  CHECK_FALSE(behind.note(2, "later"));
+  CHECK(recording.notes == 0);
 }
