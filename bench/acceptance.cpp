@@ -64,7 +64,7 @@ Ending record(Acceptance& acceptance, hal::Rig& rig, RunLog& log, std::stop_toke
   acceptance.facts.drive_retries = summary.drive_retries;
   acceptance.facts.shaft_stopped = summary.shaft_stopped;
   acceptance.facts.brake_released = summary.brake_released;
-  acceptance.facts.must_exit = summary.supervisor_hung || summary.observer_hung;
+  acceptance.facts.must_exit = summary.supervisor_hung || summary.bus_hung || summary.observer_hung;
   return closed ? summary.ending : graver(summary.ending, bench_fault(closed.error()));
 }
 

@@ -6,6 +6,8 @@
 namespace rvbench::sequences {
 namespace {
 
+constexpr double longest_stop_s = 2;  // no drive's deadline is longer
+
 // For telling standstill.
 constexpr double fresh_within_s = 0.25;  // the drive is polled every 50 ms
 constexpr double window_s = 0.05;        // 5 rpm are 1.5 degrees: any encoder sees them
@@ -52,11 +54,20 @@ void BenchDevices::read() {
 void BenchDevices::write(double speed_rpm, double brake_torque_Nm) {
   if (supervisor_.is_tripped()) return;
   drive_.command.ask<Done>(*rig_.clock, [&] { return rig_.drive->set_speed(speed_rpm); });
-  if (supervisor_.is_tripped()) rig_.drive->stop();
+  if (supervisor_.is_tripped()) stop_after_supervisor();
   hold_brake(brake_torque_Nm);
 }
 
 void BenchDevices::hold_brake(double torque_Nm) { supervisor_.hold_brake(torque_Nm); }
+
+// One that hangs is not waited for. In virtual time no stop is under way here.
+void BenchDevices::stop_after_supervisor() noexcept {
+  const double until_s = rig_.clock->now_s() + longest_stop_s;
+  while (supervisor_.is_stopping_drive() && rig_.clock->now_s() < until_s) {
+    rig_.clock->wait_until(rig_.clock->now_s() + 0.001);
+  }
+  stop_drive();
+}
 
 // A stop that hangs holds whatever this one would wait for: the drive's own watchdog is left.
 void BenchDevices::stop_drive() noexcept {

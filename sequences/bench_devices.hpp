@@ -52,6 +52,7 @@ class BenchDevices {
   bool stands_still(double limit_rpm) const;
 
  private:
+  void stop_after_supervisor() noexcept;
   bool was_contradicted(double limit_rpm) const;
 
   hal::Rig& rig_;

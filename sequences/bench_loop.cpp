@@ -44,8 +44,14 @@ BenchLoop::BenchLoop(const TestPlan& plan, hal::Rig& rig, hal::RecordingWriter& 
       supervisor_(rig, plan.interlocks),
       devices_(rig, supervisor_),
       recorder_(recording),
-      buses_(rig),
-      total_s_(planned_duration_s(plan)) {}
+      buses_(rig) {
+  for (const Segment& segment : timeline(plan)) total_s_ += planned_s(segment);
+}
+
+// The plan does not know how late a rig tells of a hole: see await_sound_end().
+double BenchLoop::planned_s(const Segment& segment) const {
+  return segment.duration_s + (segment.recorded ? rig_.accelerometers->hole_told_after_s() : 0);
+}
 
 std::optional<Ending> BenchLoop::tick() {
   if (ended()) return ended();
@@ -157,6 +163,7 @@ std::optional<int> BenchLoop::next_point() {
 std::optional<Ending> BenchLoop::record_point(int point, double input_turns, double timeout_s) {
   buses_.begin();
   if (auto ending = await_buses()) return ending;
+  buses_.open_record();
   recorder_.open(point);
   const Waited waited =
       run_until([&](const BenchValues&) { return recorder_.covers(input_turns); }, timeout_s);
@@ -221,7 +228,7 @@ std::optional<Ending> BenchLoop::give_up_point(const hal::PointResult& result) {
 }
 
 void BenchLoop::enter(const Segment& segment) {
-  done_s_ += segment_.duration_s;
+  done_s_ += planned_s(segment_);
   segment_ = segment;
   segment_start_s_ = now_s();
 }
@@ -236,7 +243,7 @@ void BenchLoop::report_progress() {
   if (segment_.what.empty() || now_s() < next_report_s_) return;
   next_report_s_ = now_s() + report_period_s;
   // Settling may take longer than planned: progress waits for it.
-  const double here_s = std::min(now_s() - segment_start_s_, segment_.duration_s);
+  const double here_s = std::min(now_s() - segment_start_s_, planned_s(segment_));
   observer_.progress(done_s_ + here_s, total_s_, segment_.what);
 }
 

@@ -60,6 +60,7 @@ class BenchLoop {
   hal::Rig& rig() { return rig_; }
   Supervisor& supervisor() { return supervisor_; }
   BenchDevices& devices() { return devices_; }
+  bool end_buses() noexcept { return buses_.finish(); }        ///< false if one hangs: see BusWatch
   double brake_torque_Nm() const { return brake_torque_Nm_; }  ///< as commanded
   bool has_turned() const { return has_turned_; }              ///< a speed was ever commanded
   /// Empty while the run goes on.
@@ -71,6 +72,7 @@ class BenchLoop {
   std::optional<Ending> trouble();
   std::optional<Ending> await_buses();
   std::optional<Ending> await_sound_end();
+  double planned_s(const Segment& segment) const;
   double least_torque_Nm() const;
   bool speeds_disagree();
   Ending end(const Ending& ending);

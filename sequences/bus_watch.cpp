@@ -34,6 +34,7 @@ std::string in_words(const Result<hal::BusCounters>& before,
 
 struct BusWatch::Looks {
   std::mutex mutex;
+  int record = 0;  // a look that was meant for another one comes too late
   std::optional<Look> before, after;
 };
 
@@ -41,30 +42,44 @@ BusWatch::BusWatch(hal::Rig& rig) : rig_(rig), looks_(std::make_shared<Looks>())
   if (!rig.clock->is_virtual() && !rig.buses.empty()) reader_ = std::make_unique<Scribe>(1);
 }
 
-BusWatch::~BusWatch() {
-  if (reader_) (void)reader_->finish_within(longest_farewell_s);
+BusWatch::~BusWatch() { (void)finish(); }
+
+bool BusWatch::finish() noexcept {
+  if (reader_ && !has_hung_) has_hung_ = reader_->finish_within(longest_farewell_s) > 0;
+  return !has_hung_;
 }
 
 void BusWatch::begin() {
   {
     const std::lock_guard lock(looks_->mutex);
+    ++looks_->record;
     looks_->before.reset();
     looks_->after.reset();
   }
   look(&Looks::before);
 }
 
+void BusWatch::open_record() {
+  const std::lock_guard lock(looks_->mutex);
+  if (!looks_->before) ++looks_->record;
+}
+
 void BusWatch::end() { look(&Looks::after); }
 
 void BusWatch::look(std::optional<Look> Looks::*into) {
-  const auto read = [&buses = rig_.buses, looks = looks_, into] {
+  const auto read = [&buses = rig_.buses, looks = looks_, into, record = record_now()] {
     Look seen;
     for (const auto& bus : buses) seen.push_back(bus->read());
     const std::lock_guard lock(looks->mutex);
-    (*looks).*into = std::move(seen);
+    if (looks->record == record) (*looks).*into = std::move(seen);
   };
   if (!reader_) return read();
   (void)reader_->post(0, read);
+}
+
+int BusWatch::record_now() const {
+  const std::lock_guard lock(looks_->mutex);
+  return looks_->record;
 }
 
 bool BusWatch::is_ready() const { return !reader_ || !reader_->is_busy(); }

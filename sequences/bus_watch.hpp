@@ -20,13 +20,20 @@ namespace rvbench::sequences {
 class BusWatch {
  public:
   explicit BusWatch(hal::Rig& rig);
-  ~BusWatch();
+  ~BusWatch();  ///< as finish()
   BusWatch(const BusWatch&) = delete;
   BusWatch& operator=(const BusWatch&) = delete;
 
   void begin();
   void end();
+  /// The record begins now. A begin() that has not been read by now would not tell of what went
+  /// wrong meanwhile: it counts as never read.
+  void open_record();
   bool is_ready() const;  ///< what was begun, or ended, last has been read
+
+  /// Waits a moment for what is being read.
+  /// @return false if a bus hangs: its reader goes on for ever, and the rig must outlive it
+  bool finish() noexcept;
 
   /// "can0: bus_error +3, rx_dropped +1; can1: ..."; empty if all was in order. What has not been
   /// read by now is not.
@@ -37,10 +44,12 @@ class BusWatch {
   struct Looks;
 
   void look(std::optional<Look> Looks::*into);
+  int record_now() const;
 
   hal::Rig& rig_;
   const std::shared_ptr<Looks> looks_;  // also the reader's, who may come too late
   std::unique_ptr<Scribe> reader_;      // none in virtual time
+  bool has_hung_ = false;
 };
 
 }  // namespace rvbench::sequences

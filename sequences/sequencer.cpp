@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <memory>
+#include <utility>
 
 #include "sequences/bench_loop.hpp"
+#include "sequences/guarded.hpp"
 #include "sequences/scribe.hpp"
 #include "sequences/standstill.hpp"
 #include "sequences/timeline.hpp"
@@ -23,21 +24,17 @@ constexpr std::size_t most_bytes_of_log = 1UL << 20U;  // some two thousand even
 constexpr double slow_disk_s = 0.5;
 constexpr const char* hung =
     "supervisor hung: a device's call does not return, the program must exit";
+constexpr const char* bus_hung =
+    "a bus does not tell its counters and never returns, the program must exit";
 const Ending all_well{Outcome::pass, ErrorKind::none, "everything was measured"};
 
 Ending bench_fault(std::string reason) {
   return {Outcome::error, ErrorKind::none, std::move(reason)};
 }
 
-// The only place on the run path where exceptions end.
-Ending guarded(const std::function<Ending()>& work) {
-  try {
-    return work();
-  } catch (const std::exception& exception) {
-    return bench_fault(std::string("internal error: ") + exception.what());
-  } catch (...) {
-    return bench_fault("internal error");
-  }
+// Of a run that nothing has gone wrong with yet.
+RunSummary empty_summary() noexcept {
+  return {.ending = {Outcome::pass, ErrorKind::none, {}}, .points = {}};
 }
 
 std::optional<Ending> check_accelerometers(const TestPlan& plan,
@@ -117,6 +114,7 @@ std::string faults_of_teardown(const RunSummary& summary) {
   if (summary.supervisor_hung) {
     faults.emplace_back(hung);
   }
+  if (summary.bus_hung) faults.emplace_back(bus_hung);
   if (!summary.shaft_stopped) faults.emplace_back("standstill was not seen");
   if (!summary.brake_released) {
     faults.emplace_back("the brake does not confirm that it has released");
@@ -124,8 +122,17 @@ std::string faults_of_teardown(const RunSummary& summary) {
   return fmt::format("{}", fmt::join(faults, ", "));
 }
 
-// Stop, standstill or time-out, release: each step is tried whatever became of the others.
-Ending tear_down(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
+// The supervisor hears meanwhile that its sequencer is there.
+void wait_until(BenchLoop& loop, double until_s) {
+  while (loop.now_s() < until_s) {
+    loop.rig().clock->wait_until(std::min(until_s, loop.now_s() + 1));
+    loop.supervisor().hear_sequencer();
+  }
+}
+
+// Stop, standstill or time-out, release: each step is tried whatever became of the others, with or
+// without memory.
+Ending tear_down(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) noexcept {
   hal::Rig& rig = loop.rig();
   const double until_s = rig.clock->now_s() + plan.teardown.standstill_timeout_s;
   loop.supervisor().handle(SupervisorEvent::stop);
@@ -138,23 +145,26 @@ Ending tear_down(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
     return run_down.trouble.value_or(all_well);
   });
   loop.devices().stop_drive();
-  ending = graver(ending, guarded([&] {
+  ending = graver(std::move(ending), guarded([&] {
                     const bool may_turn = !summary.shaft_stopped && loop.has_turned();
-                    if (may_turn) rig.clock->wait_until(until_s);
+                    if (may_turn) wait_until(loop, until_s);
                     return all_well;
                   }));
   summary.supervisor_hung = !loop.supervisor().end();
   if (!summary.supervisor_hung) {  // the brake is the sequencer's again
     rig.brake->release();
-    ending = graver(ending, guarded([&] {
+    ending = graver(std::move(ending), guarded([&] {
                       summary.brake_released = brake_lets_go(rig);
                       return all_well;
                     }));
     rig.accelerometers->stop();
   }
-  const std::string fault = faults_of_teardown(summary);
-  if (fault.empty()) return ending;
-  return graver(ending, {Outcome::error, ErrorKind::device_lost, "teardown: " + fault});
+  summary.bus_hung = !loop.end_buses();
+  return graver(std::move(ending), guarded([&]() -> Ending {
+                  const std::string fault = faults_of_teardown(summary);
+                  if (fault.empty()) return all_well;
+                  return {Outcome::error, ErrorKind::device_lost, "teardown: " + fault};
+                }));
 }
 
 // The last lines of the log, for the operator.
@@ -166,6 +176,14 @@ void tell(BenchLoop& loop, const RunSummary& summary, const Ending& measured,
                          summary.ending.reason,
                          summary.shaft_stopped ? "at standstill" : "not seen at standstill",
                          summary.brake_released ? "released" : "not seen released"));
+}
+
+// Samples that wait for the disk are lost with the power: at most a second of them, it is said.
+void tell_lag(ObserverBehind& observer, double now_s, double lag_s) {
+  if (lag_s <= slow_disk_s) return;
+  observer.event(now_s, fmt::format("the disk was up to {:.1f} s behind: a power cut would have "
+                                    "cost as much of the record",
+                                    lag_s));
 }
 
 // How punctual the supervisor was; nothing in virtual time, where nobody is late.
@@ -180,10 +198,10 @@ void tell_lateness(BenchLoop& loop) {
 void run(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
   const double start_s = loop.now_s();
   Ending measured = guarded([&] { return set_up_and_measure(plan, loop); });
-  // What ended the run counts, also where telling it threw.
-  if (loop.ended()) measured = graver(measured, *loop.ended());
   Ending torn_down = tear_down(plan, loop, summary);
-  torn_down = graver(torn_down, guarded([&] {
+  // What ended the run counts, also where telling it threw.
+  measured = graver(std::move(measured), guarded([&] { return loop.ended().value_or(all_well); }));
+  torn_down = graver(std::move(torn_down), guarded([&] {
                        loop.interrupt_record();
                        return all_well;
                      }));
@@ -201,28 +219,30 @@ void run(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
 // What the run comes to where nothing but the rig makes anybody wait.
 RunSummary run_unhindered(const TestPlan& plan, hal::Rig& rig, hal::RecordingWriter& recording,
                           RunObserver& observer, std::stop_token stop, int first_point) {
-  RunSummary summary;
-  summary.ending = all_well;
-  const Ending unforeseen = guarded([&] {
+  RunSummary summary = empty_summary();
+  bool drive_hangs = false;
+  Ending unforeseen = guarded([&] {
     auto loop =
         std::make_unique<BenchLoop>(plan, rig, recording, observer, std::move(stop), first_point);
-    const Ending ending = guarded([&] {
+    Ending ending = guarded([&] {
       run(plan, *loop, summary);
       return all_well;
     });
     summary.supervisor_hung = !loop->supervisor().end();
+    drive_hangs = summary.supervisor_hung && loop->supervisor().is_stopping_drive();
+    summary.bus_hung = !loop->end_buses();
     if (summary.supervisor_hung) (void)loop.release();  // its thread goes on in there
     return ending;
   });
   if (unforeseen.outcome != Outcome::pass) {
     // Nobody knows how far the run has come: these are legal in every state.
-    rig.drive->stop();
+    if (!drive_hangs) rig.drive->stop();
     if (!summary.supervisor_hung) {
       rig.brake->release();
       rig.accelerometers->stop();
     }
   }
-  summary.ending = graver(summary.ending, unforeseen);
+  summary.ending = graver(std::move(summary.ending), std::move(unforeseen));
   return summary;
 }
 
@@ -234,9 +254,8 @@ RunSummary run_sequence(const TestPlan& plan, hal::Rig& rig, hal::RecordingWrite
   if (rig.clock->is_virtual()) {
     return run_unhindered(plan, rig, recording, observer, std::move(stop), first_point);
   }
-  RunSummary summary;
-  summary.ending = all_well;
-  const Ending written = guarded([&]() -> Ending {
+  RunSummary summary = empty_summary();
+  Ending written = guarded([&]() -> Ending {
     Scribe disk(most_bytes_behind);
     Scribe log(most_bytes_of_log);
     Scribe screen(most_bytes_of_log);
@@ -244,21 +263,21 @@ RunSummary run_sequence(const TestPlan& plan, hal::Rig& rig, hal::RecordingWrite
     ObserverBehind observer_behind(observer, log, screen);
     summary =
         run_unhindered(plan, rig, recording_behind, observer_behind, std::move(stop), first_point);
-    const Status settled = recording_behind.settle();
-    // Samples that wait for the disk are lost with the power: at most a second of them, it is said.
-    if (const double lag_s = disk.longest_lag_s(); lag_s > slow_disk_s) {
-      observer_behind.event(
-          rig.clock->now_s(),
-          fmt::format("the disk was up to {:.1f} s behind: a power cut would have "
-                      "cost as much of the record",
-                      lag_s));
-    }
+    Ending ending = guarded([&] {
+      const Status settled = recording_behind.settle();
+      tell_lag(observer_behind, rig.clock->now_s(), disk.longest_lag_s());
+      if (settled) return all_well;
+      return bench_fault("the recording cannot be written: " + describe(settled.error()));
+    });
     summary.observer_hung = !observer_behind.finish();
     summary.events_untold = observer_behind.untold();
-    if (settled) return all_well;
-    return bench_fault("the recording cannot be written: " + describe(settled.error()));
+    if (summary.events_untold == 0) return ending;
+    return graver(std::move(ending), guarded([&] {
+                    return bench_fault(fmt::format("the log lacks {} events: it was too far behind",
+                                                   summary.events_untold));
+                  }));
   });
-  summary.ending = graver(summary.ending, written);
+  summary.ending = graver(std::move(summary.ending), std::move(written));
   return summary;
 }
 

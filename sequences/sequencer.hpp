@@ -35,10 +35,14 @@ struct RunSummary {
   /// A device's call has never returned. Its thread goes on: the rig must not be used any more, nor
   /// destroyed, and the process has to exit without doing so. See Supervisor.
   bool supervisor_hung = false;
+  /// A bus has not told its counters, a second after the end. As with supervisor_hung, the rig must
+  /// not be destroyed, and the process has to exit.
+  bool bus_hung = false;
   /// A call of the observer has not returned either, a second after the end: it goes on in a thread
   /// of its own, so that the observer must neither be told more in that way nor be destroyed.
   bool observer_hung = false;
-  std::size_t events_untold = 0;  ///< to the observer, whose log was too far behind or hangs
+  /// to the observer, whose log was too far behind or hangs: a run whose log has a hole is an ERROR
+  std::size_t events_untold = 0;
 };
 
 /// Setup → main → teardown. Never throws: whatever happens inside ends in teardown, with the

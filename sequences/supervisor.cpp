@@ -29,21 +29,31 @@ void Supervisor::start(const DriveReport& drive) {
   field_.start();
   is_watching_ = true;
   if (rig_.clock->is_virtual()) return;
-  round_s_ = rig_.clock->now_s();
-  has_thread_ = true;
-  std::promise<void> gone;
-  gone_ = gone.get_future();
-  thread_ = std::jthread([this, gone = std::move(gone)](const std::stop_token& stop) mutable {
-    run(stop);
-    gone.set_value();
-  });
+  round_s_ = heard_s_ = rig_.clock->now_s();
+  is_gone_ = false;
+  has_thread_ = true;  // which it knows itself by
+  try {
+    thread_ = std::jthread([this](const std::stop_token& stop) {
+      run(stop);
+      is_gone_ = true;
+    });
+  } catch (...) {
+    has_thread_ = false;
+    throw;
+  }
 }
 
 bool Supervisor::end() noexcept {
   is_watching_ = false;
   if (!thread_.joinable()) return !has_thread_;
   thread_.request_stop();
-  if (gone_.wait_for(std::chrono::duration<double>(longest_end_s)) != std::future_status::ready) {
+  // No promise: a broken one asks for memory where nothing may be thrown.
+  const auto start = std::chrono::steady_clock::now();
+  const std::chrono::duration<double> longest(longest_end_s);
+  while (!is_gone_ && std::chrono::steady_clock::now() - start < longest) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  if (!is_gone_) {
     thread_.detach();
     return false;
   }
@@ -64,7 +74,8 @@ void Supervisor::run(const std::stop_token& stop) noexcept {
       lateness_.add(now_s - next_s);
       next_s = std::max(next_s + period_s, now_s);  // rounds that were missed are not made up for
       step();
-      if (!stop.stop_requested()) service_.feed(now_s);
+      const bool all_live = now_s - heard_s_ < longest_pause_s;
+      if (all_live && !stop.stop_requested()) service_.feed(now_s);
     } catch (const std::exception& exception) {
       fault(exception.what());
     } catch (...) {
@@ -139,6 +150,7 @@ void Supervisor::hand_over(FreshValues fresh) {
 }
 
 Handover Supervisor::exchange(const DriveReport& drive) {
+  hear_sequencer();
   tell(drive);
   if (!has_thread_) step();
   std::vector<FreshValues> rounds;
@@ -188,9 +200,8 @@ void Supervisor::halt() noexcept {
   if (is_latched_.exchange(true)) return;
   handle(SupervisorEvent::trip);
   latched_s_ = rig_.clock->now_s();
-  is_stopping_drive_ = true;
   rig_.drive->stop();
-  is_stopping_drive_ = false;
+  has_stopped_drive_ = true;
 }
 
 double Supervisor::silence_s() const { return has_thread_ ? rig_.clock->now_s() - round_s_ : 0; }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <atomic>
-#include <future>
 #include <optional>
 #include <string>
 #include <thread>
@@ -52,7 +51,8 @@ struct Handover {
 ///          longest_end_s; the field devices stay its own for ever, this object and the rig must
 ///          outlive it, and so the process has to exit without destroying them. Until then, and
 ///          if it does not, the last line is the drive's own watchdog, and the brake's
-/// Service  while its thread turns, systemd's watchdog is fed; of one that hangs it hears no more
+/// Service  while its thread turns, systemd's watchdog is fed; of one that hangs it hears no more,
+///          nor of a sequencer that has not come for longest_pause_s: a drive may hang in a call
 class Supervisor {
  public:
   Supervisor(hal::Rig& rig, const Interlocks& limits);
@@ -78,9 +78,11 @@ class Supervisor {
   void trip(const Ending& ending);
   bool is_tripped() const { return is_latched_; }  ///< the drive is stopped, or about to be
   /// The stop is under way, and may hang: whoever asks the drive for something now may wait for it.
-  bool is_stopping_drive() const { return is_stopping_drive_; }
+  bool is_stopping_drive() const { return is_latched_ && !has_stopped_drive_; }
   std::optional<Ending> latched() const;  ///< how the run must end; told once the drive is stopped
   double latched_s() const { return latched_s_; }  ///< when it was found; NaN if it was not
+
+  void hear_sequencer() { heard_s_ = rig_.clock->now_s(); }  ///< it lives; exchange() tells it too
 
   /// Since its thread came round last; 0 without one.
   double silence_s() const;
@@ -89,7 +91,8 @@ class Supervisor {
   Lateness lateness() const;             ///< of its thread's rounds; @pre end()
 
   static constexpr double period_s = 0.001;
-  static constexpr double longest_end_s = 2;  ///< no device's deadline is longer
+  static constexpr double longest_end_s = 2;     ///< no device's deadline is longer
+  static constexpr double longest_pause_s = 10;  ///< of a sequencer that lives
 
  private:
   void run(const std::stop_token& stop) noexcept;
@@ -111,10 +114,11 @@ class Supervisor {
   std::atomic<SupervisorState> state_ = SupervisorState::faulted;
   std::atomic<bool> is_watching_ = false;
   std::atomic<bool> is_latched_ = false;
-  std::atomic<bool> is_stopping_drive_ = false;
+  std::atomic<bool> has_stopped_drive_ = false;
   std::atomic<double> latched_s_ = not_known;
   std::atomic<bool> has_thread_ = false;
   std::atomic<double> round_s_ = 0;  ///< when its thread came round last
+  std::atomic<double> heard_s_ = 0;  ///< when the sequencer came last
 
   // The supervisor's own: what it was told last, what it could not hand over yet.
   DriveReport drive_;
@@ -130,7 +134,7 @@ class Supervisor {
   std::optional<Ending> latched_;
   std::string without_priority_;
 
-  std::future<void> gone_;  ///< ready once its thread is about to return
+  std::atomic<bool> is_gone_ = false;  ///< its thread is about to return
   std::jthread thread_;
 };
 

@@ -1,9 +1,11 @@
 #include "hal/types/outcome.hpp"
 
+#include <utility>
+
 namespace rvbench {
 namespace {
 
-int gravity(const Ending& ending) {
+int gravity(const Ending& ending) noexcept {
   switch (exit_code(ending)) {
     case 40: return 6;
     case 60: return 5;
@@ -51,6 +53,8 @@ int exit_code(const Ending& ending) noexcept {
   return 30;
 }
 
-Ending graver(const Ending& a, const Ending& b) { return gravity(b) > gravity(a) ? b : a; }
+Ending graver(Ending a, Ending b) noexcept {
+  return gravity(b) > gravity(a) ? std::move(b) : std::move(a);
+}
 
 }  // namespace rvbench

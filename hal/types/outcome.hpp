@@ -29,6 +29,6 @@ const char* to_string(ErrorKind kind) noexcept;   ///< "device_lost", "safety_tr
 int exit_code(const Ending& ending) noexcept;
 
 /// The graver of two endings, in the order 40 > 60 > 50 > 30 > 20 > 10 > 0.
-Ending graver(const Ending& a, const Ending& b);
+Ending graver(Ending a, Ending b) noexcept;
 
 }  // namespace rvbench

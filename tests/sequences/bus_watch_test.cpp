@@ -145,3 +145,50 @@ TEST_CASE("in real time nobody waits for a bus", "[sequences][can][safety]") {
   while (!watch.is_ready()) std::this_thread::yield();
   CHECK(watch.verdict().empty());
 }
+
+TEST_CASE("a look that comes too late is taken for no other", "[sequences][can][safety]") {
+  std::atomic<bool> answers = false;
+  hal::Rig rig = test::make_live_rig();
+  rig.buses.push_back(std::make_unique<SlowBus>(answers));
+  sequences::BusWatch watch(rig);
+  const auto let_it_answer = [&] {
+    answers = true;
+    answers.notify_all();
+    while (!watch.is_ready()) std::this_thread::yield();
+  };
+  watch.begin();
+  SECTION("the first one of a record that has begun without it") {
+    watch.open_record();
+    let_it_answer();
+    watch.end();
+    while (!watch.is_ready()) std::this_thread::yield();
+    CHECK_THAT(watch.verdict(), Catch::Contains("not told in time"));
+    watch.begin();
+    while (!watch.is_ready()) std::this_thread::yield();
+    watch.open_record();
+    watch.end();
+    while (!watch.is_ready()) std::this_thread::yield();
+    CHECK(watch.verdict().empty());
+  }
+  SECTION("the last one of the record before") {
+    watch.end();
+    watch.begin();
+    let_it_answer();
+    CHECK_THAT(watch.verdict(), Catch::Contains("not told in time"));
+  }
+}
+
+TEST_CASE("a bus that hangs is told at the end", "[sequences][can][safety]") {
+  std::atomic<bool> answers = false;
+  hal::Rig rig = test::make_live_rig();
+  rig.buses.push_back(std::make_unique<SlowBus>(answers));
+  sequences::BusWatch watch(rig);
+  CHECK(watch.finish());
+  sequences::BusWatch hindered(rig);
+  hindered.begin();
+  CHECK_FALSE(hindered.finish());
+  CHECK_FALSE(hindered.finish());
+  answers = true;
+  answers.notify_all();
+  while (!hindered.is_ready()) std::this_thread::yield();  // it used the rig until now
+}

@@ -1,6 +1,7 @@
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -80,8 +81,12 @@ class HangingDrive final : public hal::Drive {
   Status connect() override { return drive_->connect(); }
   Result<hal::DriveWatchdog> read_watchdog() override { return drive_->read_watchdog(); }
   Status set_speed(double speed_rpm) override {
-    const std::lock_guard lock(mutex_);
-    return drive_->set_speed(speed_rpm);
+    {
+      const std::lock_guard lock(mutex_);
+      if (const Status status = drive_->set_speed(speed_rpm); !status) return status;
+    }
+    if (in_command) in_command();
+    return Done{};
   }
   Result<hal::DriveStatus> read() override {
     const std::lock_guard lock(mutex_);
@@ -95,10 +100,23 @@ class HangingDrive final : public hal::Drive {
   int retries() const override { return 0; }
 
   std::atomic<bool> has_hung = false;
+  std::function<void()> in_command;  ///< what befalls while a speed is commanded
 
  private:
   std::unique_ptr<hal::Drive> drive_;
   std::mutex mutex_;
+  std::atomic<bool> never_ = false;
+};
+
+// A bus that never tells its counters.
+class DeadBus final : public hal::BusMonitor {
+ public:
+  Result<hal::BusCounters> read() override {
+    never_.wait(false);
+    return hal::BusCounters{};
+  }
+
+ private:
   std::atomic<bool> never_ = false;
 };
 
@@ -168,4 +186,44 @@ TEST_CASE("a stop that hangs holds up the supervisor, and not the end", "[sequen
   CHECK(summary.ending.outcome == Outcome::error);
   CHECK_FALSE(summary.shaft_stopped);  // here nothing but the drive's own watchdog could do it
   CHECK_THAT(observer.texts.back(), Catch::Contains("supervisor hung"));
+}
+
+TEST_CASE("a stop that hangs while a speed is commanded holds up no sequencer",
+          "[sequences][safety]") {
+  HangingBench& hanging = *new HangingBench;  // as above
+  auto hanging_drive = std::make_unique<HangingDrive>(std::move(hanging.rig.drive));
+  HangingDrive& drive = *hanging_drive;
+  hanging.rig.drive = std::move(hanging_drive);
+  test::LiveBench& bench = test::live_bench(hanging.rig);
+  drive.in_command = [&] {
+    if (bench.setpoint_rpm < 605) return;
+    bench.torque_Nm = 9;  // above its interlock
+    while (!drive.has_hung) std::this_thread::yield();
+  };
+  Deaf observer;
+  std::stop_source nobody;
+  const auto summary = sequences::run_sequence(test::plan_of(warm_up_plan), hanging.rig,
+                                               hanging.recording, observer, nobody.get_token());
+  CHECK(summary.supervisor_hung);
+  CHECK(summary.ending.outcome == Outcome::error);
+}
+
+TEST_CASE("a bus that never tells its counters makes the run an error that must exit",
+          "[sequences][can][safety]") {
+  HangingBench& hanging = *new HangingBench;  // as above
+  hanging.rig.buses.push_back(std::make_unique<DeadBus>());
+  auto plan_text = warm_up_plan;
+  plan_text.replace(plan_text.find("\"duration_s\": 60"), 16, "\"duration_s\": 0.1");
+  Deaf observer;
+  std::stop_source nobody;
+  const auto summary = sequences::run_sequence(test::plan_of(plan_text), hanging.rig,
+                                               hanging.recording, observer, nobody.get_token());
+  CHECK(summary.bus_hung);
+  CHECK_FALSE(summary.supervisor_hung);
+  CHECK(summary.brake_released);
+  REQUIRE(summary.points.size() == 1);
+  CHECK(summary.points[0].status == "bus_errors");
+  CHECK(summary.ending.outcome == Outcome::error);
+  CHECK_THAT(summary.ending.reason, Catch::Contains("the program must exit"));
+  CHECK_THAT(observer.texts.back(), Catch::StartsWith("ERROR"));
 }

@@ -1,3 +1,4 @@
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <condition_variable>
 #include <mutex>
@@ -91,6 +92,21 @@ class Listener final : public sequences::RunObserver {
     texts.push_back(text);
   }
   std::vector<std::string> texts;
+
+ private:
+  Gate& gate_;
+};
+
+// Its log hangs, its screen does not.
+class HangingLog final : public sequences::RunObserver {
+ public:
+  explicit HangingLog(Gate& gate) : gate_(gate) {}
+  void progress(double, double, const std::string&) override {}
+  void event(double, const std::string&) override {
+    gate_.wait();
+    has_told = true;
+  }
+  std::atomic<bool> has_told = false;
 
  private:
   Gate& gate_;
@@ -231,4 +247,19 @@ TEST_CASE("a bus that is slow to tell its counters makes nobody's values old", "
   const auto& summary = run.go();
   CHECK(summary.ending.reason == "everything was measured");
   CHECK(summary.ending.outcome == Outcome::pass);
+}
+
+TEST_CASE("a run whose log lacks events is an error", "[sequences]") {
+  LiveRun run;
+  Gate gate;
+  HangingLog log(gate);
+  const auto summary = sequences::run_sequence(test::plan_of(short_plan), run.rig, run.recording,
+                                               log, run.stop.get_token());
+  CHECK(summary.observer_hung);
+  CHECK(summary.events_untold > 0);
+  CHECK(summary.ending.outcome == Outcome::error);
+  CHECK_THAT(summary.ending.reason, Catch::StartsWith("the log lacks "));
+  CHECK(summary.points.at(0).status == "ok");
+  gate.open();
+  while (!log.has_told) std::this_thread::yield();
 }

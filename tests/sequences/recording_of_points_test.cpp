@@ -289,12 +289,13 @@ namespace {
 // Accelerometers of which a hole is told late, and then by the end of their stream.
 class HoleToldLate final : public hal::Accelerometers {
  public:
-  HoleToldLate(std::unique_ptr<hal::Accelerometers> real, const hal::Clock& clock, double told_s)
-      : real_(std::move(real)), clock_(clock), told_s_(told_s) {}
+  HoleToldLate(std::unique_ptr<hal::Accelerometers> real, const hal::Clock& clock, double told_s,
+               double told_after_s = 2.5)
+      : real_(std::move(real)), clock_(clock), told_s_(told_s), told_after_s_(told_after_s) {}
   const std::vector<ChannelInfo>& channels() const override { return real_->channels(); }
   double range_m_s2() const override { return real_->range_m_s2(); }
   double rate_Hz() const override { return real_->rate_Hz(); }
-  double hole_told_after_s() const override { return 2.5; }
+  double hole_told_after_s() const override { return told_after_s_; }
   Status connect() override { return real_->connect(); }
   Status start() override { return real_->start(); }
   Result<hal::AccelerationBlock> read() override {
@@ -306,10 +307,25 @@ class HoleToldLate final : public hal::Accelerometers {
  private:
   std::unique_ptr<hal::Accelerometers> real_;
   const hal::Clock& clock_;
-  double told_s_;
+  double told_s_, told_after_s_;
 };
 
 }  // namespace
+
+TEST_CASE("a record that no scans follow long enough for a hole to be told is lost",
+          "[sequences]") {
+  Run run;
+  run.rig.accelerometers = std::make_unique<HoleToldLate>(std::move(run.rig.accelerometers),
+                                                          *run.rig.clock, 1e9, not_known);
+  const auto plan = test::plan_of(small_plan);
+  sequences::BenchLoop loop(plan, run.rig, run.recording, run.observer, {}, 0);
+  REQUIRE_FALSE(plan.setup[0]->run(loop, plan.specimen));
+  const auto ending = loop.record_point(0, 0, 1.0);  // no turns: it has them at once
+  REQUIRE(ending);
+  CHECK(ending->error_kind == ErrorKind::device_lost);
+  CHECK_THAT(ending->reason, Catch::Contains("no scans followed the record"));
+  CHECK(loop.points().at(0).status == "interrupted");
+}
 
 TEST_CASE("a record ends once a hole at its end would have been told", "[sequences]") {
   test::Run plain;
@@ -327,6 +343,8 @@ TEST_CASE("a record ends once a hole at its end would have been told", "[sequenc
   if (told_s > end_s + 2.5) {
     CHECK(run.summary.points.at(0).status == "ok");
     CHECK(run.summary.duration_s == Approx(plain.summary.duration_s + 2.5).margin(0.1));
+    CHECK(run.observer.last_total_s == Approx(plain.observer.last_total_s + 2.5));
+    CHECK(run.observer.last_done_s > plain.observer.last_total_s + 1.5);
   } else {
     CHECK(run.summary.points.at(0).status == "interrupted");
     CHECK(run.summary.ending.error_kind == ErrorKind::device_lost);

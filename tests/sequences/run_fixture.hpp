@@ -60,6 +60,7 @@ class MemoryObserver final : public sequences::RunObserver {
     CHECK(done_s <= total_s + 1e-6);
     CHECK(done_s >= last_done_s);
     last_done_s = done_s;
+    last_total_s = total_s;
     doings[doing]++;
   }
   void event(double, const std::string& text) override {
@@ -68,7 +69,7 @@ class MemoryObserver final : public sequences::RunObserver {
     events.emplace_back(stopped, text);
   }
 
-  double last_done_s = 0;
+  double last_done_s = 0, last_total_s = 0;
   std::map<std::string, int> doings;
   const hal::MirrorWorld* world = nullptr;
   std::vector<std::pair<bool, std::string>> events;  ///< was the drive told to stop by then?

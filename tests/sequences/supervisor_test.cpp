@@ -1,10 +1,13 @@
 #include "sequences/supervisor.hpp"
 
 #include <catch2/catch.hpp>
+#include <memory>
 #include <thread>
 
+#include "tests/hal/service_manager.hpp"
 #include "tests/support/live_rig.hpp"
 #include "tests/support/plan_of.hpp"
+#include "tests/support/scratch_folder.hpp"
 #include "tests/support/wait_until.hpp"
 
 using namespace rvbench;
@@ -41,6 +44,19 @@ struct Watched {
   test::LiveBench& bench = test::live_bench(rig);
   Supervisor supervisor;
   DriveReport report;
+};
+
+// A clock on which a minute passes in a second.
+class HastyClock final : public hal::Clock {
+ public:
+  explicit HastyClock(std::unique_ptr<hal::Clock> real) : real_(std::move(real)) {}
+  double now_s() const override { return haste * real_->now_s(); }
+  void wait_until(double time_s) override { real_->wait_until(time_s / haste); }
+  bool is_virtual() const override { return false; }
+
+ private:
+  static constexpr double haste = 60;
+  std::unique_ptr<hal::Clock> real_;
 };
 
 }  // namespace
@@ -127,4 +143,26 @@ TEST_CASE("while the shaft runs down the supervisor leaves the drive in silence"
   const double later_s = watched.rig.clock->now_s() + 2 * impatient_s;
   while (watched.rig.clock->now_s() < later_s) std::this_thread::yield();
   CHECK(watched.bench.stops == 0);
+}
+
+TEST_CASE("of a sequencer that hangs systemd hears no more, though the supervisor turns",
+          "[sequences][safety]") {
+  const test::ScratchFolder scratch;
+  const test::ServiceManager manager((scratch / "notify").string());
+  hal::Rig rig = test::make_live_rig();
+  REQUIRE(rig.accelerometers->start());
+  rig.clock = std::make_unique<HastyClock>(std::move(rig.clock));
+  Supervisor supervisor(rig, limits(patient_s));
+  supervisor.start({});
+  const double start_s = rig.clock->now_s();
+  double heard_s = start_s;
+  while (rig.clock->now_s() < start_s + 3 * Supervisor::longest_pause_s) {
+    if (rig.clock->now_s() < start_s + Supervisor::longest_pause_s) supervisor.hear_sequencer();
+    if (!manager.heard().empty()) heard_s = rig.clock->now_s();
+    std::this_thread::yield();
+  }
+  CHECK(heard_s > start_s + Supervisor::longest_pause_s);
+  CHECK(heard_s < start_s + 2.5 * Supervisor::longest_pause_s);
+  CHECK(supervisor.silence_s() < Supervisor::longest_pause_s);
+  CHECK(supervisor.end());
 }
