@@ -54,6 +54,7 @@ void BenchDevices::read() {
 void BenchDevices::write(double speed_rpm, double brake_torque_Nm) {
   if (supervisor_.is_tripped()) return;
   drive_.command.ask<Done>(*rig_.clock, [&] { return rig_.drive->set_speed(speed_rpm); });
+  supervisor_.hear_sequencer();
   if (supervisor_.is_tripped()) stop_after_supervisor();
   hold_brake(brake_torque_Nm);
 }
@@ -71,7 +72,9 @@ void BenchDevices::stop_after_supervisor() noexcept {
 
 // A stop that hangs holds whatever this one would wait for: the drive's own watchdog is left.
 void BenchDevices::stop_drive() noexcept {
-  if (!supervisor_.is_stopping_drive()) rig_.drive->stop();
+  if (supervisor_.is_stopping_drive()) return;
+  rig_.drive->stop();
+  supervisor_.hear_sequencer();  // a drive may take its time, one call after the other
 }
 
 void BenchDevices::leave_drive_alone(double until_s) { drive_.status.due_s = until_s; }
