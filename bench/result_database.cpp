@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <system_error>
 #include <utility>
 
@@ -49,6 +49,10 @@ Statement prepare(sqlite3* database, const char* sql) {
 void bind(const Statement& statement, int at, const std::string& text) {
   sqlite3_bind_text(statement.get(), at, text.data(), static_cast<int>(text.size()),
                     SQLITE_TRANSIENT);
+}
+
+bool may_be_resumed(const RunRow& row) {
+  return row.verdict == to_string(Outcome::aborted) || row.verdict == to_string(Outcome::error);
 }
 
 // Folders two levels below, in no order: <serial>/<time>.
@@ -100,15 +104,18 @@ Status ResultDatabase::enter(const RunRow& row) {
 Result<int> ResultDatabase::catch_up() {
   const auto known = runs();
   if (!known) return known.error();
-  std::set<std::string> entered;
-  for (const RunRow& row : known.value()) entered.insert(row.folder);
+  std::map<std::string, RunRow> entered;
+  for (const RunRow& row : known.value()) entered.emplace(row.folder, row);
   int missing = 0;
   for (const std::filesystem::path& folder : run_folders(root_)) {
-    // Sums are written last: without them the verdict is still being written.
-    if (entered.contains(folder.lexically_relative(root_).string()) || !has_sums(folder)) continue;
+    const auto old = entered.find(folder.lexically_relative(root_).string());
+    if (old != entered.end() && !may_be_resumed(old->second)) continue;
+    if (!has_sums(folder)) continue;  // written last: the verdict is still being written
     const auto judgement = judgement_from_json(read_file(folder / "verdict.json").value_or(""));
     if (!judgement) continue;
-    if (const Status done = enter(row_of(root_, folder, *judgement)); !done) return done.error();
+    const RunRow row = row_of(root_, folder, *judgement);
+    if (old != entered.end() && row == old->second) continue;
+    if (const Status done = enter(row); !done) return done.error();
     ++missing;
   }
   return missing;
@@ -146,7 +153,8 @@ IoError ResultDatabase::failure(const std::string& what) const {
 std::vector<RunRow> unfinished_runs(const std::filesystem::path& root) {
   std::vector<RunRow> rows;
   for (const std::filesystem::path& folder : run_folders(root)) {
-    if (has_sums(folder) || !std::filesystem::exists(folder / "plan.json")) continue;
+    std::error_code unknown;
+    if (has_sums(folder) || !std::filesystem::exists(folder / "plan.json", unknown)) continue;
     const RunBegin begin = read_run_begin(folder);
     const auto plan =
         nlohmann::json::parse(read_file(folder / "plan.json").value_or(""), nullptr, false);

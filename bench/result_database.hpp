@@ -22,6 +22,8 @@ struct RunRow {
   std::string error_kind;  ///< "none", "device_lost", ...
   std::string reason;
   std::string software;
+
+  bool operator==(const RunRow&) const = default;
 };
 
 /// The runs below one folder as a table: <root>/results.db, by SQLite in WAL mode, every entry
@@ -40,7 +42,8 @@ class ResultDatabase {
   /// Enters a run; one that was entered before is replaced.
   Status enter(const RunRow& row);
 
-  /// Enters every run folder with a complete verdict that is missing. @return how many
+  /// Enters every run folder with a complete verdict that is missing, and every one that has come
+  /// to another verdict since: an ABORTED or ERROR run may be resumed. @return how many
   Result<int> catch_up();
 
   /// Oldest first. @param serial  empty: of every unit

@@ -145,7 +145,10 @@ bool is_finished(const std::filesystem::path& run) {
 std::optional<std::filesystem::path> newest_unfinished_run(const std::filesystem::path& root,
                                                            const std::string& serial) {
   std::vector<std::filesystem::path> runs = folders_in(root / folder_name_of(serial));
-  std::erase_if(runs, [](const auto& run) { return !std::filesystem::exists(run / "plan.json"); });
+  std::erase_if(runs, [](const auto& run) {
+    std::error_code unknown;  // what cannot be looked into is none to resume
+    return !std::filesystem::exists(run / "plan.json", unknown);
+  });
   if (runs.empty()) return std::nullopt;
   const auto newest = std::ranges::max_element(runs, {}, order_of);
   if (is_finished(*newest)) return std::nullopt;

@@ -105,7 +105,8 @@ void write_sums(const std::filesystem::path& folder) {
 }
 
 bool has_sums(const std::filesystem::path& folder) {
-  return std::filesystem::exists(folder / sums_name);
+  std::error_code unknown;
+  return std::filesystem::exists(folder / sums_name, unknown);
 }
 
 void remove_sums(const std::filesystem::path& folder) {

@@ -6,6 +6,7 @@
 
 #include "bench/commands/commands.hpp"
 #include "bench/result_database.hpp"
+#include "bench/sha256.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -67,12 +68,15 @@ void print(Console& console, const std::vector<RunRow>& rows) {
   if (rows.empty()) console.out << "no run yet\n";
 }
 
-// Those with a result, and those without: also of one that is resumed just now.
+// Those with a result, and those without: also of one that is resumed just now, but not of one that
+// has come to its end since it was seen without.
 std::vector<RunRow> merged(std::vector<RunRow> judged, const std::vector<RunRow>& unfinished,
-                           const std::string& serial) {
+                           const std::filesystem::path& root, const std::string& serial) {
   for (const RunRow& row : unfinished) {
     if (!serial.empty() && row.serial != serial) continue;
-    std::erase_if(judged, [&row](const RunRow& old) { return old.folder == row.folder; });
+    const auto old = std::ranges::find(judged, row.folder, &RunRow::folder);
+    if (old != judged.end() && has_sums(root / row.folder)) continue;
+    if (old != judged.end()) judged.erase(old);
     judged.push_back(row);
   }
   std::ranges::stable_sort(judged, {}, &RunRow::started_utc);
@@ -103,11 +107,13 @@ class HistoryCommand final : public Command {
     auto database = ResultDatabase::open(out_);
     if (!database) return refuse_data(console, "history: " + describe(database.error()));
     ResultDatabase results = std::move(database).value();
+    // Before those with a result: a run that ends in between is in both lists, not in neither.
+    const std::vector<RunRow> unfinished = unfinished_runs(out_);
     const auto caught_up = results.catch_up();
     if (!caught_up) return refuse_data(console, "history: " + describe(caught_up.error()));
     const auto rows = results.runs(serial_);
     if (!rows) return refuse_data(console, "history: " + describe(rows.error()));
-    const auto all = merged(rows.value(), unfinished_runs(out_), serial_);
+    const auto all = merged(rows.value(), unfinished, out_, serial_);
     if (json_) {
       console.out << as_json(all);
     } else {

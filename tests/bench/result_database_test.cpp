@@ -114,6 +114,32 @@ TEST_CASE("a locked database is told, and what it misses is entered later", "[be
   CHECK(database.catch_up().value() == 0);
 }
 
+TEST_CASE("a run that was resumed to another verdict is entered anew", "[bench][results]") {
+  const ScratchFolder root;
+  ResultDatabase database = opened(root);
+  const auto folder = finished_run(root, "A17");
+  RunRow aborted = row_of(root.path(), folder, test::failed_run());
+  aborted.verdict = "ABORTED";
+  REQUIRE(database.enter(aborted));  // as it was before, and its second entry failed
+  CHECK(database.catch_up().value() == 1);
+  CHECK(database.runs().value().at(0).verdict == "FAIL");
+  CHECK(database.catch_up().value() == 0);
+}
+
+TEST_CASE("a folder that cannot be looked into hinders no other", "[bench][results]") {
+  const ScratchFolder root;
+  finished_run(root, "A17");
+  const auto odd = root / "B2" / "20260102T030405Z";
+  std::filesystem::create_directories(odd);
+  for (const char* name : {"plan.json", "SHA256SUMS"}) {
+    std::filesystem::create_symlink(name, odd / name);  // a link to itself
+  }
+  CHECK_FALSE(newest_unfinished_run(root.path(), "B2"));
+  const test::Answer all = test::rvbench({"history", "--out", root.path().string(), "--json"});
+  CHECK(all.code == 0);
+  CHECK(nlohmann::json::parse(all.out).at("runs").size() == 1);
+}
+
 TEST_CASE("a run whose results are still being written is not entered", "[bench][results]") {
   const ScratchFolder root;
   ResultDatabase database = opened(root);
