@@ -1,5 +1,6 @@
 #include "bench/console.hpp"
 
+#include <poll.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -34,13 +35,21 @@ bool continues_character(char byte) { return (static_cast<unsigned char>(byte) &
 Console system_console() {
   const std::string terminal = value_of("TERM");
   const bool escapes = value_of("NO_COLOR").empty() && !terminal.empty() && terminal != "dumb";
-  return {std::cout, std::cerr, escapes && isatty(STDOUT_FILENO) == 1,
-          escapes && isatty(STDERR_FILENO) == 1};
+  Console console{std::cout, std::cerr, escapes && isatty(STDOUT_FILENO) == 1,
+                  escapes && isatty(STDERR_FILENO) == 1};
+  console.err_descriptor = STDERR_FILENO;
+  return console;
 }
 
 void complain(Console& console, const std::string& line) {
   console.err << line << '\n';
   console.complaints.push_back(line);
+}
+
+bool takes_a_line(const Console& console) {
+  if (console.err_descriptor < 0) return true;
+  pollfd err{console.err_descriptor, POLLOUT, 0};
+  return ::poll(&err, 1, 0) > 0;  // also where nobody is left to read, which makes nobody wait
 }
 
 int terminal_columns() {

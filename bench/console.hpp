@@ -16,6 +16,7 @@ struct Console {
   bool colour = false;                       ///< on `out`: a terminal that takes escapes
   bool err_is_terminal = false;              ///< a progress bar may be drawn
   std::vector<std::string> complaints = {};  ///< why the command was refused, line by line
+  int err_descriptor = -1;                   ///< of what is behind `err`; -1 if nobody can stop it
 };
 
 /// Standard output and error of this process. No escapes, so neither colour nor bar, with NO_COLOR
@@ -24,6 +25,10 @@ Console system_console();
 
 /// Prints a line on standard error and keeps it among the complaints.
 void complain(Console& console, const std::string& line);
+
+/// Whether `err` takes a line at once. A terminal does not after Ctrl-S, nor a pipe that is full:
+/// who writes there waits for somebody.
+bool takes_a_line(const Console& console);
 
 /// Columns of the terminal behind standard error; 80 if it does not say.
 int terminal_columns();

@@ -59,7 +59,7 @@ ProgressBar::ProgressBar(Console& console, Style style, SecondsSource now_s)
 ProgressBar::~ProgressBar() { clear(); }
 
 void ProgressBar::show(const std::string& stage, double fraction, const std::string& doing) {
-  if (style_ == Style::silent) return;
+  if (style_ == Style::silent || !takes_a_line(console_)) return;
   if (stage != stage_) start_stage(stage);
   if (style_ == Style::bar) {
     draw_bar(fraction, doing);
@@ -69,7 +69,7 @@ void ProgressBar::show(const std::string& stage, double fraction, const std::str
 }
 
 void ProgressBar::clear() {
-  if (!on_screen_) return;
+  if (!on_screen_ || !takes_a_line(console_)) return;
   console_.err << "\r\x1b[K\x1b[?25h" << std::flush;
   on_screen_ = false;
 }

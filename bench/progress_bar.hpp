@@ -15,6 +15,7 @@ std::string progress_line(std::string_view stage, double fraction, double left_s
                           std::string_view doing, int columns);
 
 /// Shows how far a long job is: a bar on a terminal, else a plain line every tenth of the way.
+/// A terminal that has been stopped with Ctrl-S misses what would be shown: the job goes on.
 /// The cursor is hidden while a bar is shown and restored by clear() and the destructor.
 class ProgressBar {
  public:

@@ -20,7 +20,7 @@ StatusLine::StatusLine(Console& console, SecondsSource now_s)
     : console_(console), now_s_(std::move(now_s)) {}
 
 bool StatusLine::is_due() const {
-  return console_.err_is_terminal && now_s_() - shown_s_ >= refresh_s;
+  return console_.err_is_terminal && takes_a_line(console_) && now_s_() - shown_s_ >= refresh_s;
 }
 
 void StatusLine::show(const std::string& text) {

@@ -127,8 +127,11 @@ int DevicesCommand::serve(Console& console, const SimRig& rig) {
   }
   std::mutex speaking;
   StatusLine status(console);
+  // The bench's own thread tells as well: on a terminal that has been stopped it would stand still,
+  // and with it every device.
   const auto tell = [&](const std::string& what) {
     const std::lock_guard lock(speaking);
+    if (!takes_a_line(console)) return;
     console.err << "rvbench devices: " << what << std::endl;
     status.move_down();
   };

@@ -2,7 +2,10 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <fstream>
 #include <sstream>
+
+#include "tests/support/terminal.hpp"
 
 namespace rvbench::bench {
 
@@ -50,6 +53,24 @@ TEST_CASE("a bar hides the cursor and gives it back", "[bench]") {
   CHECK(text.find("\x1b[?25l") != std::string::npos);
   CHECK(text.rfind("\x1b[?25h") > text.rfind("\x1b[?25l"));
   CHECK(out.str().empty());
+}
+
+TEST_CASE("a terminal that has been stopped keeps nobody waiting", "[bench][safety]") {
+  const rvbench::test::Terminal terminal;
+  std::ofstream err(terminal.name());
+  Console console{err, err, false, true};
+  console.err_descriptor = terminal.descriptor();
+  double now_s = 0;
+  {
+    ProgressBar bar(console, ProgressBar::Style::bar, [&] { return ++now_s; });
+    terminal.stop();
+    bar.show("measure", 0.1, "unseen");
+    terminal.go_on();
+    bar.show("measure", 0.2, "seen");
+    terminal.stop();
+  }
+  CHECK(err.good());
+  CHECK_THAT(terminal.shown(), Contains("20 %") && !Contains("10 %"));
 }
 
 TEST_CASE("off a terminal a job of 1000 steps writes eleven plain lines", "[bench]") {
