@@ -1,7 +1,6 @@
 #include "bench/bench_lock.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <map>
@@ -26,19 +25,17 @@ std::string device_of(const hal::ModbusTcp& tcp) {
 std::string device_of(const hal::ModbusRtu& rtu) { return real_path(rtu.device); }
 std::string device_of(const std::string& can_interface) { return can_interface; }
 std::string device_of(const hal::SlcanOptions& slcan) { return real_path(slcan.device); }
-std::string device_of(const hal::IioOptions& iio) { return iio.uri; }
+std::string device_of(const hal::IioOptions& iio) { return iio.uri + ' ' + iio.device; }
 std::string device_of(const hal::ComediOptions& comedi) { return real_path(comedi.device); }
 
-// Whoever holds the lock signs a moment after it has it.
+// Whoever holds the lock signs a moment after it has it. Anybody may write there: what is no number
+// is not for a terminal.
 std::string holder_of(const std::filesystem::path& file) {
   const std::string signature = read_file(file).value_or("");
   const std::string number = signature.substr(0, signature.find('\n'));
-  return number.empty() ? "another rvbench" : "another rvbench, process " + number;
-}
-
-std::filesystem::path folder_for_all() {
-  const char* const lock_folder = "/run/lock";
-  return ::access(lock_folder, W_OK | X_OK) == 0 ? lock_folder : "/tmp";
+  const bool is_number = number.find_first_not_of("0123456789") == std::string::npos;
+  return number.empty() || number.size() > 10 || !is_number ? "another rvbench"
+                                                            : "another rvbench, process " + number;
 }
 
 }  // namespace
@@ -84,8 +81,11 @@ std::variant<BenchLock, std::string> BenchLock::take(const std::vector<std::stri
   return told;
 }
 
-std::variant<BenchLock, std::string> BenchLock::take(const std::vector<std::string>& devices) {
-  return take(devices, folder_for_all());
+// Not where this user may write: two users would then lock in two folders.
+std::filesystem::path BenchLock::folder_for_all() {
+  const char* const lock_folder = "/run/lock";
+  std::error_code unknown;
+  return std::filesystem::is_directory(lock_folder, unknown) ? lock_folder : "/tmp";
 }
 
 }  // namespace rvbench::bench

@@ -11,8 +11,8 @@
 namespace rvbench::bench {
 
 /// What a rig file names, as one process at a time may have it: "/dev/ttyACM0", "192.168.3.10:502",
-/// "can0", "ip:192.168.3.30", each once. A serial line is known by its device, whatever link to it
-/// the file names.
+/// "can0", "ip:192.168.3.30 ad7768-1", each once. A serial line is known by its device, whatever
+/// link to it the file names.
 std::vector<std::string> devices_of(const BenchRig& rig);
 std::vector<std::string> devices_of(const DriveSection& drive);
 
@@ -20,10 +20,9 @@ std::vector<std::string> devices_of(const DriveSection& drive);
 /// of the bytes, many devices take one TCP connection and drop the first, and of two masters
 /// neither knows what the other commands.
 ///
-/// How      a lock file for each device, in one folder for all users of this computer: /run/lock,
-/// or
-///          /tmp where there is none. TIOCEXCL would cover serial lines only, and not against root.
-///          The kernel releases the locks when the process ends, however it ends; the files stay
+/// How      a lock file for each device, in one folder for all users of this computer. TIOCEXCL
+///          would cover serial lines only, and not against root. The kernel releases the locks when
+///          the process ends, however it ends; the files stay
 /// Limits   holds off rvbench only, and only of the same computer and container
 class BenchLock {
  public:
@@ -31,8 +30,9 @@ class BenchLock {
   /// @throws std::system_error if there can be no lock
   static std::variant<BenchLock, std::string> take(const std::vector<std::string>& devices,
                                                    const std::filesystem::path& folder);
-  /// In the folder for all users.
-  static std::variant<BenchLock, std::string> take(const std::vector<std::string>& devices);
+
+  /// /run/lock, or /tmp where there is none.
+  static std::filesystem::path folder_for_all();
 
  private:
   std::vector<FileLock> locks_;

@@ -46,9 +46,10 @@ int refuse_usage(Console& console, const std::string& message) {
 }
 
 std::optional<BenchLock> lock_devices(Console& console, const std::string& command,
-                                      const std::vector<std::string>& devices) {
+                                      const std::vector<std::string>& devices,
+                                      const std::filesystem::path& folder) {
   try {
-    auto taken = BenchLock::take(devices);
+    auto taken = BenchLock::take(devices, folder);
     if (taken.index() == 0) return std::get<0>(std::move(taken));
     refuse_usage(console, command + ": " + std::get<1>(taken));
   } catch (const std::system_error& error) {

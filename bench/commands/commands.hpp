@@ -12,9 +12,11 @@
 
 namespace rvbench::bench {
 
-std::unique_ptr<Command> make_run_command();
+std::unique_ptr<Command> make_run_command(
+    std::filesystem::path lock_folder = BenchLock::folder_for_all());
 std::unique_ptr<Command> make_check_command();
-std::unique_ptr<Command> make_probe_command();
+std::unique_ptr<Command> make_probe_command(
+    std::filesystem::path lock_folder = BenchLock::folder_for_all());
 std::unique_ptr<Command> make_devices_command();
 std::unique_ptr<Command> make_judge_command();
 std::unique_ptr<Command> make_explain_command();
@@ -42,8 +44,10 @@ bool is_rate(Console& console, std::optional<double> rate_Hz);
 
 /// Keeps other processes from these devices while it lives; prints who has them if that fails.
 /// @param command  that wants them: "probe"
+/// @param folder   of the locks
 std::optional<BenchLock> lock_devices(Console& console, const std::string& command,
-                                      const std::vector<std::string>& devices);
+                                      const std::vector<std::string>& devices,
+                                      const std::filesystem::path& folder);
 
 /// Prints why a recording cannot be used. @return exit_codes::data_refused
 int refuse_data(Console& console, const std::string& message);

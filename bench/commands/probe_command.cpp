@@ -122,6 +122,7 @@ void print(Console& console, const Probed& probed, const DriveProbe& probe) {
 
 class ProbeCommand final : public Command {
  public:
+  explicit ProbeCommand(std::filesystem::path lock_folder) : lock_folder_(std::move(lock_folder)) {}
   std::string name() const override { return "probe"; }
   std::string summary() const override {
     return "what answers at the drive's address, how fast, and whether it is safe to arm";
@@ -155,6 +156,7 @@ class ProbeCommand final : public Command {
   int probe(Console& console, const Probed& probed);
   bool may_turn(Console& console) const;
 
+  const std::filesystem::path lock_folder_;
   std::string rig_;
   std::optional<std::uint64_t> readings_;
   std::optional<double> speed_rpm_;
@@ -185,7 +187,7 @@ int ProbeCommand::run(Console& console) {
 }
 
 int ProbeCommand::probe_bench(Console& console, const BenchRig& bench) {
-  const auto lock = lock_devices(console, name(), devices_of(bench.drive));
+  const auto lock = lock_devices(console, name(), devices_of(bench.drive), lock_folder_);
   return lock ? probe(console, open_bench(bench)) : exit_codes::usage;
 }
 
@@ -219,7 +221,10 @@ int ProbeCommand::probe(Console& console, const Probed& probed) {
   if (!json_) print(console, probed, probe);
   bool passed = refusal_to_arm(probe).empty();
   if (pull_the_plug_ && passed) {
-    const auto tell = [&](const std::string& what) { console.err << "  > " << what << std::endl; };
+    // The shaft turns: it waits for no terminal that has been stopped.
+    const auto tell = [&](const std::string& what) {
+      if (takes_a_line(console)) console.err << "  > " << what << std::endl;
+    };
     const PlugTest test =
         pull_the_plug(*probed.rig.drive, *probed.rig.clock, options, tell, signals.token());
     passed = test.passed;
@@ -238,6 +243,8 @@ int ProbeCommand::probe(Console& console, const Probed& probed) {
 
 }  // namespace
 
-std::unique_ptr<Command> make_probe_command() { return std::make_unique<ProbeCommand>(); }
+std::unique_ptr<Command> make_probe_command(std::filesystem::path lock_folder) {
+  return std::make_unique<ProbeCommand>(std::move(lock_folder));
+}
 
 }  // namespace rvbench::bench

@@ -31,6 +31,7 @@ namespace {
 
 class RunCommand final : public Command {
  public:
+  explicit RunCommand(std::filesystem::path lock_folder) : lock_folder_(std::move(lock_folder)) {}
   std::string name() const override { return "run"; }
   std::string summary() const override {
     return "runs an acceptance test: measure, record, judge, report";
@@ -63,6 +64,7 @@ class RunCommand final : public Command {
               const std::vector<hal::ConfigFault>& warnings);
   void enter_result(Console& console, const Judgement& judgement) const;
 
+  const std::filesystem::path lock_folder_;
   std::string plan_;
   std::string rig_;
   std::string serial_;
@@ -150,7 +152,7 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
   const RigFile file = std::get<0>(read_rig(rig_, rig_options()));  // make_rig() could read it
   const auto* bench = std::get_if<BenchRig>(&file);
   const auto devices = bench != nullptr ? devices_of(*bench) : std::vector<std::string>();
-  const auto lock = lock_devices(console, name(), devices);
+  const auto lock = lock_devices(console, name(), devices, lock_folder_);
   if (!lock) return exit_codes::usage;
   try {
     if (const int refused = prepare_folder(console, plan); refused != exit_codes::done)
@@ -196,6 +198,8 @@ void RunCommand::enter_result(Console& console, const Judgement& judgement) cons
 
 }  // namespace
 
-std::unique_ptr<Command> make_run_command() { return std::make_unique<RunCommand>(); }
+std::unique_ptr<Command> make_run_command(std::filesystem::path lock_folder) {
+  return std::make_unique<RunCommand>(std::move(lock_folder));
+}
 
 }  // namespace rvbench::bench

@@ -4,10 +4,13 @@
 
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <string>
 
+#include "bench/cli.hpp"
+#include "bench/commands/commands.hpp"
 #include "bench/run_folder.hpp"
-#include "tests/bench/answers.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace rvbench::bench {
@@ -21,6 +24,7 @@ BenchRig rig_on(const std::string& adapter, const std::string& host) {
   rig.can.emplace().bus = hal::SlcanOptions{.device = adapter};
   hal::IioOptions front_end;
   front_end.uri = "ip:192.168.3.30";
+  front_end.device = "ad7768-1";
   rig.accelerometers.emplace().options = front_end;
   rig.safety.emplace().options.path = hal::ModbusTcp{host, 502};
   return rig;
@@ -42,7 +46,7 @@ SCENARIO("two processes do not use one device", "[bench][lock]") {
       REQUIRE(second.index() == 1);
       CHECK(std::get<1>(second) == "in use by another rvbench, process " +
                                        std::to_string(::getpid()) +
-                                       ": 192.168.3.10:502, ip:192.168.3.30");
+                                       ": 192.168.3.10:502, ip:192.168.3.30 ad7768-1");
     }
     THEN("one on other devices goes ahead") {
       BenchRig other = rig_on("/dev/ttyACM1", "192.168.3.11");
@@ -63,6 +67,25 @@ SCENARIO("two processes do not use one device", "[bench][lock]") {
   }
 }
 
+TEST_CASE("two front ends behind one address are two devices", "[bench][lock]") {
+  BenchRig rig = rig_on("/dev/ttyACM0", "192.168.3.10");
+  const auto devices = devices_of(rig);
+  std::get<hal::IioOptions>(rig.accelerometers->options).device = "ad4630-24";
+  CHECK(devices_of(rig) != devices);
+}
+
+TEST_CASE("what anybody may have written into a lock is not shown", "[bench][lock]") {
+  const rvbench::test::ScratchFolder folder;
+  const auto held = BenchLock::take({"can0"}, folder.path());
+  REQUIRE(held.index() == 0);
+  for (const char* text : {"\x1b[31m1\n", "", "12345678901\n", "12 34\n"}) {
+    std::ofstream(folder / "rvbench-can0.lock") << text;
+    const auto second = BenchLock::take({"can0"}, folder.path());
+    REQUIRE(second.index() == 1);
+    CHECK(std::get<1>(second) == "in use by another rvbench: can0");
+  }
+}
+
 TEST_CASE("any user may lock what another user has locked before", "[bench][lock]") {
   const rvbench::test::ScratchFolder folder;
   REQUIRE(BenchLock::take({"can0"}, folder.path()).index() == 0);
@@ -77,16 +100,20 @@ TEST_CASE("run and probe leave a bench alone that another process has", "[bench]
   const std::string host = "192.168.3.10";
   text.replace(text.find(host), host.size(), "127.0.0.1");  // nobody there, and refused at once
   write_file(folder / "rig.json", text);
-  const auto taken = BenchLock::take({"127.0.0.1:502"});
+  const auto taken = BenchLock::take({"127.0.0.1:502"}, folder.path());
   REQUIRE(taken.index() == 0);
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"probe", "--rig", folder / "rig.json"},
         {"run", "quick", "--rig", folder / "rig.json", "--serial", "A", "--out",
          folder / "runs"}}) {
-    const test::Answer answer = test::rvbench(words);
-    CHECK(answer.code == 2);
-    CHECK_THAT(answer.err, Contains(words[0] + ": in use by another rvbench, process ") &&
-                               Contains(": 127.0.0.1:502"));
+    std::vector<std::unique_ptr<Command>> commands;
+    commands.push_back(make_run_command(folder.path()));
+    commands.push_back(make_probe_command(folder.path()));
+    std::ostringstream out, err;
+    Console console{out, err};
+    CHECK(run_cli(words, commands, console) == 2);
+    CHECK_THAT(err.str(), Contains(words[0] + ": in use by another rvbench, process ") &&
+                              Contains(": 127.0.0.1:502"));
   }
   CHECK_FALSE(std::filesystem::exists(folder / "runs"));
 }
