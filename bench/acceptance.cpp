@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -55,6 +56,8 @@ Ending record(Acceptance& acceptance, hal::Rig& rig, RunLog& log, std::stop_toke
   if (!writer) return bench_fault(writer.error());
   const sequences::RunSummary summary = sequences::run_sequence(
       acceptance.plan, rig, *writer.value(), log, std::move(stop), before.next_point());
+  acceptance.facts.must_exit = summary.supervisor_hung || summary.bus_hung || summary.observer_hung;
+  acceptance.facts.log_hung = summary.observer_hung && summary.events_untold > 0;
   const Status closed = writer.value()->close();
   // A later part of a run without a record is no recording to judge; log.jsonl has its events.
   const bool is_first = before.points() == 0;
@@ -64,7 +67,6 @@ Ending record(Acceptance& acceptance, hal::Rig& rig, RunLog& log, std::stop_toke
   acceptance.facts.drive_retries = summary.drive_retries;
   acceptance.facts.shaft_stopped = summary.shaft_stopped;
   acceptance.facts.brake_released = summary.brake_released;
-  acceptance.facts.must_exit = summary.supervisor_hung || summary.bus_hung || summary.observer_hung;
   return closed ? summary.ending : graver(summary.ending, bench_fault(closed.error()));
 }
 
@@ -92,10 +94,19 @@ Ending measure(Acceptance& acceptance, hal::Rig& rig, RunLog& log, std::stop_tok
   return record(acceptance, rig, log, std::move(stop), before.value());
 }
 
+const IoError log_that_hangs{IoErrc::refused, "log.jsonl: it takes no more events"};
+
 Ending fate_of(const RunLog& log) {
   if (log.error() == 0) return {Outcome::pass, ErrorKind::none, "every event was logged"};
   return bench_fault({IoErrc::refused, std::string("log.jsonl: ") + std::strerror(log.error())});
 }
+
+// For what is told when a thread hangs, perhaps in the screen's call.
+struct Nowhere {
+  std::ostringstream text;
+  Console console{text, text};
+  ProgressBar bar{console, ProgressBar::Style::silent};
+};
 
 JudgedPoint point_without_samples(const hal::PlannedPoint& planned, int number,
                                   std::string status) {
@@ -136,6 +147,34 @@ Ending judge_points(Judgement& judgement, const Acceptance& acceptance, RunRecor
   return ending;
 }
 
+// Judges what was measured, and writes all that tells of it.
+void conclude_run(Judgement& judgement, const Acceptance& acceptance, RunLog& log, ProgressBar& bar,
+                  const analysis::ExamineOptions& options, const std::stop_token& stop) {
+  Result<RunRecordings> recordings = RunRecordings::open(acceptance.folder);
+  RunRecordings recorded;
+  Ending ending = judgement.ending;
+  if (recordings) {
+    recorded = std::move(recordings).value();
+  } else {
+    ending = graver(ending, bench_fault(recordings.error()));
+  }
+  ending = graver(ending, judge_points(judgement, acceptance, recorded, options, bar, stop));
+  const bool log_hung = acceptance.facts.log_hung;
+  if (!acceptance.twin.empty() && ending.outcome == Outcome::pass && !log_hung) {
+    bar.show("twin", 0, acceptance.twin);
+    log.event(judgement.facts.duration_s, twin_event(acceptance.folder, acceptance.twin));
+  }
+  ending = graver(ending, log_hung ? bench_fault(log_that_hangs) : fate_of(log));
+  conclude(judgement, acceptance.kinematics, acceptance.plan.limits, ending);
+  demand_confirmation(judgement, acceptance.kinematics);
+  if (!log_hung) judgement.facts.events = log.events();
+  bar.show("report", 0, "writing");
+  tell_in_files(judgement, [&](const Judgement& told) {
+    return write_results(acceptance.folder, told, acceptance.kinematics);
+  });
+  bar.clear();
+}
+
 }  // namespace
 
 Result<std::unique_ptr<hal::RecordingWriter>> make_recording(const std::filesystem::path& file,
@@ -147,32 +186,22 @@ Judgement run_acceptance(Acceptance acceptance, hal::Rig& rig, ProgressBar& bar,
                          std::stop_token stop) {
   // Those of an earlier part would vouch for files that are about to change.
   remove_sums(acceptance.folder);
-  RunLog log(acceptance.folder / "log.jsonl", bar);
-  const analysis::ExamineOptions options{.clip_level = rig.accelerometers->range_m_s2()};
-  Ending ending = measure(acceptance, rig, log, stop);
+  auto log = std::make_unique<RunLog>(acceptance.folder / "log.jsonl", bar);
+  Nowhere nowhere;
   Judgement judgement;
-  judgement.facts = acceptance.facts;
-  Result<RunRecordings> recordings = RunRecordings::open(acceptance.folder);
-  RunRecordings recorded;
-  if (recordings) {
-    recorded = std::move(recordings).value();
-  } else {
-    ending = graver(ending, bench_fault(recordings.error()));
+  try {
+    const analysis::ExamineOptions options{.clip_level = rig.accelerometers->range_m_s2()};
+    judgement.ending = measure(acceptance, rig, *log, stop);
+    judgement.facts = acceptance.facts;
+    conclude_run(judgement, acceptance, *log, acceptance.facts.must_exit ? nowhere.bar : bar,
+                 options, stop);
+  } catch (const std::exception& error) {
+    if (!acceptance.facts.must_exit) throw;  // else the rig would be destroyed on its way
+    judgement.facts = acceptance.facts;
+    judgement.ending = graver(
+        judgement.ending, bench_fault({IoErrc::refused, std::string("internal: ") + error.what()}));
   }
-  ending = graver(ending, judge_points(judgement, acceptance, recorded, options, bar, stop));
-  if (!acceptance.twin.empty() && ending.outcome == Outcome::pass) {
-    bar.show("twin", 0, acceptance.twin);
-    log.event(judgement.facts.duration_s, twin_event(acceptance.folder, acceptance.twin));
-  }
-  ending = graver(ending, fate_of(log));
-  conclude(judgement, acceptance.kinematics, acceptance.plan.limits, ending);
-  demand_confirmation(judgement, acceptance.kinematics);
-  judgement.facts.events = log.events();
-  bar.show("report", 0, "writing");
-  tell_in_files(judgement, [&](const Judgement& told) {
-    return write_results(acceptance.folder, told, acceptance.kinematics);
-  });
-  bar.clear();
+  if (acceptance.facts.must_exit) (void)log.release();  // whose thread may go on in there
   return judgement;
 }
 

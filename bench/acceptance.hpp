@@ -41,6 +41,9 @@ struct Acceptance {
 /// happens to the bench is in the judgement's ending, and also if the results cannot be written.
 /// How a run that was measured to its end differs from its twin is an event, and changes no ending.
 ///
+/// With RunFacts::must_exit a thread may go on to use the rig and the bar: neither may be
+/// destroyed, nor may anybody wait for what that thread holds, as the lock of standard error.
+///
 /// A run that its log or one of these files does not tell ends as an ERROR.
 ///
 /// @throws std::system_error, before anything turns, if log.jsonl cannot be opened, or the

@@ -50,9 +50,10 @@ struct RunFacts {
   int drive_retries = 0;
   bool shaft_stopped = false;
   bool brake_released = false;
-  /// A thread hangs in a call of the rig's or the log's: the process must exit without destroying
-  /// the rig. Not in the files.
+  /// A thread hangs in a call of the rig's, the log's or the screen's: the process must exit
+  /// without destroying what that thread uses. Not in the files.
   bool must_exit = false;
+  bool log_hung = false;  ///< it is the log's, which knows of no event any more. Not in the files
   std::optional<int> resumed_at_point;
   std::vector<std::pair<double, std::string>> events;
 };

@@ -1,7 +1,11 @@
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
+#include <functional>
+#include <future>
 #include <iterator>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "bench/acceptance.hpp"
@@ -28,6 +32,11 @@
 
 namespace rvbench::bench {
 namespace {
+
+constexpr std::chrono::seconds longest_entry{10};  // results.db may be locked for a while
+constexpr std::chrono::seconds longest_farewell{2};
+constexpr const char* untold_entry =
+    "rvbench: the results do not answer; the run will be entered by the next one\n";
 
 class RunCommand final : public Command {
  public:
@@ -62,7 +71,9 @@ class RunCommand final : public Command {
   int measure(Console& console, const sequences::TestPlan& plan,
               const analysis::Kinematics& kinematics, hal::Rig& rig,
               const std::vector<hal::ConfigFault>& warnings);
-  void enter_result(Console& console, const Judgement& judgement) const;
+  std::string enter_result(const Judgement& judgement) const;
+  void tell(Console& console, const Judgement& judgement, const analysis::Kinematics& kinematics,
+            const std::string& not_entered) const;
 
   const std::filesystem::path lock_folder_;
   std::string plan_;
@@ -138,11 +149,18 @@ std::string twin_of(const RigFile& rig) {
   return std::holds_alternative<SimRig>(rig) ? "" : plant_of(rig);
 }
 
-// With a thread in a device's call that never returns, no destructor of the rig may run.
-[[noreturn]] void leave(Console& console, int code) {
-  console.out.flush();
-  console.err.flush();
-  std::_Exit(code);
+// Work that may be held up, by a disk or by a lock that a hung thread has. What it uses must
+// outlive the process.
+// @return whether it was done in time
+bool try_for(std::chrono::seconds longest, const std::function<void()>& work) noexcept {
+  try {
+    std::packaged_task<void()> task(work);
+    const std::future<void> done = task.get_future();
+    std::thread(std::move(task)).detach();
+    return done.wait_for(longest) == std::future_status::ready;
+  } catch (...) {  // no thread is to be had: without, it might wait for ever
+    return false;
+  }
 }
 
 int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
@@ -166,19 +184,38 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
     acceptance.warnings.push_back(hal::describe(rig_, warning));
   }
   const Judgement judgement = run_acceptance(std::move(acceptance), rig, bar, signals.token());
-  print_unwritten(console, judgement);
-  enter_result(console, judgement);
+  std::string not_entered;
+  const auto enter = [&] { not_entered = enter_result(judgement); };
+  if (judgement.facts.must_exit) {
+    // With a thread in a call that never returns, no destructor of the rig may run.
+    const bool answers = try_for(longest_entry, enter);  // else it may still write the text
+    (void)try_for(longest_farewell, [&] {
+      tell(console, judgement, kinematics, answers ? not_entered : untold_entry);
+    });
+    std::_Exit(exit_code(judgement.ending));
+  }
+  enter();
+  tell(console, judgement, kinematics, not_entered);
+  return exit_code(judgement.ending);
+}
+
+// Standard output first: the other may be what hangs.
+void RunCommand::tell(Console& console, const Judgement& judgement,
+                      const analysis::Kinematics& kinematics,
+                      const std::string& not_entered) const {
   if (json_) {
     console.out << judgement_to_json(judgement);
   } else {
     print_summary(console, judgement, kinematics, place_.folder);
   }
-  if (judgement.facts.must_exit) leave(console, exit_code(judgement.ending));
-  return exit_code(judgement.ending);
+  console.out.flush();
+  print_unwritten(console, judgement);
+  console.err << not_entered << std::flush;
 }
 
 // The folder is the result; an entry that fails now is made up for by the next run.
-void RunCommand::enter_result(Console& console, const Judgement& judgement) const {
+// @return what to say of one that failed
+std::string RunCommand::enter_result(const Judgement& judgement) const {
   auto database = ResultDatabase::open(out_);
   Status entered = Done{};
   if (database) {
@@ -191,9 +228,9 @@ void RunCommand::enter_result(Console& console, const Judgement& judgement) cons
   } else {
     entered = database.error();
   }
-  if (entered) return;
-  console.err << "rvbench: " << describe(entered.error()) << "; the result is safe in "
-              << place_.folder.string() << " and will be entered by the next run\n";
+  if (entered) return "";
+  return "rvbench: " + describe(entered.error()) + "; the result is safe in " +
+         place_.folder.string() + " and will be entered by the next run\n";
 }
 
 }  // namespace
