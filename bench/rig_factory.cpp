@@ -94,12 +94,16 @@ nlohmann::ordered_json to_json(const ReplayRig& rig) {
 
 std::vector<std::string> preset_names() { return names_of(sim::preset_files()); }
 
+Made make_rig(const RigFile& file, const std::string& rig) {
+  Made made = std::visit([](const auto& kind) { return make(kind); }, file);
+  if (made.index() == 1) return with_lines(rig, std::get<1>(std::move(made)));
+  return made;
+}
+
 Made make_rig(const std::string& rig, const RigOptions& options) {
   auto file = read_rig(rig, options);
   if (file.index() == 1) return std::get<1>(std::move(file));
-  Made made = std::visit([](const auto& kind) { return make(kind); }, std::get<0>(file));
-  if (made.index() == 1) return with_lines(rig, std::get<1>(std::move(made)));
-  return made;
+  return make_rig(std::get<0>(file), rig);
 }
 
 std::vector<hal::ConfigFault> check_rig(const std::string& file) {
@@ -109,20 +113,27 @@ std::vector<hal::ConfigFault> check_rig(const std::string& file) {
                     std::visit([](const auto& kind) { return check(kind); }, std::get<0>(rig)));
 }
 
+RigRemarks remarks_on(const RigFile& file, const std::string& rig) {
+  const auto* bench = std::get_if<BenchRig>(&file);
+  if (bench == nullptr) return {};
+  RigRemarks remarks{with_lines(rig, unfit_for_runs(*bench)), {}};
+  if (bench->safety) remarks.warnings = with_lines(rig, warnings_of(*bench->safety));
+  return remarks;
+}
+
 RigRemarks remarks_on(const std::string& file) {
   const auto rig = read_rig(file, {});
-  const auto* bench = rig.index() == 0 ? std::get_if<BenchRig>(&std::get<0>(rig)) : nullptr;
-  if (bench == nullptr) return {};
-  RigRemarks remarks{with_lines(file, unfit_for_runs(*bench)), {}};
-  if (bench->safety) remarks.warnings = with_lines(file, warnings_of(*bench->safety));
-  return remarks;
+  return rig.index() == 0 ? remarks_on(std::get<0>(rig), file) : RigRemarks{};
+}
+
+std::string rig_to_json(const RigFile& file) {
+  return std::visit([](const auto& kind) { return to_json(kind); }, file).dump(2) + "\n";
 }
 
 std::string rig_to_json(const std::string& rig, const RigOptions& options) {
   const auto file = read_rig(rig, options);
   if (file.index() == 1) throw std::invalid_argument("rig_to_json: " + rig + " has faults");
-  return std::visit([](const auto& kind) { return to_json(kind); }, std::get<0>(file)).dump(2) +
-         "\n";
+  return rig_to_json(std::get<0>(file));
 }
 
 }  // namespace rvbench::bench

@@ -38,6 +38,13 @@ using RigFile = std::variant<SimRig, ReplayRig, BenchRig>;
 /// The plant that stands for what the rig turns.
 std::string plant_of(const RigFile& rig);
 
+/// As make_rig(), remarks_on() and rig_to_json() of the rig's file, which is not read again.
+/// @param rig  the file's name, for its faults
+std::variant<hal::Rig, std::vector<hal::ConfigFault>> make_rig(const RigFile& file,
+                                                               const std::string& rig);
+RigRemarks remarks_on(const RigFile& file, const std::string& rig);
+std::string rig_to_json(const RigFile& file);
+
 /// What a rig is, from "sim" or a file. Options fill in what the file leaves open.
 std::variant<RigFile, std::vector<hal::ConfigFault>> read_rig(const std::string& rig,
                                                               const RigOptions& options);

@@ -65,9 +65,8 @@ class RunCommand final : public Command {
   int run(Console& console) override;
 
  private:
-  RigOptions rig_options() const;
   int prepare_folder(Console& console, const sequences::TestPlan& plan);
-  RunFacts facts(const sequences::TestPlan& plan, const RigFile& rig) const;
+  RunFacts facts(const sequences::TestPlan& plan) const;
   int measure(Console& console, const sequences::TestPlan& plan,
               const analysis::Kinematics& kinematics, hal::Rig& rig,
               const std::vector<hal::ConfigFault>& warnings);
@@ -84,13 +83,21 @@ class RunCommand final : public Command {
   bool dry_run_ = false;
   bool resume_ = false;
   bool json_ = false;
+  RigFile file_;    // what --rig names, read once
   RunPlace place_;  // locked until the command ends
 };
 
 int RunCommand::run(Console& console) {
   if (serial_.empty() && !dry_run_) return refuse_usage(console, "run: --serial is required");
   const auto plan = find_plan(plan_);
-  auto rig = make_rig(rig_, rig_options());  // opens nothing
+  auto file = read_rig(rig_, unit_.rig_options());
+  std::variant<hal::Rig, std::vector<hal::ConfigFault>> rig;
+  if (file.index() == 0) {
+    file_ = std::get<0>(std::move(file));
+    rig = make_rig(file_, rig_);  // opens nothing
+  } else {
+    rig = std::get<1>(std::move(file));
+  }
   if (plan.index() == 1) refuse_file(console, plan_, std::get<1>(plan));
   if (rig.index() == 1) refuse_file(console, rig_, std::get<1>(rig));
   if (plan.index() == 1 || rig.index() == 1) return exit_codes::bad_file;
@@ -102,7 +109,7 @@ int RunCommand::run(Console& console) {
   auto faults = limits_on_unknown_parts(test.limits, std::get<0>(kinematics));
   std::ranges::move(faults_of_plan_on(std::get<0>(rig), test), std::back_inserter(faults));
   if (!faults.empty()) return refuse_file(console, plan_, with_lines(plan_, faults));
-  const auto warnings = remarks_on(rig_).warnings;
+  const auto warnings = remarks_on(file_, rig_).warnings;
   remark(console, "warning", rig_, warnings);
   if (dry_run_) {
     console.out << (json_ ? timeline_json(test) : timeline_table(test));
@@ -112,11 +119,9 @@ int RunCommand::run(Console& console) {
                  std::get<0>(rig), warnings);
 }
 
-RigOptions RunCommand::rig_options() const { return unit_.rig_options(); }
-
 // A new run folder with the resolved plan, rig and machine, or the one to go on with.
 int RunCommand::prepare_folder(Console& console, const sequences::TestPlan& plan) {
-  const ResolvedFiles resolved{{"rig.json", rig_to_json(rig_, rig_options())},
+  const ResolvedFiles resolved{{"rig.json", rig_to_json(file_)},
                                {"kinematics.json", kinematics_text(plan.specimen.kinematics)},
                                {"plan.json", sequences::plan_to_json(plan)}};
   if (!resume_) {
@@ -129,14 +134,14 @@ int RunCommand::prepare_folder(Console& console, const sequences::TestPlan& plan
   return exit_codes::done;
 }
 
-RunFacts RunCommand::facts(const sequences::TestPlan& plan, const RigFile& rig) const {
+RunFacts RunCommand::facts(const sequences::TestPlan& plan) const {
   RunFacts facts;
   facts.serial = serial_;
   facts.started_utc = utc_now();
   facts.plan = plan.name;
   facts.rig = rig_;
   // A rig file goes before the command line, and a replayed recording has no preset and no seed.
-  if (const auto* sim = std::get_if<SimRig>(&rig)) {
+  if (const auto* sim = std::get_if<SimRig>(&file_)) {
     facts.preset = sim->preset;
     facts.seed = sim->seed;
   }
@@ -167,8 +172,7 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
                         const analysis::Kinematics& kinematics, hal::Rig& rig,
                         const std::vector<hal::ConfigFault>& warnings) {
   StopOnSignal signals;
-  const RigFile file = std::get<0>(read_rig(rig_, rig_options()));  // make_rig() could read it
-  const auto* bench = std::get_if<BenchRig>(&file);
+  const auto* bench = std::get_if<BenchRig>(&file_);
   const auto devices = bench != nullptr ? devices_of(*bench) : std::vector<std::string>();
   const auto lock = lock_devices(console, name(), devices, lock_folder_);
   if (!lock) return exit_codes::usage;
@@ -179,7 +183,7 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
     return refuse_usage(console, "run: no run folder in --out " + out_ + ": " + error.what());
   }
   ProgressBar bar(console, progress_style(console, json_));
-  Acceptance acceptance{plan, kinematics, place_.folder, facts(plan, file), twin_of(file)};
+  Acceptance acceptance{plan, kinematics, place_.folder, facts(plan), twin_of(file_)};
   for (const hal::ConfigFault& warning : warnings) {
     acceptance.warnings.push_back(hal::describe(rig_, warning));
   }
