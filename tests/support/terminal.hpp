@@ -32,6 +32,14 @@ class Terminal {
   const std::string& name() const { return name_; }  ///< "/dev/pts/7"
   int descriptor() const { return descriptor_; }
 
+  /// Who reads from it meets the end at once, as of an empty file.
+  void give_nothing() const {
+    termios how{};
+    REQUIRE(::tcgetattr(descriptor_, &how) == 0);
+    how.c_lflag &= ~tcflag_t{ICANON | ECHO};
+    how.c_cc[VMIN] = how.c_cc[VTIME] = 0;
+    REQUIRE(::tcsetattr(descriptor_, TCSANOW, &how) == 0);
+  }
   void stop() const { REQUIRE(::tcflow(descriptor_, TCOOFF) == 0); }
   void go_on() const { REQUIRE(::tcflow(descriptor_, TCOON) == 0); }
 
