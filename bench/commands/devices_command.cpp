@@ -4,6 +4,7 @@
 
 #include <array>
 #include <exception>
+#include <filesystem>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -108,6 +109,11 @@ int DevicesCommand::run(Console& console) {
   if (can_.size() >= IFNAMSIZ) {
     return refuse_usage(console, "devices: --can " + hal::in_quotes(can_) +
                                      ": an interface has a name of at most 15 characters");
+  }
+  std::error_code none;
+  if (std::filesystem::exists(written_rig_, none) &&
+      !std::filesystem::is_regular_file(written_rig_, none)) {
+    return refuse_usage(console, "devices: --write-rig " + written_rig_ + " is no regular file");
   }
   try {
     return serve(console, *sim);

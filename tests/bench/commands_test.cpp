@@ -59,6 +59,14 @@ TEST_CASE("an interface of a name that none can have is a usage error", "[bench]
   CHECK_THAT(answer.err, Contains("--can \"averyverylongname0\"") && Contains("15 characters"));
 }
 
+TEST_CASE("a rig file is written over no device and no folder", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path().string();
+  const Answer answer = rvbench({"devices", "--rig", "sim", "--write-rig", folder});
+  CHECK(answer.code == 2);
+  CHECK_THAT(answer.err, Contains("--write-rig " + folder + " is no regular file"));
+}
+
 TEST_CASE("nothing to resume is a usage error", "[bench]") {
   const ScratchFolder scratch;
   const Answer answer = rvbench({"run", "quick", "--rig", "sim", "--serial", "A", "--resume",

@@ -34,7 +34,9 @@ std::string told(Scene& scene) {
               {"acknowledged", json::array()}};
   for (const hal::PointResult& point : scene.recording().acknowledged()) {
     all["acknowledged"].push_back({point.point, number(point.t0_s), point.status,
-                                   number(point.speed_rpm), number(point.torque_Nm)});
+                                   number(point.speed_rpm), number(point.torque_Nm),
+                                   number(point.acceleration_time_uncertainty_s),
+                                   number(point.torque_time_uncertainty_s)});
   }
   return all.dump();
 }
@@ -53,8 +55,8 @@ Told understood(const std::string& text) {
   result.report.released_s = number(all.at("released_s"));
   result.report.violations = all.at("violations").get<std::vector<std::string>>();
   for (const json& row : all.at("acknowledged")) {
-    result.acknowledged.push_back(
-        {row.at(0), number(row.at(1)), row.at(2), number(row.at(3)), number(row.at(4))});
+    result.acknowledged.push_back({row.at(0), number(row.at(1)), row.at(2), number(row.at(3)),
+                                   number(row.at(4)), number(row.at(5)), number(row.at(6))});
   }
   return result;
 }
