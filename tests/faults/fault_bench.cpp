@@ -167,7 +167,7 @@ double FaultBench::entered_s(BenchState state) const {
 }
 
 void FaultBench::follow_states() {
-  if (server.requests() > 0) enter(BenchState::arming);
+  if (safety_was_read_) enter(BenchState::arming);  // all is connected: the supervisor looks
   const sim::InverterState drive = inverter.state();
   const double asked_Hz = drive.run == sim::RunCommand::stop ? 0 : drive.setpoint_Hz;
   if (asked_Hz > 0 && asked_Hz != setpoint_Hz_) {

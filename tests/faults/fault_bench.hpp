@@ -76,7 +76,10 @@ class FaultBench final : public hal::PlantPort {
   double acceleration_rate_Hz() const override { return rate_Hz; }
   double acceleration_range_m_s2() const override { return range_m_s2; }
   hal::AccelerationBlock take_accelerations() override;
-  hal::SafetyStatus safety_status() const override { return safety; }
+  hal::SafetyStatus safety_status() const override {
+    safety_was_read_ = true;
+    return safety;
+  }
 
   /// Does it `after_s` seconds after that state was entered for the first time.
   void when(BenchState state, double after_s, std::function<void()> what);
@@ -128,6 +131,7 @@ class FaultBench final : public hal::PlantPort {
   double drifted_m_s2_ = 0;
   double setpoint_Hz_ = 0;
   int speeds_asked_ = 0;  ///< one after the other, other than 0
+  mutable bool safety_was_read_ = false;
   double driven_until_s_ = 0, moved_until_s_ = 0, braked_until_s_ = 0;
   double released_s_ = not_known, released_rpm_ = not_known;
   std::map<BenchState, double> entered_s_;
