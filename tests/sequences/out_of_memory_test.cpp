@@ -67,10 +67,17 @@ void* memory_of(std::size_t bytes) {
 
 void* operator new(std::size_t bytes) { return memory_of(bytes); }
 void* operator new[](std::size_t bytes) { return memory_of(bytes); }
+// Catch2 makes its cases like this.
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept { return std::malloc(bytes); }
+void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept {
+  return std::malloc(bytes);
+}
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
+void operator delete[](void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
 
 TEST_CASE("without memory the drive is stopped all the same, and the run ends",
           "[sequences][safety]") {
