@@ -20,9 +20,8 @@ std::vector<std::string> devices_of(const DriveSection& drive);
 /// of the bytes, many devices take one TCP connection and drop the first, and of two masters
 /// neither knows what the other commands.
 ///
-/// How      a lock file for each device, in one folder for all users of this computer. TIOCEXCL
-///          would cover serial lines only, and not against root. The kernel releases the locks when
-///          the process ends, however it ends; the files stay
+/// How      a lock file for each device, in one folder for all users of this computer; the files
+///          stay. TIOCEXCL would cover serial lines only, and not against root
 /// Limits   holds off rvbench only, and only of the same computer and container
 class BenchLock {
  public:

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -15,10 +14,6 @@ constexpr int least_bar = 10;
 constexpr int widest_bar = 30;
 constexpr int room_for_left = 12;  // "1:00:00 left": fixed, so that the bar keeps its width
 constexpr int least_doing = 15;
-
-double steady_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 std::string clock_text(double seconds) {
   if (!std::isfinite(seconds)) return "";

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <string>
 #include <string_view>
 
 #include "bench/console.hpp"
+#include "bench/seconds_source.hpp"
 
 namespace rvbench::bench {
 
@@ -20,7 +20,6 @@ std::string progress_line(std::string_view stage, double fraction, double left_s
 class ProgressBar {
  public:
   enum class Style { bar, lines, silent };
-  using SecondsSource = std::function<double()>;
 
   ProgressBar(Console& console, Style style);
   ProgressBar(Console& console, Style style, SecondsSource now_s);

@@ -1,16 +1,11 @@
 #include "bench/status_line.hpp"
 
-#include <chrono>
 #include <utility>
 
 namespace rvbench::bench {
 namespace {
 
 constexpr double refresh_s = 1;
-
-double steady_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 }  // namespace
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <functional>
 #include <string>
 
 #include "bench/console.hpp"
+#include "bench/seconds_source.hpp"
 
 namespace rvbench::bench {
 
@@ -11,8 +11,6 @@ namespace rvbench::bench {
 /// second. Nothing where standard error is no terminal.
 class StatusLine {
  public:
-  using SecondsSource = std::function<double()>;
-
   explicit StatusLine(Console& console);
   StatusLine(Console& console, SecondsSource now_s);
 

@@ -10,9 +10,9 @@
 
 #include "sequences/bench_loop.hpp"
 #include "sequences/guarded.hpp"
+#include "sequences/plan_on_rig.hpp"
 #include "sequences/scribe.hpp"
 #include "sequences/standstill.hpp"
-#include "sequences/timeline.hpp"
 #include "sequences/written_behind.hpp"
 
 namespace rvbench::sequences {
@@ -37,41 +37,6 @@ RunSummary empty_summary() noexcept {
   return {.ending = {Outcome::pass, ErrorKind::none, {}}, .points = {}};
 }
 
-std::optional<Ending> check_accelerometers(const TestPlan& plan,
-                                           const hal::Accelerometers& accelerometers) {
-  const double rate_Hz = accelerometers.rate_Hz();
-  if (!(std::abs(rate_Hz - plan.acceleration_rate_Hz) <= 0.01 * plan.acceleration_rate_Hz)) {
-    return bench_fault(fmt::format("the accelerometers run at {:g} Hz, the plan asks for {:g} Hz",
-                                   rate_Hz, plan.acceleration_rate_Hz));
-  }
-  // Not known, in a recording that is replayed, is no contradiction: false for NaN.
-  const double range_m_s2 = accelerometers.range_m_s2();
-  if (plan.interlocks.acceleration_m_s2 >= range_m_s2) {
-    return bench_fault(
-        fmt::format("the acceleration interlock of {:g} m/s² could never trip: the accelerometers "
-                    "show no more than {:g} m/s²",
-                    plan.interlocks.acceleration_m_s2, range_m_s2));
-  }
-  return std::nullopt;
-}
-
-// What the plan asks for and the rig cannot do; known before anything turns.
-std::optional<Ending> check_rig(const TestPlan& plan, const hal::Rig& rig) {
-  const double max_speed_rpm = rig.drive->limits().max_speed_rpm;
-  const double max_torque_Nm = rig.brake->limits().max_torque_Nm;
-  for (const Segment& segment : timeline(plan)) {
-    if (std::abs(segment.speed_rpm) > max_speed_rpm) {
-      return bench_fault(fmt::format("the plan asks for {:g} rpm, the drive can do {:g} rpm",
-                                     segment.speed_rpm, max_speed_rpm));
-    }
-    if (segment.output_torque_Nm > max_torque_Nm) {
-      return bench_fault(fmt::format("the plan asks for {:g} N·m, the brake can do {:g} N·m",
-                                     segment.output_torque_Nm, max_torque_Nm));
-    }
-  }
-  return check_accelerometers(plan, *rig.accelerometers);
-}
-
 Ending verdict_on(const std::vector<hal::PointResult>& points) {
   const auto bad = std::ranges::count_if(
       points, [](const hal::PointResult& point) { return point.status != "ok"; });
@@ -91,7 +56,8 @@ Ending set_up_and_measure(const TestPlan& plan, BenchLoop& loop) {
       // Once connected and not before: of a bench that is not, teardown could not see that the
       // shaft stands still, and would wait for its time-out. Nothing has turned yet.
       if (phase != plan.setup.front()) continue;
-      if (auto ending = check_rig(plan, loop.rig())) return *ending;
+      const auto faults = faults_of_plan_on(loop.rig(), plan);
+      if (!faults.empty()) return bench_fault(faults.front().message);
     }
   }
   return verdict_on(loop.points());
@@ -111,9 +77,7 @@ bool brake_lets_go(hal::Rig& rig) {
 
 std::string faults_of_teardown(const RunSummary& summary) {
   std::vector<std::string> faults;
-  if (summary.supervisor_hung) {
-    faults.emplace_back(hung);
-  }
+  if (summary.supervisor_hung) faults.emplace_back(hung);
   if (summary.bus_hung) faults.emplace_back(bus_hung);
   if (!summary.shaft_stopped) faults.emplace_back("standstill was not seen");
   if (!summary.brake_released) {

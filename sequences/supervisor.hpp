@@ -124,8 +124,8 @@ class Supervisor {
   DriveReport drive_;
   std::vector<FreshValues> kept_;
 
-  mutable hal::InheritingMutex
-      mutex_;  // held for moments only; the supervisor's rounds never wait for it
+  // Held for moments only; the supervisor's rounds never wait for it.
+  mutable hal::InheritingMutex mutex_;
   std::optional<DriveReport> told_drive_;
   std::optional<double> told_brake_Nm_;
   std::vector<FreshValues> ready_;

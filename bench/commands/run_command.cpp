@@ -18,7 +18,6 @@
 #include "bench/judging.hpp"
 #include "bench/kinematics_file.hpp"
 #include "bench/plan_files.hpp"
-#include "bench/plan_on_rig.hpp"
 #include "bench/progress_bar.hpp"
 #include "bench/result_database.hpp"
 #include "bench/rig_factory.hpp"
@@ -29,6 +28,7 @@
 #include "bench/summary.hpp"
 #include "bench/timeline_table.hpp"
 #include "bench/verdict_json.hpp"
+#include "sequences/plan_on_rig.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -107,7 +107,8 @@ int RunCommand::run(Console& console) {
     return refuse_file(console, test.specimen.kinematics, std::get<1>(kinematics));
   }
   auto faults = limits_on_unknown_parts(test.limits, std::get<0>(kinematics));
-  std::ranges::move(faults_of_plan_on(std::get<0>(rig), test), std::back_inserter(faults));
+  std::ranges::move(sequences::faults_of_plan_on(std::get<0>(rig), test),
+                    std::back_inserter(faults));
   if (!faults.empty()) return refuse_file(console, plan_, with_lines(plan_, faults));
   const auto warnings = remarks_on(file_, rig_).warnings;
   remark(console, "warning", rig_, warnings);

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -144,7 +145,7 @@ class IioSource final : public ScanSource {
   std::vector<Input> inputs_;
   std::unique_ptr<iio_buffer, DestroyBuffer> buffer_;
   double rate_Hz_ = 0;
-  double converter_m_s2_ = 1e300;
+  double converter_m_s2_ = std::numeric_limits<double>::infinity();
 };
 
 Status IioSource::connect() {
@@ -172,7 +173,7 @@ Status IioSource::connect() {
 }
 
 Status IioSource::find_inputs() {
-  converter_m_s2_ = 1e300;
+  converter_m_s2_ = std::numeric_limits<double>::infinity();
   for (unsigned i = 0; i < iio_device_get_channels_count(device_); ++i) {
     iio_channel_disable(iio_device_get_channel(device_, i));
   }

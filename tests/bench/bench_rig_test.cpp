@@ -38,6 +38,11 @@ struct RigOnDisk {
     write_file(path(), rig.dump(2));
     return check_rig(path());
   }
+  hal::ConfigFault only_fault(const Json& rig) const {
+    const auto all = faults(rig);
+    REQUIRE(all.size() == 1);
+    return all[0];
+  }
   // What is wrong, as a user sees it.
   std::string told(const Json& rig) const {
     std::string all;
@@ -217,21 +222,18 @@ TEST_CASE("of a kind of rig that there is not, no key is called unknown", "[benc
   const RigOnDisk disk;
   Json rig = example();
   rig["rig"] = "bnch";
-  const auto faults = disk.faults(rig);
-  REQUIRE(faults.size() == 1);
-  CHECK(faults[0].pointer == "/rig");
+  CHECK(disk.only_fault(rig).pointer == "/rig");
 }
 
 TEST_CASE("faults that are found after the reading have a line, too", "[bench][rig]") {
   const RigOnDisk disk;
   Json rig = example();
   rig["plant"] = "rv20";
-  const auto faults = disk.faults(rig);
-  REQUIRE(faults.size() == 1);
-  CHECK(faults[0].pointer == "/plant");
+  const hal::ConfigFault fault = disk.only_fault(rig);
+  CHECK(fault.pointer == "/plant");
   const std::string text = rig.dump(2);
   const auto before = text.begin() + std::ptrdiff_t(text.find("\"plant\""));
-  CHECK(faults[0].line == 1 + std::count(text.begin(), before, '\n'));
+  CHECK(fault.line == 1 + std::count(text.begin(), before, '\n'));
 }
 
 TEST_CASE("a contact whose broken wire reads as safe is warned of, and works", "[bench][rig]") {
@@ -287,11 +289,11 @@ TEST_CASE("what a plan asks for and the rig cannot do is told before anything tu
                                                "--serial", "A", "--out", disk.path("runs"), how});
     CHECK(answer.code == 3);
     CHECK_THAT(answer.err,
-               Contains("/acceleration_rate_Hz: the plan asks for 4960 Hz, the rig's "
-                        "accelerometers run at 5120 Hz") &&
+               Contains("/acceleration_rate_Hz: the accelerometers run at 5120 Hz, the plan asks "
+                        "for 4960 Hz") &&
                    Contains("/interlocks/acceleration_m_s2: ") && Contains("could never trip") &&
-                   Contains("/main/0: it asks for 1815 rpm, the rig's drive can do 1500 rpm") &&
-                   Contains("/main/0: it asks for 167 N·m, the rig's brake can do 100 N·m"));
+                   Contains("/main/0: the plan asks for 1815 rpm, the drive can do 1500 rpm") &&
+                   Contains("/main/0: the plan asks for 167 N·m, the brake can do 100 N·m"));
     CHECK_THAT(answer.err, Catch::StartsWith(disk.path("plan.json") + ":"));
   }
   CHECK_FALSE(std::filesystem::exists(disk.path("runs")));

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <stdexcept>
 #include <utility>
 
@@ -119,13 +118,9 @@ ReadBack read_back(const std::filesystem::path& file,
   return all;
 }
 
-std::filesystem::path folder_for_recordings() {
+std::filesystem::path where_recordings_are_kept() {
   const std::filesystem::path memory = "/dev/shm";
-  std::filesystem::path base =
-      std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
-  std::string name = (base / "rvbench-faults-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("mkdtemp failed in " + name);
-  return name;
+  return std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
 }
 
 }  // namespace rvbench::test

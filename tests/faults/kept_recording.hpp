@@ -48,7 +48,7 @@ ReadBack read_back(const std::filesystem::path& file,
                    const std::vector<hal::PointResult>& acknowledged, const PlantTruth& truth,
                    const RecordCheck& check);
 
-/// A folder for recordings, in memory where the system has such.
-std::filesystem::path folder_for_recordings();
+/// In memory, where the system has such.
+std::filesystem::path where_recordings_are_kept();
 
 }  // namespace rvbench::test

@@ -12,6 +12,7 @@
 #include "tests/faults/fault_run.hpp"
 #include "tests/faults/kept_recording.hpp"
 #include "tests/faults/wall_clock.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace {
 
@@ -77,11 +78,11 @@ void work(const Options& options, int job, std::FILE* out) {
   for (const test::Guard& guard : test::guards()) {
     if (guard.name == options.without) without = &guard;
   }
-  const std::filesystem::path folder = test::folder_for_recordings();
+  const test::ScratchFolder folder(test::where_recordings_are_kept());
   for (int number = options.first + job; number < options.first + options.runs;
        number += options.jobs) {
     const test::FaultCase fault = case_of(options, number);
-    const auto [report, repeated] = attempt(fault, folder, without);
+    const auto [report, repeated] = attempt(fault, folder.path(), without);
     fmt::print(out, "{} {} {} {} {}\n", report.struck ? 1 : 0, repeated, report.undriven_s,
                report.released_s,
                fault.kind == nullptr                             ? "-"
@@ -92,7 +93,6 @@ void work(const Options& options, int job, std::FILE* out) {
     }
     std::fflush(out);
   }
-  std::filesystem::remove_all(folder);
 }
 
 struct Totals {

@@ -55,6 +55,22 @@ class HeldTransport final : public hal::CanTransport {
   const hal::Clock& clock_;
 };
 
+// Behind it, at 0.1 s, and what had come by then has been read.
+struct HeldBench {
+  HeldBench() {
+    world.brake.set_fault(sim::NodeFault::silent);
+    REQUIRE(sensor.connect());
+    world.wait_until(0.1);
+    REQUIRE(sensor.read());
+  }
+
+  test::CanBench world;
+  std::unique_ptr<HeldTransport> held =
+      std::make_unique<HeldTransport>(std::move(world.bus.bench), world);
+  HeldTransport& transport = *held;
+  hal::CanTorqueSensor sensor{std::move(held), {.rate_Hz = rate_Hz, .deadline_s = 2}, world};
+};
+
 int count_nan(const hal::TorqueBlock& block) {
   int lost = 0;
   for (const auto& sample : block.samples) lost += std::isnan(sample.torque_Nm) ? 1 : 0;
@@ -140,23 +156,16 @@ TEST_CASE("a transducer that is slower than it says loses nothing by it", "[hal]
 }
 
 TEST_CASE("frames that come late in a burst are not lost", "[hal][can]") {
-  test::CanBench world;
-  world.brake.set_fault(sim::NodeFault::silent);
-  auto held = std::make_unique<HeldTransport>(std::move(world.bus.bench), world);
-  HeldTransport& transport = *held;
-  hal::CanTorqueSensor sensor{std::move(held), {.rate_Hz = rate_Hz, .deadline_s = 2}, world};
-  REQUIRE(sensor.connect());
-  world.wait_until(0.1);
-  REQUIRE(sensor.read());
+  HeldBench bench;
   const int periods = GENERATE(10, 127, 130, 200, 239);
   const bool has_loss = GENERATE(false, true);  // of frames that came when they should not have
-  if (has_loss) world.transducer.lose_frames(5);
-  transport.held_until_s = 0.1 + periods / rate_Hz;
+  if (has_loss) bench.world.transducer.lose_frames(5);
+  bench.transport.held_until_s = 0.1 + periods / rate_Hz;
   std::size_t samples = 0;
   int lost = 0;
   for (int i = 0; i < 100; ++i) {
-    world.wait_until(0.1 + i * 0.01);
-    const auto block = sensor.read();
+    bench.world.wait_until(0.1 + i * 0.01);
+    const auto block = bench.sensor.read();
     REQUIRE(block);
     samples += block.value().samples.size();
     lost += block.value().lost;
@@ -169,27 +178,20 @@ TEST_CASE(
     "a burst that was held up for longer than its counter goes round leaves no trace but a "
     "count of lost samples",
     "[hal][can]") {
-  test::CanBench world;
-  world.brake.set_fault(sim::NodeFault::silent);
-  auto held = std::make_unique<HeldTransport>(std::move(world.bus.bench), world);
-  HeldTransport& transport = *held;
-  hal::CanTorqueSensor sensor{std::move(held), {.rate_Hz = rate_Hz, .deadline_s = 2}, world};
-  REQUIRE(sensor.connect());
-  world.wait_until(0.1);
-  REQUIRE(sensor.read());
-  transport.held_until_s = 0.1 + 300 / rate_Hz;
+  HeldBench bench;
+  bench.transport.held_until_s = 0.1 + 300 / rate_Hz;
   std::size_t samples = 0;
   hal::TorqueBlock newest;
   for (int i = 0; i < 200; ++i) {
-    world.wait_until(0.1 + i * 0.01);
-    const auto block = sensor.read();
+    bench.world.wait_until(0.1 + i * 0.01);
+    const auto block = bench.sensor.read();
     REQUIRE(block);
     samples += block.value().samples.size();
     if (!block.value().samples.empty()) newest = block.value();
   }
   CHECK(double(samples) == Approx(1.99 * rate_Hz).margin(1));
   const double newest_s = newest.t0_s + double(newest.samples.size() - 1) / rate_Hz;
-  CHECK(newest_s == Approx(world.now_s()).margin(0.003));
+  CHECK(newest_s == Approx(bench.world.now_s()).margin(0.003));
 }
 
 SCENARIO("a transducer that says nothing new is an error, each in its own word", "[hal][can]") {

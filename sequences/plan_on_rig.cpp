@@ -1,0 +1,67 @@
+#include "sequences/plan_on_rig.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+namespace rvbench::sequences {
+namespace {
+
+using Phases = std::vector<std::unique_ptr<Phase>>;
+
+constexpr double same_rate = 0.01;
+
+// At each phase that is too fast or too heavy; which of its values it is, the number says.
+void add_phases(const char* stage, const Phases& phases, const TestPlan& plan, const hal::Rig& rig,
+                std::vector<hal::ConfigFault>& faults) {
+  const double max_rpm = rig.drive->limits().max_speed_rpm;
+  const double max_Nm = rig.brake->limits().max_torque_Nm;
+  for (std::size_t i = 0; i < phases.size(); ++i) {
+    double speed_rpm = 0, torque_Nm = 0;
+    for (const Segment& segment : phases[i]->timeline(plan.specimen)) {
+      speed_rpm = std::max(speed_rpm, std::abs(segment.speed_rpm));
+      torque_Nm = std::max(torque_Nm, segment.output_torque_Nm);
+    }
+    const std::string place = fmt::format("/{}/{}", stage, i);
+    if (speed_rpm > max_rpm) {
+      faults.push_back({0, place,
+                        fmt::format("the plan asks for {:g} rpm, the drive can do {:g} rpm",
+                                    speed_rpm, max_rpm)});
+    }
+    if (torque_Nm > max_Nm) {
+      faults.push_back({0, place,
+                        fmt::format("the plan asks for {:g} N·m, the brake can do {:g} N·m",
+                                    torque_Nm, max_Nm)});
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<hal::ConfigFault> faults_of_plan_on(const hal::Rig& rig, const TestPlan& plan) {
+  std::vector<hal::ConfigFault> faults;
+  add_phases("setup", plan.setup, plan, rig, faults);
+  add_phases("main", plan.main, plan, rig, faults);
+  const double rate_Hz = rig.accelerometers->rate_Hz();
+  const double asked_Hz = plan.acceleration_rate_Hz;
+  if (!(std::abs(rate_Hz - asked_Hz) <= same_rate * asked_Hz)) {
+    faults.push_back({0, "/acceleration_rate_Hz",
+                      fmt::format("the accelerometers run at {:g} Hz, the plan asks for {:g} Hz",
+                                  rate_Hz, asked_Hz)});
+  }
+  // Of a recording the range may not be known, which is no contradiction: false for NaN.
+  const double range_m_s2 = rig.accelerometers->range_m_s2();
+  if (plan.interlocks.acceleration_m_s2 >= range_m_s2) {
+    faults.push_back(
+        {0, "/interlocks/acceleration_m_s2",
+         fmt::format("the acceleration interlock of {:g} m/s² could never trip: the accelerometers "
+                     "show no more than {:g} m/s²",
+                     plan.interlocks.acceleration_m_s2, range_m_s2)});
+  }
+  return faults;
+}
+
+}  // namespace rvbench::sequences
