@@ -5,6 +5,8 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -55,6 +57,10 @@ bool may_be_resumed(const RunRow& row) {
   return row.verdict == to_string(Outcome::aborted) || row.verdict == to_string(Outcome::error);
 }
 
+std::optional<Judgement> verdict_in(const std::filesystem::path& folder) {
+  return judgement_from_json(read_file(folder / "verdict.json").value_or(""));
+}
+
 // Folders two levels below, in no order: <serial>/<time>.
 std::vector<std::filesystem::path> run_folders(const std::filesystem::path& root) {
   std::vector<std::filesystem::path> folders;
@@ -71,6 +77,28 @@ std::vector<std::filesystem::path> run_folders(const std::filesystem::path& root
   return folders;
 }
 
+bool has_plan(const std::filesystem::path& folder) {
+  std::error_code unknown;
+  return std::filesystem::exists(folder / "plan.json", unknown);
+}
+
+// Of what the run recorded when it began.
+RunRow row_without_result(const std::filesystem::path& root, const std::filesystem::path& folder,
+                          const std::string& reason) {
+  const RunBegin begin = read_run_begin(folder);
+  const auto plan =
+      nlohmann::json::parse(read_file(folder / "plan.json").value_or(""), nullptr, false);
+  const bool is_named = plan.is_object() && plan.contains("name") && plan["name"].is_string();
+  return {.folder = folder.lexically_relative(root).string(),
+          .serial = begin.serial,
+          .started_utc = begin.started_utc,
+          .plan = is_named ? plan["name"].get<std::string>() : "",
+          .verdict = "",
+          .error_kind = "",
+          .reason = reason,
+          .software = ""};
+}
+
 }  // namespace
 
 void ResultDatabase::Close::operator()(sqlite3* database) const noexcept {
@@ -81,7 +109,15 @@ ResultDatabase::ResultDatabase(std::filesystem::path root, std::unique_ptr<sqlit
     : root_(std::move(root)), database_(std::move(database)) {}
 
 Result<ResultDatabase> ResultDatabase::open(const std::filesystem::path& root) {
-  const std::filesystem::path file = root / result_database_name;
+  return open_at(root, root / result_database_name);
+}
+
+Result<ResultDatabase> ResultDatabase::in_memory(const std::filesystem::path& root) {
+  return open_at(root, ":memory:");
+}
+
+Result<ResultDatabase> ResultDatabase::open_at(const std::filesystem::path& root,
+                                               const std::filesystem::path& file) {
   sqlite3* opened = nullptr;
   const int code =
       sqlite3_open_v2(file.c_str(), &opened, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
@@ -111,7 +147,7 @@ Result<int> ResultDatabase::catch_up() {
     const auto old = entered.find(folder.lexically_relative(root_).string());
     if (old != entered.end() && !may_be_resumed(old->second)) continue;
     if (!has_sums(folder)) continue;  // written last: the verdict is still being written
-    const auto judgement = judgement_from_json(read_file(folder / "verdict.json").value_or(""));
+    const auto judgement = verdict_in(folder);
     if (!judgement) continue;
     const RunRow row = row_of(root_, folder, *judgement);
     if (old != entered.end() && row == old->second) continue;
@@ -153,20 +189,22 @@ IoError ResultDatabase::failure(const std::string& what) const {
 std::vector<RunRow> unfinished_runs(const std::filesystem::path& root) {
   std::vector<RunRow> rows;
   for (const std::filesystem::path& folder : run_folders(root)) {
-    std::error_code unknown;
-    if (has_sums(folder) || !std::filesystem::exists(folder / "plan.json", unknown)) continue;
-    const RunBegin begin = read_run_begin(folder);
-    const auto plan =
-        nlohmann::json::parse(read_file(folder / "plan.json").value_or(""), nullptr, false);
-    const bool is_named = plan.is_object() && plan.contains("name") && plan["name"].is_string();
-    rows.push_back({.folder = folder.lexically_relative(root).string(),
-                    .serial = begin.serial,
-                    .started_utc = begin.started_utc,
-                    .plan = is_named ? plan["name"].get<std::string>() : "",
-                    .verdict = "",
-                    .error_kind = "",
-                    .reason = "not finished: still at work, or cut short",
-                    .software = ""});
+    if (has_sums(folder) || !has_plan(folder)) continue;
+    rows.push_back(row_without_result(root, folder, "not finished: still at work, or cut short"));
+  }
+  return rows;
+}
+
+std::vector<RunRow> damaged_runs(const std::filesystem::path& root,
+                                 const std::vector<RunRow>& entered) {
+  std::set<std::string> known;
+  for (const RunRow& row : entered) known.insert(row.folder);
+  std::vector<RunRow> rows;
+  for (const std::filesystem::path& folder : run_folders(root)) {
+    if (known.contains(folder.lexically_relative(root).string())) continue;
+    if (!has_sums(folder) || !has_plan(folder) || verdict_in(folder)) continue;
+    rows.push_back(row_without_result(
+        root, folder, "its verdict.json is damaged: rvbench check tells what else"));
   }
   return rows;
 }

@@ -38,6 +38,8 @@ struct RunRow {
 class ResultDatabase {
  public:
   static Result<ResultDatabase> open(const std::filesystem::path& root);
+  /// Empty until catch_up(), and gone with this object: where results.db cannot be used.
+  static Result<ResultDatabase> in_memory(const std::filesystem::path& root);
 
   /// Enters a run; one that was entered before is replaced.
   Status enter(const RunRow& row);
@@ -55,6 +57,8 @@ class ResultDatabase {
   };
 
   ResultDatabase(std::filesystem::path root, std::unique_ptr<sqlite3, Close> database);
+  static Result<ResultDatabase> open_at(const std::filesystem::path& root,
+                                        const std::filesystem::path& file);
   Status execute(const char* sql);
   IoError failure(const std::string& what) const;
 
@@ -65,6 +69,11 @@ class ResultDatabase {
 /// The runs below the root that have no result: their verdict is empty. Of what each recorded when
 /// it began.
 std::vector<RunRow> unfinished_runs(const std::filesystem::path& root);
+
+/// Likewise those that have come to their end, but whose verdict nobody can read any more, nor has
+/// it been entered.
+std::vector<RunRow> damaged_runs(const std::filesystem::path& root,
+                                 const std::vector<RunRow>& entered);
 
 /// The row of a run whose folder lies in `root`.
 RunRow row_of(const std::filesystem::path& root, const std::filesystem::path& folder,

@@ -71,9 +71,9 @@ void print(Console& console, const std::vector<RunRow>& rows) {
 // Those with a result, and those without: also of one that is resumed just now, but not of one that
 // has come to its end since it was seen without.
 std::vector<RunRow> merged(std::vector<RunRow> judged, const std::vector<RunRow>& unfinished,
-                           const std::filesystem::path& root, const std::string& serial) {
+                           const std::filesystem::path& root) {
+  for (const RunRow& row : damaged_runs(root, judged)) judged.push_back(row);
   for (const RunRow& row : unfinished) {
-    if (!serial.empty() && row.serial != serial) continue;
     const auto old = std::ranges::find(judged, row.folder, &RunRow::folder);
     if (old != judged.end() && has_sums(root / row.folder)) continue;
     if (old != judged.end()) judged.erase(old);
@@ -83,6 +83,15 @@ std::vector<RunRow> merged(std::vector<RunRow> judged, const std::vector<RunRow>
   return judged;
 }
 
+// Of every run with a result.
+Result<std::vector<RunRow>> entered_in(Result<ResultDatabase> database) {
+  if (!database) return database.error();
+  ResultDatabase results = std::move(database).value();
+  const auto caught_up = results.catch_up();
+  if (!caught_up) return caught_up.error();
+  return results.runs();
+}
+
 class HistoryCommand final : public Command {
  public:
   std::string name() const override { return "history"; }
@@ -90,8 +99,9 @@ class HistoryCommand final : public Command {
   std::string examples() const override {
     return "  rvbench history\n"
            "  rvbench history --serial A17 --json\n"
-           "Runs that are not in the folder's results.db yet are entered first. One without a\n"
-           "result has the verdict - (null with --json).\n";
+           "Runs that are not in the folder's results.db yet are entered first; without the\n"
+           "right to write there, all are read from their folders. One without a result has the\n"
+           "verdict - (null with --json).\n";
   }
   std::vector<Option> options() override {
     return {{"--serial", "of this unit only", &serial_},
@@ -104,16 +114,18 @@ class HistoryCommand final : public Command {
     if (!std::filesystem::is_directory(out_, unknown)) {
       return refuse_usage(console, "history: no folder " + out_);
     }
-    auto database = ResultDatabase::open(out_);
-    if (!database) return refuse_data(console, "history: " + describe(database.error()));
-    ResultDatabase results = std::move(database).value();
     // Before those with a result: a run that ends in between is in both lists, not in neither.
     const std::vector<RunRow> unfinished = unfinished_runs(out_);
-    const auto caught_up = results.catch_up();
-    if (!caught_up) return refuse_data(console, "history: " + describe(caught_up.error()));
-    const auto rows = results.runs(serial_);
+    auto rows = entered_in(ResultDatabase::open(out_));
+    if (!rows) {
+      console.err << "rvbench: warning: " << describe(rows.error())
+                  << "; the runs are read from their folders\n";
+      rows = entered_in(ResultDatabase::in_memory(out_));
+    }
     if (!rows) return refuse_data(console, "history: " + describe(rows.error()));
-    const auto all = merged(rows.value(), unfinished, out_, serial_);
+    std::vector<RunRow> all = merged(std::move(rows).value(), unfinished, out_);
+    std::erase_if(all,
+                  [&](const RunRow& row) { return !serial_.empty() && row.serial != serial_; });
     if (json_) {
       console.out << as_json(all);
     } else {

@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "bench/run_start.hpp"
 #include "bench/sha256.hpp"
@@ -239,14 +240,47 @@ TEST_CASE("history tells runs without a result, in rows that hold", "[bench][res
   CHECK_THAT(runs[0].at("reason").get<std::string>(), Catch::Contains("not finished"));
 }
 
-TEST_CASE("history of a locked database says so", "[bench][results]") {
+TEST_CASE("a run whose verdict is damaged is told as such, unless it has been entered",
+          "[bench][results]") {
+  const ScratchFolder root;
+  const auto folder = finished_run(root, "A17");
+  write_file(folder / "plan.json", R"({"name": "mine"})");
+  const std::vector<std::string> words{"history", "--out", root.path().string()};
+  const auto told = [&] { return test::rvbench(words).out; };
+  SECTION("before anybody entered it") {
+    write_file(folder / "verdict.json", "{");
+    CHECK_THAT(told(), Catch::Contains("A17     mine  -        its verdict.json is damaged"));
+  }
+  SECTION("afterwards") {
+    CHECK_THAT(told(), Catch::Contains("A17     quick  FAIL"));
+    write_file(folder / "verdict.json", "{");
+    CHECK_THAT(told(), Catch::Contains("A17     quick  FAIL") && !Catch::Contains("damaged"));
+  }
+}
+
+TEST_CASE("where the table cannot be used, history tells the runs from their folders",
+          "[bench][results]") {
   const ScratchFolder root;
   finished_run(root, "A17");
-  { const ResultDatabase made = opened(root); }
-  const Hog hog(root);
+  std::optional<Hog> hog;
+  std::string why;
+  SECTION("it is locked") {
+    { const ResultDatabase made = opened(root); }
+    hog.emplace(root);
+    why = "database is locked";
+  }
+  SECTION("it is no database") {
+    write_file(root / "results.db", std::string(4096, 'x'));
+    why = "not a database";
+  }
+  SECTION("it is a folder") {
+    std::filesystem::create_directory(root / "results.db");
+    why = "unable to open database file";
+  }
   const test::Answer answer = test::rvbench({"history", "--out", root.path().string()});
-  CHECK(answer.code == 20);
-  CHECK_THAT(answer.err, Catch::Contains("database is locked"));
+  CHECK(answer.code == 0);
+  CHECK_THAT(answer.err, Catch::Contains(why));
+  CHECK_THAT(answer.out, Catch::Contains("A17     quick  FAIL"));
 }
 
 }  // namespace rvbench::bench
