@@ -1,9 +1,10 @@
 #include <fmt/format.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <cmath>
-#include <iostream>
 #include <nlohmann/json.hpp>
+#include <stop_token>
 #include <utility>
 
 #include "bench/bench_lock.hpp"
@@ -21,6 +22,8 @@ namespace rvbench::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr int question_ms = 100;  // how often somebody who is asked may give it up
 
 // The drive to ask, and what it needs to live.
 struct Probed {
@@ -154,7 +157,7 @@ class ProbeCommand final : public Command {
  private:
   int probe_bench(Console& console, const BenchRig& bench);
   int probe(Console& console, const Probed& probed);
-  bool may_turn(Console& console) const;
+  std::string why_not_to_turn(Console& console, const std::stop_token& stop) const;
 
   const std::filesystem::path lock_folder_;
   std::string rig_;
@@ -191,16 +194,26 @@ int ProbeCommand::probe_bench(Console& console, const BenchRig& bench) {
   return lock ? probe(console, open_bench(bench)) : exit_codes::usage;
 }
 
-// The shaft is about to turn: somebody at a terminal says so, or the caller did.
-bool ProbeCommand::may_turn(Console& console) const {
-  if (yes_) return true;
-  if (::isatty(STDIN_FILENO) == 0) return false;
+// The shaft is about to turn: somebody at a terminal says that it may, or the caller did.
+// @return why it may not
+std::string ProbeCommand::why_not_to_turn(Console& console, const std::stop_token& stop) const {
+  if (yes_) return "";
+  if (::isatty(STDIN_FILENO) == 0) {
+    return "the shaft would turn, and there is no terminal to ask at: give --yes if the bench is "
+           "clear";
+  }
   console.err << "The shaft will turn. Is the bench clear, and the reducer free of load?\n"
                  "Type yes to go on: "
               << std::flush;
   std::string answer;
-  std::getline(std::cin, answer);
-  return answer == "yes";
+  while (!stop.stop_requested() && answer.find('\n') == std::string::npos) {
+    pollfd terminal{STDIN_FILENO, POLLIN, 0};
+    if (::poll(&terminal, 1, question_ms) <= 0) continue;
+    char typed = '\n';
+    if (::read(STDIN_FILENO, &typed, 1) <= 0) typed = '\n';  // the end: nobody will answer
+    answer += typed;
+  }
+  return answer == "yes\n" ? "" : "the shaft was not cleared to turn: answer yes, or give --yes";
 }
 
 int ProbeCommand::probe(Console& console, const Probed& probed) {
@@ -210,11 +223,10 @@ int ProbeCommand::probe(Console& console, const Probed& probed) {
     return refuse_usage(console, fmt::format("probe: --speed is {:g} rpm, the drive does {:g}",
                                              options.speed_rpm, max_rpm));
   }
-  if (pull_the_plug_ && !may_turn(console)) {
-    return refuse_usage(console,
-                        "probe: the shaft was not cleared to turn: answer yes, or give --yes");
-  }
   const StopOnSignal signals;
+  const std::string why = pull_the_plug_ ? why_not_to_turn(console, signals.token()) : "";
+  if (signals.token().stop_requested()) return exit_codes::aborted;
+  if (!why.empty()) return refuse_usage(console, "probe: " + why);
   const DriveProbe probe =
       probe_drive(*probed.rig.drive, static_cast<int>(readings_.value_or(200)), signals.token());
   Json json = to_json(probed, probe);

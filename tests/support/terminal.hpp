@@ -32,6 +32,11 @@ class Terminal {
   const std::string& name() const { return name_; }  ///< "/dev/pts/7"
   int descriptor() const { return descriptor_; }
 
+  /// As on its keyboard.
+  void type(const std::string& keys) const {
+    REQUIRE(::write(screen_, keys.data(), keys.size()) == ssize_t(keys.size()));
+  }
+
   /// Who reads from it meets the end at once, as of an empty file.
   void give_nothing() const {
     termios how{};
