@@ -104,10 +104,7 @@ int general_help(const std::vector<std::unique_ptr<Command>>& commands, std::ost
 
 int run_command(Command& command, Console& console) {
   try {
-    const int code = command.run(console);
-    if (console.out.flush()) return code;
-    console.err << "rvbench: standard output cannot be written\n";
-    return code == exit_codes::done ? exit_codes::internal_error : code;
+    return command.run(console);
   } catch (const std::exception& error) {
     complain(console, "rvbench: internal error in " + command.name() + ": " + error.what());
     return exit_codes::internal_error;
@@ -167,9 +164,11 @@ int run_cli(const std::vector<std::string>& arguments,
   const int code = dispatch(arguments, commands, console);
   const bool json = std::ranges::find(arguments, "--json") != arguments.end();
   if (json && !console.complaints.empty()) {
-    console.out << refusal_to_json(code, console.complaints) << std::flush;
+    console.out << refusal_to_json(code, console.complaints);
   }
-  return code;
+  if (console.out.flush()) return code;
+  console.err << "rvbench: standard output cannot be written\n";
+  return code == exit_codes::done ? exit_codes::internal_error : code;
 }
 
 }  // namespace rvbench::bench

@@ -4,9 +4,10 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <iostream>
+
+#include "hal/formats/printable.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -41,7 +42,8 @@ Console system_console() {
   return console;
 }
 
-void complain(Console& console, const std::string& line) {
+void complain(Console& console, const std::string& text) {
+  const std::string line = hal::formats::printable(text);
   console.err << line << '\n';
   console.complaints.push_back(line);
 }
@@ -83,11 +85,7 @@ std::string clipped_to(std::string_view text, int columns) {
 }
 
 std::string as_cell(std::string_view text, int columns) {
-  std::string cell(text);
-  const auto is_control = [](char byte) {
-    return static_cast<unsigned char>(byte) < 0x20 || byte == 0x7F;
-  };
-  std::ranges::replace_if(cell, is_control, '?');
+  const std::string cell = hal::formats::printable(text);
   return shown_width(cell) <= columns ? cell : clipped_to(cell, columns - 1) + "…";
 }
 

@@ -23,8 +23,9 @@ struct Console {
 /// or where TERM is missing or "dumb".
 Console system_console();
 
-/// Prints a line on standard error and keeps it among the complaints.
-void complain(Console& console, const std::string& line);
+/// Prints a line on standard error and keeps it among the complaints; control characters, which may
+/// come from a file, as '?'.
+void complain(Console& console, const std::string& text);
 
 /// Whether `err` takes a line at once. A terminal does not after Ctrl-S, nor a pipe that is full:
 /// who writes there waits for somebody.

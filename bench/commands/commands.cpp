@@ -6,6 +6,8 @@
 #include <system_error>
 #include <utility>
 
+#include "hal/formats/printable.hpp"
+
 namespace rvbench::bench {
 namespace {
 
@@ -36,7 +38,8 @@ int refuse_file(Console& console, const std::filesystem::path& file,
 void remark(Console& console, const char* kind, const std::filesystem::path& file,
             const std::vector<hal::ConfigFault>& remarks) {
   for (const hal::ConfigFault& at : remarks) {
-    console.err << "rvbench: " << kind << ": " << hal::describe(file, at) << '\n';
+    const std::string text = hal::formats::printable(hal::describe(file, at));
+    console.err << "rvbench: " << kind << ": " << text << '\n';
   }
 }
 

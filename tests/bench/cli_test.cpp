@@ -89,6 +89,27 @@ TEST_CASE("arguments that make no sense end with 2 and a hint on standard error"
   refused({"judge", "a.mat", "--catalogue", "other"}, "--catalogue");
 }
 
+TEST_CASE("an answer that cannot be written is no success", "[bench]") {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"--help"}, {"judge", "--help"}, {"judge", "a.mat"}}) {
+    std::ostringstream out;
+    std::ostringstream err;
+    out.setstate(std::ios::badbit);  // as on a full disk
+    Console console{out, err};
+    std::vector<std::unique_ptr<Command>> commands;
+    commands.push_back(std::make_unique<Echo>());
+    CHECK(run_cli(words, commands, console) == 1);
+    CHECK_THAT(err.str(), Contains("standard output cannot be written"));
+  }
+}
+
+TEST_CASE("what a file or a user has of control characters does not reach the terminal",
+          "[bench]") {
+  const Answer answer = ask({"ju\x1b[31mdge"});
+  CHECK(answer.code == 2);
+  CHECK(answer.err.find('\x1b') == std::string::npos);
+}
+
 TEST_CASE("an exception is an internal error, never a verdict", "[bench]") {
   const Answer answer = ask({"judge", "a.mat", "--catalogue", "published"});
   CHECK(answer.code == 1);
