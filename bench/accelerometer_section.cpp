@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -22,6 +24,12 @@ bool is_number(const std::string& text) {
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, number);
   return error == std::errc() && stop == end;
+}
+
+// Of libiio 0.24: iio_create_context_from_uri().
+bool is_uri(const std::string& text) {
+  constexpr std::array schemes{"ip:", "local:", "usb:", "serial:", "xml:"};
+  return std::ranges::any_of(schemes, [&](const char* scheme) { return text.starts_with(scheme); });
 }
 
 hal::DaqInput read_input(hal::ConfigReader& entry, bool is_board) {
@@ -75,6 +83,10 @@ void read_common(hal::ConfigReader& accelerometers, Options& options) {
 hal::IioOptions read_iio(hal::ConfigReader& accelerometers) {
   hal::IioOptions options;
   options.uri = accelerometers.text("uri");
+  if (accelerometers.is_text("uri") && !is_uri(options.uri)) {
+    accelerometers.fault("uri", hal::in_quotes(options.uri) +
+                                    " begins with none of ip:, local:, usb:, serial: and xml:");
+  }
   options.device = accelerometers.text("device");
   read_common(accelerometers, options);
   return options;

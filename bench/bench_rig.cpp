@@ -32,6 +32,13 @@ std::string line_of(const CanSection& can) {
   return slcan == nullptr ? "" : slcan->device;
 }
 
+bool is_one_device(const DriveSection& drive, const SafetySection& safety) {
+  const auto* a = std::get_if<hal::ModbusTcp>(&drive.options.path);
+  const auto* b = std::get_if<hal::ModbusTcp>(&safety.options.path);
+  return a != nullptr && b != nullptr && a->host == b->host && a->port == b->port &&
+         drive.options.unit_id == safety.options.unit_id;
+}
+
 // Each would read what the others are answered. One address of TCP may be a gateway to several.
 void note_shared_lines(hal::ConfigReader& root, const BenchRig& rig) {
   std::map<std::string, std::string> sections{{line_of(rig.drive.options.path), "drive"}};
@@ -62,6 +69,9 @@ BenchRig read_bench_rig(hal::ConfigReader& root) {
   const bool own_id = !rig.torque || !unfit_for_runs(*rig.torque).empty() ||
                       frame_id(*rig.torque) != hal::can_frames::brake_status_id;
   note_shared_lines(root, rig);
+  if (rig.safety && is_one_device(rig.drive, *rig.safety)) {
+    root.fault("safety", "it has the address and the unit of \"drive\"");
+  }
   if (rig.brake && !own_id) root.fault("torque", "its frames have the identifier of the brake's");
   return rig;
 }

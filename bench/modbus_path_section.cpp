@@ -21,6 +21,30 @@ bool is_address(const std::string& host) {
   return ::inet_pton(AF_INET, host.c_str(), &address) == 1;
 }
 
+hal::ModbusRtu read_rtu(hal::ConfigReader& serial) {
+  hal::ModbusRtu rtu;
+  rtu.device = serial.text("device");
+  rtu.baud = serial.integer("baud", {1200, 115200}, rtu.baud);
+  if (std::ranges::find(bauds, rtu.baud) == bauds.end()) {
+    serial.fault("baud",
+                 fmt::format("{} is no rate of a Modbus line, such as 9600 or 19200", rtu.baud));
+  }
+  rtu.parity = serial.choice("parity", {"N", "E", "O"}, "N").front();
+  rtu.stop_bits = serial.integer("stop_bits", {1, 2}, rtu.stop_bits);
+  return rtu;
+}
+
+hal::ModbusTcp read_tcp(hal::ConfigReader& tcp) {
+  hal::ModbusTcp path;
+  const std::size_t faults_before = tcp.faults().size();
+  path.host = tcp.text("host");
+  if (tcp.faults().size() == faults_before && !is_address(path.host)) {
+    tcp.fault("host", hal::in_quotes(path.host) + " is not an IPv4 address");
+  }
+  path.port = static_cast<std::uint16_t>(tcp.integer("port", {1, 65535}, path.port));
+  return path;
+}
+
 }  // namespace
 
 hal::ModbusPath read_modbus_path(hal::ConfigReader& section, const std::string& what) {
@@ -29,26 +53,9 @@ hal::ModbusPath read_modbus_path(hal::ConfigReader& section, const std::string& 
   if (tcp.has_value() == serial.has_value()) {
     section.fault("", "expected one of \"tcp\" and \"serial\": where " + what + " is");
   }
-  if (serial) {
-    hal::ModbusRtu rtu;
-    rtu.device = serial->text("device");
-    rtu.baud = serial->integer("baud", {1200, 115200}, rtu.baud);
-    if (std::ranges::find(bauds, rtu.baud) == bauds.end()) {
-      serial->fault("baud",
-                    fmt::format("{} is no rate of a Modbus line, such as 9600 or 19200", rtu.baud));
-    }
-    rtu.parity = serial->choice("parity", {"N", "E", "O"}, "N").front();
-    rtu.stop_bits = serial->integer("stop_bits", {1, 2}, rtu.stop_bits);
-    return rtu;
-  }
-  hal::ModbusTcp path;
-  if (!tcp) return path;
-  const std::size_t faults_before = section.faults().size();
-  path.host = tcp->text("host");
-  if (section.faults().size() == faults_before && !is_address(path.host)) {
-    tcp->fault("host", hal::in_quotes(path.host) + " is not an IPv4 address");
-  }
-  path.port = static_cast<std::uint16_t>(tcp->integer("port", {1, 65535}, path.port));
+  hal::ModbusPath path;
+  if (tcp) path = read_tcp(*tcp);
+  if (serial) path = read_rtu(*serial);
   return path;
 }
 

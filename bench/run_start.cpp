@@ -1,5 +1,8 @@
 #include "bench/run_start.hpp"
 
+#include <filesystem>
+#include <system_error>
+
 #include "bench/run_folder.hpp"
 
 namespace rvbench::bench {
@@ -14,9 +17,15 @@ RunPlace begin_run(const std::filesystem::path& root, const std::string& serial,
                    const ResolvedFiles& resolved) {
   const RunBegin begin = next_run(root, serial, utc_now());
   RunPlace place{create_run_folder(root, serial, begin.started_utc), std::nullopt};
-  place.lock = FileLock::take(log_of(place.folder));
-  write_file(place.folder / "start.json", run_begin_to_json(begin));
-  for (const auto& [name, text] : resolved) write_file(place.folder / name, text);
+  try {
+    place.lock = FileLock::take(log_of(place.folder));
+    write_file(place.folder / "start.json", run_begin_to_json(begin));
+    for (const auto& [name, text] : resolved) write_file(place.folder / name, text);
+  } catch (...) {
+    std::error_code ignored;
+    std::filesystem::remove_all(place.folder, ignored);  // a run that never began
+    throw;
+  }
   return place;
 }
 

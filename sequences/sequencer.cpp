@@ -231,7 +231,11 @@ RunSummary run_sequence(const TestPlan& plan, hal::Rig& rig, hal::RecordingWrite
       const Status settled = recording_behind.settle();
       tell_lag(observer_behind, rig.clock->now_s(), disk.longest_lag_s());
       if (settled) return all_well;
-      return bench_fault("the recording cannot be written: " + describe(settled.error()));
+      Ending unwritten =
+          bench_fault("the recording cannot be written: " + describe(settled.error()));
+      // The log's last line was another.
+      observer_behind.event(rig.clock->now_s(), "ERROR: " + unwritten.reason);
+      return unwritten;
     });
     summary.observer_hung = !observer_behind.finish();
     summary.events_untold = observer_behind.untold();

@@ -47,7 +47,7 @@ class IioServer::Service {
   Service(const IioFrontEnd& front_end, std::uint16_t port)
       : front_end_(front_end),
         ring_(front_end.labels.size(), std::size_t(kept_s * front_end.rate_Hz) + 1),
-        listener_(port, "IioServer"),
+        listener_(port),
         ending_(::eventfd(0, EFD_CLOEXEC)),
         thread_([this] { accept_clients(); }) {}
 

@@ -17,7 +17,7 @@ constexpr int most_waiting = 8;
 
 }  // namespace
 
-LoopbackListener::LoopbackListener(std::uint16_t port, const std::string& whose)
+LoopbackListener::LoopbackListener(std::uint16_t port)
     : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)) {
   const int yes = 1;
   (void)::setsockopt(socket_, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
@@ -31,8 +31,7 @@ LoopbackListener::LoopbackListener(std::uint16_t port, const std::string& whose)
   if (listens) return;
   const std::string why = std::strerror(errno);
   if (socket_ >= 0) ::close(socket_);
-  throw std::runtime_error(whose + ": cannot listen on 127.0.0.1:" + std::to_string(port) + ": " +
-                           why);
+  throw std::runtime_error("cannot listen on 127.0.0.1:" + std::to_string(port) + ": " + why);
 }
 
 LoopbackListener::~LoopbackListener() { ::close(socket_); }

@@ -13,10 +13,9 @@ namespace rvbench::sim {
 /// it again at once. After such a failure the listener is not to be watched for 0.1 s.
 class LoopbackListener {
  public:
-  /// @param port   0: the kernel chooses
-  /// @param whose  whom an error names
-  /// @throws std::runtime_error if it cannot listen there
-  LoopbackListener(std::uint16_t port, const std::string& whose);
+  /// @param port  0: the kernel chooses
+  /// @throws std::runtime_error if it cannot listen there, with the port
+  explicit LoopbackListener(std::uint16_t port);
   ~LoopbackListener();
   LoopbackListener(const LoopbackListener&) = delete;
   LoopbackListener& operator=(const LoopbackListener&) = delete;

@@ -26,7 +26,7 @@ class ModbusServer::Service {
  public:
   Service(ModbusDevice& device, std::uint8_t unit_id, std::uint16_t port)
       : requests(device, unit_id),
-        listener_(port, "ModbusServer"),
+        listener_(port),
         context_(modbus_new_tcp("127.0.0.1", listener_.port())) {
     if (!context_) throw std::bad_alloc();
     modbus_set_byte_timeout(context_.get(), 0, 100'000);

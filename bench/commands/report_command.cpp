@@ -45,6 +45,11 @@ class ReportCommand final : public Command {
     const auto kinematics = read_kinematics(machine);
     if (kinematics.index() == 1) return refuse_file(console, machine, std::get<1>(kinematics));
     const auto text = read_file(folder / "verdict.json");
+    if (!text && !has_sums(folder)) {
+      return refuse_file(
+          console, folder,
+          {{0, "", "the run has not come to its end: rvbench run --resume goes on with it"}});
+    }
     const auto judgement = judgement_from_json(text.value_or(""));
     if (!judgement) {
       return refuse_file(console, folder / "verdict.json",

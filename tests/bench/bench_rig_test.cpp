@@ -198,6 +198,28 @@ TEST_CASE("a serial line serves one device, and a reply may not be waited for lo
   CHECK_THAT(told, Contains("/drive/response_timeout_s: "));
 }
 
+TEST_CASE("of a device at two places, or two devices at one, the place is told", "[bench][rig]") {
+  const RigOnDisk disk;
+  Json rig = example();
+  SECTION("at both ends of a wire") {
+    rig["drive"]["serial"]["device"] = "/dev/ttyUSB7";
+    const hal::ConfigFault fault = disk.only_fault(rig);
+    CHECK(fault.pointer == "/drive");
+    CHECK_THAT(fault.message, Contains("expected one of \"tcp\" and \"serial\""));
+  }
+  SECTION("drive and safety inputs") {
+    rig["safety"]["tcp"] = rig["drive"]["tcp"];
+    rig["safety"]["unit_id"] = 17;
+    CHECK(disk.told(rig) == "");  // behind a gateway
+    rig["safety"]["unit_id"] = rig["drive"]["unit_id"];
+    CHECK(disk.only_fault(rig).pointer == "/safety");
+  }
+  SECTION("where libiio has no way to") {
+    rig["accelerometers"]["uri"] = "foo:192.168.3.30";
+    CHECK(disk.only_fault(rig).pointer == "/accelerometers/uri");
+  }
+}
+
 TEST_CASE("no two inputs are on one channel, and a board's channels are numbers with a sensor",
           "[bench][rig]") {
   const RigOnDisk disk;

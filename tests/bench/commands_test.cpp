@@ -7,6 +7,7 @@
 #include "bench/plan_files.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/run_folder.hpp"
+#include "bench/run_start.hpp"
 #include "bench/sha256.hpp"
 #include "bench/verdict_json.hpp"
 #include "tests/bench/answers.hpp"
@@ -75,6 +76,12 @@ TEST_CASE("nothing to resume is a usage error", "[bench]") {
   CHECK(std::filesystem::is_empty(scratch.path()));
 }
 
+TEST_CASE("a run that cannot begin leaves no folder that looks like one", "[bench]") {
+  const ScratchFolder root;
+  CHECK_THROWS(begin_run(root.path(), "A17", {{"no/such/folder", "{}"}}));
+  CHECK(std::filesystem::is_empty(root.path() / "A17"));
+}
+
 TEST_CASE("a run is resumed on the rig that it began on, and on no other", "[bench]") {
   const ScratchFolder scratch;
   const auto folder = create_run_folder(scratch.path(), "A", "20260102T030405Z");
@@ -117,6 +124,14 @@ TEST_CASE("a report is rebuilt for the machine that was run, whatever its file s
   CHECK(answer.code == 0);
   const std::string report = read_file(run.path() / "report.html").value_or("");
   CHECK_THAT(report, Contains("sun-planet mesh") && !Contains("motor shaft"));
+}
+
+TEST_CASE("a run that was cut short has no report, and is told so", "[bench]") {
+  const ScratchFolder run;
+  write_file(run.path() / "plan.json", sequences::plan_to_json(std::get<0>(find_plan("quick"))));
+  const Answer answer = rvbench({"report", run.path().string()});
+  CHECK(answer.code == 3);
+  CHECK_THAT(answer.err, Contains("has not come to its end: rvbench run --resume"));
 }
 
 TEST_CASE("check follows what a plan and a rig name", "[bench]") {
