@@ -328,6 +328,7 @@ TEST_CASE("a bench where nothing is there says what is not, and does not wait fo
   const Json nobody{{"host", "127.0.0.1"}, {"port", 1}};
   rig["drive"]["tcp"] = nobody;
   rig["safety"]["tcp"] = nobody;
+  rig["safety"]["unit_id"] = 2;
   rig["can"]["slcan"]["device"] = disk.path("no_adapter");
   rig["accelerometers"]["uri"] = "ip:127.0.0.1:1";
   write_file(disk.path(), rig.dump(2));

@@ -266,6 +266,7 @@ TEST_CASE("what libiio says of a front end is told in the reason, and nowhere el
       bench::read_file(RVBENCH_SOURCE_DIR "/bench/rigs/rv20e_bench.json").value());
   rig["drive"]["tcp"] = {{"host", "127.0.0.1"}, {"port", 1}};
   rig["safety"]["tcp"] = rig["drive"]["tcp"];
+  rig["safety"]["unit_id"] = 2;
   rig["can"]["slcan"]["device"] = "no_adapter";
   rig["accelerometers"]["uri"] = "usb:";
   bench::write_file(scratch.path() / "rig.json", rig.dump());
