@@ -17,6 +17,7 @@ namespace rvbench::bench {
 namespace {
 
 constexpr const char* sums_name = "SHA256SUMS";
+constexpr const char* sums_draft = "SHA256SUMS.draft";  // of write_file(); a kill may leave it
 constexpr std::size_t hex_digits = 2 * crypto_hash_sha256_BYTES;
 
 class Sha256 {
@@ -44,7 +45,8 @@ std::vector<std::string> files_of(const std::filesystem::path& folder) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    if (entry.is_regular_file() && name != sums_name) names.push_back(name);
+    const bool is_list = name == sums_name || name == sums_draft;
+    if (entry.is_regular_file() && !is_list) names.push_back(name);
   }
   std::ranges::sort(names);
   return names;

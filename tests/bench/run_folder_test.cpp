@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <fstream>
 
 #include "bench/run_recordings.hpp"
 #include "bench/sha256.hpp"
@@ -171,6 +172,13 @@ TEST_CASE("SHA256SUMS tells a sound folder from a tampered one", "[bench]") {
     write_file(folder.path() / "extra", "");
     CHECK(verify_sums(folder.path()) ==
           std::vector<std::string>{"extra: not listed in SHA256SUMS"});
+  }
+  SECTION("a list that a kill left half written is none of the files") {
+    std::ofstream(folder.path() / "SHA256SUMS.draft") << "half";
+    write_sums(folder.path());
+    CHECK(verify_sums(folder.path()).empty());
+    std::ofstream(folder.path() / "SHA256SUMS.draft") << "half";
+    CHECK(verify_sums(folder.path()).empty());
   }
   SECTION("the list cannot point out of the folder") {
     write_file(folder.path() / "SHA256SUMS", std::string(64, 'a') + "  ../../etc/passwd\n");
