@@ -1,27 +1,53 @@
 #include "analysis/hilbert.hpp"
 
+#include <cmath>
 #include <complex>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "analysis/fft.hpp"
+#include "hal/types/require_positive.hpp"
 
 namespace rvbench::analysis {
 
-Eigen::VectorXd envelope(const Eigen::Ref<const Eigen::VectorXd>& x) {
+namespace {
+
+// What x would be a quarter of a period later, line by line; lines 0 and N/2 have none.
+Eigen::VectorXd quadrature(const char* whose, const Eigen::Ref<const Eigen::VectorXd>& x) {
   const Eigen::Index n = x.size();
   if (n < 4) {
-    throw std::invalid_argument("envelope: N = " + std::to_string(n) + ", at least 4");
+    throw std::invalid_argument(std::string(whose) + ": N = " + std::to_string(n) + ", at least 4");
   }
-  if (!x.allFinite()) throw std::invalid_argument("envelope: sample not finite");
-
-  // The Hilbert transform delays every line by a quarter period; lines 0 and N/2 have none.
+  if (!x.allFinite()) throw std::invalid_argument(std::string(whose) + ": sample not finite");
   Eigen::VectorXcd lines = fft(x) * std::complex<double>(0, -1);
   lines[0] = 0;
   if (n % 2 == 0) lines[n / 2] = 0;
-  const Eigen::VectorXd quadrature = inverse_fft(std::move(lines), n);
-  return (x.array().square() + quadrature.array().square()).sqrt();
+  return inverse_fft(std::move(lines), n);
+}
+
+}  // namespace
+
+Eigen::VectorXd envelope(const Eigen::Ref<const Eigen::VectorXd>& x) {
+  return (x.array().square() + quadrature("envelope", x).array().square()).sqrt();
+}
+
+Eigen::VectorXd instantaneous_frequency_Hz(const Eigen::Ref<const Eigen::VectorXd>& x,
+                                           double rate_Hz) {
+  require_positive(rate_Hz, "instantaneous_frequency_Hz", "rate_Hz");
+  const Eigen::VectorXd y = quadrature("instantaneous_frequency_Hz", x);
+  const Eigen::Index n = x.size();
+  Eigen::VectorXd steps(n - 1);  // of the phase, in turns
+  for (Eigen::Index i = 0; i + 1 < n; ++i) {
+    const double ahead = x[i] * y[i + 1] - y[i] * x[i + 1];
+    steps[i] = std::atan2(ahead, x[i] * x[i + 1] + y[i] * y[i + 1]) / (2 * std::numbers::pi);
+  }
+  Eigen::VectorXd frequency_Hz(n);
+  frequency_Hz[0] = steps[0];
+  frequency_Hz.segment(1, n - 2) = 0.5 * (steps.head(n - 2) + steps.tail(n - 2));
+  frequency_Hz[n - 1] = steps[n - 2];
+  return frequency_Hz * rate_Hz;
 }
 
 }  // namespace rvbench::analysis

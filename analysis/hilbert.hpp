@@ -12,4 +12,14 @@ namespace rvbench::analysis {
 /// Source  Marple, IEEE Trans. Signal Process. 47(9), 2600-2603 (1999)
 Eigen::VectorXd envelope(const Eigen::Ref<const Eigen::VectorXd>& x);
 
+/// Rate of the phase of the analytic signal of x, at each sample the mean of the steps to both
+/// neighbours. It means something where x swings about zero in one way at a time, as an IMF does;
+/// elsewhere it may even be negative.
+///
+/// Shape, limits, errors  of envelope(), and throws for rate_Hz not finite and positive
+/// Units   Hz, from -rate_Hz / 2 to rate_Hz / 2
+/// Source  Huang et al., Proc. R. Soc. A 454, 903-995 (1998), sec. 3
+Eigen::VectorXd instantaneous_frequency_Hz(const Eigen::Ref<const Eigen::VectorXd>& x,
+                                           double rate_Hz);
+
 }  // namespace rvbench::analysis

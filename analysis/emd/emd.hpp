@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "analysis/emd/sift.hpp"
+
 namespace rvbench::analysis {
 
 /// How often an IMF is sifted. A fixed count is the only rule whose modes do not depend on the
@@ -10,7 +12,11 @@ namespace rvbench::analysis {
 struct EmdOptions {
   int imfs = 9;    ///< at most; fewer if the residue runs out of extrema
   int sifts = 10;  ///< per IMF (Wu & Huang 2004)
+  SiftRule rule = {};
 };
+
+/// @throws std::invalid_argument naming the option that is not positive
+void check(const EmdOptions& options);
 
 struct Emd {
   Eigen::MatrixXd imfs;     ///< N x K, fastest first
@@ -24,9 +30,10 @@ struct Emd {
 
 /// Empirical mode decomposition.
 ///
-/// Envelopes are natural cubic splines through maxima and minima, two of each mirrored past either
-/// end. A plateau counts as one extremum at its middle; with fewer than three extrema x is all
-/// residue. Scale, offset and time reversal of x scale, leave and reverse the IMFs (to rounding).
+/// Envelopes are cubic splines through maxima and minima, by default natural ones with two of each
+/// mirrored past either end. A plateau counts as one extremum at its middle; with fewer than three
+/// extrema x is all residue. Scale, offset and time reversal of x scale, leave and reverse the IMFs
+/// (to rounding).
 ///
 /// Shape   N samples → up to options.imfs columns; any N
 /// Threads any number at once; the result does not depend on them

@@ -7,6 +7,7 @@
 using namespace rvbench;
 using analysis::Emd;
 using analysis::emd;
+using analysis::EmdOptions;
 
 namespace {
 
@@ -59,6 +60,24 @@ TEST_CASE("away from the ends, the IMFs are those of an independent program",
     CHECK(difference.segment(2 * n / 5, n / 5).cwiseAbs().maxCoeff() < most[k]);
   }
   CHECK((modes.residue - expected.col(9)).segment(2 * n / 5, n / 5).cwiseAbs().maxCoeff() < 2e-5);
+}
+
+TEST_CASE(
+    "by the rules of an independent program, the IMFs are that program's up to their very ends",
+    "[analysis][emd][literature][data]") {
+  const auto x = test::reference_data("rv_10s.f64");
+  const auto reference = test::reference_data("ref_libeemd_rv10s_9imf_10sift.f64");
+  if (!x || !reference) return;
+  const Eigen::Map<const Eigen::MatrixXd> expected(reference->data(), x->size(), 10);
+  EmdOptions options;
+  options.rule = {.ends = &analysis::linear_ends(), .spline = analysis::SplineEnds::not_a_knot};
+  const Emd modes = emd(*x, options);
+  REQUIRE(modes.imfs.cols() == 9);
+  for (Eigen::Index k = 0; k < 9; ++k) {
+    CAPTURE(k + 1);
+    CHECK((modes.imfs.col(k) - expected.col(k)).cwiseAbs().maxCoeff() < 1e-12);
+  }
+  CHECK((modes.residue - expected.col(9)).cwiseAbs().maxCoeff() < 1e-12);
 }
 
 TEST_CASE("beyond the ends marked unreliable, an IMF is that of a longer record",

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "analysis/emd/sift.hpp"
+
+namespace rvbench::analysis {
+
+/// All sifts of an IMF, one behind the other: while the first looks at new samples, the last is
+/// where their envelopes are settled, a few dozen extrema for each sift behind. What they work on
+/// stays in the processor's cache, whatever the length of the record.
+class SiftChain {
+ public:
+  explicit SiftChain(int sifts, const SiftRule& rule = {},
+                     const SiftKernels& kernels = sift_kernels())
+      : sifts_(static_cast<std::size_t>(sifts), Sift(rule, kernels)) {}
+
+  /// Begins with an IMF. @param imf  0 is the fastest
+  void begin(int imf);
+
+  /// As Sift::advance(): the first samples of h become those of the IMF.
+  Eigen::Index advance(double* h, Eigen::Index known, bool is_end);
+
+  void rebase(Eigen::Index samples);
+
+  /// Turns a whole signal into its fastest IMF. A signal that does not swing stays as it is.
+  /// @param imf  as of begin()
+  /// @return whether it does
+  bool turn_into_imf(Eigen::Ref<Eigen::VectorXd> h, int imf);
+
+  /// So many samples at either end of the IMF are not to be relied on: see Emd::unreliable_ends.
+  Eigen::Index unreliable_end(Eigen::Index samples) const;
+
+  std::size_t extrema() const { return sifts_.front().extrema(); }  ///< before any sift
+
+ private:
+  std::vector<Sift> sifts_;
+};
+
+}  // namespace rvbench::analysis

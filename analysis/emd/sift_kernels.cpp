@@ -1,0 +1,176 @@
+#include "analysis/emd/sift_kernels.hpp"
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+// Bodies are compiled once per kind of processor, into its own function: that is what the
+// attributes are for. They call nothing that could be shared with code for another kind.
+#define RVBENCH_INTO_KERNEL [[gnu::always_inline]] inline
+
+namespace rvbench::analysis {
+namespace {
+
+// No branch on the direction: that of a noisy signal cannot be predicted.
+RVBENCH_INTO_KERNEL std::size_t scan_step(const double* samples, std::ptrdiff_t i, ScanState& state,
+                                          double* at, double* value) {
+  const double step = samples[i + 1] - samples[i];
+  if (step == 0) return 0;
+  const bool is_rising = step > 0;
+  at[0] = 0.5 * static_cast<double>(state.plateau_from + i);
+  value[0] = samples[i];
+  const bool turns = is_rising != state.is_rising;
+  state.is_rising = is_rising;
+  state.plateau_from = i + 1;
+  return static_cast<std::size_t>(turns);
+}
+
+RVBENCH_INTO_KERNEL std::size_t scan_steps(const double* samples, std::ptrdiff_t last,
+                                           ScanState& state, double* at, double* value) {
+  std::size_t count = 0;
+  for (; state.next < last; ++state.next) {
+    count += scan_step(samples, state.next, state, at + count, value + count);
+  }
+  return count;
+}
+
+RVBENCH_INTO_KERNEL void mean_cubics_of(const double* at, const double* value,
+                                        const double* curvature, const double* inverse_width,
+                                        int count, double base, Cubics& mean) {
+  // Of each envelope about its own knot: number k of these belongs to knot k - 1.
+  double v[Cubics::most + 1], s[Cubics::most + 1], c[Cubics::most + 1], t[Cubics::most + 1];
+  for (int k = 0; k <= count; ++k) {
+    const double* x = at + k - 1;
+    const double* y = value + k - 1;
+    const double* m = curvature + k - 1;
+    const double inverse = inverse_width[k - 1];
+    v[k] = y[0];
+    s[k] = (y[2] - y[0]) * inverse - (x[2] - x[0]) * (2 * m[0] + m[2]) * (1. / 6);
+    c[k] = 0.5 * m[0];
+    t[k] = (m[2] - m[0]) * inverse * (1. / 6);
+  }
+  for (int k = 0; k < count; ++k) {
+    const double d = at[k] - at[k - 1];  // the other envelope's cubic is moved by as much
+    const double value_there = v[k] + d * (s[k] + d * (c[k] + d * t[k]));
+    const double slope_there = s[k] + d * (2 * c[k] + 3 * d * t[k]);
+    const double curve_there = c[k] + 3 * d * t[k];
+    mean.value[k] = 0.5 * (v[k + 1] + value_there);
+    mean.slope[k] = 0.5 * (s[k + 1] + slope_there);
+    mean.curve[k] = 0.5 * (c[k + 1] + curve_there);
+    mean.twist[k] = 0.5 * (t[k + 1] + t[k]);
+    // The first sample at or after the next knot, which is on a sample or half-way between two.
+    mean.end[k] = (static_cast<int>(2 * (at[k + 1] - base)) + 1) >> 1;
+  }
+}
+
+std::size_t portable_scan(const double* samples, std::ptrdiff_t last, ScanState& state, double* at,
+                          double* value) {
+  return scan_steps(samples, last, state, at, value);
+}
+
+void portable_mean_cubics(const double* at, const double* value, const double* curvature,
+                          const double* inverse_width, int count, double base, Cubics& mean) {
+  mean_cubics_of(at, value, curvature, inverse_width, count, base, mean);
+}
+
+void portable_subtract(double* from_base, double base, const double* at, const Cubics& mean,
+                       int count) {
+  int i = 0;
+  for (int k = 0; k < count; ++k) {
+    double u = base + i - at[k];
+    for (; i < mean.end[k]; ++i, u += 1) {
+      from_base[i] -= mean.value[k] + u * (mean.slope[k] + u * (mean.curve[k] + u * mean.twist[k]));
+    }
+  }
+}
+
+#if defined(__x86_64__)
+
+#define RVBENCH_AVX2 [[gnu::target("avx2")]]
+
+// Bits of four comparisons each.
+RVBENCH_AVX2 unsigned greater(const double* a, const double* b) {
+  const __m256d is_greater = _mm256_cmp_pd(_mm256_loadu_pd(a), _mm256_loadu_pd(b), _CMP_GT_OQ);
+  return static_cast<unsigned>(_mm256_movemask_pd(is_greater));
+}
+
+RVBENCH_AVX2 std::size_t avx2_scan(const double* samples, std::ptrdiff_t last, ScanState& state,
+                                   double* at, double* value) {
+  std::size_t count = 0;
+  while (state.next + 8 <= last) {
+    const double* s = samples + state.next;
+    const unsigned up = greater(s + 1, s) | greater(s + 5, s + 4) << 4U;
+    const unsigned down = greater(s, s + 1) | greater(s + 4, s + 5) << 4U;
+    const bool has_plateau = (up | down) != 0xFF || state.plateau_from != state.next;
+    if (has_plateau) {
+      count += scan_steps(samples, state.next + 8, state, at + count, value + count);
+      continue;
+    }
+    unsigned turns = (up ^ (up << 1U | static_cast<unsigned>(state.is_rising))) & 0xFFU;
+    for (; turns != 0; turns &= turns - 1) {
+      const std::ptrdiff_t i = state.next + __builtin_ctz(turns);
+      at[count] = static_cast<double>(i);
+      value[count] = samples[i];
+      ++count;
+    }
+    state.is_rising = (up & 0x80U) != 0;
+    state.next += 8;
+    state.plateau_from = state.next;
+  }
+  return count + scan_steps(samples, last, state, at + count, value + count);
+}
+
+RVBENCH_AVX2 void avx2_mean_cubics(const double* at, const double* value, const double* curvature,
+                                   const double* inverse_width, int count, double base,
+                                   Cubics& mean) {
+  mean_cubics_of(at, value, curvature, inverse_width, count, base, mean);
+}
+
+RVBENCH_AVX2 __m256d value_of(const Cubics& mean, int k, __m256d u) {
+  __m256d sum = _mm256_set1_pd(mean.twist[k]);
+  sum = _mm256_add_pd(_mm256_set1_pd(mean.curve[k]), _mm256_mul_pd(u, sum));
+  sum = _mm256_add_pd(_mm256_set1_pd(mean.slope[k]), _mm256_mul_pd(u, sum));
+  sum = _mm256_add_pd(_mm256_set1_pd(mean.value[k]), _mm256_mul_pd(u, sum));
+  return sum;
+}
+
+RVBENCH_AVX2 void avx2_subtract(double* from_base, double base, const double* at,
+                                const Cubics& mean, int count) {
+  alignas(32) static constexpr long long masks[8] = {-1, -1, -1, -1, 0, 0, 0, 0};
+  const __m256d ramp = _mm256_set_pd(3, 2, 1, 0);
+  int i = 0;
+  for (int k = 0; k < count; ++k) {
+    if (mean.end[k] <= i) continue;
+    __m256d u = _mm256_add_pd(_mm256_set1_pd(base + i - at[k]), ramp);
+    for (; i + 4 <= mean.end[k]; i += 4, u = _mm256_add_pd(u, _mm256_set1_pd(4))) {
+      double* h = from_base + i;
+      _mm256_storeu_pd(h, _mm256_sub_pd(_mm256_loadu_pd(h), value_of(mean, k, u)));
+    }
+    if (i == mean.end[k]) continue;
+    const auto* mask_at = reinterpret_cast<const __m256i*>(masks + 4 - (mean.end[k] - i));
+    const __m256i mask = _mm256_loadu_si256(mask_at);
+    double* h = from_base + i;
+    _mm256_maskstore_pd(h, mask, _mm256_sub_pd(_mm256_maskload_pd(h, mask), value_of(mean, k, u)));
+    i = mean.end[k];
+  }
+}
+
+#endif
+
+}  // namespace
+
+const SiftKernels& portable_sift_kernels() {
+  static constexpr SiftKernels kernels{portable_scan, portable_mean_cubics, portable_subtract};
+  return kernels;
+}
+
+const SiftKernels& sift_kernels() {
+#if defined(__x86_64__)
+  static constexpr SiftKernels kernels{avx2_scan, avx2_mean_cubics, avx2_subtract};
+  static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
+  if (has_avx2) return kernels;
+#endif
+  return portable_sift_kernels();
+}
+
+}  // namespace rvbench::analysis

@@ -1,0 +1,26 @@
+#include "analysis/emd/sift_kernels.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "analysis/emd/sift_chain.hpp"
+#include "tests/support/signals.hpp"
+
+using namespace rvbench;
+using analysis::SiftChain;
+
+TEST_CASE("every processor sifts to the same bits", "[analysis][emd][law]") {
+  const Eigen::VectorXd noise = test::white_noise(30000, 21);
+  const Eigen::VectorXd quantised = (4 * noise).array().round();
+  const Eigen::VectorXd slow = test::tone(3, 30000, 4960) + 1e-3 * noise;
+  const Eigen::VectorXd x = GENERATE_COPY(noise, quantised, slow);
+  for (const int imf : {0, 8}) {
+    Eigen::VectorXd portable = x, best = x;
+    SiftChain on_any(10, {}, analysis::portable_sift_kernels()), on_this(10);
+    on_any.begin(imf);
+    on_this.begin(imf);
+    CHECK(on_any.advance(portable.data(), portable.size(), true) == x.size());
+    CHECK(on_this.advance(best.data(), best.size(), true) == x.size());
+    CHECK(portable == best);
+    CHECK(on_any.unreliable_end(x.size()) == on_this.unreliable_end(x.size()));
+  }
+}
