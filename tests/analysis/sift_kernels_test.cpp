@@ -12,7 +12,8 @@ TEST_CASE("every processor sifts to the same bits", "[analysis][emd][law]") {
   const Eigen::VectorXd noise = test::white_noise(30000, 21);
   const Eigen::VectorXd quantised = (4 * noise).array().round();
   const Eigen::VectorXd slow = test::tone(3, 30000, 4960) + 1e-3 * noise;
-  const Eigen::VectorXd x = GENERATE_COPY(noise, quantised, slow);
+  const Eigen::VectorXd x =
+      GENERATE_COPY(Eigen::VectorXd(noise), Eigen::VectorXd(quantised), Eigen::VectorXd(slow));
   for (const int imf : {0, 8}) {
     Eigen::VectorXd portable = x, best = x;
     SiftChain on_any(10, {}, analysis::portable_sift_kernels()), on_this(10);
