@@ -26,13 +26,15 @@ struct EndRule {
 
 /// Extrema are mirrored, two of each kind. The axis is the outermost extremum if the end sample
 /// lies between it and the next one and the mirrored ones reach past the end; otherwise the end
-/// sample itself, which then counts as one. Source  Rilling, Flandrin & Gonçalvès, IEEE-EURASIP
-/// NSIP-03 (2003)
+/// sample itself, which then counts as one.
+///
+/// Source  Rilling, Flandrin & Gonçalvès, IEEE-EURASIP NSIP-03 (2003)
 const EndRule& mirrored_ends();
 
 /// Each envelope has a knot at the end sample: where a line through the two outermost extrema of
-/// its kind leads, unless the end sample is further out. Source  Wu & Huang, Adv. Adapt. Data Anal.
-/// 1, 1-41 (2009)
+/// its kind leads, unless the end sample is further out.
+///
+/// Source  Wu & Huang, Adv. Adapt. Data Anal. 1, 1-41 (2009)
 const EndRule& linear_ends();
 
 }  // namespace rvbench::analysis

@@ -27,7 +27,7 @@ struct SiftKernels {
                       double* value);
 
   /// The mean of both envelopes between knot j and the next one, for j = 0 ... count - 1, about
-  /// knot j. Knots -1 to count + 2 are there, with the curvature of their own envelope and, up to
+  /// knot j. Knots -1 to count + 1 are there, with the curvature of their own envelope and, up to
   /// count - 1, the inverse distance to the next knot of it; count is at most Cubics::most.
   void (*mean_cubics)(const double* at, const double* value, const double* curvature,
                       const double* inverse_width, int count, double base, Cubics& mean);

@@ -8,6 +8,21 @@
 using namespace rvbench;
 using analysis::SiftChain;
 
+TEST_CASE("nothing is left of a longer signal sifted before", "[analysis][emd]") {
+  SiftChain used(10), fresh(10);
+  Eigen::VectorXd longer = test::white_noise(20000, 22);
+  CHECK(used.turn_into_imf(longer, 0));
+  Eigen::VectorXd rising(3);
+  rising << 0, 1, 2;
+  CHECK_FALSE(used.turn_into_imf(rising, 0));
+  CHECK(used.extrema() == 0);
+  const Eigen::VectorXd x = test::white_noise(500, 23);
+  Eigen::VectorXd again = x, once = x;
+  CHECK(used.turn_into_imf(again, 0));
+  CHECK(fresh.turn_into_imf(once, 0));
+  CHECK(again == once);
+}
+
 TEST_CASE("every processor sifts to the same bits", "[analysis][emd][law]") {
   const Eigen::VectorXd noise = test::white_noise(30000, 21);
   const Eigen::VectorXd quantised = (4 * noise).array().round();
