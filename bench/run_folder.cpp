@@ -163,8 +163,12 @@ std::string utc_now() {
                      utc.tm_mday, utc.tm_hour, utc.tm_min, utc.tm_sec);
 }
 
+std::filesystem::path draft_of(const std::filesystem::path& file) {
+  return file.string() + ".draft";
+}
+
 void write_file(const std::filesystem::path& file, const std::string& text) {
-  const std::filesystem::path draft = file.string() + ".draft";
+  const std::filesystem::path draft = draft_of(file);
   const int fd = open(draft.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (fd < 0) throw_error(errno, file);
   int error = fill(fd, text);

@@ -17,7 +17,6 @@ namespace rvbench::bench {
 namespace {
 
 constexpr const char* sums_name = "SHA256SUMS";
-constexpr const char* sums_draft = "SHA256SUMS.draft";  // of write_file(); a kill may leave it
 constexpr std::size_t hex_digits = 2 * crypto_hash_sha256_BYTES;
 
 class Sha256 {
@@ -40,16 +39,23 @@ class Sha256 {
   crypto_hash_sha256_state state_{};
 };
 
-// Plain files of the folder but for the list itself, sorted by name.
-std::vector<std::string> files_of(const std::filesystem::path& folder) {
-  std::vector<std::string> names;
+struct Contents {
+  std::vector<std::string> files, others;
+};
+
+// Of the folder, but for the list itself and a draft of it that a kill has left; sorted by name.
+Contents contents_of(const std::filesystem::path& folder) {
+  Contents contents;
+  const std::string draft = draft_of(sums_name).string();
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    const bool is_list = name == sums_name || name == sums_draft;
-    if (entry.is_regular_file() && !is_list) names.push_back(name);
+    if (name == sums_name || name == draft) continue;
+    std::error_code unknown;  // of a link that leads nowhere
+    (entry.is_regular_file(unknown) ? contents.files : contents.others).push_back(name);
   }
-  std::ranges::sort(names);
-  return names;
+  std::ranges::sort(contents.files);
+  std::ranges::sort(contents.others);
+  return contents;
 }
 
 [[noreturn]] void throw_error(int error, const std::filesystem::path& file) {
@@ -98,7 +104,7 @@ std::optional<std::string> sha256_of_file(const std::filesystem::path& file) {
 
 void write_sums(const std::filesystem::path& folder) {
   std::string text;
-  for (const std::string& name : files_of(folder)) {
+  for (const std::string& name : contents_of(folder).files) {
     put_on_disk(folder / name);
     const std::optional<std::string> sum = sha256_of_file(folder / name);
     if (sum) text += *sum + "  " + name + "\n";
@@ -139,8 +145,12 @@ std::vector<std::string> verify_sums(const std::filesystem::path& folder) {
     if (!actual) faults.push_back(name + ": missing");
     if (actual && *actual != sum) faults.push_back(name + ": does not match its hash");
   }
-  for (const std::string& name : files_of(folder)) {
+  const Contents contents = contents_of(folder);
+  for (const std::string& name : contents.files) {
     if (!sums.contains(name)) faults.push_back(name + ": not listed in " + sums_name);
+  }
+  for (const std::string& name : contents.others) {
+    if (!sums.contains(name)) faults.push_back(name + ": not a file of the run");
   }
   return faults;
 }

@@ -1,5 +1,6 @@
 #include "bench/run_folder.hpp"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
@@ -172,6 +173,16 @@ TEST_CASE("SHA256SUMS tells a sound folder from a tampered one", "[bench]") {
     write_file(folder.path() / "extra", "");
     CHECK(verify_sums(folder.path()) ==
           std::vector<std::string>{"extra: not listed in SHA256SUMS"});
+  }
+  SECTION("what is no file is named, and is not waited for") {
+    REQUIRE(mkfifo((folder.path() / "pipe").c_str(), 0600) == 0);
+    std::filesystem::create_symlink("loop", folder.path() / "loop");
+    const std::vector<std::string> foreign{"loop: not a file of the run",
+                                           "pipe: not a file of the run"};
+    CHECK(verify_sums(folder.path()) == foreign);
+    std::filesystem::remove(folder.path() / "verdict.json");
+    REQUIRE(mkfifo((folder.path() / "verdict.json").c_str(), 0600) == 0);
+    CHECK(verify_sums(folder.path()).front() == "verdict.json: missing");
   }
   SECTION("a list that a kill left half written is none of the files") {
     std::ofstream(folder.path() / "SHA256SUMS.draft") << "half";
