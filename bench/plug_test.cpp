@@ -10,6 +10,10 @@ namespace {
 
 constexpr double cycle_s = 0.05;
 
+std::string fault_of(const hal::DriveStatus& status) {
+  return status.tripped ? fmt::format(", fault code {}", status.fault_code) : "";
+}
+
 // One try of the test. Each step says why it ended the test, or nothing.
 class Attempt {
  public:
@@ -24,12 +28,13 @@ class Attempt {
   PlugTest run() {
     tell_(fmt::format("the motor starts, {:g} rpm", options_.speed_rpm));
     if (auto why = run_up()) return {false, *why};
-    tell_("pull the drive's communication cable now");
+    tell_(fmt::format("pull the drive's communication cable now, within {:g} s",
+                      options_.patience_s));
     if (auto why = wait_for_silence()) return {false, *why};
     tell_(fmt::format("the link is dead: watch the shaft, it must stop within {:g} s",
                       options_.silence_s));
     if (!pause(options_.silence_s)) return {false, "interrupted"};
-    tell_("plug the cable in again");
+    tell_(fmt::format("plug the cable in again, within {:g} s", options_.patience_s));
     return judge();
   }
 
@@ -60,7 +65,12 @@ class Attempt {
   std::optional<std::string> wait_for_silence() {
     const double end_s = clock_.now_s() + options_.patience_s;
     while (clock_.now_s() < end_s) {
-      if (!drive_.set_speed(options_.speed_rpm) && !drive_.read()) return std::nullopt;
+      const Status set = drive_.set_speed(options_.speed_rpm);
+      const auto status = drive_.read();
+      if (!set && !status) return std::nullopt;
+      if (status && !status.value().running) {
+        return "the motor stopped before the cable was pulled" + fault_of(status.value());
+      }
       if (!pause(cycle_s)) return "interrupted";
     }
     return fmt::format("the cable was not pulled within {:g} s", options_.patience_s);
@@ -76,11 +86,7 @@ class Attempt {
                                    "dies",
                                    status.value().speed_rpm)};
       }
-      if (status) {
-        return {true, status.value().tripped ? fmt::format("it stopped by itself, fault code {}",
-                                                           status.value().fault_code)
-                                             : "it stopped by itself"};
-      }
+      if (status) return {true, "it stopped by itself" + fault_of(status.value())};
       if (!pause(cycle_s)) return {false, "interrupted"};
     }
     return {false, fmt::format("the link did not come back within {:g} s", options_.patience_s)};

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -20,8 +21,13 @@ namespace {
 // A motor without slip, and somebody who pulls the cable and plugs it in again.
 class PersonAtTheBench final : public hal::Clock {
  public:
-  PersonAtTheBench(test::ModbusBench& bench, double pulls_s, double plugs_s)
-      : bench_(bench), acts_{{pulls_s, {.fault = WireFault::dead}}, {plugs_s, {}}} {}
+  // @param mishap  happens on the way, 2 s after the start
+  PersonAtTheBench(test::ModbusBench& bench, double pulls_s, double plugs_s,
+                   const std::function<void()>& mishap)
+      : bench_(bench),
+        acts_{{2, mishap},
+              {pulls_s, [&bench] { bench.server->inject({.fault = WireFault::dead}); }},
+              {plugs_s, [&bench] { bench.server->inject({}); }}} {}
 
   double now_s() const override { return bench_.clock.now_s(); }
   bool is_virtual() const override { return true; }
@@ -30,7 +36,7 @@ class PersonAtTheBench final : public hal::Clock {
       bench_.clock.wait_until(std::min(time_s, now_s() + 0.01));
       bench_.model.set_measured(30 * bench_.model.output_frequency_Hz(), 1);
       while (!acts_.empty() && now_s() >= acts_.begin()->first) {
-        bench_.server->inject(acts_.begin()->second);
+        acts_.begin()->second();
         acts_.erase(acts_.begin());
       }
     }
@@ -38,12 +44,13 @@ class PersonAtTheBench final : public hal::Clock {
 
  private:
   test::ModbusBench& bench_;
-  std::map<double, sim::WireFaultPlan> acts_;
+  std::multimap<double, std::function<void()>> acts_;
 };
 
-bench::PlugTest pull(test::ModbusBench& bench, double pulls_s, double plugs_s,
-                     std::vector<std::string>& told) {
-  PersonAtTheBench person(bench, pulls_s, plugs_s);
+bench::PlugTest pull(
+    test::ModbusBench& bench, double pulls_s, double plugs_s, std::vector<std::string>& told,
+    const std::function<void()>& mishap = [] {}) {
+  PersonAtTheBench person(bench, pulls_s, plugs_s, mishap);
   REQUIRE(bench.drive.connect());
   return bench::pull_the_plug(bench.drive, person, {.patience_s = 20},
                               [&](const std::string& what) { told.push_back(what); }, {});
@@ -133,6 +140,12 @@ SCENARIO("pulling the plug proves that the drive stops when its link dies", "[be
     THEN("it is stopped all the same, now that it can be told") {
       CHECK(bench.model.state().run == sim::RunCommand::stop);
     }
+  }
+  WHEN("it trips before the cable is pulled") {
+    test::ModbusBench bench({.comm_loss_timeout_s = 1});
+    const bench::PlugTest test = pull(bench, 12, 20, told, [&] { bench.model.trip(7); });
+    CHECK_FALSE(test.passed);
+    CHECK_THAT(test.finding, Catch::Contains("stopped before the cable was pulled, fault code 7"));
   }
   WHEN("nobody pulls it") {
     test::ModbusBench bench;
