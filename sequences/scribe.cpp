@@ -27,16 +27,23 @@ struct Scribe::Desk {
   std::deque<Job> jobs;
   std::size_t waiting_bytes = 0;
   double longest_lag_s = 0;
+  Steady::time_point at_work_on;  // when that job was posted
   bool is_working = false;
   bool is_ending = false;
   bool is_given_up = false;
   std::atomic<bool> has_failed = false;
 
   bool is_idle() const { return jobs.empty() && !is_working; }
+  double lag_s() const {  // of the oldest job
+    if (is_idle()) return 0;
+    const auto oldest = is_working ? at_work_on : jobs.front().posted;
+    return std::chrono::duration<double>(Steady::now() - oldest).count();
+  }
 };
 
-Scribe::Scribe(std::size_t most_bytes)
+Scribe::Scribe(std::size_t most_bytes, double most_lag_s)
     : most_bytes_(most_bytes),
+      most_lag_s_(most_lag_s),
       desk_(std::make_shared<Desk>()),
       thread_([desk = desk_] { work_at(*desk); }) {}
 
@@ -54,6 +61,7 @@ bool Scribe::post(std::size_t bytes, std::function<void()> job) {
   {
     const std::lock_guard lock(desk_->mutex);
     if (desk_->is_given_up || desk_->waiting_bytes + bytes > most_bytes_) return false;
+    if (desk_->lag_s() > most_lag_s_) return false;
     desk_->jobs.push_back({bytes, std::move(job)});
     desk_->waiting_bytes += bytes;
   }
@@ -97,6 +105,7 @@ void Scribe::work_at(Desk& desk) {
     Job job = std::move(desk.jobs.front());
     desk.jobs.pop_front();
     desk.is_working = true;
+    desk.at_work_on = job.posted;
     lock.unlock();
     try {
       job.work();

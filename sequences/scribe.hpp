@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <thread>
 
@@ -15,14 +16,16 @@ namespace rvbench::sequences {
 class Scribe {
  public:
   /// @param most_bytes  of jobs that wait: what a disk may fall behind before data is lost
-  explicit Scribe(std::size_t most_bytes);
+  /// @param most_lag_s  for which a job may wait to be done
+  explicit Scribe(std::size_t most_bytes,
+                  double most_lag_s = std::numeric_limits<double>::infinity());
   ~Scribe();  ///< as finish(), where the scribe was not given up
   Scribe(const Scribe&) = delete;
   Scribe& operator=(const Scribe&) = delete;
 
   /// @param bytes  that the job holds on to
-  /// @return false, and the job is dropped, if as many bytes as allowed wait already, or if the
-  ///         scribe was given up
+  /// @return false, and the job is dropped, if as many bytes as allowed wait already, or a job for
+  ///         as long as allowed, or if the scribe was given up
   bool post(std::size_t bytes, std::function<void()> job);
 
   void finish();  ///< waits until everything posted has been done
@@ -42,6 +45,7 @@ class Scribe {
   static void work_at(Desk& desk);
 
   const std::size_t most_bytes_;
+  const double most_lag_s_;
   const std::shared_ptr<Desk> desk_;  // also the thread's, which may be left behind
   std::thread thread_;
 };

@@ -1,7 +1,9 @@
 #include "sequences/scribe.hpp"
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <future>
+#include <thread>
 #include <vector>
 
 using rvbench::sequences::Scribe;
@@ -32,6 +34,18 @@ TEST_CASE("a scribe that has fallen too far behind says so instead of filling th
   go_on.set_value();
   scribe.finish();
   CHECK(scribe.post(100, [] {}));
+}
+
+TEST_CASE("a scribe whose disk takes nothing for too long takes nothing more", "[sequences]") {
+  std::promise<void> go_on;
+  Scribe scribe(100, 0.05);
+  REQUIRE(scribe.post(1, [&] { go_on.get_future().wait(); }));
+  CHECK(scribe.post(1, [] {}));
+  std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  CHECK_FALSE(scribe.post(1, [] {}));
+  go_on.set_value();
+  scribe.finish();
+  CHECK(scribe.post(1, [] {}));
 }
 
 TEST_CASE("a job that throws is told, and harms no other", "[sequences]") {
