@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -27,6 +28,11 @@ Ending bench_fault(const IoError& error) {
   return {Outcome::error, ErrorKind::none, describe(error)};
 }
 
+Ending fate_of(const RunLog& log) {
+  if (log.error() == 0) return {Outcome::pass, ErrorKind::none, "every event was logged"};
+  return bench_fault({IoErrc::refused, std::string("log.jsonl: ") + std::strerror(log.error())});
+}
+
 hal::RecordingLayout layout_of(const Acceptance& acceptance, const hal::Rig& rig) {
   hal::RecordingLayout layout;
   layout.points = acceptance.plan.points();
@@ -38,24 +44,24 @@ hal::RecordingLayout layout_of(const Acceptance& acceptance, const hal::Rig& rig
   return layout;
 }
 
-// What an earlier part of the run saw of the bench, where this one has nothing to measure.
+// What an earlier part of the run saw of the bench, where this one has nothing to measure: it came
+// to rest.
 void take_over(const std::filesystem::path& folder, RunFacts& facts) {
+  facts.shaft_stopped = facts.brake_released = true;
   const auto earlier = judgement_from_json(read_file(folder / "verdict.json").value_or(""));
   if (!earlier) return;
   facts.duration_s = earlier->facts.duration_s;
   facts.drive_retries = earlier->facts.drive_retries;
-  facts.shaft_stopped = earlier->facts.shaft_stopped;
-  facts.brake_released = earlier->facts.brake_released;
 }
 
 // Runs the sequence into a new recording of the folder.
 Ending record(Acceptance& acceptance, hal::Rig& rig, RunLog& log, std::stop_token stop,
-              const RunRecordings& before) {
+              const RunRecordings& before, int first_point) {
   const std::filesystem::path file = acceptance.folder / before.next_name();
   auto writer = acceptance.begin_recording(file, layout_of(acceptance, rig));
   if (!writer) return bench_fault(writer.error());
   const sequences::RunSummary summary = sequences::run_sequence(
-      acceptance.plan, rig, *writer.value(), log, std::move(stop), before.next_point());
+      acceptance.plan, rig, *writer.value(), log, std::move(stop), first_point);
   acceptance.facts.must_exit = summary.supervisor_hung || summary.bus_hung || summary.observer_hung;
   acceptance.facts.log_hung = summary.observer_hung && summary.events_untold > 0;
   const Status closed = writer.value()->close();
@@ -70,15 +76,33 @@ Ending record(Acceptance& acceptance, hal::Rig& rig, RunLog& log, std::stop_toke
   return closed ? summary.ending : graver(summary.ending, bench_fault(closed.error()));
 }
 
-// Goes on after the last point that was measured before; turns nothing if none is left.
+// What was told as measured and is no longer in a recording has been damaged or taken away since.
+// Empty: nothing.
+std::string told_of_lost_points(const RunLog& log, const RunRecordings& before) {
+  std::string lost;
+  for (const int point : sequences::points_told(log.events())) {
+    if (!before.has(point)) lost += (lost.empty() ? "" : ", ") + std::to_string(point);
+  }
+  if (lost.empty()) return "";
+  return "measured before, but no longer in the run's recordings, which were damaged or taken "
+         "away: points " +
+         lost;
+}
+
+// Goes on after the last point that was measured before. Turns nothing if none is left and the
+// bench was seen at rest; if it was not, the last point is measured again: no run passes on a bench
+// that failed after it.
 Ending measure(Acceptance& acceptance, hal::Rig& rig, RunLog& log, std::stop_token stop) {
+  if (log.error() != 0) return fate_of(log);
+  // Those of an earlier part would vouch for files that are about to change.
+  remove_sums(acceptance.folder);
   const Status dropped = drop_empty_recordings(acceptance.folder);
   if (!dropped) return bench_fault(dropped.error());
   const Result<RunRecordings> before = RunRecordings::open(acceptance.folder);
   if (!before) return bench_fault(before.error());
-  const int first_point = before.value().next_point();
   const auto points = static_cast<int>(acceptance.plan.points().size());
-  if (first_point >= points) {
+  const int first_point = std::min(before.value().next_point(), points - 1);
+  if (before.value().next_point() > first_point && sequences::tell_of_rest(log.events())) {
     take_over(acceptance.folder, acceptance.facts);
     acceptance.facts.resumed_at_point = before.value().resumed_at_point();
     log.event(0, "resumed: every point was measured before, nothing is turned");
@@ -90,15 +114,21 @@ Ending measure(Acceptance& acceptance, hal::Rig& rig, RunLog& log, std::stop_tok
     log.event(0, fmt::format("resumed at point {} of {}; the rig's time starts again",
                              first_point + 1, points));
   }
+  acceptance.lost_points = told_of_lost_points(log, before.value());
+  if (!acceptance.lost_points.empty()) log.event(0, "warning: " + acceptance.lost_points);
   for (const std::string& warning : acceptance.warnings) log.event(0, "warning: " + warning);
-  return record(acceptance, rig, log, std::move(stop), before.value());
+  return record(acceptance, rig, log, std::move(stop), before.value(), first_point);
 }
 
 const IoError log_that_hangs{IoErrc::refused, "log.jsonl: it takes no more events"};
 
-Ending fate_of(const RunLog& log) {
-  if (log.error() == 0) return {Outcome::pass, ErrorKind::none, "every event was logged"};
-  return bench_fault({IoErrc::refused, std::string("log.jsonl: ") + std::strerror(log.error())});
+// What keeps a run from beginning is a fault of the bench, too.
+Ending measure_or_fail(Acceptance& acceptance, hal::Rig& rig, RunLog& log, std::stop_token stop) {
+  try {
+    return measure(acceptance, rig, log, std::move(stop));
+  } catch (const std::system_error& error) {
+    return bench_fault({IoErrc::refused, error.what()});
+  }
 }
 
 // For what is told when a thread hangs, perhaps in the screen's call.
@@ -167,6 +197,9 @@ void conclude_run(Judgement& judgement, const Acceptance& acceptance, RunLog& lo
   ending = graver(ending, log_hung ? bench_fault(log_that_hangs) : fate_of(log));
   conclude(judgement, acceptance.kinematics, acceptance.plan.limits, ending);
   demand_confirmation(judgement, acceptance.kinematics);
+  if (!acceptance.lost_points.empty()) {
+    judgement.diagnosis.quality.push_back({"recording.h5", acceptance.lost_points, false});
+  }
   if (!log_hung) judgement.facts.events = log.events();
   bar.show("report", 0, "writing");
   tell_in_files(judgement, [&](const Judgement& told) {
@@ -184,14 +217,12 @@ Result<std::unique_ptr<hal::RecordingWriter>> make_recording(const std::filesyst
 
 Judgement run_acceptance(Acceptance acceptance, hal::Rig& rig, ProgressBar& bar,
                          std::stop_token stop) {
-  // Those of an earlier part would vouch for files that are about to change.
-  remove_sums(acceptance.folder);
   auto log = std::make_unique<RunLog>(acceptance.folder / "log.jsonl", bar);
   Nowhere nowhere;
   Judgement judgement;
   try {
     const analysis::ExamineOptions options{.clip_level = rig.accelerometers->range_m_s2()};
-    judgement.ending = measure(acceptance, rig, *log, stop);
+    judgement.ending = measure_or_fail(acceptance, rig, *log, stop);
     judgement.facts = acceptance.facts;
     conclude_run(judgement, acceptance, *log, acceptance.facts.must_exit ? nowhere.bar : bar,
                  options, stop);

@@ -31,7 +31,8 @@ struct Acceptance {
   RunFacts facts;                   ///< what is known before the start
   std::string twin = {};            ///< plant that stands for what the rig turns; "" on a simulated
                                     ///< rig, which is its own
-  std::vector<std::string> warnings = {};           ///< of the rig file; they go into the log
+  std::vector<std::string> warnings = {};  ///< of the rig file; they go into the log
+  std::string lost_points = {};            ///< what an earlier part of the run has measured in vain
   RecordingMaker begin_recording = make_recording;  ///< another watches what is recorded
 };
 

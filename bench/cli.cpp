@@ -82,6 +82,14 @@ std::string unknown_option(const std::vector<std::string>& arguments, Command& c
   return "";
 }
 
+// "--serial=": CLI11 would take the next argument for the value.
+std::string empty_option(const std::vector<std::string>& arguments) {
+  for (const std::string& argument : arguments) {
+    if (argument.starts_with("--") && argument.find('=') == argument.size() - 1) return argument;
+  }
+  return "";
+}
+
 int refuse_arguments(Console& console, const std::string& message, const std::string& help_of) {
   complain(console, "rvbench: " + message);
   console.err << "Try: rvbench " << help_of << "--help\n";
@@ -117,6 +125,10 @@ int parse_and_run(Command& command, std::vector<std::string> arguments, Console&
     return refuse_arguments(
         console, "unknown option " + unknown + hal::did_you_mean(unknown, option_names(command)),
         command.name() + " ");
+  }
+  if (const std::string empty = empty_option(arguments); !empty.empty()) {
+    return refuse_arguments(console, command.name() + ": nothing follows " + empty,
+                            command.name() + " ");
   }
   CLI::App app(command.summary(), "rvbench " + command.name());
   for (const Option& option : command.options()) add_option(app, option);

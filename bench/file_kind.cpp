@@ -34,7 +34,7 @@ std::optional<hal::ConfigFault> other_kind_fault(const hal::ConfigReader& root,
 
 bool is_absent(const std::filesystem::path& file) {
   std::error_code unknown;
-  return !std::filesystem::exists(file, unknown) && !unknown;
+  return std::filesystem::status(file, unknown).type() == std::filesystem::file_type::not_found;
 }
 
 std::vector<std::string> names_of(const std::vector<EmbeddedFile>& files) {

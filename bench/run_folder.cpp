@@ -93,6 +93,9 @@ std::filesystem::path create_run_folder(const std::filesystem::path& root,
                                         const std::string& serial, const std::string& utc) {
   const std::filesystem::path parent = root / folder_name_of(serial);
   make_folders(parent);
+  // Whoever made one that was there may have died before its name was on the disk.
+  put_folder_on_disk(root);
+  put_folder_on_disk(parent);
   std::filesystem::path folder = parent / utc;
   for (int copy = 2; !std::filesystem::create_directory(folder); ++copy) {
     folder = parent / fmt::format("{}-{}", utc, copy);
@@ -182,6 +185,8 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
 }
 
 std::optional<std::string> read_file(const std::filesystem::path& file) {
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(file, unknown)) return std::nullopt;  // a pipe would block
   std::ifstream in(file, std::ios::binary);
   if (!in) return std::nullopt;
   std::ostringstream text;

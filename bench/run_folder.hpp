@@ -115,7 +115,7 @@ void write_file(const std::filesystem::path& file, const std::string& text);
 /// Where write_file() drafts the new text. A kill may leave it there.
 std::filesystem::path draft_of(const std::filesystem::path& file);
 
-/// The text of a file; nullopt if it cannot be read.
+/// The text of a regular file; nullopt if it is none or cannot be read.
 std::optional<std::string> read_file(const std::filesystem::path& file);
 
 }  // namespace rvbench::bench

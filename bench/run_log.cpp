@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
 #include "bench/run_folder.hpp"
 
@@ -40,11 +39,13 @@ RunLog::RunLog(const std::filesystem::path& file, ProgressBar& bar)
     : descriptor_(::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644)),
       bar_(bar),
       events_(events_in(file)) {
-  if (descriptor_ < 0) throw std::system_error(errno, std::generic_category(), file.string());
+  if (descriptor_ < 0) error_ = errno;
   if (ends_within_a_line(file)) write("\n");  // a killed run's: the next event needs its own
 }
 
-RunLog::~RunLog() { ::close(descriptor_); }
+RunLog::~RunLog() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
 
 void RunLog::progress(double done_s, double total_s, const std::string& doing) {
   bar_.show("measure", total_s > 0 ? done_s / total_s : 0, doing);
@@ -57,6 +58,7 @@ void RunLog::event(double time_s, const std::string& text) {
 }
 
 void RunLog::write(const std::string& text) {
+  if (descriptor_ < 0) return;
   for (std::size_t written = 0; written < text.size();) {
     const ssize_t more = ::write(descriptor_, text.data() + written, text.size() - written);
     if (more < 0 && errno == EINTR) continue;

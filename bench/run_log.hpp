@@ -14,8 +14,8 @@ namespace rvbench::bench {
 /// line, each written out at once.
 class RunLog final : public sequences::RunObserver {
  public:
-  /// Appends to the file; what it holds are events of the same run before it was resumed.
-  /// @throws std::system_error if it cannot be opened
+  /// Appends to the file; what it holds are events of the same run before it was resumed. error()
+  /// tells if it cannot be opened.
   RunLog(const std::filesystem::path& file, ProgressBar& bar);
   ~RunLog() override;
   RunLog(const RunLog&) = delete;
@@ -27,7 +27,9 @@ class RunLog final : public sequences::RunObserver {
   /// Of the whole run. The rig's time starts anew with each part of it.
   const std::vector<std::pair<double, std::string>>& events() const { return events_; }
 
-  int error() const { return error_; }  ///< errno of the first line that could not be written, or 0
+  int error() const {
+    return error_;
+  }  ///< errno of what could not be opened or written first, or 0
 
  private:
   void write(const std::string& text);

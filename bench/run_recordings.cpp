@@ -49,7 +49,9 @@ Status drop_empty_recordings(const std::filesystem::path& folder) {
     const Result<bool> empty = is_empty(*opened.value());
     if (!empty) return empty.error();
     if (!empty.value()) break;
-    std::filesystem::remove(folder / *name);
+    std::error_code error;
+    std::filesystem::remove(folder / *name, error);
+    if (error) return IoError{IoErrc::refused, *name + ": " + error.message()};
   }
   return Done{};
 }

@@ -1,5 +1,6 @@
 #include "bench/run_results.hpp"
 
+#include <exception>
 #include <memory>
 #include <optional>
 #include <system_error>
@@ -53,6 +54,11 @@ void write_report(const std::filesystem::path& folder, const Judgement& judgemen
 std::vector<std::string> unwritten_files(const std::filesystem::path& folder,
                                          const std::vector<ResultFile>& files) {
   std::vector<std::string> missing;
+  const auto give_up = [&](const std::string& name, const std::string& why) {
+    missing.push_back(name + ": " + why);
+    std::error_code ignored;
+    std::filesystem::remove(folder / name, ignored);
+  };
   for (const ResultFile& file : files) {
     try {
       file.write();
@@ -60,9 +66,9 @@ std::vector<std::string> unwritten_files(const std::filesystem::path& folder,
       // The sums come to grief over another file's: then that one is named.
       const std::string what = error.what();
       const bool is_its_own = what.starts_with((folder / file.name).string());
-      missing.push_back(file.name + ": " + (is_its_own ? error.code().message() : what));
-      std::error_code ignored;
-      std::filesystem::remove(folder / file.name, ignored);
+      give_up(file.name, is_its_own ? error.code().message() : what);
+    } catch (const std::exception& bug) {  // of the one text, not of the run
+      give_up(file.name, std::string("internal: ") + bug.what());
     }
   }
   return missing;

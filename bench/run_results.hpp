@@ -10,7 +10,7 @@
 
 namespace rvbench::bench {
 
-/// A file that tells a judgement, and what writes it; it may throw std::system_error.
+/// A file that tells a judgement, and what writes it; it may throw.
 struct ResultFile {
   std::string name;
   std::function<void()> write;

@@ -1,6 +1,7 @@
 #include "bench/run_start.hpp"
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "bench/run_folder.hpp"
@@ -43,7 +44,11 @@ std::variant<RunPlace, std::string> resume_run(const std::filesystem::path& root
     return serial + " has no unfinished run to resume";
   }
   for (const auto& [name, text] : resolved) {
-    if (read_file(place.folder / name) == text) continue;
+    const auto there = read_file(place.folder / name);
+    if (there == text) continue;
+    if (!there || !nlohmann::json::accept(*there)) {
+      return (place.folder / name).string() + " is damaged: nobody knows what the run was";
+    }
     return (place.folder / name).string() + " says something else; resume with what it says";
   }
   return place;

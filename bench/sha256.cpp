@@ -17,6 +17,7 @@ namespace rvbench::bench {
 namespace {
 
 constexpr const char* sums_name = "SHA256SUMS";
+constexpr const char* unread = ": is no regular file, or cannot be read";
 constexpr std::size_t hex_digits = 2 * crypto_hash_sha256_BYTES;
 
 class Sha256 {
@@ -39,17 +40,30 @@ class Sha256 {
   crypto_hash_sha256_state state_{};
 };
 
+// Also a link that leads nowhere.
+bool is_there(const std::filesystem::path& file) {
+  std::error_code unknown;
+  const auto type = std::filesystem::symlink_status(file, unknown).type();
+  return type != std::filesystem::file_type::not_found;
+}
+
 struct Contents {
   std::vector<std::string> files, others;
 };
 
-// Of the folder, but for the list itself and a draft of it that a kill has left; sorted by name.
+// A draft of a file of the folder, or of the list, is what a kill has left.
+bool is_left_draft(const std::filesystem::path& folder, const std::string& name) {
+  if (draft_of(sums_name) == name) return true;
+  const std::filesystem::path of = folder / std::filesystem::path(name).stem();
+  return draft_of(of) == folder / name && is_there(of);
+}
+
+// Of the folder, but for the list itself and drafts; sorted by name.
 Contents contents_of(const std::filesystem::path& folder) {
   Contents contents;
-  const std::string draft = draft_of(sums_name).string();
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    if (name == sums_name || name == draft) continue;
+    if (name == sums_name || is_left_draft(folder, name)) continue;
     std::error_code unknown;  // of a link that leads nowhere
     (entry.is_regular_file(unknown) ? contents.files : contents.others).push_back(name);
   }
@@ -62,10 +76,8 @@ Contents contents_of(const std::filesystem::path& folder) {
   throw std::system_error(error, std::generic_category(), file.string());
 }
 
-// One that cannot be read gets no sum either.
 void put_on_disk(const std::filesystem::path& file) {
-  const int error = hal::sync_file(file);
-  if (error != 0 && error != EACCES && error != ENOENT) throw_error(error, file);
+  if (const int error = hal::sync_file(file); error != 0) throw_error(error, file);
 }
 
 // "<64 hex digits>  <name>" → name and hash; nullopt if the line is something else.
@@ -107,7 +119,8 @@ void write_sums(const std::filesystem::path& folder) {
   for (const std::string& name : contents_of(folder).files) {
     put_on_disk(folder / name);
     const std::optional<std::string> sum = sha256_of_file(folder / name);
-    if (sum) text += *sum + "  " + name + "\n";
+    if (!sum) throw_error(EIO, folder / name);
+    text += *sum + "  " + name + "\n";
   }
   write_file(folder / sums_name, text);
 }
@@ -125,6 +138,7 @@ void remove_sums(const std::filesystem::path& folder) {
 
 std::vector<std::string> verify_sums(const std::filesystem::path& folder) {
   const std::optional<std::string> list = read_file(folder / sums_name);
+  if (!list && is_there(folder / sums_name)) return {std::string(sums_name) + unread};
   if (!list) return {std::string(sums_name) + ": missing; the run did not finish"};
   std::vector<std::string> faults;
   std::map<std::string, std::string> sums;
@@ -142,7 +156,7 @@ std::vector<std::string> verify_sums(const std::filesystem::path& folder) {
   }
   for (const auto& [name, sum] : sums) {
     const std::optional<std::string> actual = sha256_of_file(folder / name);
-    if (!actual) faults.push_back(name + ": missing");
+    if (!actual) faults.push_back(name + (is_there(folder / name) ? unread : ": missing"));
     if (actual && *actual != sum) faults.push_back(name + ": does not match its hash");
   }
   const Contents contents = contents_of(folder);

@@ -122,7 +122,7 @@ std::optional<Ending> BenchLoop::arm() {
   if (!waited.met) return end(device_lost("the shaft turns before anybody has commanded it"));
   supervisor_.handle(SupervisorEvent::reset);
   supervisor_.handle(SupervisorEvent::arm);
-  event("armed");
+  event(armed_event);
   if (const std::string why = supervisor_.without_priority(); !why.empty()) {
     event("the supervisor has no real-time priority: " + why);
   }
@@ -183,9 +183,7 @@ std::optional<Ending> BenchLoop::record_point(int point, double input_turns, dou
   const auto result = recorder_.close(status, least_torque_Nm());
   if (!result) return end(recording_failed(result.error()));
   points_.push_back(result.value());
-  if (result.value().status != "ok") {
-    event(fmt::format("point {}: {}", point, result.value().status));
-  }
+  event(fmt::format(point_event, point, result.value().status));
   if (!bus_errors.empty()) event(fmt::format("point {}: {}", point, bus_errors));
   return std::nullopt;
 }
@@ -220,7 +218,7 @@ void BenchLoop::interrupt_record() {
 
 std::optional<Ending> BenchLoop::give_up_point(const hal::PointResult& result) {
   points_.push_back(result);
-  event(fmt::format("point {}: {}", result.point, result.status));
+  event(fmt::format(point_event, result.point, result.status));
   if (Status written = recording_.end_point(result); !written) {
     return end(recording_failed(written.error()));
   }

@@ -23,6 +23,9 @@ struct Waited {
 /// Torque at the output shaft for a load in percent of the rated one.
 double load_torque_Nm(const Specimen& specimen, double load_pct);
 
+inline constexpr const char* armed_event = "armed";         ///< from here on the shaft may turn
+inline constexpr const char* point_event = "point {}: {}";  ///< it has ended; number and status
+
 /// The one loop of a run: phases say what to do and for how long, and every 10 ms of the rig's
 /// time it asks the drive, takes over what the supervisor has read and found, feeds the devices'
 /// watchdogs, and hands samples to the recording.

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -22,10 +23,12 @@ namespace {
 constexpr std::size_t most_bytes_behind = 256UL << 20U;
 constexpr std::size_t most_bytes_of_log = 1UL << 20U;  // some two thousand events
 constexpr double slow_disk_s = 0.5;
+constexpr double most_lag_s = 5;  // what waits would be lost with the process
 constexpr const char* hung =
     "supervisor hung: a device's call does not return, the program must exit";
 constexpr const char* bus_hung =
     "a bus does not tell its counters and never returns, the program must exit";
+constexpr const char* at_rest = "shaft at standstill, brake released";
 const Ending all_well{Outcome::pass, ErrorKind::none, "everything was measured"};
 
 Ending bench_fault(std::string reason) {
@@ -136,10 +139,14 @@ void tell(BenchLoop& loop, const RunSummary& summary, const Ending& measured,
           const Ending& torn_down) {
   const bool more = torn_down.outcome != Outcome::pass && torn_down.reason != measured.reason;
   if (more) loop.event("in teardown: " + torn_down.reason);
-  loop.event(fmt::format("{}: {}; shaft {}, brake {}", to_string(summary.ending.outcome),
-                         summary.ending.reason,
-                         summary.shaft_stopped ? "at standstill" : "not seen at standstill",
-                         summary.brake_released ? "released" : "not seen released"));
+  const std::string rest =
+      summary.shaft_stopped && summary.brake_released
+          ? at_rest
+          : fmt::format("shaft {}, brake {}",
+                        summary.shaft_stopped ? "at standstill" : "not seen at standstill",
+                        summary.brake_released ? "released" : "not seen released");
+  loop.event(
+      fmt::format("{}: {}; {}", to_string(summary.ending.outcome), summary.ending.reason, rest));
 }
 
 // Samples that wait for the disk are lost with the power: at most a second of them, it is said.
@@ -212,6 +219,28 @@ RunSummary run_unhindered(const TestPlan& plan, hal::Rig& rig, hal::RecordingWri
 
 }  // namespace
 
+bool tell_of_rest(const std::vector<std::pair<double, std::string>>& events) {
+  for (auto event = events.rbegin(); event != events.rend(); ++event) {
+    const std::string& text = event->second;
+    if (text == armed_event) return false;  // and what became of it is not told
+    if (text.ends_with(at_rest)) return !text.starts_with(to_string(Outcome::error));
+  }
+  return false;
+}
+
+std::set<int> points_told(const std::vector<std::pair<double, std::string>>& events) {
+  const std::string begin(point_event, std::string_view(point_event).find('{'));
+  std::set<int> points;
+  for (const auto& [time_s, text] : events) {
+    if (!text.starts_with(begin)) continue;
+    int point = 0;
+    const char* const number = text.data() + begin.size();
+    const auto [end, error] = std::from_chars(number, text.data() + text.size(), point);
+    if (error == std::errc() && *end == ':') points.insert(point);
+  }
+  return points;
+}
+
 RunSummary run_sequence(const TestPlan& plan, hal::Rig& rig, hal::RecordingWriter& recording,
                         RunObserver& observer, std::stop_token stop, int first_point) {
   // Virtual time stands still while somebody writes.
@@ -220,7 +249,7 @@ RunSummary run_sequence(const TestPlan& plan, hal::Rig& rig, hal::RecordingWrite
   }
   RunSummary summary = empty_summary();
   Ending written = guarded([&]() -> Ending {
-    Scribe disk(most_bytes_behind);
+    Scribe disk(most_bytes_behind, most_lag_s);
     Scribe log(most_bytes_of_log);
     Scribe screen(most_bytes_of_log);
     RecordingBehind recording_behind(recording, disk);

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hal/recording_file.hpp"
@@ -44,6 +46,13 @@ struct RunSummary {
   /// to the observer, whose log was too far behind or hangs: a run whose log has a hole is an ERROR
   std::size_t events_untold = 0;
 };
+
+/// What the events of a run tell of its last part: that it ended with the shaft at standstill, the
+/// brake released and nothing wrong with the bench. False if they do not tell, as after a kill.
+bool tell_of_rest(const std::vector<std::pair<double, std::string>>& events);
+
+/// The points that the events of a run tell as ended.
+std::set<int> points_told(const std::vector<std::pair<double, std::string>>& events);
 
 /// Setup → main → teardown. Never throws: whatever happens inside ends in teardown, with the
 /// shaft stopped and the brake released, and in an Ending that says why.

@@ -115,6 +115,11 @@ int DevicesCommand::run(Console& console) {
       !std::filesystem::is_regular_file(written_rig_, none)) {
     return refuse_usage(console, "devices: --write-rig " + written_rig_ + " is no regular file");
   }
+  if (std::filesystem::exists(written_rig_, none) &&
+      file_kind(hal::ConfigReader::from_file(written_rig_)) != "rig") {
+    return refuse_usage(console, "devices: --write-rig " + written_rig_ +
+                                     " is there, and is no rig file: it would be lost");
+  }
   try {
     return serve(console, *sim);
   } catch (const std::runtime_error& error) {  // a port that is taken, no such interface

@@ -28,6 +28,7 @@
 #include "bench/summary.hpp"
 #include "bench/timeline_table.hpp"
 #include "bench/verdict_json.hpp"
+#include "hal/did_you_mean.hpp"
 #include "sequences/plan_on_rig.hpp"
 
 namespace rvbench::bench {
@@ -89,11 +90,19 @@ class RunCommand final : public Command {
 
 int RunCommand::run(Console& console) {
   if (serial_.empty() && !dry_run_) return refuse_usage(console, "run: --serial is required");
+  if (serial_.starts_with(' ') || serial_.ends_with(' ')) {
+    return refuse_usage(
+        console, "run: --serial " + hal::in_quotes(serial_) + ": no blank may begin or end it");
+  }
   const auto plan = find_plan(plan_);
   auto file = read_rig(rig_, unit_.rig_options());
   std::variant<hal::Rig, std::vector<hal::ConfigFault>> rig;
   if (file.index() == 0) {
     file_ = std::get<0>(std::move(file));
+    if (!std::holds_alternative<SimRig>(file_) && !unit_.stated().empty()) {
+      return refuse_usage(console, "run: " + unit_.stated() + ": " + rig_ +
+                                       " has a unit of its own, none is simulated");
+    }
     rig = make_rig(file_, rig_);  // opens nothing
   } else {
     rig = std::get<1>(std::move(file));
@@ -138,7 +147,7 @@ int RunCommand::prepare_folder(Console& console, const sequences::TestPlan& plan
 RunFacts RunCommand::facts(const sequences::TestPlan& plan) const {
   RunFacts facts;
   facts.serial = serial_;
-  facts.started_utc = utc_now();
+  facts.started_utc = read_run_begin(place_.folder).started_utc;
   facts.plan = plan.name;
   facts.rig = rig_;
   // A rig file goes before the command line, and a replayed recording has no preset and no seed.
@@ -234,8 +243,10 @@ std::string RunCommand::enter_result(const Judgement& judgement) const {
     entered = database.error();
   }
   if (entered) return "";
-  return "rvbench: " + describe(entered.error()) + "; the result is safe in " +
-         place_.folder.string() + " and will be entered by the next run\n";
+  const std::string what = "rvbench: " + describe(entered.error());
+  if (!judgement.unwritten.empty()) return what + "\n";
+  return what + "; the result is safe in " + place_.folder.string() +
+         " and will be entered by the next run\n";
 }
 
 }  // namespace

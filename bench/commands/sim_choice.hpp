@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "bench/command.hpp"
 #include "bench/file_kind.hpp"
@@ -15,7 +16,8 @@ namespace rvbench::bench {
 class SimChoice {
  public:
   Option preset() {
-    return {"--preset", "simulated unit: " + listed(preset_names()) + "; default: " + preset_,
+    return {"--preset",
+            "simulated unit: " + listed(preset_names()) + "; default: " + RigOptions().preset,
             &preset_};
   }
   Option seed() {
@@ -26,12 +28,20 @@ class SimChoice {
             {},
             max_seed};
   }
+  /// The options that were given, as they were typed; "" if none was.
+  std::string stated() const {
+    std::vector<std::string> names;
+    if (!preset_.empty()) names.emplace_back("--preset");
+    if (seed_) names.emplace_back("--seed");
+    return listed(names);
+  }
   RigOptions rig_options() const {
-    return {.preset = preset_, .seed = seed_.value_or(RigOptions().seed)};
+    return {.preset = preset_.empty() ? RigOptions().preset : preset_,
+            .seed = seed_.value_or(RigOptions().seed)};
   }
 
  private:
-  std::string preset_ = RigOptions().preset;
+  std::string preset_;
   std::optional<std::uint64_t> seed_;
 };
 

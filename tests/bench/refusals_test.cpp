@@ -139,11 +139,47 @@ TEST_CASE("a report that cannot be written is refused, not an internal error", "
   const ScratchFolder run;
   write_file(run.path() / "plan.json", sequences::plan_to_json(std::get<0>(find_plan("quick"))));
   write_file(run.path() / "verdict.json", judgement_to_json(test::passed_run()));
+  write_file(run.path() / "report.html", "");
   write_sums(run.path());
   std::filesystem::create_directory(run.path() / "report.html.draft");  // as good as no room
   const Answer answer = rvbench({"report", run.path().string()});
   CHECK(answer.code == 2);
   CHECK_THAT(answer.err, Contains("report: cannot be written") && Contains("Is a directory"));
+}
+
+TEST_CASE("an option whose value is empty takes no other option for it", "[bench][safety]") {
+  const ScratchFolder scratch;
+  const std::string runs = (scratch.path() / "runs").string();
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{"--serial=", "--dry-run"}, {"--serial", "", "--dry-run"}}) {
+    std::vector<std::string> words{"run", "quick", "--rig", "sim", "--out", runs};
+    words.insert(words.end(), more.begin(), more.end());
+    const Answer answer = rvbench(words);
+    CHECK(answer.code == 2);
+    CHECK_FALSE(std::filesystem::exists(runs));
+  }
+  const Answer blank = rvbench({"run", "quick", "--rig", "sim", "--out", runs, "--serial", "A1 "});
+  CHECK(blank.code == 2);
+  CHECK_THAT(blank.err, Contains("no blank may begin or end it"));
+}
+
+TEST_CASE("a unit is simulated on the simulated bench only", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string rig = (scratch.path() / "rig.json").string();
+  write_file(rig, R"({"rig": "replay", "recording": "none.h5"})");
+  const Answer answer = rvbench({"run", "quick", "--rig", rig, "--serial", "A", "--seed", "3"});
+  CHECK(answer.code == 2);
+  CHECK_THAT(answer.err, Contains("--seed") && Contains("none is simulated"));
+}
+
+TEST_CASE("devices write over a rig file and over no other", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string mine = (scratch.path() / "mine.txt").string();
+  write_file(mine, "dear diary");
+  const Answer answer = rvbench({"devices", "--rig", "sim", "--write-rig", mine});
+  CHECK(answer.code == 2);
+  CHECK_THAT(answer.err, Contains("it would be lost"));
+  CHECK(read_file(mine) == "dear diary");
 }
 
 }  // namespace rvbench::bench

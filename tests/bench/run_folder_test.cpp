@@ -182,7 +182,19 @@ TEST_CASE("SHA256SUMS tells a sound folder from a tampered one", "[bench]") {
     CHECK(verify_sums(folder.path()) == foreign);
     std::filesystem::remove(folder.path() / "verdict.json");
     REQUIRE(mkfifo((folder.path() / "verdict.json").c_str(), 0600) == 0);
-    CHECK(verify_sums(folder.path()).front() == "verdict.json: missing");
+    CHECK(verify_sums(folder.path()).front() ==
+          "verdict.json: is no regular file, or cannot be read");
+    std::filesystem::remove(folder.path() / "SHA256SUMS");
+    REQUIRE(mkfifo((folder.path() / "SHA256SUMS").c_str(), 0600) == 0);
+    CHECK(verify_sums(folder.path()).front() ==
+          "SHA256SUMS: is no regular file, or cannot be read");
+  }
+  SECTION("a draft that a kill left of any file is none of the files") {
+    std::ofstream(folder.path() / "verdict.json.draft") << "half";
+    CHECK(verify_sums(folder.path()).empty());
+    std::ofstream(folder.path() / "stranger.draft") << "half";
+    CHECK(verify_sums(folder.path()) ==
+          std::vector<std::string>{"stranger.draft: not listed in SHA256SUMS"});
   }
   SECTION("a list that a kill left half written is none of the files") {
     std::ofstream(folder.path() / "SHA256SUMS.draft") << "half";

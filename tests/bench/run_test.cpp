@@ -97,7 +97,36 @@ TEST_CASE("a run whose points are all measured is resumed by judging them", "[be
   const auto after = nlohmann::json::parse(read_file(folder / "verdict.json").value());
   CHECK(after.at("points") == before.at("points"));
   CHECK(after.at("verdict") == before.at("verdict"));
+  CHECK(after.at("run").at("shaft_stopped") == true);
+  CHECK(after.at("run").at("started_utc") == before.at("run").at("started_utc"));
   CHECK(verify_sums(folder).empty());
+
+  SECTION("points that are no longer in a recording are measured again, and it is said") {
+    std::filesystem::remove(folder / "verdict.json");
+    std::filesystem::remove(folder / "recording.h5");
+    CHECK(run({"--resume"}) == code);
+    const auto again = nlohmann::json::parse(read_file(folder / "verdict.json").value());
+    const std::string quality = again.at("quality").dump();
+    CHECK_THAT(quality,
+               Catch::Contains("no longer in the run's recordings") && Catch::Contains("points 0"));
+    CHECK_THAT(read_file(folder / "log.jsonl").value(),
+               Catch::Contains("warning: measured before"));
+  }
+  SECTION("unless its bench was not seen at rest: then the last point is measured again") {
+    std::filesystem::remove(folder / "verdict.json");
+    const std::string good_end = "shaft at standstill, brake released";
+    REQUIRE(log.find(good_end) != std::string::npos);
+    std::string bad_end = log;
+    bad_end.replace(bad_end.find(good_end), good_end.size(),
+                    "shaft not seen at standstill, brake released");
+    write_file(folder / "log.jsonl", bad_end);
+    CHECK(run({"--resume"}) == code);
+    CHECK(std::filesystem::exists(folder / "recording-2.h5"));
+    const auto again = nlohmann::json::parse(read_file(folder / "verdict.json").value());
+    CHECK(again.at("run").at("shaft_stopped") == true);
+    CHECK(again.at("run").at("resumed_at_point") == 0);
+    CHECK(verify_sums(folder).empty());
+  }
 }
 
 }  // namespace rvbench::bench

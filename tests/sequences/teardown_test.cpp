@@ -163,3 +163,20 @@ TEST_CASE("without standstill the brake is released at the time-out", "[sequence
   CHECK(summary.brake_released);
   CHECK(run.world().brake_released_s() - run.stopped_s() == Approx(10).margin(0.2));
 }
+
+TEST_CASE("whether a run came to rest is read off its events", "[sequences][safety]") {
+  using sequences::tell_of_rest;
+  const std::pair<double, std::string> begun{1, "armed"},
+      passed{9, "PASS: everything was measured; shaft at standstill, brake released"},
+      aborted{9, "ABORTED: stopped by the operator; shaft at standstill, brake released"},
+      tripped{9, "ERROR: torque 20 N·m; shaft at standstill, brake released"},
+      unseen{9, "PASS: everything was measured; shaft not seen at standstill, brake released"},
+      later{10, "supervisor: 7 rounds"};
+  CHECK(tell_of_rest({begun, passed}));
+  CHECK(tell_of_rest({begun, aborted, later}));
+  CHECK(tell_of_rest({begun, tripped, begun, passed}));
+  CHECK_FALSE(tell_of_rest({begun, tripped}));
+  CHECK_FALSE(tell_of_rest({begun, unseen}));
+  CHECK_FALSE(tell_of_rest({begun, passed, begun}));  // killed in its second part
+  CHECK_FALSE(tell_of_rest({}));
+}
