@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/emd/sift_chain.hpp"
+#include "analysis/emd/imf_sift.hpp"
 
 namespace rvbench::analysis {
 void check(const EmdOptions& options) {
@@ -26,15 +26,15 @@ Emd emd(const Eigen::Ref<const Eigen::VectorXd>& x, const EmdOptions& options) {
   const double offset = n > 0 ? x.mean() : 0;  // would cost the modes digits
   result.residue.array() -= offset;
 
-  SiftChain sifts(options.sifts, options.rule);
+  ImfSift sift(options);
   int found = 0;
   for (; found < options.imfs; ++found) {
     auto imf = result.imfs.col(found);
     imf = result.residue;
-    if (!sifts.turn_into_imf(imf, found)) break;
+    if (!sift.turn_into_imf(imf, found)) break;
     result.residue -= imf;
     const Eigen::Index inherited = found > 0 ? result.unreliable_ends.back() : 0;
-    result.unreliable_ends.push_back(std::max(inherited, sifts.unreliable_end(n)));
+    result.unreliable_ends.push_back(std::max(inherited, sift.unreliable_end(n)));
   }
   result.imfs.conservativeResize(n, found);
   result.residue.array() += offset;

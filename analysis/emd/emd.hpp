@@ -4,15 +4,17 @@
 #include <vector>
 
 #include "analysis/emd/sift.hpp"
+#include "analysis/emd/stopping.hpp"
 
 namespace rvbench::analysis {
 
-/// How often an IMF is sifted. A fixed count is the only rule whose modes do not depend on the
-/// length of the record; others are added as further rules by name.
+/// How a signal is decomposed. A fixed count of sifts is the only way to stop whose modes do not
+/// depend on the length of the record.
 struct EmdOptions {
   int imfs = 9;    ///< at most; fewer if the residue runs out of extrema
-  int sifts = 10;  ///< per IMF (Wu & Huang 2004)
+  int sifts = 10;  ///< per IMF (Wu & Huang 2004); with a rule, at most
   SiftRule rule = {};
+  const StoppingRule* stopping = nullptr;  ///< stops sifting an IMF before that
 };
 
 /// @throws std::invalid_argument naming the option that is not positive
@@ -30,10 +32,10 @@ struct Emd {
 
 /// Empirical mode decomposition.
 ///
-/// Envelopes are cubic splines through maxima and minima, by default natural ones with two of each
-/// mirrored past either end. A plateau counts as one extremum at its middle; with fewer than three
-/// extrema x is all residue. Scale, offset and time reversal of x scale, leave and reverse the IMFs
-/// (to rounding).
+/// Envelopes are cubic splines through maxima and minima, by default natural ones with one
+/// mean swing past either end. A plateau counts as one extremum at its middle; with fewer than
+/// three extrema x is all residue. Scale, offset and time reversal of x scale, leave and reverse
+/// the IMFs (to rounding).
 ///
 /// Shape   N samples → up to options.imfs columns; any N
 /// Threads any number at once; the result does not depend on them

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <vector>
 
 #include "analysis/emd/knots.hpp"
 
@@ -21,8 +22,16 @@ struct EndRule {
   ///               them must be left
   void (*end)(double last_sample, Eigen::Index last, std::size_t count, Knots& extrema);
 
-  static constexpr std::size_t looks_at = 5;
+  static constexpr std::size_t looks_at = 13;
 };
+
+/// One swing goes on past the end, with the mean values and the mean period of the last six of
+/// each kind; an end sample that is further out than the first extremum so found takes its place.
+/// Of what is to come, the mean is the guess with the least error: a mirror image is one that could
+/// have been, and errs by its own chance as well.
+///
+/// Source  Huang et al., Proc. R. Soc. A 454, 903-995 (1998): characteristic waves
+const EndRule& averaged_ends();
 
 /// Extrema are mirrored, two of each kind. The axis is the outermost extremum if the end sample
 /// lies between it and the next one and the mirrored ones reach past the end; otherwise the end
@@ -36,5 +45,16 @@ const EndRule& mirrored_ends();
 ///
 /// Source  Wu & Huang, Adv. Adapt. Data Anal. 1, 1-41 (2009)
 const EndRule& linear_ends();
+
+/// The last two swings go on past the end, as steep as they were; an end sample that is further out
+/// than the first extremum so found takes its place. Both kinds keep the period of the outermost
+/// extremum's kind: with one for each, those of an irregular signal would not alternate.
+///
+/// Source  Datig & Schlurmann, Ocean Eng. 31, 1783-1834 (2004); Wu & Qu, J. Sound Vib. 314, 586-602
+///         (2008) for the end sample
+const EndRule& slope_ends();
+
+/// All of them.
+const std::vector<const EndRule*>& end_rules();
 
 }  // namespace rvbench::analysis

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/emd/imf_sift.hpp"
 #include "analysis/emd/sift_chain.hpp"
 #include "hal/types/parallel_for.hpp"
 
@@ -58,13 +59,13 @@ Eigen::VectorXd mean_of_members(
 // What a member knows: its noise, as far as its IMFs were not taken yet.
 struct Member {
   Eigen::VectorXd noise;
-  SiftChain sifts;
+  ImfSift sift;
 };
 
 // The next IMF of its noise; none if it has no more.
 Eigen::VectorXd next_noise(Member& member, int imf) {
   Eigen::VectorXd next = member.noise;
-  if (!member.sifts.turn_into_imf(next, imf)) return Eigen::VectorXd::Zero(next.size());
+  if (!member.sift.turn_into_imf(next, imf)) return Eigen::VectorXd::Zero(next.size());
   member.noise -= next;
   return next;
 }
@@ -72,8 +73,7 @@ Eigen::VectorXd next_noise(Member& member, int imf) {
 std::vector<Member> members_of(Eigen::Index samples, const EnsembleOptions& options) {
   std::vector<Member> members;
   for (Eigen::Index i = 0; i < options.members; ++i) {
-    members.push_back(
-        {white_noise(samples, options.seed, i), SiftChain(options.emd.sifts, options.emd.rule)});
+    members.push_back({white_noise(samples, options.seed, i), ImfSift(options.emd)});
   }
   return members;
 }
@@ -113,7 +113,7 @@ Emd by_stages(const Eigen::Ref<const Eigen::VectorXd>& x, const EnsembleOptions&
       Member& member = members[std::size_t(i)];
       const Eigen::VectorXd noisy = before + added_noise(member, kind, found, size);
       given = noisy;
-      const bool is_imf = member.sifts.turn_into_imf(given, found);
+      const bool is_imf = member.sift.turn_into_imf(given, found);
       if (kind == Kind::improved) given = is_imf ? Eigen::VectorXd(noisy - given) : noisy;
       if (kind == Kind::complete && !is_imf) given.setZero();
     };
@@ -121,7 +121,7 @@ Emd by_stages(const Eigen::Ref<const Eigen::VectorXd>& x, const EnsembleOptions&
     result.residue = kind == Kind::improved ? mean : Eigen::VectorXd(before - mean);
     result.imfs.col(found) = before - result.residue;
     const Eigen::Index inherited = found > 0 ? result.unreliable_ends.back() : 0;
-    const Eigen::Index own = members.front().sifts.unreliable_end(n);
+    const Eigen::Index own = members.front().sift.unreliable_end(n);
     result.unreliable_ends.push_back(std::max(inherited, own));
   }
   result.imfs.conservativeResize(n, found);

@@ -1,6 +1,7 @@
 #include "analysis/emd/live_emd.hpp"
 
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace rvbench::analysis {
@@ -12,6 +13,10 @@ constexpr Eigen::Index most_kept = 1 << 16;  // samples of a stage that are fina
 
 LiveEmd::LiveEmd(const EmdOptions& options) {
   check(options);
+  if (options.stopping != nullptr) {
+    throw std::invalid_argument(std::string("LiveEmd: the rule ") + options.stopping->name +
+                                " needs all of a signal to stop; live, sifts are counted");
+  }
   for (int imf = 0; imf < options.imfs; ++imf) {
     stages_.emplace_back(options);
     stages_.back().chain.begin(imf);

@@ -14,7 +14,7 @@ inline constexpr std::size_t least_extrema = 3;
 
 /// How envelopes are drawn.
 struct SiftRule {
-  const EndRule* ends = &mirrored_ends();
+  const EndRule* ends = &averaged_ends();
   SplineEnds spline = SplineEnds::natural;
 };
 

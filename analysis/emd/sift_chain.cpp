@@ -1,7 +1,6 @@
 #include "analysis/emd/sift_chain.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace rvbench::analysis {
 namespace {
@@ -38,19 +37,12 @@ bool SiftChain::turn_into_imf(Eigen::Ref<Eigen::VectorXd> h, int imf) {
   return extrema() >= least_extrema;
 }
 
-// How far the end rule reaches in: beyond it an IMF is within 1 % of its rms of what a longer
-// record gives, at 19 of 20 ends. Measured in mean periods of the IMF on white noise and on gear
-// signals, 1 to 40 sifts. The power: what an envelope leaves of a slow swing of frequency f goes
-// with f⁴, so n sifts see swings down to n^(-1/4) of the IMF's own.
-Eigen::Index SiftChain::unreliable_end(Eigen::Index samples) const {
-  std::size_t sifted = least_extrema;  // by the last sift that found enough of them
+std::size_t SiftChain::sifted_extrema() const {
+  std::size_t sifted = 0;
   for (const Sift& sift : sifts_) {
     if (sift.extrema() >= least_extrema) sifted = sift.extrema();
   }
-  const auto all = static_cast<double>(samples);
-  const double period = 2 * all / static_cast<double>(sifted);
-  const double reach = 6 * period * std::pow(static_cast<double>(sifts_.size()), 0.25);
-  return static_cast<Eigen::Index>(std::ceil(std::min(reach, all)));
+  return sifted;
 }
 
 }  // namespace rvbench::analysis

@@ -30,10 +30,9 @@ class SiftChain {
   /// @return whether it does
   bool turn_into_imf(Eigen::Ref<Eigen::VectorXd> h, int imf);
 
-  /// So many samples at either end of the IMF are not to be relied on: see Emd::unreliable_ends.
-  Eigen::Index unreliable_end(Eigen::Index samples) const;
-
+  std::size_t sifts() const { return sifts_.size(); }
   std::size_t extrema() const { return sifts_.front().extrema(); }  ///< before any sift
+  std::size_t sifted_extrema() const;  ///< of the last sift that found enough of them; or 0
 
  private:
   std::vector<Sift> sifts_;

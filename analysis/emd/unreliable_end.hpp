@@ -1,0 +1,14 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+
+namespace rvbench::analysis {
+
+/// So many samples at either end of an IMF are not to be relied on: see Emd::unreliable_ends.
+/// @param samples  of the signal
+/// @param extrema  that the last sift found
+/// @param sifts    there were, at least 1
+Eigen::Index unreliable_end(Eigen::Index samples, std::size_t extrema, std::size_t sifts);
+
+}  // namespace rvbench::analysis
