@@ -39,57 +39,71 @@ Eigen::VectorXd white_noise(Eigen::Index samples, std::uint64_t seed, Eigen::Ind
   return Eigen::VectorXd::NullaryExpr(samples, [&] { return normal(generator); });
 }
 
+// Has a member give what it has. `sift` is nobody else's meanwhile.
+using Give =
+    std::function<void(std::size_t member, ImfSift& sift, Eigen::Ref<Eigen::VectorXd> given)>;
+
 // Sums what each member gives, in their order: the result does not depend on the threads.
-Eigen::VectorXd mean_of_members(
-    Eigen::Index samples, const EnsembleOptions& options,
-    const std::function<void(Eigen::Index, Eigen::Ref<Eigen::VectorXd>)>& give) {
+// @param sifts  one for each member of a batch
+Eigen::VectorXd mean_of_members(Eigen::Index samples, const EnsembleOptions& options,
+                                std::vector<ImfSift>& sifts, const Give& give) {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(samples);
   Eigen::MatrixXd given(samples, std::min<Eigen::Index>(batch, options.members));
   for (Eigen::Index first = 0; first < options.members; first += batch) {
     const Eigen::Index count = std::min(batch, options.members - first);
     parallel_for(
         std::size_t(count),
-        [&](std::size_t i) { give(first + Eigen::Index(i), given.col(Eigen::Index(i))); },
+        [&](std::size_t i) { give(std::size_t(first) + i, sifts[i], given.col(Eigen::Index(i))); },
         options.threads);
     for (Eigen::Index i = 0; i < count; ++i) sum += given.col(i);
   }
   return sum / options.members;
 }
 
-// What a member knows: its noise, as far as its IMFs were not taken yet.
-struct Member {
-  Eigen::VectorXd noise;
-  ImfSift sift;
-};
+// The noise of each member, as far as its IMFs were not taken yet.
+std::vector<Eigen::VectorXd> noise_of_members(Eigen::Index samples,
+                                              const EnsembleOptions& options) {
+  std::vector<Eigen::VectorXd> noise(std::size_t(options.members));
+  parallel_for(
+      noise.size(),
+      [&](std::size_t i) { noise[i] = white_noise(samples, options.seed, Eigen::Index(i)); },
+      options.threads);
+  return noise;
+}
 
 // The next IMF of its noise; none if it has no more.
-Eigen::VectorXd next_noise(Member& member, int imf) {
-  Eigen::VectorXd next = member.noise;
-  if (!member.sift.turn_into_imf(next, imf)) return Eigen::VectorXd::Zero(next.size());
-  member.noise -= next;
-  return next;
-}
-
-std::vector<Member> members_of(Eigen::Index samples, const EnsembleOptions& options) {
-  std::vector<Member> members;
-  for (Eigen::Index i = 0; i < options.members; ++i) {
-    members.push_back({white_noise(samples, options.seed, i), ImfSift(options.emd)});
+void take_next_noise(Eigen::VectorXd& noise, ImfSift& sift, int imf,
+                     Eigen::Ref<Eigen::VectorXd> taken) {
+  taken = noise;
+  if (sift.turn_into_imf(taken, imf)) {
+    noise -= taken;
+  } else {
+    taken.setZero();
   }
-  return members;
 }
 
-Eigen::VectorXd scaled_to(double size, const Eigen::VectorXd& noise) {
+double scale_to(double size, const Eigen::Ref<const Eigen::VectorXd>& noise) {
   const double own = deviation(noise);
-  return own > 0 ? Eigen::VectorXd(noise * (size / own)) : noise;
+  return own > 0 ? size / own : 1;
 }
 
 enum class Kind { complete, improved };
 
 // The noise that a member adds to what is left of the signal before IMF number `imf`.
-Eigen::VectorXd added_noise(Member& member, Kind kind, int imf, double size) {
-  if (kind == Kind::complete && imf == 0) return scaled_to(size, member.noise);
-  const Eigen::VectorXd next = next_noise(member, kind == Kind::complete ? imf - 1 : imf);
-  return kind == Kind::improved && imf > 0 ? Eigen::VectorXd(size * next) : scaled_to(size, next);
+void give_noise(Eigen::VectorXd& noise, ImfSift& sift, Kind kind, int imf, double size,
+                Eigen::Ref<Eigen::VectorXd> given) {
+  if (kind == Kind::complete && imf == 0) {
+    given = noise;
+  } else {
+    take_next_noise(noise, sift, kind == Kind::complete ? imf - 1 : imf, given);
+  }
+  given *= kind == Kind::improved && imf > 0 ? size : scale_to(size, given);
+}
+
+// What the fastest IMF leaves of h.
+void leave_imf_out(ImfSift& sift, int imf, Eigen::Ref<Eigen::VectorXd> h) {
+  const Eigen::VectorXd whole = h;
+  if (sift.turn_into_imf(h, imf)) h = whole - h;
 }
 
 bool swings(const Eigen::VectorXd& x, const EmdOptions& options) {
@@ -104,24 +118,26 @@ Emd by_stages(const Eigen::Ref<const Eigen::VectorXd>& x, const EnsembleOptions&
   Emd result{.imfs = Eigen::MatrixXd(n, options.emd.imfs), .residue = x, .unreliable_ends = {}};
   const double offset = n > 0 ? x.mean() : 0;  // would cost the modes digits
   result.residue.array() -= offset;
-  std::vector<Member> members = members_of(n, options);
+  std::vector<Eigen::VectorXd> noise = noise_of_members(n, options);
+  std::vector<ImfSift> sifts(std::size_t(batch), ImfSift(options.emd));
   int found = 0;
   for (; found < options.emd.imfs && swings(result.residue, options.emd); ++found) {
     const Eigen::VectorXd before = result.residue;
     const double size = options.noise * deviation(before);
-    const auto give = [&](Eigen::Index i, Eigen::Ref<Eigen::VectorXd> given) {
-      Member& member = members[std::size_t(i)];
-      const Eigen::VectorXd noisy = before + added_noise(member, kind, found, size);
-      given = noisy;
-      const bool is_imf = member.sift.turn_into_imf(given, found);
-      if (kind == Kind::improved) given = is_imf ? Eigen::VectorXd(noisy - given) : noisy;
-      if (kind == Kind::complete && !is_imf) given.setZero();
+    const auto give = [&](std::size_t i, ImfSift& sift, Eigen::Ref<Eigen::VectorXd> given) {
+      give_noise(noise[i], sift, kind, found, size, given);
+      given += before;
+      if (kind == Kind::improved) {
+        leave_imf_out(sift, found, given);
+      } else if (!sift.turn_into_imf(given, found)) {
+        given.setZero();
+      }
     };
-    const Eigen::VectorXd mean = mean_of_members(n, options, give);
+    const Eigen::VectorXd mean = mean_of_members(n, options, sifts, give);
     result.residue = kind == Kind::improved ? mean : Eigen::VectorXd(before - mean);
     result.imfs.col(found) = before - result.residue;
     const Eigen::Index inherited = found > 0 ? result.unreliable_ends.back() : 0;
-    const Eigen::Index own = members.front().sift.unreliable_end(n);
+    const Eigen::Index own = sifts.front().unreliable_end(n);
     result.unreliable_ends.push_back(std::max(inherited, own));
   }
   result.imfs.conservativeResize(n, found);
