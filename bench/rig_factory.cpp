@@ -78,8 +78,12 @@ nlohmann::ordered_json to_json(const SimRig& rig) {
   for (const ScheduledFault& fault : rig.faults) {
     faults.push_back({{"at_s", fault.at_s}, {"device", fault.device}, {"fault", fault.fault}});
   }
-  return {{"rig", "sim"},       {"preset", rig.preset},         {"seed", rig.seed},
-          {"plant", rig.plant}, {"watchdog_s", rig.watchdog_s}, {"faults", faults}};
+  nlohmann::ordered_json json{{"rig", "sim"}, {"preset", rig.preset}, {"seed", rig.seed}};
+  if (rig.severity) json["severity"] = *rig.severity;
+  json["plant"] = rig.plant;
+  json["watchdog_s"] = rig.watchdog_s;
+  json["faults"] = faults;
+  return json;
 }
 
 nlohmann::ordered_json to_json(const ReplayRig& rig) {

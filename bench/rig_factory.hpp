@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -16,6 +17,7 @@ inline constexpr std::uint64_t max_seed = (1ULL << 53U) - 1;  ///< what a JSON n
 struct RigOptions {
   std::string preset = "healthy";
   std::uint64_t seed = 1;
+  std::optional<double> severity = {};  ///< of the preset's fault; none: the seed draws it
 };
 
 /// What RigOptions::preset may be.

@@ -1,5 +1,7 @@
 #include "bench/rig_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,6 +18,13 @@ std::string preset_fault(const std::string& preset) {
   return "no preset " + hal::in_quotes(preset) + what_there_is(preset, names);
 }
 
+constexpr hal::Bounds severities{0, 100};
+
+std::string severity_fault(std::optional<double> severity) {
+  if (!severity || (*severity >= severities.min && *severity <= severities.max)) return "";
+  return fmt::format("severity {} is outside {} to {}", *severity, severities.min, severities.max);
+}
+
 SimRig read_sim(hal::ConfigReader& root, const RigOptions& options) {
   SimRig sim;
   sim.preset = root.text("preset", options.preset);
@@ -26,6 +35,8 @@ SimRig read_sim(hal::ConfigReader& root, const RigOptions& options) {
     if (seed != std::floor(seed)) root.fault("seed", "expected a whole number");
     sim.seed = static_cast<std::uint64_t>(seed);
   }
+  sim.severity = options.severity;
+  if (root.has("severity")) sim.severity = root.number("severity", severities);
   sim.plant = root.text("plant", sim.plant);
   sim.watchdog_s = root.number("watchdog_s", {0, 100}, sim.watchdog_s);
   for (hal::ConfigReader& entry : root.objects("faults", false)) {
@@ -57,9 +68,18 @@ std::variant<RigFile, std::vector<hal::ConfigFault>> read_rig(const std::string&
                                                               const RigOptions& options) {
   using Faults = std::vector<hal::ConfigFault>;
   if (rig == "sim") {
-    const std::string fault = preset_fault(options.preset);
-    if (!fault.empty()) return Faults{{0, "/preset", fault}};
-    return RigFile(SimRig{.preset = options.preset, .seed = options.seed, .faults = {}});
+    Faults faults;
+    if (const auto fault = preset_fault(options.preset); !fault.empty()) {
+      faults.push_back({0, "/preset", fault});
+    }
+    if (const auto fault = severity_fault(options.severity); !fault.empty()) {
+      faults.push_back({0, "/severity", fault});
+    }
+    if (!faults.empty()) return faults;
+    return RigFile(SimRig{.preset = options.preset,
+                          .seed = options.seed,
+                          .severity = options.severity,
+                          .faults = {}});
   }
   if (is_absent(rig)) {
     return Faults{

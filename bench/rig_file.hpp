@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -20,6 +21,8 @@ struct ScheduledFault {
 struct SimRig {
   std::string preset;
   std::uint64_t seed = 1;
+  std::optional<double>
+      severity;  ///< of the fault, in those of the preset; none: the seed draws it
   std::string plant = "rv20e_bench";  ///< shipped, or a plant file: what turns, as on the drawing
   double watchdog_s = 1;              ///< of the inverter; 0 = off
   std::vector<ScheduledFault> faults;

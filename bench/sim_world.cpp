@@ -44,8 +44,9 @@ std::variant<std::unique_ptr<sim::BenchWorld>, std::vector<hal::ConfigFault>> ma
   if (plant.index() == 1) return std::get<1>(plant);
   try {
     return std::make_unique<sim::BenchWorld>(
-        rig.preset, rig.seed, sim::InverterParameters{.comm_loss_timeout_s = rig.watchdog_s},
-        std::get<0>(plant), inverter_port);
+        sim::draw_unit(rig.preset, rig.seed, rig.severity),
+        sim::InverterParameters{.comm_loss_timeout_s = rig.watchdog_s}, std::get<0>(plant),
+        inverter_port);
   } catch (const std::invalid_argument& error) {
     return std::vector<hal::ConfigFault>{{0, "/preset", error.what()}};
   }

@@ -36,10 +36,9 @@ std::vector<ChannelInfo> triaxial_channels() {
 
 }  // namespace
 
-BenchWorld::BenchWorld(const std::string& preset, std::uint64_t seed,
-                       const InverterParameters& inverter, const PlantSpec& plant,
+BenchWorld::BenchWorld(RvUnit unit, const InverterParameters& inverter, const PlantSpec& plant,
                        std::uint16_t inverter_port)
-    : plant_(draw_unit(preset, seed), plant),
+    : plant_(std::move(unit), plant),
       inverter_(inverter),
       server_(inverter_, 1, inverter_port),
       torque_filter_(RvBench::rate_Hz, transducer_rate_Hz),

@@ -26,11 +26,12 @@ namespace rvbench::sim {
 ///          server has a thread of its own
 class BenchWorld final : public hal::PlantPort {
  public:
-  /// @param plant  what turns, as on the drawing; the seed draws how this unit deviates from it
+  /// @param unit  how what turns deviates from the drawing
+  /// @param plant  the drawing
   /// @param inverter_port  of the inverter's server; 0: the kernel chooses one
-  /// @throws std::invalid_argument if there is no such preset, or the bench cannot run the plant
-  BenchWorld(const std::string& preset, std::uint64_t seed, const InverterParameters& inverter = {},
-             const PlantSpec& plant = rv20e_bench(), std::uint16_t inverter_port = 0);
+  /// @throws std::invalid_argument if the bench cannot run the plant
+  explicit BenchWorld(RvUnit unit, const InverterParameters& inverter = {},
+                      const PlantSpec& plant = rv20e_bench(), std::uint16_t inverter_port = 0);
 
   double now_s() const override { return now_s_; }
   void advance_to(double time_s) override;

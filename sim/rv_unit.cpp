@@ -1,5 +1,6 @@
 #include "sim/rv_unit.hpp"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
@@ -39,18 +40,19 @@ const std::string& preset_text(const std::string& preset) {
 
 // A deviation in tolerance is anywhere in the upper half of it; one at fault strays by a factor
 // of two each way, all by the same: the severity of the unit.
-RvDeviations draw_deviations(const std::string& preset, Draw& draw) {
+RvDeviations draw_deviations(const std::string& preset, std::optional<double> wanted, Draw& draw) {
   hal::ConfigReader root = hal::ConfigReader::from_text(preset_text(preset), preset + ".json");
   root.text("about");
   hal::ConfigReader tolerances = root.object("tolerances_um");
   hal::ConfigReader faults = root.object("faults_um");
-  const double severity = draw.within_factor(2);
+  const double drawn = draw.within_factor(2);
+  const double severity = wanted.value_or(drawn);
   RvDeviations d;
   for (const Field& field : fields) {
     const double share = draw.uniform(0.5, 1);
     const double tolerance_um = tolerances.number(field.key, {0, 1000}, 0);
     const double fault_um = faults.number(field.key, {0, 1000}, 0);
-    d.*field.member = fault_um > 0 ? fault_um * severity : tolerance_um * share;
+    d.*field.member = std::max(fault_um * severity, tolerance_um * share);
   }
   root.finish();
   if (!root.faults().empty()) {
@@ -91,10 +93,10 @@ std::vector<HousingMode> draw_modes(Draw& draw) {
 
 // How far units and benches differ is assumed: a tenth for what is machined, a quarter for what
 // wears or warms up, a factor of 1.5 for noise, 3 % for a sensor that was calibrated.
-RvUnit draw_unit(const std::string& preset, std::uint64_t seed) {
+RvUnit draw_unit(const std::string& preset, std::uint64_t seed, std::optional<double> severity) {
   Draw draw(seed);
   RvUnit unit;
-  unit.deviations = draw_deviations(preset, draw);
+  unit.deviations = draw_deviations(preset, severity, draw);
   for (std::size_t i = 0; i < fields.size(); ++i) unit.phases_rad.push_back(draw.phase_rad());
   unit.marked_planet = draw.uniform(0, 1) < 0.5 ? 0 : 1;
   unit.bearing_slip = draw.uniform(-0.01, 0.01);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -69,7 +70,10 @@ inline constexpr int count = 9;
 
 /// Draws a unit. The seed draws everything but the kind of fault: severity by a factor of two each
 /// way, phases, housing modes ±10 %, gains, slip, noise level and colour.
+/// @param severity  of the fault, in those of the preset, instead of a drawn one: everything else
+///                  stays as it is. The least that is left is what tolerances allow
 /// @throws std::invalid_argument if there is no such preset: names the ones there are
-RvUnit draw_unit(const std::string& preset, std::uint64_t seed);
+RvUnit draw_unit(const std::string& preset, std::uint64_t seed,
+                 std::optional<double> severity = std::nullopt);
 
 }  // namespace rvbench::sim

@@ -70,6 +70,7 @@ class DevicesCommand final : public Command {
         {"--rig", "rig: sim, or a rig file of the simulated bench", &rig_, true},
         unit_.preset(),
         unit_.seed(),
+        unit_.severity(),
         {"--write-rig", "file that says where the devices are: the --rig of a run", &written_rig_},
         {"--drive-line", "that file has the drive's serial line instead of its TCP port",
          &drive_on_line_},

@@ -58,6 +58,7 @@ class RunCommand final : public Command {
             {"--serial", "serial number of the unit; no default", &serial_},
             unit_.preset(),
             unit_.seed(),
+            unit_.severity(),
             {"--dry-run", "print the timeline and its envelope; touch nothing", &dry_run_},
             {"--out", "folder for run folders; default: " + out_, &out_},
             {"--resume", "go on with the newest unfinished run of this serial", &resume_},

@@ -101,6 +101,17 @@ TEST_CASE("a rig file goes before the command line, which fills in what it leave
   CHECK(said.faults[0].fault == "late");
 }
 
+TEST_CASE("how grave a simulated fault is may be said; else the seed draws it", "[bench]") {
+  CHECK(sim_of(R"({"rig": "sim", "preset": "cycloid_pin"})").severity == std::nullopt);
+  CHECK(sim_of(R"({"rig": "sim"})", {.severity = 0.5}).severity == 0.5);
+  CHECK(sim_of(R"({"rig": "sim", "severity": 0.25})", {.severity = 0.5}).severity == 0.25);
+  CHECK(faults_of(R"({"rig": "sim", "severity": -1})").front().pointer == "/severity");
+  const auto of_option = read_rig("sim", {.severity = 1000});
+  REQUIRE(of_option.index() == 1);
+  CHECK(std::get<1>(of_option).front().pointer == "/severity");
+  CHECK(rig_to_json("sim", {.severity = 0.25}).find("\"severity\": 0.25") != std::string::npos);
+}
+
 TEST_CASE("faults of one device come one after the other, each at its time", "[bench]") {
   const rvbench::test::ScratchFolder scratch;
   const std::string file = (scratch.path() / "rig.json").string();

@@ -39,7 +39,7 @@ Watched watch(sim::BenchWorld& world, hal::CanTransport& bus, Eigen::Index sampl
 }
 
 Eigen::VectorXd standstill_Nm(std::uint64_t seed) {
-  sim::BenchWorld world("healthy", seed);
+  sim::BenchWorld world(sim::draw_unit("healthy", seed));
   const auto bus = world.make_can_transport();
   return watch(world, *bus, 2 * samples_per_s).samples_Nm;
 }
@@ -48,7 +48,7 @@ Eigen::VectorXd standstill_Nm(std::uint64_t seed) {
 
 SCENARIO("the simulated transducer shows no line that the shaft does not have", "[sim]") {
   GIVEN("a bench at 1830 rpm, with mesh lines at several times the transducer's band") {
-    sim::BenchWorld world("healthy", 1, {.comm_loss_timeout_s = 0});
+    sim::BenchWorld world(sim::draw_unit("healthy", 1), {.comm_loss_timeout_s = 0});
     const auto bus = world.make_can_transport();
     REQUIRE(world.inverter().command(sim::RunCommand::forward, 61.5));
     world.advance_to(8);

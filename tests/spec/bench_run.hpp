@@ -51,7 +51,7 @@ inline std::string unsettled_plan() {
 class BenchRun {
  public:
   explicit BenchRun(const sim::InverterParameters& inverter = {}) {
-    auto world = std::make_unique<sim::BenchWorld>("healthy", 1, inverter);
+    auto world = std::make_unique<sim::BenchWorld>(sim::draw_unit("healthy", 1), inverter);
     world_ = world.get();
     const hal::SimulatedRigOptions options{.torque_rate_Hz = world->transducer().rate_Hz()};
     rig_ = hal::make_simulated_rig(std::move(world), options);
