@@ -127,7 +127,7 @@ Ending measure_or_fail(Acceptance& acceptance, hal::Rig& rig, RunLog& log, std::
   try {
     return measure(acceptance, rig, log, std::move(stop));
   } catch (const std::system_error& error) {
-    return bench_fault({IoErrc::refused, error.what()});
+    return bench_fault({IoErrc::refused, reason_of(error)});
   }
 }
 

@@ -166,6 +166,11 @@ std::string utc_now() {
                      utc.tm_mday, utc.tm_hour, utc.tm_min, utc.tm_sec);
 }
 
+std::string reason_of(const std::system_error& error) {
+  const auto* file = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
+  return file == nullptr ? error.what() : file->path1().string() + ": " + error.code().message();
+}
+
 std::filesystem::path draft_of(const std::filesystem::path& file) {
   return file.string() + ".draft";
 }

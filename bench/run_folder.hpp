@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -106,6 +107,9 @@ std::optional<std::filesystem::path> newest_unfinished_run(const std::filesystem
 
 /// "20261121T114559Z"
 std::string utc_now();
+
+/// "runs/A17: Read-only file system": what the system says, without the words of the library.
+std::string reason_of(const std::system_error& error);
 
 /// Replaces the file in one step: after a crash it holds the old text or the new one, after this
 /// has returned the new one. If that fails, no draft is left behind.

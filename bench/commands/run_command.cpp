@@ -191,7 +191,7 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
     if (const int refused = prepare_folder(console, plan); refused != exit_codes::done)
       return refused;
   } catch (const std::system_error& error) {
-    return refuse_usage(console, "run: no run folder in --out " + out_ + ": " + error.what());
+    return refuse_usage(console, "run: no run folder in --out " + out_ + ": " + reason_of(error));
   }
   ProgressBar bar(console, progress_style(console, json_));
   Acceptance acceptance{plan, kinematics, place_.folder, facts(plan), twin_of(file_)};
