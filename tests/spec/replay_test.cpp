@@ -21,9 +21,10 @@ std::filesystem::path only_run(const ScratchFolder& scratch, const std::string& 
 }
 
 Answer run(const ScratchFolder& scratch, const std::string& rig, const std::string& serial,
-           const std::string& preset = "healthy") {
-  return test::rvbench(scratch.path(), {"run", "plan.json", "--rig", rig, "--serial", serial,
-                                        "--preset", preset, "--seed", "3"});
+           const std::vector<std::string>& more = {}) {
+  std::vector<std::string> words{"run", "plan.json", "--rig", rig, "--serial", serial};
+  words.insert(words.end(), more.begin(), more.end());
+  return test::rvbench(scratch.path(), words);
 }
 
 // Runs a unit of the simulated bench, and once more what was recorded of it.
@@ -32,7 +33,7 @@ struct Replayed {
     bench::write_file(
         scratch / "plan.json",
         test::replaced(test::replaced(test::short_plan, "[1210]", "[1815]"), "[50]", "[100]"));
-    simulated = run(scratch, "sim", "SIM", preset);
+    simulated = run(scratch, "sim", "SIM", {"--preset", preset, "--seed", "3"});
     bench::write_file(scratch / "rig.json",
                       R"({"rig": "replay", "recording": ")" +
                           (only_run(scratch, "SIM") / "recording.h5").string() + "\"" + rig_more +
