@@ -1,12 +1,13 @@
 #include "analysis/emd/emd.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 #include <string>
 
 #include "analysis/emd/imf_sift.hpp"
+#include "analysis/emd/unreliable_end.hpp"
 
 namespace rvbench::analysis {
+
 void check(const EmdOptions& options) {
   const auto need_positive = [](const char* what, int value) {
     if (value < 1) {
@@ -33,8 +34,7 @@ Emd emd(const Eigen::Ref<const Eigen::VectorXd>& x, const EmdOptions& options) {
     imf = result.residue;
     if (!sift.turn_into_imf(imf, found)) break;
     result.residue -= imf;
-    const Eigen::Index inherited = found > 0 ? result.unreliable_ends.back() : 0;
-    result.unreliable_ends.push_back(std::max(inherited, sift.unreliable_end(n)));
+    add_unreliable_end(result.unreliable_ends, sift.unreliable_end(n));
   }
   result.imfs.conservativeResize(n, found);
   result.residue.array() += offset;

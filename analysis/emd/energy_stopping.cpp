@@ -15,8 +15,7 @@ class Energy final : public Stopping {
 }  // namespace
 
 const StoppingRule& energy_stopping() {
-  static constexpr StoppingRule rule{
-      "energy", []() -> std::unique_ptr<Stopping> { return std::make_unique<Energy>(); }};
+  static constexpr StoppingRule rule{"energy", begin_stopping<Energy>};
   return rule;
 }
 

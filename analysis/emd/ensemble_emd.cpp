@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "analysis/emd/extrema.hpp"
 #include "analysis/emd/imf_sift.hpp"
-#include "analysis/emd/sift_chain.hpp"
+#include "analysis/emd/unreliable_end.hpp"
 #include "hal/types/parallel_for.hpp"
 
 namespace rvbench::analysis {
@@ -106,11 +107,6 @@ void leave_imf_out(ImfSift& sift, int imf, Eigen::Ref<Eigen::VectorXd> h) {
   if (sift.turn_into_imf(h, imf)) h = whole - h;
 }
 
-bool swings(const Eigen::VectorXd& x, const EmdOptions& options) {
-  Eigen::VectorXd one = x;
-  return SiftChain(1, options.rule).turn_into_imf(one, 0);
-}
-
 Emd by_stages(const Eigen::Ref<const Eigen::VectorXd>& x, const EnsembleOptions& options,
               Kind kind) {
   check(x, options);
@@ -121,7 +117,7 @@ Emd by_stages(const Eigen::Ref<const Eigen::VectorXd>& x, const EnsembleOptions&
   std::vector<Eigen::VectorXd> noise = noise_of_members(n, options);
   std::vector<ImfSift> sifts(std::size_t(batch), ImfSift(options.emd));
   int found = 0;
-  for (; found < options.emd.imfs && swings(result.residue, options.emd); ++found) {
+  for (; found < options.emd.imfs && count_extrema(result.residue) >= least_extrema; ++found) {
     const Eigen::VectorXd before = result.residue;
     const double size = options.noise * deviation(before);
     const auto give = [&](std::size_t i, ImfSift& sift, Eigen::Ref<Eigen::VectorXd> given) {
@@ -136,9 +132,7 @@ Emd by_stages(const Eigen::Ref<const Eigen::VectorXd>& x, const EnsembleOptions&
     const Eigen::VectorXd mean = mean_of_members(n, options, sifts, give);
     result.residue = kind == Kind::improved ? mean : Eigen::VectorXd(before - mean);
     result.imfs.col(found) = before - result.residue;
-    const Eigen::Index inherited = found > 0 ? result.unreliable_ends.back() : 0;
-    const Eigen::Index own = sifts.front().unreliable_end(n);
-    result.unreliable_ends.push_back(std::max(inherited, own));
+    add_unreliable_end(result.unreliable_ends, sifts.front().unreliable_end(n));
   }
   result.imfs.conservativeResize(n, found);
   result.residue.array() += offset;

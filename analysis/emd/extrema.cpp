@@ -31,4 +31,10 @@ void ExtremaScan::rebase(Eigen::Index samples) {
   state_.plateau_from -= samples;
 }
 
+std::size_t count_extrema(const Eigen::VectorXd& x) {
+  Knots found;
+  ExtremaScan().advance(sift_kernels(), x.data(), x.size(), found);
+  return found.size();
+}
+
 }  // namespace rvbench::analysis

@@ -22,4 +22,7 @@ class ExtremaScan {
   bool has_moved_ = false;
 };
 
+/// How many interior extrema a signal has, as ExtremaScan finds them.
+std::size_t count_extrema(const Eigen::VectorXd& x);
+
 }  // namespace rvbench::analysis

@@ -21,8 +21,7 @@ class Rilling final : public Stopping {
 }  // namespace
 
 const StoppingRule& rilling_stopping() {
-  static constexpr StoppingRule rule{
-      "rilling", []() -> std::unique_ptr<Stopping> { return std::make_unique<Rilling>(); }};
+  static constexpr StoppingRule rule{"rilling", begin_stopping<Rilling>};
   return rule;
 }
 

@@ -8,12 +8,6 @@ namespace {
 
 constexpr int sifts_unchanged = 4;
 
-std::ptrdiff_t count_extrema(const Eigen::VectorXd& h) {
-  Knots found;
-  ExtremaScan().advance(sift_kernels(), h.data(), h.size(), found);
-  return std::ptrdiff_t(found.size());
-}
-
 // Samples that are zero have the sign of those before.
 std::ptrdiff_t count_zero_crossings(const Eigen::VectorXd& h) {
   std::ptrdiff_t count = 0;
@@ -28,7 +22,7 @@ std::ptrdiff_t count_zero_crossings(const Eigen::VectorXd& h) {
 class SNumber final : public Stopping {
  public:
   bool is_imf(const SiftState& state) override {
-    const std::ptrdiff_t extrema = count_extrema(state.h);
+    const auto extrema = static_cast<std::ptrdiff_t>(count_extrema(state.h));
     const std::ptrdiff_t crossings = count_zero_crossings(state.h);
     const bool is_same = extrema == extrema_ && crossings == crossings_;
     const bool alternates = std::abs(extrema - crossings) <= 1;
@@ -46,8 +40,7 @@ class SNumber final : public Stopping {
 }  // namespace
 
 const StoppingRule& s_number_stopping() {
-  static constexpr StoppingRule rule{
-      "s_number", []() -> std::unique_ptr<Stopping> { return std::make_unique<SNumber>(); }};
+  static constexpr StoppingRule rule{"s_number", begin_stopping<SNumber>};
   return rule;
 }
 

@@ -30,6 +30,12 @@ struct StoppingRule {
   std::unique_ptr<Stopping> (*begin)();
 };
 
+/// For StoppingRule::begin.
+template <typename Kind>
+std::unique_ptr<Stopping> begin_stopping() {
+  return std::make_unique<Kind>();
+}
+
 /// "s_number": numbers of extrema and of zero crossings differ by at most one, and have stayed the
 /// same for four sifts.
 ///

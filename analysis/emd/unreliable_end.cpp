@@ -18,4 +18,8 @@ Eigen::Index unreliable_end(Eigen::Index samples, std::size_t extrema, std::size
   return static_cast<Eigen::Index>(std::ceil(std::min(reach, all)));
 }
 
+void add_unreliable_end(std::vector<Eigen::Index>& ends, Eigen::Index own) {
+  ends.push_back(ends.empty() ? own : std::max(ends.back(), own));
+}
+
 }  // namespace rvbench::analysis

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <vector>
 
 namespace rvbench::analysis {
 
@@ -10,5 +11,9 @@ namespace rvbench::analysis {
 /// @param extrema  that the last sift found
 /// @param sifts    there were, at least 1
 Eigen::Index unreliable_end(Eigen::Index samples, std::size_t extrema, std::size_t sifts);
+
+/// One more IMF, of what the IMFs before have left: no more of it is reliable than of them.
+/// @param own  of its own sifts
+void add_unreliable_end(std::vector<Eigen::Index>& ends, Eigen::Index own);
 
 }  // namespace rvbench::analysis

@@ -27,8 +27,7 @@ const StoppingRule& never() {
   struct Never final : analysis::Stopping {
     bool is_imf(const analysis::SiftState& /*state*/) override { return false; }
   };
-  static constexpr StoppingRule rule{
-      "never", []() -> std::unique_ptr<analysis::Stopping> { return std::make_unique<Never>(); }};
+  static constexpr StoppingRule rule{"never", analysis::begin_stopping<Never>};
   return rule;
 }
 
@@ -100,8 +99,7 @@ TEST_CASE("the amplitude that a rule sees is half the distance of the envelopes"
       return true;
     }
   };
-  static constexpr StoppingRule watch{
-      "watch", []() -> std::unique_ptr<analysis::Stopping> { return std::make_unique<Watch>(); }};
+  static constexpr StoppingRule watch{"watch", analysis::begin_stopping<Watch>};
   const Eigen::ArrayXd t = test::times_s(9920, 4960);
   const Eigen::ArrayXd swell = 1 + 0.5 * test::tone(2, 9920, 4960).array();
   const Eigen::VectorXd x = 4 * t + swell * test::tone(124, 9920, 4960).array();
