@@ -13,7 +13,15 @@ namespace rvbench::bench {
 
 namespace {
 
-// Lines that a killed run left half-written are no events.
+bool ends_within_a_line(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::ate);
+  if (!in || in.tellg() <= 0) return false;
+  in.seekg(-1, std::ios::end);
+  return in.get() != '\n';
+}
+
+}  // namespace
+
 std::vector<std::pair<double, std::string>> events_in(const std::filesystem::path& file) {
   std::vector<std::pair<double, std::string>> events;
   std::ifstream in(file);
@@ -25,15 +33,6 @@ std::vector<std::pair<double, std::string>> events_in(const std::filesystem::pat
   }
   return events;
 }
-
-bool ends_within_a_line(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::ate);
-  if (!in || in.tellg() <= 0) return false;
-  in.seekg(-1, std::ios::end);
-  return in.get() != '\n';
-}
-
-}  // namespace
 
 RunLog::RunLog(const std::filesystem::path& file, ProgressBar& bar)
     : descriptor_(::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644)),

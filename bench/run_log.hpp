@@ -10,6 +10,9 @@
 
 namespace rvbench::bench {
 
+/// The events in a log.jsonl. Lines that a killed run left half-written are none.
+std::vector<std::pair<double, std::string>> events_in(const std::filesystem::path& file);
+
 /// What a run tells while it goes: progress to the bar, events to log.jsonl, one JSON object a
 /// line, each written out at once.
 class RunLog final : public sequences::RunObserver {

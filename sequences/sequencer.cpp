@@ -28,7 +28,6 @@ constexpr const char* hung =
     "supervisor hung: a device's call does not return, the program must exit";
 constexpr const char* bus_hung =
     "a bus does not tell its counters and never returns, the program must exit";
-constexpr const char* at_rest = "shaft at standstill, brake released";
 const Ending all_well{Outcome::pass, ErrorKind::none, "everything was measured"};
 
 Ending bench_fault(std::string reason) {
@@ -134,19 +133,19 @@ Ending tear_down(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) noe
                 }));
 }
 
+std::string state_of(bool shaft_stopped, bool brake_released) {
+  return fmt::format("shaft {}, brake {}",
+                     shaft_stopped ? "at standstill" : "not seen at standstill",
+                     brake_released ? "released" : "not seen released");
+}
+
 // The last lines of the log, for the operator.
 void tell(BenchLoop& loop, const RunSummary& summary, const Ending& measured,
           const Ending& torn_down) {
   const bool more = torn_down.outcome != Outcome::pass && torn_down.reason != measured.reason;
   if (more) loop.event("in teardown: " + torn_down.reason);
-  const std::string rest =
-      summary.shaft_stopped && summary.brake_released
-          ? at_rest
-          : fmt::format("shaft {}, brake {}",
-                        summary.shaft_stopped ? "at standstill" : "not seen at standstill",
-                        summary.brake_released ? "released" : "not seen released");
-  loop.event(
-      fmt::format("{}: {}; {}", to_string(summary.ending.outcome), summary.ending.reason, rest));
+  loop.event(fmt::format("{}: {}; {}", to_string(summary.ending.outcome), summary.ending.reason,
+                         state_of(summary.shaft_stopped, summary.brake_released)));
 }
 
 // Samples that wait for the disk are lost with the power: at most a second of them, it is said.
@@ -223,7 +222,7 @@ bool tell_of_rest(const std::vector<std::pair<double, std::string>>& events) {
   for (auto event = events.rbegin(); event != events.rend(); ++event) {
     const std::string& text = event->second;
     if (text == armed_event) return false;  // and what became of it is not told
-    if (text.ends_with(at_rest)) return !text.starts_with(to_string(Outcome::error));
+    if (text.ends_with(state_of(true, true))) return !text.starts_with(to_string(Outcome::error));
   }
   return false;
 }

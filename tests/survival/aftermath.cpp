@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "bench/run_log.hpp"
 #include "bench/run_recordings.hpp"
 #include "bench/sha256.hpp"
 #include "bench/verdict_json.hpp"
@@ -45,20 +44,11 @@ class Examiner {
       return blame("resume is not offered");
     }
     int next_point = check_recordings(folder);
-    if (next_point == small_run_points && !came_to_rest(folder)) {
+    if (next_point == small_run_points &&
+        !sequences::tell_of_rest(bench::events_in(folder / "log.jsonl"))) {
       --next_point;  // a bench that was not seen at rest has to show itself again
     }
     if (found_.opens) check_resumed(next_point);
-  }
-
-  static bool came_to_rest(const std::filesystem::path& folder) {
-    std::vector<std::pair<double, std::string>> events;
-    std::istringstream log(bench::read_file(folder / "log.jsonl").value_or(""));
-    for (std::string text; std::getline(log, text);) {
-      const auto line = nlohmann::json::parse(text, nullptr, false);
-      if (line.is_object()) events.emplace_back(line.at("time_s"), line.at("event"));
-    }
-    return sequences::tell_of_rest(events);
   }
 
   void blame(const std::string& what) { found_.violations.push_back(what); }
