@@ -19,6 +19,8 @@ namespace rvbench::test {
 namespace {
 
 constexpr double recorded_pace = 2;
+constexpr double killed_pace = 4;
+constexpr int real_time_every = 7;  // shares no factor with the other choices by number
 
 // A disk of its own, with what was heard of the processes that wrote to it.
 class Disk {
@@ -66,6 +68,12 @@ WritingProcess quick(bool resume) {
   return process;
 }
 
+WritingProcess in_real_time() {
+  WritingProcess process;
+  process.run.pace = killed_pace;
+  return process;
+}
+
 long call_at(double share, long calls) {
   return std::clamp(std::lround(share * static_cast<double>(calls)), 1L, calls);
 }
@@ -82,7 +90,11 @@ template <typename Struck>
 Crash strike_run(const RunLengths& lengths, double share, int number, WritingProcess strike,
                  long DiskPlan::*at, Struck&& struck) {
   std::mt19937_64 random(static_cast<std::uint64_t>(number));
-  const bool resume = number % 3 == 2;
+  const bool is_in_real_time = strike.run.pace > 0;
+  const bool resume = !is_in_real_time && number % 3 == 2;
+  const long calls = is_in_real_time ? lengths.in_real_time
+                     : resume        ? lengths.resumed
+                                     : lengths.whole;
   for (double part = share;; part *= 0.9) {
     const ScratchFolder scratch;
     Disk disk(scratch.path());
@@ -92,12 +104,12 @@ Crash strike_run(const RunLengths& lengths, double share, int number, WritingPro
       if (!disk.was_killed() || !disk.offers_resume()) continue;
     }
     strike.run.resume = resume;
-    strike.disk.*at = call_at(part, resume ? lengths.resumed : lengths.whole);
+    strike.disk.*at = call_at(part, calls);
     disk.run(strike);
     if (!struck(disk)) continue;
     const Witness& witness = disk.witness();
-    return {fmt::format("call {} of a {} run, case {}", strike.disk.*at, resume ? "resumed" : "new",
-                        number),
+    return {fmt::format("call {} of a {} run{}, case {}", strike.disk.*at,
+                        resume ? "resumed" : "new", is_in_real_time ? " in real time" : "", number),
             examine_aftermath(disk.runs(), witness, disk.was_killed() ? witness.killed_ns : 0)};
   }
 }
@@ -132,17 +144,19 @@ void remove_journals(const std::filesystem::path& root) {
 }  // namespace
 
 RunLengths measure_lengths() {
-  const ScratchFolder first, second;
+  const ScratchFolder first, second, third;
   Disk whole(first.path());
   whole.run(quick(false));
   Disk half(second.path());
   kill_somewhere(half, whole.witness().calls / 2);
   half.run(quick(true));
-  return {whole.witness().calls, half.witness().calls};
+  Disk real(third.path());
+  real.run(in_real_time());
+  return {whole.witness().calls, half.witness().calls, real.witness().calls};
 }
 
 Crash kill_run(const RunLengths& lengths, double share, int number) {
-  WritingProcess strike = quick(false);
+  WritingProcess strike = number % real_time_every == 0 ? in_real_time() : quick(false);
   strike.disk.kill_halfway = number % 2 == 1;
   Crash crash = strike_run(lengths, share, number, strike, &DiskPlan::kill_at,
                            [](const Disk& disk) { return disk.was_killed(); });

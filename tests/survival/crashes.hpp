@@ -16,6 +16,7 @@ namespace rvbench::test {
 struct RunLengths {
   long whole = 0;
   long resumed = 0;
+  long in_real_time = 0;  ///< as the first, where others write what the sequencer hands on
 };
 
 RunLengths measure_lengths();
@@ -26,7 +27,8 @@ struct Crash {
   Aftermath aftermath;
 };
 
-/// kill -9 in place of a call, or halfway through it; every third is of a resumed run.
+/// kill -9 in place of a call, or halfway through it; every third is of a resumed run, every
+/// seventh of one in real time.
 /// @param share  of the run's calls that came before, 0 to 1
 Crash kill_run(const RunLengths& lengths, double share, int number);
 

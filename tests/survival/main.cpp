@@ -108,22 +108,23 @@ std::vector<std::string> worker_words(const Options& options, int job) {
   add("--job", job);
   add("--calls", options.lengths.whole);
   words.push_back(fmt::to_string(options.lengths.resumed));
+  words.push_back(fmt::to_string(options.lengths.in_real_time));
   return words;
 }
 
 int report(const Options& options, const Totals& totals, double took_s) {
   fmt::print(
-      "{} kills at any of {} calls of a run or {} of a resumed one, {} power cuts, {} calls that "
-      "failed, in {:.0f} s\n"
+      "{} kills at any of {} calls of a run, {} of a resumed one or {} of one in real time, "
+      "{} power cuts, {} calls that failed, in {:.0f} s\n"
       "acknowledged and lost              {:8}   limit 0\n"
       "raw stream lost to a kill          {:8.3f} s limit 1 s\n"
       "raw stream lost to a power cut     {:8.3f} s limit 1 s\n"
       "run folders that do not open       {:8}   limit 0\n"
       "resume not offered                 {:8}   limit 0\n"
       "violations, also of these          {:8}   limit 0\n",
-      totals.kills, options.lengths.whole, options.lengths.resumed, totals.cuts, totals.faults,
-      took_s, totals.lost, totals.stream_killed_s, totals.stream_cut_s, totals.not_open,
-      totals.not_offered, totals.violations);
+      totals.kills, options.lengths.whole, options.lengths.resumed, options.lengths.in_real_time,
+      totals.cuts, totals.faults, took_s, totals.lost, totals.stream_killed_s, totals.stream_cut_s,
+      totals.not_open, totals.not_offered, totals.violations);
   return totals.holds() ? 0 : 1;
 }
 
@@ -170,9 +171,9 @@ int main(int argc, char** argv) {
   app.add_option("--without", options.without, "what power cuts find missing: journal, syncs")
       ->check(CLI::IsMember(without_named));
   app.add_option("--job", options.job)->group("");
-  app.add_option("--calls", calls)->expected(2)->group("");
+  app.add_option("--calls", calls)->expected(3)->group("");
   CLI11_PARSE(app, argc, argv);
   if (options.job < 0) return run_campaign(options);
-  options.lengths = {calls.at(0), calls.at(1)};
+  options.lengths = {calls.at(0), calls.at(1), calls.at(2)};
   return work(options);
 }

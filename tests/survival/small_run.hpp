@@ -14,7 +14,9 @@ inline constexpr const char* small_run_serial = "S1";
 struct SmallRunOptions {
   bool resume = false;
   bool witnessed = false;  ///< what it promises goes to tell(), see Witness
-  double pace = 0;         ///< seconds of the rig's time in a real one; 0: as fast as can be
+  /// Seconds of the rig's time in a real one, with the threads of a real bench; 0: as fast as can
+  /// be, and all in one thread.
+  double pace = 0;
   hal::RecordingPace recording = {};
 };
 
