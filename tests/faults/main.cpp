@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <map>
 
 #include "tests/faults/fault_run.hpp"
 #include "tests/faults/kept_recording.hpp"
@@ -58,6 +57,7 @@ std::string name_of(const test::FaultCase& fault) {
 struct Attempted {
   test::FaultReport report;
   int repeated = 0;
+  bool is_judged() const { return !report.held_up; }
 };
 
 // A run that the computer held up proves nothing, neither good nor bad.
@@ -68,7 +68,6 @@ Attempted attempt(const test::FaultCase& fault, const std::filesystem::path& fol
     ++run.repeated;
     run.report = run_fault(fault, folder, without);
   }
-  if (run.report.held_up) run.report.violations.emplace_back("the computer is too busy to judge");
   return run;
 }
 
@@ -82,8 +81,14 @@ void work(const Options& options, int job, std::FILE* out) {
   for (int number = options.first + job; number < options.first + options.runs;
        number += options.jobs) {
     const test::FaultCase fault = case_of(options, number);
-    const auto [report, repeated] = attempt(fault, folder.path(), without);
-    fmt::print(out, "{} {} {} {} {}\n", report.struck ? 1 : 0, repeated, report.undriven_s,
+    const Attempted run = attempt(fault, folder.path(), without);
+    if (!run.is_judged()) {
+      fmt::print(out, "? {}\n", name_of(fault));
+      std::fflush(out);
+      continue;
+    }
+    const test::FaultReport& report = run.report;
+    fmt::print(out, "{} {} {} {} {}\n", report.struck ? 1 : 0, run.repeated, report.undriven_s,
                report.released_s,
                fault.kind == nullptr                             ? "-"
                : fault.kind->answer == test::Answer::safety_trip ? "trip"
@@ -97,6 +102,7 @@ void work(const Options& options, int job, std::FILE* out) {
 
 struct Totals {
   int runs = 0, struck = 0, repeated = 0, violations = 0;
+  int not_judged = 0;  // the computer held up every attempt
   double worst_trip_s = 0, worst_released_s = -1e9;
 };
 
@@ -106,6 +112,12 @@ void take(const std::string& line, const Options& options, Totals& totals) {
   if (line.starts_with("! ")) {
     ++totals.violations;
     if (totals.violations <= 40) fmt::print("VIOLATION {}", line.substr(2));
+    std::fflush(stdout);
+    return;
+  }
+  if (line.starts_with("? ")) {
+    ++totals.not_judged;
+    fmt::print("NOT JUDGED, the computer is too busy: {}", line.substr(2));
     std::fflush(stdout);
     return;
   }
@@ -193,10 +205,11 @@ int main(int argc, char** argv) {
   const int failed = failed_workers();
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   print(totals, took.count());
-  if (failed > 0 || totals.runs != options.runs) {
+  if (failed > 0 || totals.runs + totals.not_judged != options.runs) {
     fmt::print("{} workers failed; {} runs of {} came to an end\n", failed, totals.runs,
                options.runs);
     return 1;
   }
+  if (totals.not_judged > 0) return 1;
   return totals.violations == 0 && totals.repeated <= most_repeated(totals) ? 0 : 1;
 }
