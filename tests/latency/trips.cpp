@@ -56,7 +56,7 @@ std::vector<Figure> measure_trips(int trips) {
     forget_samples(rig);
   }
   rig.drive->stop();
-  return {{"interlock to command on the wire, p99", quantile(delays_ms, 0.99), "ms", 20},
+  return {{"interlock to command on the wire, p99", quantile(delays_ms, 0.99), "ms", 20, 40},
           {"interlock to command on the wire, median", quantile(delays_ms, 0.5), "ms"},
           {"interlock to command on the wire, longest", quantile(delays_ms, 1), "ms"}};
 }
