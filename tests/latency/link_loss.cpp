@@ -8,6 +8,12 @@ namespace rvbench::test {
 namespace {
 
 constexpr double watchdog_s = 0.5;
+// It counts from the last request that came through, acts in the plant's next step of 1 ms, and
+// the thread that turns the plant may be woken late.
+constexpr double step_s = 0.001;
+constexpr double scheduling_s = 0.01;
+constexpr double acts_within_s = watchdog_s + step_s + scheduling_s;
+constexpr double promised_s = 2;  // the slowest watchdog that a plan arms with by default
 
 struct Loss {
   double found_s = 0;     ///< after the cable was pulled
@@ -45,8 +51,9 @@ std::vector<Figure> measure_link_loss(int losses) {
     undriven_s.push_back(loss.undriven_s);
   }
   return {{"cable pulled until the run is ended, longest", quantile(found_ms, 1), "ms", 300, 320},
-          {"cable pulled until the drive's watchdog acts, longest", quantile(undriven_s, 1), "s", 2,
-           2}};
+          {"cable pulled until the drive's watchdog acts, longest", quantile(undriven_s, 1), "s",
+           acts_within_s, acts_within_s + scheduling_s},
+          {"the same, promised: the slowest watchdog it arms with", promised_s, "s"}};
 }
 
 }  // namespace rvbench::test
