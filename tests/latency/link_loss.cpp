@@ -26,7 +26,7 @@ Loss lose_link(double after_s) {
   connect(rig);
   RunningBench bench(rig, 600);
   bench.run_for(2 + after_s);  // the drive's ramp is over by then
-  plant.tap.pull();
+  plant.tap().pull();
   const double pulled_s = plant.now_s();
   if (!bench.run_until_tripped()) throw std::runtime_error("a dead link was not found");
   Loss loss;

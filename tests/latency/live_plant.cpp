@@ -56,7 +56,7 @@ class LiveSafetyInputs final : public hal::SafetyInputs {
 
 LivePlant::LivePlant(const sim::InverterParameters& inverter)
     : bench_(1, inverter),
-      tap(bench_.inverter_tcp_port(), [this] { return clock_.now_s(); }),
+      tap_(bench_.inverter_tcp_port(), [this] { return clock_.now_s(); }),
       thread_([this](const std::stop_token& stop) {
         for (double next_s = clock_.now_s(); !stop.stop_requested(); next_s += 0.001) {
           clock_.wait_until(next_s);

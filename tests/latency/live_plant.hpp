@@ -21,7 +21,7 @@ class LivePlant final : public hal::PlantPort {
 
   double now_s() const override { return clock_.now_s(); }
   void advance_to(double) override {}  // it turns by itself
-  std::uint16_t inverter_tcp_port() const override { return tap.port(); }
+  std::uint16_t inverter_tcp_port() const override { return tap_.port(); }
   std::unique_ptr<hal::CanTransport> make_can_transport() override;
   const std::vector<ChannelInfo>& acceleration_channels() const override;
   double acceleration_rate_Hz() const override { return FaultBench::rate_Hz; }
@@ -30,6 +30,7 @@ class LivePlant final : public hal::PlantPort {
   hal::SafetyStatus safety_status() const override;
 
   hal::Clock& clock() { return clock_; }
+  WireTap& tap() { return tap_; }
 
   /// Looks at the bench, or changes it, while it stands still.
   template <typename Look>
@@ -42,11 +43,7 @@ class LivePlant final : public hal::PlantPort {
   mutable hal::SteadyClock clock_;
   mutable std::mutex mutex_;
   mutable FaultBench bench_;
-
- public:
-  WireTap tap;
-
- private:
+  WireTap tap_;
   std::jthread thread_;
 };
 

@@ -31,7 +31,7 @@ double held_too_long_ms(bool is_deaf) {
   std::stop_source stop;
   plant.look([&](FaultBench& bench) {
     bench.when(BenchState::warming_up, 1, [&, is_deaf] {
-      plant.tap.forget_stop();  // that of connect()
+      plant.tap().forget_stop();  // that of connect()
       if (!is_deaf) return;
       // It answers a stop as if it obeyed, and turns on until its watchdog acts.
       bench.server.inject({.fault = sim::WireFault::deaf});
@@ -44,7 +44,7 @@ double held_too_long_ms(bool is_deaf) {
     if (bench.brake_Nm() > 0)
       throw std::runtime_error("the brake still holds: " + summary.ending.reason);
     const double may_release_s =
-        std::min(bench.moved_until_s(), plant.tap.stop_seen_s() + standstill_timeout_s);
+        std::min(bench.moved_until_s(), plant.tap().stop_seen_s() + standstill_timeout_s);
     return 1e3 * (bench.braked_until_s() - may_release_s);
   });
 }

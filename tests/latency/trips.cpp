@@ -42,7 +42,7 @@ std::vector<Figure> measure_trips(int trips) {
   for (int trip = 0; trip < trips; ++trip) {
     RunningBench bench(rig, 600);
     bench.run_for(delay_s(random));
-    plant.tap.forget_stop();
+    plant.tap().forget_stop();
     const auto kind = std::size_t(trip) % kinds.size();
     const double struck_s = plant.look([&](FaultBench& light) {
       strike(light, int(kind));
@@ -50,10 +50,10 @@ std::vector<Figure> measure_trips(int trips) {
     });
     if (!bench.run_until_tripped()) throw std::runtime_error("an interlock that did not trip");
     const Ending ending = *bench.supervisor().latched();
-    if (ending.error_kind != ErrorKind::safety_trip || plant.tap.stop_seen_s() < struck_s) {
+    if (ending.error_kind != ErrorKind::safety_trip || plant.tap().stop_seen_s() < struck_s) {
       throw std::runtime_error("no command to stop after a trip: " + ending.reason);
     }
-    delays_ms[kind].push_back(1e3 * (plant.tap.stop_seen_s() - struck_s));
+    delays_ms[kind].push_back(1e3 * (plant.tap().stop_seen_s() - struck_s));
     bench.supervisor().end();
     plant.look([](FaultBench& light) { heal(light); });
     forget_samples(rig);
