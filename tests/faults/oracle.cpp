@@ -48,11 +48,12 @@ void Oracle::long_after() {
   if (bench_.brake_Nm() > 0) blame("the brake holds for ever");
 }
 
-void Oracle::on_shaft_and_brake(double struck_s, bool was_driven, double standstill_timeout_s) {
+void Oracle::on_shaft_and_brake(double struck_s, bool was_driven, double stop_asked_s,
+                                double standstill_timeout_s) {
   if (was_driven) stopped(struck_s);
   if (bench_.braked_until_s() == 0 || bench_.driven_until_s() == 0) return;
   released(standstill_timeout_s);
-  not_released_early(struck_s, standstill_timeout_s);
+  not_released_early(stop_asked_s, standstill_timeout_s);
 }
 
 void Oracle::stopped(double struck_s) {
@@ -79,11 +80,11 @@ void Oracle::released(double standstill_timeout_s) {
   }
 }
 
-// Nobody gives a standstill up before the time-out, counted from when there was reason to stop.
-void Oracle::not_released_early(double struck_s, double standstill_timeout_s) {
+// Nobody gives a standstill up before the time-out, counted from the first request to stop. Nor, of
+// course, where none was made: the comparison is false for NaN.
+void Oracle::not_released_early(double stop_asked_s, double standstill_timeout_s) {
   if (!(bench_.released_rpm() > FaultBench::moves_rpm)) return;
-  const double reason_s = std::fmin(struck_s, bench_.entered_s(BenchState::stopping));
-  if (bench_.released_s() >= reason_s + standstill_timeout_s) return;
+  if (bench_.released_s() >= stop_asked_s + standstill_timeout_s) return;
   blame(fmt::format("the brake was released while the shaft turned at {:.0f} rpm",
                     bench_.released_rpm()));
 }

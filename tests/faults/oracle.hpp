@@ -20,8 +20,10 @@ class Oracle {
 
   void after_return();
   void long_after();
-  /// @param struck_s  NaN if the fault did not come
-  void on_shaft_and_brake(double struck_s, bool was_driven, double standstill_timeout_s);
+  /// @param struck_s      NaN if the fault did not come
+  /// @param stop_asked_s  when the driver was first told to stop; NaN if it never was
+  void on_shaft_and_brake(double struck_s, bool was_driven, double stop_asked_s,
+                          double standstill_timeout_s);
   void on_ending(const Ending& ending);
 
   void blame(std::string violation) { report_.violations.push_back(std::move(violation)); }
@@ -29,7 +31,7 @@ class Oracle {
  private:
   void stopped(double struck_s);
   void released(double standstill_timeout_s);
-  void not_released_early(double struck_s, double standstill_timeout_s);
+  void not_released_early(double stop_asked_s, double standstill_timeout_s);
 
   const FaultCase& fault_;
   const FaultBench& bench_;

@@ -68,8 +68,8 @@ Scene::Scene(const FaultCase& fault, const std::filesystem::path& recording, con
   bench_.server.set_lateness_s(1.5 * patience_s);
   rig_ = hal::make_simulated_rig(std::move(owned_), {.response_timeout_s = response_timeout_s,
                                                      .stall_s = patience_s - response_timeout_s});
-  auto witnessed = std::make_unique<WitnessedDrive>(std::move(rig_.drive), bench_.inverter,
-                                                    bench_.server, patience_s, witness_);
+  auto witnessed = std::make_unique<WitnessedDrive>(
+      std::move(rig_.drive), bench_.inverter, bench_.server, *rig_.clock, patience_s, witness_);
   WitnessedDrive& drive = *witnessed;
   rig_.drive = std::move(witnessed);
   Controller controller{plan_, rig_, check_, *recording_, [this, &drive] {
@@ -106,7 +106,8 @@ void Scene::judge_plant() {
         fmt::format("{} late replies were taken for the next ones", witness_.belated_readings));
   }
   oracle.long_after();
-  oracle.on_shaft_and_brake(struck_s_, was_driven_, plan_.teardown.standstill_timeout_s);
+  oracle.on_shaft_and_brake(struck_s_, was_driven_, witness_.stop_asked_s,
+                            plan_.teardown.standstill_timeout_s);
 }
 
 // What is on the disk, and then what is said of the whole.

@@ -42,6 +42,10 @@ Result<hal::DriveWatchdog> WitnessedDrive::read_watchdog() {
 
 Status WitnessedDrive::set_speed(double speed_rpm) {
   const Call call(*this);
+  if (speed_rpm != 0) {
+    asked_to_turn_ = true;
+    witness_.stop_asked_s = not_known;
+  }
   return drive_->set_speed(speed_rpm);
 }
 
@@ -59,6 +63,7 @@ Result<hal::DriveStatus> WitnessedDrive::read() {
 
 void WitnessedDrive::stop() noexcept {
   const Call call(*this);
+  if (std::exchange(asked_to_turn_, false)) witness_.stop_asked_s = clock_.now_s();
   drive_->stop();
 }
 

@@ -3,14 +3,16 @@
 #include <memory>
 #include <utility>
 
+#include "hal/clock.hpp"
 #include "hal/drive.hpp"
 #include "sim/inverter_server.hpp"
 
 namespace rvbench::test {
 
 struct Witness {
-  bool held_up = false;      ///< by the computer
-  int belated_readings = 0;  ///< a late reply was taken for the next one
+  bool held_up = false;             ///< by the computer
+  int belated_readings = 0;         ///< a late reply was taken for the next one
+  double stop_asked_s = not_known;  ///< the first request since one for a speed other than 0
 };
 
 /// Stands between the controller and the driver, with an eye on the wall clock: requests are
@@ -21,12 +23,14 @@ struct Witness {
 /// shows while it is asked: virtual time stands still until there is an answer.
 class WitnessedDrive final : public hal::Drive {
  public:
-  /// @param model, server, witness  must outlive it
+  /// @param model, server, clock, witness  must outlive it
   WitnessedDrive(std::unique_ptr<hal::Drive> drive, const sim::InverterModel& model,
-                 const sim::InverterServer& server, double patience_s, Witness& witness)
+                 const sim::InverterServer& server, const hal::Clock& clock, double patience_s,
+                 Witness& witness)
       : drive_(std::move(drive)),
         model_(model),
         server_(server),
+        clock_(clock),
         patience_s_(patience_s),
         witness_(witness) {}
 
@@ -46,9 +50,11 @@ class WitnessedDrive final : public hal::Drive {
   std::unique_ptr<hal::Drive> drive_;
   const sim::InverterModel& model_;
   const sim::InverterServer& server_;
+  const hal::Clock& clock_;
   double patience_s_;
   Witness& witness_;
-  int misbehaved_ = 0;  ///< when the call before began
+  int misbehaved_ = 0;          ///< when the call before began
+  bool asked_to_turn_ = false;  ///< and not to stop since
 };
 
 }  // namespace rvbench::test
