@@ -16,7 +16,6 @@ constexpr double efficiency = 0.8;
 constexpr double drift_m_s3 = 150;       // of a charge amplifier that integrates its leak,
 constexpr double most_drift_m_s2 = 250;  // until its limiter holds it
 constexpr double coupling_s = 0.3;       // time constant of AC coupling at 0.5 Hz
-constexpr double record_after_s = 6;     // the field's ramp and the settling are over by then
 
 }  // namespace
 

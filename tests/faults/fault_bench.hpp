@@ -64,6 +64,8 @@ class FaultBench final : public hal::PlantPort {
   static constexpr double rate_Hz = 1240;
   static constexpr double range_m_s2 = 490;
   static constexpr double gear_ratio = 121;
+  /// After a speed was asked for: the field's ramp and the settling are over by then.
+  static constexpr double record_after_s = 6;
   static constexpr double moves_rpm = 5;  ///< slower is standstill: the plan's own default
 
   FaultBench(std::uint64_t seed, const sim::InverterParameters& parameters);

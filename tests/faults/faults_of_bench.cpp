@@ -34,6 +34,17 @@ void switch_iepe_off(FaultBench& bench) {
   bench.disturbance.bias_jump_m_s2 = bench.now_s() > 0 ? 1000 : 0;
 }
 
+// Nobody writes samples between records, and an event that is not written ends nothing.
+FaultKind disk_full() {
+  FaultKind kind;
+  kind.name = "disk full";
+  kind.strike = [](Victim& victim) { victim.disk_full = true; };
+  kind.words = "the recording cannot be written";
+  kind.stopped_within_s = within::trip_s;
+  kind.shown = Shown::in_next_record;
+  return kind;
+}
+
 FaultKind wall_clock_steps(std::string name, double seconds) {
   return {std::move(name), [seconds](Victim&) { step_wall_clock(seconds); }, Answer::pass};
 }
@@ -98,7 +109,7 @@ std::vector<FaultKind> faults_of_the_hall() {
           Answer::device_lost, "safety inputs", within::stale_s),
       {"operator aborts", [](Victim& victim) { victim.stop.request_stop(); }, Answer::aborted, "",
        within::trip_s},
-      {"disk full", [](Victim& victim) { victim.disk_full = true; }, Answer::no_pass},
+      disk_full(),
       on_bench(
           "controller stalls", [](FaultBench& bench) { bench.disturbance.stall_s = 2; },
           Answer::device_lost, "", 2.1),

@@ -79,7 +79,8 @@ std::vector<FaultKind> faults_of_the_bus() {
       disturbed("torque sign flipped", &Disturbance::torque_inverted, Answer::no_pass),
       disturbed("torque frames lost", &Disturbance::torque_lossy, Answer::no_pass),
       disturbed("encoder stuck", &Disturbance::angle_stuck, Answer::device_lost,
-                "the torque sensor's angle 0 rpm"),
+                "the torque sensor's angle 0 rpm",
+                within::ramp_from_rest_s + within::contradicted_s),
   };
 }
 

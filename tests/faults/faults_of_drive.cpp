@@ -56,12 +56,29 @@ FaultKind until_last_speed(FaultKind kind) {
   return kind;
 }
 
+// Both speeds agree until they ought to change.
+FaultKind shown_at_next_speed(FaultKind kind) {
+  kind.shown = Shown::at_next_speed;
+  kind.stopped_within_s = within::ramp_apart_s + within::contradicted_s;
+  return kind;
+}
+
 FaultKind readings_frozen() {
-  FaultKind kind = on_bench(
+  FaultKind kind = shown_at_next_speed(on_bench(
       "readings frozen",
       [](FaultBench& bench) { bench.server.inject({.fault = WireFault::frozen}); },
-      Answer::no_pass);
+      Answer::no_pass));
   kind.hides_standstill = true;
+  return kind;
+}
+
+// That a speed is not reached spoils the points; that a stop is not obeyed ends the run.
+FaultKind drive_deaf() {
+  FaultKind kind = until_last_speed(on_bench(
+      "drive deaf", [](FaultBench& bench) { bench.server.inject({.fault = WireFault::deaf}); },
+      Answer::no_pass));
+  kind.shown = Shown::at_stop;
+  kind.stopped_within_s = within::disobeyed_s;
   return kind;
 }
 
@@ -95,19 +112,18 @@ std::vector<FaultKind> of_the_link() {
 
 std::vector<FaultKind> faults_of_the_drive() {
   std::vector<FaultKind> kinds = of_the_link();
-  kinds.push_back(until_last_speed(on_bench(
-      "drive deaf", [](FaultBench& bench) { bench.server.inject({.fault = WireFault::deaf}); },
-      Answer::no_pass)));
+  kinds.push_back(drive_deaf());
   kinds.push_back(readings_frozen());
-  kinds.push_back(until_last_speed(disturbed("speed register stuck", &Disturbance::speed_stuck,
-                                             Answer::device_lost, "the drive reports")));
+  kinds.push_back(shown_at_next_speed(
+      until_last_speed(disturbed("speed register stuck", &Disturbance::speed_stuck,
+                                 Answer::device_lost, "the drive reports"))));
   kinds.push_back(on_bench(
       "drive trips", [](FaultBench& bench) { bench.inverter.trip(sim::fault_overcurrent); },
-      Answer::device_lost, "", 0.01));
+      Answer::device_lost, "", within::at_plants_step_s));
   kinds.push_back(on_bench(
       "panel takes over",
       [](FaultBench& bench) { bench.inverter.take_over(sim::RunCommand::stop, 0); },
-      Answer::device_lost));
+      Answer::device_lost, "panel", within::at_plants_step_s));
   return kinds;
 }
 

@@ -50,14 +50,33 @@ void Oracle::long_after() {
 
 void Oracle::on_shaft_and_brake(double struck_s, bool was_driven, double stop_asked_s,
                                 double standstill_timeout_s) {
-  if (was_driven) stopped(struck_s);
+  if (was_driven) stopped(shown_s(struck_s, stop_asked_s));
   if (bench_.braked_until_s() == 0 || bench_.driven_until_s() == 0) return;
   released(standstill_timeout_s);
   not_released_early(stop_asked_s, standstill_timeout_s);
 }
 
-void Oracle::stopped(double struck_s) {
-  report_.undriven_s = bench_.driven_until_s() - struck_s;
+// Moments that never came are NaN.
+double Oracle::shown_s(double struck_s, double stop_asked_s) const {
+  const double settling_s = bench_.entered_s(BenchState::settling);
+  const double again_s = bench_.entered_s(BenchState::settling_again);
+  const double next_s = settling_s > struck_s ? settling_s : again_s;
+  switch (fault_.kind->shown) {
+    case Shown::at_once: break;
+    case Shown::at_stop: return std::fmax(struck_s, stop_asked_s);
+    case Shown::at_next_speed:
+      return std::fmax(struck_s, next_s > struck_s ? next_s : stop_asked_s);
+    case Shown::in_next_record: {
+      if (fault_.state > BenchState::settling_again || fault_.state == BenchState::recording) break;
+      const bool is_second = fault_.state == BenchState::settling_again;
+      return std::fmax(struck_s, (is_second ? again_s : settling_s) + FaultBench::record_after_s);
+    }
+  }
+  return struck_s;
+}
+
+void Oracle::stopped(double shown_s) {
+  report_.undriven_s = bench_.driven_until_s() - shown_s;
   if (report_.undriven_s > fault_.kind->stopped_within_s) {
     blame(fmt::format("nobody stopped driving the shaft for {:.3f} s, {:.3f} s is the limit",
                       report_.undriven_s, fault_.kind->stopped_within_s));

@@ -29,7 +29,8 @@ class Oracle {
   void blame(std::string violation) { report_.violations.push_back(std::move(violation)); }
 
  private:
-  void stopped(double struck_s);
+  void stopped(double shown_s);
+  double shown_s(double struck_s, double stop_asked_s) const;
   void released(double standstill_timeout_s);
   void not_released_early(double stop_asked_s, double standstill_timeout_s);
 
