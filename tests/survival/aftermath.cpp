@@ -3,16 +3,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
-#include "bench/run_log.hpp"
 #include "bench/run_recordings.hpp"
 #include "bench/sha256.hpp"
 #include "bench/verdict_json.hpp"
-#include "sequences/sequencer.hpp"
 #include "tests/survival/small_run.hpp"
 
 namespace rvbench::test {
 namespace {
+
+// Whether the log's whole lines end with a bench at rest, since it was armed last.
+bool tells_of_rest(const std::string& log) {
+  std::istringstream lines(log);
+  bool is_told = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.ends_with('}')) continue;  // torn
+    if (line.find("\"armed") != std::string::npos) is_told = false;
+    if (line.find("; shaft at standstill, brake released") == std::string::npos) continue;
+    is_told = line.find("\"ERROR") == std::string::npos;
+  }
+  return is_told;
+}
 
 class Examiner {
  public:
@@ -35,18 +47,18 @@ class Examiner {
       if (witness_.made) lose("the run folder is gone");
       return;
     }
+    if (witness_.verdict) check_verdict(folder, *witness_.verdict);
     if (bench::is_finished(folder)) return check_finished(folder);
-    if (witness_.verdict.value_or("").starts_with("PASS"))
-      lose("the verdict is gone: " + *witness_.verdict);
     if (bench::newest_unfinished_run(root_, small_run_serial) != folder) {
       if (!witness_.made) return;
       found_.resume_offered = false;
       return blame("resume is not offered");
     }
     int next_point = check_recordings(folder);
-    if (next_point == small_run_points &&
-        !sequences::tell_of_rest(bench::events_in(folder / "log.jsonl"))) {
-      --next_point;  // a bench that was not seen at rest has to show itself again
+    // On a bench that was not seen at rest after the last point that one is measured again.
+    const std::string log = bench::read_file(folder / "log.jsonl").value_or("");
+    if (next_point == small_run_points && !tells_of_rest(log)) {
+      measured_again_ = --next_point;
     }
     if (found_.opens) check_resumed(next_point);
   }
@@ -65,6 +77,20 @@ class Examiner {
       newest = std::max(newest, entry.path());
     }
     return newest;
+  }
+
+  // Whatever was told of the run's end is in the file, if the file could be written.
+  void check_verdict(const std::filesystem::path& folder, const std::string& told) {
+    const bool is_unwritten = std::ranges::any_of(witness_.unwritten, [](const std::string& file) {
+      return file.starts_with("verdict.json");
+    });
+    if (is_unwritten) return;
+    const auto kept =
+        bench::judgement_from_json(bench::read_file(folder / "verdict.json").value_or(""));
+    if (!kept) return lose("the verdict is gone: " + told);
+    const std::string text =
+        fmt::format("{} {}", to_string(kept->ending.outcome), kept->ending.reason);
+    if (text != told) lose("the verdict was " + told + ", the file says " + text);
   }
 
   void check_finished(const std::filesystem::path& folder) {
@@ -96,10 +122,9 @@ class Examiner {
     return recordings.next_point();
   }
 
-  // @param before  later points may have been measured again
-  void check_ended(bench::RunRecordings& recordings, int before = small_run_points) {
+  void check_ended(bench::RunRecordings& recordings) {
     for (const auto& [point, ended] : witness_.ended) {
-      if (point >= before) continue;
+      if (point == measured_again_) continue;
       if (!recordings.has(point)) {
         lose(fmt::format("point {} is gone", point));
         continue;
@@ -164,7 +189,7 @@ class Examiner {
     for (int point = 0; point < small_run_points; ++point) {
       if (!run.has(point)) blame(fmt::format("resumed: point {} is missing", point));
     }
-    check_ended(run, next_point);
+    check_ended(run);
   }
 
   // A run that goes on says where, in the report as well.
@@ -184,7 +209,8 @@ class Examiner {
   const std::filesystem::path& root_;
   const Witness& witness_;
   std::int64_t end_ns_;
-  bool kept_any_ = false;  // samples of the recording that was being written
+  bool kept_any_ = false;    // samples of the recording that was being written
+  int measured_again_ = -1;  // the point that the resumed run replaced
   Aftermath found_;
 };
 

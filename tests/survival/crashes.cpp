@@ -116,8 +116,9 @@ Crash strike_run(const RunLengths& lengths, double share, int number, WritingPro
 
 // The run must have ended as an ERROR that names the place, with the shaft at rest.
 void check_ending(const Witness& witness, const DiskPlan& plan, Aftermath& found) {
-  const std::string told = witness.verdict.value_or("ERROR " + witness.refusal);
+  const std::string told = witness.verdict.value_or("ERROR " + witness.refusal + witness.thrown);
   const auto blame = [&](const std::string& what) { found.violations.push_back(what + told); };
+  if (!witness.thrown.empty()) blame("a call failed, and " + witness.thrown + " was thrown, not ");
   if (!told.starts_with("ERROR")) blame("a call failed, and it ends ");
   if (told.find(std::strerror(plan.error)) == std::string::npos) {
     blame(fmt::format("it does not say \"{}\": ", std::strerror(plan.error)));

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <stop_token>
+#include <system_error>
 #include <utility>
 
 #include "bench/acceptance.hpp"
@@ -100,13 +101,22 @@ std::optional<bench::RunPlace> place_of(const std::filesystem::path& root,
   return std::get<0>(std::move(found));
 }
 
+std::optional<bench::RunPlace> find_place(const std::filesystem::path& root,
+                                          const sequences::TestPlan& plan, bool resume) {
+  try {
+    return place_of(root, plan, resume);
+  } catch (const std::system_error& error) {
+    throw NoRunFolder(error.what());
+  }
+}
+
 }  // namespace
 
 std::optional<SmallRunEnd> make_small_run(const std::filesystem::path& root,
                                           const SmallRunOptions& options) {
   const sequences::TestPlan plan = plan_of(plan_text);
   hal::Rig rig = small_rig(options.pace);
-  std::optional<bench::RunPlace> place = place_of(root, plan, options.resume);
+  std::optional<bench::RunPlace> place = find_place(root, plan, options.resume);
   if (!place) return std::nullopt;
   if (options.witnessed) tell("made");
   std::ostringstream nowhere;

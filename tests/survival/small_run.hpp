@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 
 #include "bench/run_folder.hpp"
 #include "hal/recording_file.hpp"
@@ -20,6 +21,11 @@ struct SmallRunOptions {
   hal::RecordingPace recording = {};
 };
 
+/// There could be no folder to run in, or to go on in: nothing has turned.
+struct NoRunFolder : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 struct SmallRunEnd {
   bench::Judgement judgement;
   std::filesystem::path folder;
@@ -29,7 +35,7 @@ struct SmallRunEnd {
 /// An acceptance test of three points on the mirror rig, whose housing hums with its shaft and
 /// teeth: a unit that passes. By the steps of `rvbench run`, into `root`/S1/<time>/.
 /// @return nothing if there was no run to resume
-/// @throws std::system_error if there could be no run folder
+/// @throws NoRunFolder; whatever else is thrown is a defect
 std::optional<SmallRunEnd> make_small_run(const std::filesystem::path& root,
                                           const SmallRunOptions& options);
 

@@ -20,7 +20,12 @@ void Witness::hear(const DiskEntry& entry) {
   std::istringstream words(entry.path);
   std::string what;
   words >> what >> std::ws;
-  if (what == "made") made = true;
+  if (what == "made") {  // what an earlier process told of its end is no more
+    made = true;
+    verdict.reset();
+    unwritten.clear();
+    at_rest = false;
+  }
   if (what == "begun") {
     words >> recording;
     handed.clear();
@@ -34,7 +39,9 @@ void Witness::hear(const DiskEntry& entry) {
     ended[point] = end;
   }
   if (what == "verdict") std::getline(words, verdict.emplace());
+  if (what == "unwritten") std::getline(words, unwritten.emplace_back());
   if (what == "refused") std::getline(words, refusal);
+  if (what == "threw") std::getline(words, thrown);
   if (what == "at_rest") at_rest = true;
   if (what == "struck") words >> struck;
   if (what == "calls") words >> calls;

@@ -30,12 +30,14 @@ struct Witness {
   bool made = false;           ///< the run folder
   std::map<int, Ended> ended;  ///< points
   std::optional<std::string> verdict;
-  std::string refusal;         ///< why there was no run at all
-  bool at_rest = false;        ///< the shaft, when the run had ended
-  std::string struck;          ///< path of the call that was made to fail
-  long calls = 0;              ///< told at the end of a process
-  std::string recording;       ///< file that was begun last
-  std::vector<Handed> handed;  ///< to that file
+  std::vector<std::string> unwritten;  ///< result files, each with why, as the verdict tells
+  std::string refusal;                 ///< why there was no run at all
+  std::string thrown;                  ///< what came out of the run instead of a verdict
+  bool at_rest = false;                ///< the shaft, when the run had ended
+  std::string struck;                  ///< path of the call that was made to fail
+  long calls = 0;                      ///< told at the end of a process
+  std::string recording;               ///< file that was begun last
+  std::vector<Handed> handed;          ///< to that file
   std::int64_t killed_ns = 0;
 
   /// Takes one told entry.

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <system_error>
+#include <exception>
 
 #include "hal/types/outcome.hpp"
 
@@ -44,13 +44,16 @@ int be_writing_process(const std::vector<std::string>& words) {
   try {
     if (const auto end = make_small_run(words.at(0), run)) {
       if (end->at_rest) tell("at_rest");
+      for (const std::string& file : end->judgement.unwritten) tell("unwritten " + file);
       tell(fmt::format("verdict {} {}", to_string(end->judgement.ending.outcome),
                        end->judgement.ending.reason));
     } else {
       tell("refused nothing to resume");
     }
-  } catch (const std::system_error& error) {  // as the command does: nothing has turned yet
+  } catch (const NoRunFolder& error) {
     tell(std::string("refused ") + error.what());
+  } catch (const std::exception& error) {
+    tell(std::string("threw ") + error.what());
   }
   tell(fmt::format("calls {}", disk_calls()));
   return 0;
