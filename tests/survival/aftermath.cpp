@@ -156,10 +156,12 @@ class Examiner {
   void check_blocks(int point, bool is_torque, const SampleSum& kept) {
     kept_any_ = kept_any_ || kept.count > 0;
     bool is_border = kept == SampleSum{};
-    for (const Handed& block : witness_.handed) {
+    for (std::size_t i = 0; i < witness_.handed.size(); ++i) {
+      const Handed& block = witness_.handed[i];
       if (block.point != point || block.is_torque != is_torque) continue;
       is_border = is_border || block.sum == kept;
       if (block.sum.count <= kept.count) continue;
+      found_.blocks_lost = std::max(found_.blocks_lost, int(witness_.handed.size() - i));
       const double lost_s = static_cast<double>(end_ns_ - block.time_ns) / 1e9;
       found_.stream_lost_s = std::max(found_.stream_lost_s, lost_s);
     }

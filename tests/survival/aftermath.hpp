@@ -12,7 +12,8 @@ namespace rvbench::test {
 /// promised; then the run was resumed, came to its end, and was looked at again.
 struct Aftermath {
   int acknowledged_lost = 0;  ///< points, run folders and verdicts
-  double stream_lost_s = 0;   ///< since the first block lost was handed over
+  double stream_lost_s = 0;   ///< real time since the first block lost was handed over
+  int blocks_lost = 0;        ///< handed over since then, that one included
   bool opens = true;          ///< every recording of the run
   bool resume_offered = true;
   std::vector<std::string> violations;  ///< of all kinds, in words

@@ -162,6 +162,10 @@ Crash kill_run(const RunLengths& lengths, double share, int number) {
   Crash crash = strike_run(lengths, share, number, strike, &DiskPlan::kill_at,
                            [](const Disk& disk) { return disk.was_killed(); });
   crash.what = "killed at " + crash.what;
+  if (crash.aftermath.blocks_lost > 1) {
+    crash.aftermath.violations.push_back(
+        fmt::format("{} blocks are lost, not only the one in hand", crash.aftermath.blocks_lost));
+  }
   return crash;
 }
 
