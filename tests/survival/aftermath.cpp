@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "bench/result_database.hpp"
 #include "bench/run_recordings.hpp"
 #include "bench/sha256.hpp"
 #include "bench/verdict_json.hpp"
@@ -48,7 +49,11 @@ class Examiner {
       return;
     }
     if (witness_.verdict) check_verdict(folder, *witness_.verdict);
-    if (bench::is_finished(folder)) return check_finished(folder);
+    if (witness_.entered) check_entered();
+    if (bench::is_finished(folder)) {
+      check_finished(folder);
+      return check_table(folder);
+    }
     if (bench::newest_unfinished_run(root_, small_run_serial) != folder) {
       if (!witness_.made) return;
       found_.resume_offered = false;
@@ -60,7 +65,9 @@ class Examiner {
     if (next_point == small_run_points && !tells_of_rest(log)) {
       measured_again_ = --next_point;
     }
-    if (found_.opens) check_resumed(next_point);
+    if (!found_.opens) return;
+    check_resumed(next_point);
+    check_table(folder);
   }
 
   void blame(const std::string& what) { found_.violations.push_back(what); }
@@ -91,6 +98,37 @@ class Examiner {
     const std::string text =
         fmt::format("{} {}", to_string(kept->ending.outcome), kept->ending.reason);
     if (text != told) lose("the verdict was " + told + ", the file says " + text);
+  }
+
+  // An entry that was made is there as it was made.
+  void check_entered() {
+    for (const bench::RunRow& row : rows(false)) {
+      if (row.verdict + " " + row.reason == witness_.verdict.value_or("")) return;
+    }
+    lose("the table of results lacks " + witness_.verdict.value_or(""));
+  }
+
+  // One that was not is made up for, out of the folders.
+  void check_table(const std::filesystem::path& folder) {
+    for (const bench::RunRow& row : rows(true)) {
+      if (root_ / row.folder == folder && row.verdict == "PASS") return;
+    }
+    blame("the table of results does not catch up with the folder");
+  }
+
+  std::vector<bench::RunRow> rows(bool is_to_catch_up) {
+    auto opened = bench::ResultDatabase::open(root_);
+    if (!opened) {
+      blame(describe(opened.error()));
+      return {};
+    }
+    bench::ResultDatabase results = std::move(opened).value();
+    if (is_to_catch_up) {
+      if (const auto done = results.catch_up(); !done) blame(describe(done.error()));
+    }
+    auto all = results.runs();
+    if (!all) blame(describe(all.error()));
+    return all ? std::move(all).value() : std::vector<bench::RunRow>();
   }
 
   void check_finished(const std::filesystem::path& folder) {

@@ -24,7 +24,7 @@ void Witness::hear(const DiskEntry& entry) {
     made = true;
     verdict.reset();
     unwritten.clear();
-    at_rest = false;
+    at_rest = entered = false;
   }
   if (what == "begun") {
     words >> recording;
@@ -43,7 +43,12 @@ void Witness::hear(const DiskEntry& entry) {
   if (what == "refused") std::getline(words, refusal);
   if (what == "threw") std::getline(words, thrown);
   if (what == "at_rest") at_rest = true;
-  if (what == "struck") words >> struck;
+  if (what == "entered") entered = true;
+  if (what == "not_entered") std::getline(words, not_entered);
+  if (what == "struck") {
+    words >> struck;
+    struck_at_end = verdict.has_value();
+  }
   if (what == "calls") words >> calls;
   if (what == "killed") killed_ns = entry.time_ns;
 }

@@ -34,7 +34,10 @@ struct Witness {
   std::string refusal;                 ///< why there was no run at all
   std::string thrown;                  ///< what came out of the run instead of a verdict
   bool at_rest = false;                ///< the shaft, when the run had ended
+  bool entered = false;                ///< the verdict, in the table of results
+  std::string not_entered;             ///< why it was not, or another was not
   std::string struck;                  ///< path of the call that was made to fail
+  bool struck_at_end = false;          ///< the verdict had been told by then
   long calls = 0;                      ///< told at the end of a process
   std::string recording;               ///< file that was begun last
   std::vector<Handed> handed;          ///< to that file

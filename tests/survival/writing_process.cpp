@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <exception>
+#include <utility>
 
+#include "bench/result_database.hpp"
 #include "hal/types/outcome.hpp"
 
 namespace rvbench::test {
@@ -28,6 +30,22 @@ std::vector<std::string> words_of(const WritingProcess& process) {
           flag(disk.fail_ever_after)};
 }
 
+namespace {
+
+// As the command does. @return why it could not be
+std::string enter_result(const std::filesystem::path& runs, const SmallRunEnd& end) {
+  auto opened = bench::ResultDatabase::open(runs);
+  if (!opened) return describe(opened.error());
+  bench::ResultDatabase results = std::move(opened).value();
+  const Status entered = results.enter(bench::row_of(runs, end.folder, end.judgement));
+  if (!entered) return describe(entered.error());
+  tell("entered");  // whatever becomes of the others
+  const auto caught_up = results.catch_up();
+  return caught_up ? "" : describe(caught_up.error());
+}
+
+}  // namespace
+
 int be_writing_process(const std::vector<std::string>& words) {
   SmallRunOptions run{
       .resume = words.at(1) == "1", .witnessed = true, .pace = std::stod(words.at(2))};
@@ -47,6 +65,8 @@ int be_writing_process(const std::vector<std::string>& words) {
       for (const std::string& file : end->judgement.unwritten) tell("unwritten " + file);
       tell(fmt::format("verdict {} {}", to_string(end->judgement.ending.outcome),
                        end->judgement.ending.reason));
+      const std::string not_entered = enter_result(words.at(0), *end);
+      if (!not_entered.empty()) tell("not_entered " + not_entered);
     } else {
       tell("refused nothing to resume");
     }
