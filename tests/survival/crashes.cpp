@@ -78,10 +78,22 @@ long call_at(double share, long calls) {
   return std::clamp(std::lround(share * static_cast<double>(calls)), 1L, calls);
 }
 
-void kill_somewhere(Disk& disk, long call) {
+// @return the entries of its record, with its calls if asked for
+std::vector<DiskEntry> kill_somewhere(Disk& disk, long call, bool with_calls = false) {
   WritingProcess first = quick(false);
   first.disk.kill_at = call;
-  disk.run(first);
+  first.disk.with_calls = with_calls;
+  return disk.run(first);
+}
+
+// What a later process did to the same disk: entries that refer to others do so by their numbers.
+void append(std::vector<DiskEntry>& all, std::vector<DiskEntry> later) {
+  const auto before = static_cast<int>(all.size());
+  for (DiskEntry& entry : later) {
+    entry.object += entry.object < 0 ? 0 : before;
+    entry.began += before;
+    all.push_back(std::move(entry));
+  }
 }
 
 // Puts `strike` upon a run, or upon its resumed half; earlier where it came too late.
@@ -192,23 +204,21 @@ Crash fail_run(const RunLengths& lengths, double share, int number) {
 
 RecordedRun::RecordedRun(const RunLengths& lengths, bool resume) : resume_(resume) {
   Disk disk(scratch_.path());
-  if (resume) kill_somewhere(disk, lengths.whole / 2);
-  before_ = disk.witness();
-  std::filesystem::copy(disk.root(), scratch_ / "before", std::filesystem::copy_options::recursive);
+  if (resume) entries_ = kill_somewhere(disk, lengths.whole / 2, true);
+  begin_ = entries_.size();
   WritingProcess process;
   process.run.resume = resume;
   process.run.pace = recorded_pace;
   process.disk.with_calls = true;
-  entries_ = disk.run(process);
+  append(entries_, disk.run(process));
 }
 
 Crash RecordedRun::cut(std::uint64_t seed, Without without) const {
   std::mt19937_64 random(seed);
-  const auto last = static_cast<std::size_t>(entries_.size() - 1);
-  std::size_t moment = 1 + random() % last;
+  std::size_t moment = begin_ + 1 + random() % (entries_.size() - 1 - begin_);
   std::int64_t end_ns = entries_[moment].time_ns;
   if (random() % 2 == 0) {  // by time, not by number
-    const std::int64_t begin_ns = entries_.front().time_ns;
+    const std::int64_t begin_ns = entries_[begin_].time_ns;
     end_ns =
         begin_ns + static_cast<std::int64_t>(
                        random() % static_cast<std::uint64_t>(entries_.back().time_ns - begin_ns));
@@ -217,12 +227,12 @@ Crash RecordedRun::cut(std::uint64_t seed, Without without) const {
   }
   const std::vector<DiskEntry> told(entries_.begin(), entries_.begin() + std::ptrdiff_t(moment));
   const ScratchFolder after;
-  const PowerCut cut(scratch_ / "disk", scratch_ / "before", entries_, without != Without::syncs);
+  const PowerCut cut(scratch_ / "disk", entries_, without != Without::syncs);
   cut.make(after.path(), moment, seed);
   if (without == Without::journal) remove_journals(after.path());
   return {fmt::format("power cut before entry {} of a {} run, seed {}", moment,
                       resume_ ? "resumed" : "new", seed),
-          examine_aftermath(after / "runs", heard(before_, told), end_ns)};
+          examine_aftermath(after / "runs", heard({}, told), end_ns)};
 }
 
 }  // namespace rvbench::test

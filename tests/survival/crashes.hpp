@@ -35,7 +35,8 @@ Crash kill_run(const RunLengths& lengths, double share, int number);
 /// A call fails for want of space, or with an I/O error; once, or from then on.
 Crash fail_run(const RunLengths& lengths, double share, int number);
 
-/// A run at the pace of a real one, whose power can be cut at any moment.
+/// A run at the pace of a real one, whose power can be cut at any moment; of one that was resumed
+/// what the killed process had not synced is lost with it.
 class RecordedRun {
  public:
   /// @param resume  its second half, after a kill
@@ -45,8 +46,8 @@ class RecordedRun {
  private:
   ScratchFolder scratch_;
   bool resume_;
-  Witness before_;
-  std::vector<DiskEntry> entries_;
+  std::vector<DiskEntry> entries_;  ///< of all processes
+  std::size_t begin_ = 0;           ///< those of the last one
 };
 
 }  // namespace rvbench::test

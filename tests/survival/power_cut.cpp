@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include "tests/survival/torn_pages.hpp"
@@ -17,19 +16,11 @@ std::string parent_of(const std::string& name) {
   return slash == std::string::npos ? "" : name.substr(0, slash);
 }
 
-std::string bytes_in(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 }  // namespace
 
-PowerCut::PowerCut(std::filesystem::path root, const std::filesystem::path& before,
-                   const std::vector<DiskEntry>& entries, bool syncs)
+PowerCut::PowerCut(std::filesystem::path root, const std::vector<DiskEntry>& entries, bool syncs)
     : root_(std::move(root)), entries_(entries), syncs_(syncs) {
   now_[""] = add_file("", true);
-  take_before(before);
-  at_begin_ = now_;
   for (std::size_t i = 0; i < entries_.size(); ++i) take_entry(i);
 }
 
@@ -40,17 +31,9 @@ std::string PowerCut::below_root(const std::string& path) const {
 }
 
 std::size_t PowerCut::add_file(const std::string& name, bool is_folder) {
-  files_.push_back({is_folder, "", {}, {}});
+  files_.push_back({is_folder, {}, {}});
   now_[name] = files_.size() - 1;
   return files_.size() - 1;
-}
-
-void PowerCut::take_before(const std::filesystem::path& before) {
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(before)) {
-    const std::string name = std::filesystem::relative(entry.path(), before).string();
-    const std::size_t file = add_file(name, entry.is_directory());
-    if (!entry.is_directory()) files_[file].begin = bytes_in(entry.path());
-  }
 }
 
 void PowerCut::take_entry(std::size_t index) {
@@ -96,7 +79,7 @@ std::size_t PowerCut::kept_until(const File& file, std::size_t moment) const {
 }
 
 PowerCut::Names PowerCut::names_at(std::size_t moment, std::mt19937_64& random) const {
-  Names names = at_begin_;
+  Names names{{"", 0}};
   const bool in_order = random() % 2 == 0;
   const std::size_t last = random() % (moment + 1);  // of those not synced, in order
   for (const Change& change : changes_) {
@@ -119,7 +102,7 @@ PowerCut::Names PowerCut::names_at(std::size_t moment, std::mt19937_64& random) 
 
 std::string PowerCut::bytes_at(const File& file, std::size_t moment,
                                std::mt19937_64& random) const {
-  TornPages pages(file.begin);
+  TornPages pages;
   const std::size_t kept = kept_until(file, moment);
   std::vector<const DiskEntry*> open_changes;
   for (const std::size_t index : file.changes) {

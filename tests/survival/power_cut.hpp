@@ -11,7 +11,7 @@
 
 namespace rvbench::test {
 
-/// What may be on a disk after its power failed at some moment of a recorded process.
+/// What may be on a disk after its power failed at some moment of recorded processes.
 ///
 /// Promised by ext4 (data=ordered) and XFS, and by POSIX: after fsync or fdatasync of a file what
 /// was written to it before is there, with the size that it needs; after fsync of a folder so are
@@ -26,10 +26,10 @@ namespace rvbench::test {
 /// every other cut, any of them.
 class PowerCut {
  public:
-  /// @param before  what was below `root` when the process began, all of it on the disk
-  /// @param syncs   false: as if no file had ever been synced
-  PowerCut(std::filesystem::path root, const std::filesystem::path& before,
-           const std::vector<DiskEntry>& entries, bool syncs);
+  /// @param entries  of all that ever wrote below `root`, which was empty and on the disk before;
+  ///                 must outlive it
+  /// @param syncs    false: as if no file had ever been synced
+  PowerCut(std::filesystem::path root, const std::vector<DiskEntry>& entries, bool syncs);
 
   /// Makes the state after a cut right before entry `moment` below `to`, which is empty.
   void make(const std::filesystem::path& to, std::size_t moment, std::uint64_t seed) const;
@@ -47,13 +47,11 @@ class PowerCut {
 
   struct File {
     bool is_folder = false;
-    std::string begin;                 ///< its bytes before the process
     std::vector<std::size_t> changes;  ///< entries: writes and truncations
     std::vector<std::size_t> syncs;    ///< entries
   };
 
   std::string below_root(const std::string& path) const;
-  void take_before(const std::filesystem::path& before);
   void take_entry(std::size_t index);
   std::size_t add_file(const std::string& name, bool is_folder);
   Names names_at(std::size_t moment, std::mt19937_64& random) const;
@@ -64,7 +62,6 @@ class PowerCut {
   const std::vector<DiskEntry>& entries_;
   bool syncs_;
   std::vector<File> files_;
-  Names at_begin_;
   Names now_;                          ///< while entries are taken
   std::map<int, std::size_t> opened_;  ///< entry of an open() → file
   std::vector<Change> changes_;

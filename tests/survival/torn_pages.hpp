@@ -11,8 +11,6 @@ namespace rvbench::test {
 /// The bytes of a file on a disk that wrote its pages in no order. See PowerCut for what it may.
 class TornPages {
  public:
-  explicit TornPages(std::string bytes) : bytes_(std::move(bytes)) {}
-
   void apply(const DiskEntry& change);  ///< a write or a truncation that is on the disk
 
   /// @param changes  since then, in order, of which any may be there
