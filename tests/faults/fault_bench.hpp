@@ -89,7 +89,9 @@ class FaultBench final : public hal::PlantPort {
   // For the oracle: the truth, whatever any device says.
   double speed_rpm() const;  // of the input shaft
   double brake_Nm() const { return brake.setpoint_Nm(); }
-  bool is_driven() const;  ///< somebody wants the shaft to turn, and current flows
+  /// Somebody wants the shaft to turn, and current flows. Not while a drive that has taken a stop
+  /// brakes by its ramp.
+  bool is_driven() const;
   double driven_until_s() const { return driven_until_s_; }  ///< last time that it was
   double moved_until_s() const { return moved_until_s_; }    ///< last time above 5 rpm
   double braked_until_s() const { return braked_until_s_; }  ///< last time with torque commanded

@@ -168,7 +168,7 @@ void print(const Totals& totals, double took_s) {
       "{} kinds in {} states: {} runs in {:.0f} s, {} struck\n"
       "violations                        {:8}   limit 0\n"
       "repeated, the computer was busy   {:8}   limit {:.0f}\n"
-      "interlock to undriven shaft, worst {:7.3f} s limit 0.025 s, virtual time\n"
+      "interlock to stop obeyed, worst    {:7.3f} s limit 0.025 s, virtual time\n"
       "brake held after standstill, worst {:7.3f} s limit 0.210 s, virtual time\n",
       test::fault_kinds().size(), states, totals.runs, took_s, totals.struck, totals.violations,
       totals.repeated, most_repeated(totals), totals.worst_trip_s, totals.worst_released_s);
