@@ -25,7 +25,7 @@ Format hdf5_format();
 Format mat5_format();
 Format csv_format();
 
-/// "<file>: <what>", as bad_reply
+/// "<file>: <what>", as bad_data
 IoError bad_file(const std::filesystem::path& file, const std::string& what);
 
 }  // namespace rvbench::hal::formats

@@ -126,7 +126,7 @@ bool has_samples(const Recording& recording) {
 }  // namespace
 
 IoError formats::bad_file(const std::filesystem::path& file, const std::string& what) {
-  return IoError{IoErrc::bad_reply, file.string() + ": " + what};
+  return IoError{IoErrc::bad_data, file.string() + ": " + what};
 }
 
 Result<std::vector<Recording>> read_recordings(const std::filesystem::path& file,

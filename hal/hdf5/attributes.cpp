@@ -55,7 +55,7 @@ Opened open(const Handle& object, const char* name) {
   const Handle space = own(H5Aget_space(opened.attribute.id()), H5Sclose, place);
   const hssize_t count = H5Sget_simple_extent_npoints(space.id());
   check(count, place);
-  if (count > most_values) throw FileFailure(IoErrc::bad_reply, place + ": too many values");
+  if (count > most_values) throw FileFailure(IoErrc::bad_data, place + ": too many values");
   opened.count = static_cast<std::size_t>(count);
   return opened;
 }
@@ -74,7 +74,7 @@ std::vector<std::string> read_variable(const Opened& from, const std::string& pl
 std::vector<std::string> read_fixed(const Opened& from, const std::string& place) {
   const std::size_t bytes = H5Tget_size(from.type.id());
   if (bytes == 0 || bytes > longest_text) {
-    throw FileFailure(IoErrc::bad_reply, place + ": text too long");
+    throw FileFailure(IoErrc::bad_data, place + ": text too long");
   }
   std::vector<char> buffer(from.count * bytes);
   check(H5Aread(from.attribute.id(), from.type.id(), buffer.data()), place);
@@ -124,7 +124,7 @@ std::vector<double> read_numbers(const Handle& object, const char* name) {
   if (values.empty()) return values;
   const H5T_class_t kind = H5Tget_class(from.type.id());
   if (kind != H5T_FLOAT && kind != H5T_INTEGER) {
-    throw FileFailure(IoErrc::bad_reply, place_of(name) + ": not a number");
+    throw FileFailure(IoErrc::bad_data, place_of(name) + ": not a number");
   }
   check(H5Aread(from.attribute.id(), H5T_NATIVE_DOUBLE, values.data()), place_of(name));
   return values;
@@ -135,7 +135,7 @@ std::vector<std::string> read_texts(const Handle& object, const char* name) {
   if (from.count == 0) return {};
   const std::string place = place_of(name);
   if (H5Tget_class(from.type.id()) != H5T_STRING) {
-    throw FileFailure(IoErrc::bad_reply, place + ": not text");
+    throw FileFailure(IoErrc::bad_data, place + ": not text");
   }
   const htri_t variable = H5Tis_variable_str(from.type.id());
   check(variable, place);

@@ -97,13 +97,13 @@ void check_global_heaps(const Handle& object, const std::string& place) {
   if (number == found_sound) return;
   const MappedFile file(path_of(object, place));
   const std::string_view bytes = file.bytes();
-  if (bytes.empty()) throw FileFailure(IoErrc::bad_reply, place + ": cannot be read again");
+  if (bytes.empty()) throw FileFailure(IoErrc::bad_data, place + ": cannot be read again");
   for (std::size_t at = bytes.find(collection_head); at != std::string_view::npos;
        at = bytes.find(collection_head, at + 1)) {
     if (is_sound(bytes.substr(at))) continue;
-    throw FileFailure(IoErrc::bad_reply, place + ": damaged: a heap of texts at byte " +
-                                             std::to_string(at) +
-                                             " holds more than it has room for");
+    throw FileFailure(IoErrc::bad_data, place + ": damaged: a heap of texts at byte " +
+                                            std::to_string(at) +
+                                            " holds more than it has room for");
   }
   found_sound = number;
 }

@@ -39,7 +39,7 @@ Handle own(Handle::Id id, Handle::Close close, const std::string& place) {
 }
 
 void check(std::int64_t status, const std::string& place) {
-  if (status < 0) throw FileFailure(IoErrc::bad_reply, place + ": " + last_reason());
+  if (status < 0) throw FileFailure(IoErrc::bad_data, place + ": " + last_reason());
 }
 
 Handle file_access() {

@@ -1,10 +1,12 @@
 #include "hal/hdf5/journal.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/file.h>
 #include <unistd.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -63,6 +65,40 @@ std::optional<std::string> next_record(std::istream& in, std::uint32_t number,
   return record;
 }
 
+// Moves on to the next bytes that look like the head of a record.
+bool seek_head(std::istream& in) {
+  const std::uint32_t magic = Head{}.magic;
+  std::array<char, sizeof(magic)> last{};
+  while (in.get(last.back())) {
+    if (std::memcmp(last.data(), &magic, sizeof(magic)) == 0) {
+      return static_cast<bool>(in.seekg(-static_cast<std::streamoff>(sizeof(magic)), in.cur));
+    }
+    std::ranges::rotate(last, last.begin() + 1);
+  }
+  return false;
+}
+
+// Whether after these bytes comes the result of a point, and a step after it. That result was on
+// the disk before the step was taken, and so was all that precedes it: it is damaged, not cut off.
+bool hides_a_result(std::istream& in, std::streamoff bytes, std::uintmax_t file_bytes) {
+  in.clear();
+  in.seekg(bytes);
+  bool after_result = false;
+  while (seek_head(in)) {
+    const std::istream::pos_type place = in.tellg();
+    Head head;
+    in.read(reinterpret_cast<char*>(&head), sizeof(head));
+    in.seekg(place);
+    const std::optional<std::string> record = next_record(in, head.number, file_bytes);
+    if (record && after_result) return true;
+    after_result = record && std::holds_alternative<PointResult>(record_of(*record));
+    if (record) continue;
+    in.clear();
+    in.seekg(place + std::streamoff{1});
+  }
+  return false;
+}
+
 void demand(const Status& status) {
   if (!status) throw FileFailure(status.error().code, status.error().where);
 }
@@ -83,7 +119,7 @@ void do_again(const JournalRecord& record, RecordingWriter& writer) {
   try {
     write_again(record, writer);
   } catch (const std::invalid_argument& error) {  // here it is the file that is wrong
-    throw FileFailure(IoErrc::bad_reply, std::string("journal: ") + error.what());
+    throw FileFailure(IoErrc::bad_data, std::string("journal: ") + error.what());
   }
 }
 
@@ -170,16 +206,25 @@ std::unique_ptr<RecordingWriter> replay_journal(
   if (!in) fail("open", errno);
   const std::uintmax_t file_bytes = std::filesystem::file_size(journal);
   std::unique_ptr<RecordingWriter> writer;
+  std::streamoff whole_bytes = 0;
   for (std::uint32_t number = 0; auto bytes = next_record(in, number, file_bytes); ++number) {
     const JournalRecord record = record_of(*bytes);
     const auto* layout = std::get_if<RecordingLayout>(&record);
     if ((layout != nullptr) != (number == 0)) {
-      throw FileFailure(IoErrc::bad_reply, "journal: does not begin with one layout");
+      throw FileFailure(IoErrc::bad_data, "journal: does not begin with one layout");
     }
     if (layout != nullptr) writer = begin(*layout);
     do_again(record, *writer);
+    whole_bytes = in.tellg();
   }
   if (in.bad()) fail("read", EIO);
+  if (hides_a_result(in, whole_bytes, file_bytes)) {
+    throw FileFailure(
+        IoErrc::refused,
+        fmt::format("journal: damaged at byte {}, before the end of a point that was measured; "
+                    "neither it nor the recording was changed",
+                    whole_bytes));
+  }
   return writer;
 }
 

@@ -62,6 +62,8 @@ class Journal {
 /// a whole layout stands for nothing: its recording was never begun.
 /// @param begin  makes the writer that is given the steps
 /// @return that writer, not closed; null if there was no layout
+/// @throws FileFailure also if a point's result follows what is not whole: somebody was told of it,
+/// and a repair would throw it away
 std::unique_ptr<RecordingWriter> replay_journal(
     const std::filesystem::path& journal,
     const std::function<std::unique_ptr<RecordingWriter>(const RecordingLayout&)>& begin);

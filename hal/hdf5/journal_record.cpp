@@ -73,7 +73,7 @@ class Unpacker {
 
  private:
   [[noreturn]] static void refuse() {
-    throw FileFailure(IoErrc::bad_reply, "journal: a record of another shape");
+    throw FileFailure(IoErrc::bad_data, "journal: a record of another shape");
   }
 
   std::string_view bytes_;
@@ -109,7 +109,7 @@ AccelerationStep unpack_acceleration(Unpacker& in) {
   std::vector<float> samples(in.size(sizeof(float)));
   in.array(samples.data(), samples.size());
   if (channels == 0 || samples.empty() || samples.size() % channels != 0) {
-    throw FileFailure(IoErrc::bad_reply, "journal: a block of another shape");
+    throw FileFailure(IoErrc::bad_data, "journal: a block of another shape");
   }
   step.block.scans = Eigen::Map<const AccelerationBlock::Scans>(
       samples.data(), static_cast<Eigen::Index>(samples.size() / channels),
@@ -152,7 +152,7 @@ JournalRecord unpack(Kind kind, Unpacker& in) {
       return NoteStep{time_s, in.text()};
     }
   }
-  throw FileFailure(IoErrc::bad_reply, "journal: a record of another kind");
+  throw FileFailure(IoErrc::bad_data, "journal: a record of another kind");
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ Samples open_samples(const Handle& file, const std::string& point, const std::st
   const Handle type = own(H5Dget_type(samples.dataset.id()), H5Tclose, place);
   const H5T_class_t kind = H5Tget_class(type.id());
   if (kind != H5T_FLOAT && kind != H5T_INTEGER) {
-    throw FileFailure(IoErrc::bad_reply, place + ": not numbers");
+    throw FileFailure(IoErrc::bad_data, place + ": not numbers");
   }
   samples.extent = checked_extent(samples.dataset, file_bytes, place);
   try {
@@ -74,7 +74,7 @@ std::vector<std::string> groups_in(const Handle& file, const std::string& path) 
   const Handle group = open_group(file, path);
   H5G_info_t info;
   check(H5Gget_info(group.id(), &info), path);
-  if (info.nlinks > most_groups) throw FileFailure(IoErrc::bad_reply, path + ": too many groups");
+  if (info.nlinks > most_groups) throw FileFailure(IoErrc::bad_data, path + ": too many groups");
   std::vector<std::string> names;
   check(H5Literate(group.id(), H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, add_name, &names), path);
   std::erase_if(names, [&](const std::string& name) { return !is_group(group, name); });

@@ -77,10 +77,10 @@ void Hdf5RecordingReader::read_points() {
   layout_.software = read_text(file_, "software").value_or("");
   const double version = read_number(file_, "format_version").value_or(1);
   if (version > 1) {
-    throw FileFailure(IoErrc::bad_reply, "format_version: written by a newer rvbench");
+    throw FileFailure(IoErrc::bad_data, "format_version: written by a newer rvbench");
   }
   names_ = groups_in(file_, "/points");
-  if (names_.empty()) throw FileFailure(IoErrc::bad_reply, "/points: no points");
+  if (names_.empty()) throw FileFailure(IoErrc::bad_data, "/points: no points");
   for (const std::string& name : names_) {
     layout_.points.push_back(read_plan(file_, "/points/" + name));
   }

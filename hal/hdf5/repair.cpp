@@ -63,7 +63,13 @@ bool make_anew(const std::filesystem::path& file, const std::filesystem::path& j
   const auto begin = [&](const RecordingLayout& layout) {
     return make_hdf5_writer(draft, layout, std::chrono::hours(1));
   };
-  const std::unique_ptr<RecordingWriter> writer = replay_journal(journal, begin);
+  std::unique_ptr<RecordingWriter> writer;
+  try {
+    writer = replay_journal(journal, begin);
+  } catch (...) {
+    std::filesystem::remove(draft, none_there);
+    throw;
+  }
   if (writer == nullptr) return false;
   if (const Status closed = writer->close(); !closed) {
     throw FileFailure(closed.error().code, closed.error().where);

@@ -11,8 +11,8 @@ namespace {
 
 void check_length(std::size_t length, std::size_t columns, const char* attribute) {
   if (length == 0 || length == columns) return;
-  throw FileFailure(IoErrc::bad_reply, fmt::format("attribute {}: {} values for {} channels",
-                                                   attribute, length, columns));
+  throw FileFailure(IoErrc::bad_data, fmt::format("attribute {}: {} values for {} channels",
+                                                  attribute, length, columns));
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ SampleGroup read_sample_group(const Handle& group, std::size_t columns, const st
   SampleGroup samples;
   samples.rate_Hz = read_number(group, "rate_Hz").value_or(0);
   if (!std::isfinite(samples.rate_Hz) || samples.rate_Hz < 0) {
-    throw FileFailure(IoErrc::bad_reply,
+    throw FileFailure(IoErrc::bad_data,
                       fmt::format("attribute rate_Hz: {} is not above 0", samples.rate_Hz));
   }
   samples.full_scale = read_number(group, "full_scale").value_or(not_known);

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t most_compressed = 1032;
 
 [[noreturn]] void refuse(const std::string& place, const std::string& why) {
-  throw FileFailure(IoErrc::bad_reply, place + ": " + why);
+  throw FileFailure(IoErrc::bad_data, place + ": " + why);
 }
 
 void check_inside(haddr_t address, hsize_t bytes, std::size_t file_bytes,

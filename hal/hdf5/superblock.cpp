@@ -16,9 +16,9 @@ bool is_marked_open(const std::filesystem::path& path) {
   std::array<char, 12> head{};
   std::ifstream file(path, std::ios::binary);
   file.read(head.data(), head.size());
-  if (!file) throw FileFailure(IoErrc::bad_reply, "not a recording: shorter than an HDF5 header");
+  if (!file) throw FileFailure(IoErrc::bad_data, "not a recording: shorter than an HDF5 header");
   if (std::memcmp(head.data(), "\x89HDF\r\n\x1a\n", 8) != 0) {
-    throw FileFailure(IoErrc::bad_reply, "not a recording: no HDF5 signature");
+    throw FileFailure(IoErrc::bad_data, "not a recording: no HDF5 signature");
   }
   return head[8] == 3 && head[11] != 0;
 }

@@ -85,7 +85,7 @@ std::vector<Row> read(const Handle& file, const char* path, std::size_t file_byt
   const Handle type = own(H5Dget_type(dataset.id()), H5Tclose, path);
   const Extent extent = checked_extent(dataset, file_bytes, path);
   if (H5Tget_class(type.id()) != H5T_COMPOUND || extent.columns != 1) {
-    throw FileFailure(IoErrc::bad_reply, std::string(path) + ": not a table");
+    throw FileFailure(IoErrc::bad_data, std::string(path) + ": not a table");
   }
   rows.resize(extent.rows);
   if (rows.empty()) return rows;

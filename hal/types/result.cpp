@@ -10,6 +10,7 @@ const char* to_string(IoErrc code) noexcept {
     case IoErrc::refused: return "refused";
     case IoErrc::stale: return "stale value";
     case IoErrc::overrun: return "overrun";
+    case IoErrc::bad_data: return "bad data";
   }
   return "unknown";
 }

@@ -13,7 +13,8 @@ enum class IoErrc {
   bad_reply,     ///< checksum, length, identity or value makes no sense
   refused,       ///< the device answered, and said no (tripped, local mode, watchdog off)
   stale,         ///< the device answers, but its value no longer moves on
-  overrun        ///< samples were lost
+  overrun,       ///< samples were lost
+  bad_data       ///< of a file: damaged, of another shape, or of another kind
 };
 
 const char* to_string(IoErrc code) noexcept;

@@ -109,10 +109,12 @@ TEST_CASE("of a journal that was cut or changed, all is good that came before",
           "[hal][recording]") {
   const ScratchFolder scratch;
   const std::string journal = left_behind().journal;
+  const std::size_t result = journal.find("unsettled");  // of the first point
+  REQUIRE(result != std::string::npos);
   Eigen::Index before = 0;
   for (std::size_t at = 0; at <= journal.size(); at += 997) {
     CAPTURE(at);
-    const bool is_cut = at % 2 == 0;
+    const bool is_cut = at % 2 == 0 || at < result;  // before a result: see below
     std::string damaged = is_cut ? journal.substr(0, at) : journal;
     if (!is_cut) damaged[at] = static_cast<char>(damaged[at] ^ 0x10);
     put_bytes(scratch / "r.h5", "HDF");
@@ -128,6 +130,26 @@ TEST_CASE("of a journal that was cut or changed, all is good that came before",
     before = samples;
   }
   CHECK(before > all_samples);
+}
+
+TEST_CASE("a journal that was damaged before a point's result is left alone", "[hal][recording]") {
+  const ScratchFolder scratch;
+  const Left left = left_behind();
+  const std::size_t result = left.journal.find("unsettled");
+  REQUIRE(result != std::string::npos);
+  for (std::size_t at = 0; at < result; at += 997) {
+    CAPTURE(at);
+    std::string damaged = left.journal;
+    damaged[at] = static_cast<char>(damaged[at] ^ 0x10);
+    put_bytes(scratch / "r.h5", left.file);
+    put_bytes(scratch / "r.h5.journal", damaged);
+    const Status repaired = repair_recording(scratch / "r.h5");
+    REQUIRE_FALSE(repaired);
+    CHECK(repaired.error().where.find("journal: damaged at byte ") != std::string::npos);
+    CHECK(bytes_in(scratch / "r.h5") == left.file);
+    CHECK(bytes_in(scratch / "r.h5.journal") == damaged);
+    CHECK_FALSE(std::filesystem::exists(scratch / "r.h5.draft"));
+  }
 }
 
 TEST_CASE("a recording that was left without its journal is repaired as it is",
