@@ -15,6 +15,7 @@
 #include "bench/run_recordings.hpp"
 #include "bench/run_results.hpp"
 #include "bench/sha256.hpp"
+#include "bench/text_file.hpp"
 #include "bench/twin_check.hpp"
 #include "bench/verdict_json.hpp"
 #include "hal/service_watchdog.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "analysis/kinematics.hpp"
+#include "bench/judgement.hpp"
 #include "bench/progress_bar.hpp"
-#include "bench/run_folder.hpp"
 #include "hal/recording_file.hpp"
 #include "hal/rig.hpp"
 #include "sequences/plan.hpp"

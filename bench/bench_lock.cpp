@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bench/run_folder.hpp"
+#include "bench/text_file.hpp"
 
 namespace rvbench::bench {
 namespace {

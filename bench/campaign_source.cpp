@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bench/campaign_points.hpp"
+#include "bench/text_file.hpp"
 #include "bench/uniform_time.hpp"
 #include "hal/did_you_mean.hpp"
 #include "hal/formats/read_recordings.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "bench/run_folder.hpp"
+#include "bench/text_file.hpp"
 #include "hal/json_lines.hpp"
 
 namespace rvbench::bench {

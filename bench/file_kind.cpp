@@ -4,14 +4,13 @@
 #include <system_error>
 #include <utility>
 
-#include "hal/did_you_mean.hpp"
-
 namespace rvbench::bench {
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 5> key_of_kind = {
+constexpr std::array<std::pair<const char*, const char*>, 6> key_of_kind = {
     {{"plan", "main"},
      {"rig", "rig"},
+     {"rig", "preset"},  // of a simulated one, which need not say so
      {"kinematics", "machine"},
      {"plant", "plant"},
      {"campaign", "campaign"}}};
@@ -41,16 +40,6 @@ std::vector<std::string> names_of(const std::vector<EmbeddedFile>& files) {
   std::vector<std::string> names;
   for (const EmbeddedFile& file : files) names.push_back(file.name);
   return names;
-}
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
-
-std::string what_there_is(const std::string& wrong, const std::vector<std::string>& names) {
-  return " (there are: " + listed(names) + ")" + hal::did_you_mean(wrong, names);
 }
 
 }  // namespace rvbench::bench

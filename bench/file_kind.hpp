@@ -24,10 +24,4 @@ bool is_absent(const std::filesystem::path& file);
 
 std::vector<std::string> names_of(const std::vector<EmbeddedFile>& files);
 
-/// "quick, rv20e_acceptance"
-std::string listed(const std::vector<std::string>& names);
-
-/// ` (there are: quick, rv20e_acceptance), did you mean "quick"?`
-std::string what_there_is(const std::string& wrong, const std::vector<std::string>& names);
-
 }  // namespace rvbench::bench

@@ -38,6 +38,14 @@ std::optional<FileLock> FileLock::take_shared(const std::filesystem::path& file)
   return lock(open_or_make(file), file);
 }
 
+bool FileLock::is_held(const std::filesystem::path& file) {
+  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor < 0) return false;
+  const bool is_free = flock(descriptor, LOCK_SH | LOCK_NB) == 0;
+  close(descriptor);
+  return !is_free;
+}
+
 std::optional<FileLock> FileLock::lock(int descriptor, const std::filesystem::path& file) {
   if (descriptor < 0) throw std::system_error(errno, std::generic_category(), file.string());
   FileLock lock(descriptor);

@@ -2,6 +2,7 @@
 
 #include "bench/file_kind.hpp"
 #include "bench/plan_files.hpp"
+#include "hal/did_you_mean.hpp"
 
 namespace rvbench::bench {
 
@@ -14,9 +15,9 @@ std::variant<sequences::TestPlan, std::vector<hal::ConfigFault>> find_plan(
     }
   }
   if (is_absent(name_or_path)) {
-    return Faults{
-        {0, "",
-         "no such file or built-in plan" + what_there_is(name_or_path, names_of(plan_files()))}};
+    return Faults{{0, "",
+                   "no such file or built-in plan" +
+                       hal::what_there_is(name_or_path, names_of(plan_files()))}};
   }
   hal::ConfigReader root = hal::ConfigReader::from_file(name_or_path);
   if (auto fault = other_kind_fault(root, "plan")) return Faults{*fault};

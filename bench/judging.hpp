@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "analysis/diagnosis.hpp"
-#include "bench/run_folder.hpp"
+#include "bench/judgement.hpp"
 #include "hal/config_reader.hpp"
 #include "hal/types/recording.hpp"
 #include "sequences/plan.hpp"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "bench/run_folder.hpp"
+#include "bench/judgement.hpp"
 
 namespace rvbench::bench {
 

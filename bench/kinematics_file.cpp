@@ -8,7 +8,8 @@
 #include "analysis/rv_reducer.hpp"
 #include "bench/file_kind.hpp"
 #include "bench/kinematics_files.hpp"
-#include "bench/run_folder.hpp"
+#include "bench/text_file.hpp"
+#include "hal/did_you_mean.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -131,7 +132,7 @@ std::variant<analysis::Kinematics, std::vector<hal::ConfigFault>> read_kinematic
   if (shipped(name_or_path) == nullptr && is_absent(name_or_path)) {
     return Faults{{0, "",
                    "cannot be read: No such file or built-in machine" +
-                       what_there_is(name_or_path, names_of(kinematics_files()))}};
+                       hal::what_there_is(name_or_path, names_of(kinematics_files()))}};
   }
   hal::ConfigReader root = open(name_or_path);
   if (auto fault = other_kind_fault(root, "kinematics")) return Faults{*fault};

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "analysis/kinematics.hpp"
-#include "bench/run_folder.hpp"
+#include "bench/judgement.hpp"
 
 namespace rvbench::bench {
 

@@ -10,8 +10,8 @@
 #include "analysis/quality.hpp"
 #include "analysis/shaft_angle.hpp"
 #include "bench/command.hpp"
-#include "bench/file_kind.hpp"
 #include "bench/rising_channels.hpp"
+#include "hal/did_you_mean.hpp"
 #include "hal/types/units.hpp"
 
 namespace rvbench::bench {
@@ -129,7 +129,7 @@ std::variant<std::vector<Recording>, JudgeRefusal> recordings_to_judge(const Jud
   }
   if (!records.empty()) return records;
   return JudgeRefusal{exit_codes::usage, "no recording has a channel \"" + input.channel + "\"" +
-                                             what_there_is(input.channel, channels)};
+                                             hal::what_there_is(input.channel, channels)};
 }
 
 }  // namespace rvbench::bench

@@ -10,7 +10,9 @@
 #include <system_error>
 #include <utility>
 
+#include "bench/run_folder.hpp"
 #include "bench/sha256.hpp"
+#include "bench/text_file.hpp"
 #include "bench/verdict_json.hpp"
 
 namespace rvbench::bench {

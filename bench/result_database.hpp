@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/run_folder.hpp"
+#include "bench/judgement.hpp"
 #include "hal/types/result.hpp"
 
 struct sqlite3;

@@ -15,7 +15,7 @@ namespace {
 std::string preset_fault(const std::string& preset) {
   const std::vector<std::string> names = preset_names();
   if (std::ranges::find(names, preset) != names.end()) return "";
-  return "no preset " + hal::in_quotes(preset) + what_there_is(preset, names);
+  return "no preset " + hal::in_quotes(preset) + hal::what_there_is(preset, names);
 }
 
 constexpr hal::Bounds severities{0, 100};
@@ -83,7 +83,7 @@ std::variant<RigFile, std::vector<hal::ConfigFault>> read_rig(const std::string&
   }
   if (is_absent(rig)) {
     return Faults{
-        {0, "", "cannot be read: No such file or built-in rig" + what_there_is(rig, {"sim"})}};
+        {0, "", "cannot be read: No such file or built-in rig" + hal::what_there_is(rig, {"sim"})}};
   }
   hal::ConfigReader root = hal::ConfigReader::from_file(rig);
   if (auto fault = other_kind_fault(root, "rig")) return Faults{*fault};

@@ -1,21 +1,18 @@
 #include "bench/run_folder.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
 #include <ctime>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <tuple>
+#include <vector>
 
+#include "bench/judgement.hpp"
 #include "bench/sha256.hpp"
+#include "bench/text_file.hpp"
 #include "bench/verdict_json.hpp"
 #include "hal/put_on_disk.hpp"
 
@@ -28,17 +25,6 @@ constexpr std::uint64_t most_runs = 1'000'000'000;
 bool is_plain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
          c == '_' || c == '-';
-}
-
-// Writes and syncs; 0, or errno.
-int fill(int fd, const std::string& text) {
-  std::size_t written = 0;
-  while (written < text.size()) {
-    const auto more = write(fd, text.data() + written, text.size() - written);
-    if (more < 0 && errno != EINTR) return errno;
-    written += static_cast<std::size_t>(std::max<ssize_t>(0, more));
-  }
-  return fsync(fd) == 0 ? 0 : errno;
 }
 
 [[noreturn]] void throw_error(int error, const std::filesystem::path& file) {
@@ -150,7 +136,8 @@ std::optional<std::filesystem::path> newest_unfinished_run(const std::filesystem
   std::vector<std::filesystem::path> runs = folders_in(root / folder_name_of(serial));
   std::erase_if(runs, [](const auto& run) {
     std::error_code unknown;  // what cannot be looked into is none to resume
-    return !std::filesystem::exists(run / "plan.json", unknown);
+    return !std::filesystem::exists(run / "plan.json", unknown) &&
+           !std::filesystem::exists(run / "recording.h5", unknown);
   });
   if (runs.empty()) return std::nullopt;
   const auto newest = std::ranges::max_element(runs, {}, order_of);
@@ -164,40 +151,6 @@ std::string utc_now() {
   gmtime_r(&now, &utc);
   return fmt::format("{:04}{:02}{:02}T{:02}{:02}{:02}Z", utc.tm_year + 1900, utc.tm_mon + 1,
                      utc.tm_mday, utc.tm_hour, utc.tm_min, utc.tm_sec);
-}
-
-std::string reason_of(const std::system_error& error) {
-  const auto* file = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
-  return file == nullptr ? error.what() : file->path1().string() + ": " + error.code().message();
-}
-
-std::filesystem::path draft_of(const std::filesystem::path& file) {
-  return file.string() + ".draft";
-}
-
-void write_file(const std::filesystem::path& file, const std::string& text) {
-  const std::filesystem::path draft = draft_of(file);
-  const int fd = open(draft.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (fd < 0) throw_error(errno, file);
-  int error = fill(fd, text);
-  if (close(fd) != 0 && error == 0) error = errno;
-  if (error == 0 && std::rename(draft.c_str(), file.c_str()) != 0) error = errno;
-  if (error != 0) {
-    unlink(draft.c_str());
-    throw_error(error, file);
-  }
-  put_folder_on_disk(file);
-}
-
-std::optional<std::string> read_file(const std::filesystem::path& file) {
-  std::error_code unknown;
-  if (!std::filesystem::is_regular_file(file, unknown)) return std::nullopt;  // a pipe would block
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return std::nullopt;
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (in.bad() || text.bad()) return std::nullopt;
-  return text.str();
 }
 
 }  // namespace rvbench::bench

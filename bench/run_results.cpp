@@ -10,6 +10,7 @@
 #include "bench/report/report.hpp"
 #include "bench/run_recordings.hpp"
 #include "bench/sha256.hpp"
+#include "bench/text_file.hpp"
 #include "bench/verdict_json.hpp"
 
 namespace rvbench::bench {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/kinematics.hpp"
-#include "bench/run_folder.hpp"
+#include "bench/judgement.hpp"
 
 namespace rvbench::bench {
 

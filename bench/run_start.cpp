@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "bench/run_folder.hpp"
+#include "bench/text_file.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -13,6 +14,8 @@ namespace {
 std::filesystem::path log_of(const std::filesystem::path& folder) { return folder / "log.jsonl"; }
 
 }  // namespace
+
+bool is_at_work(const std::filesystem::path& folder) { return FileLock::is_held(log_of(folder)); }
 
 RunPlace begin_run(const std::filesystem::path& root, const std::string& serial,
                    const ResolvedFiles& resolved) {

@@ -26,6 +26,12 @@ using ResolvedFiles = std::vector<std::pair<std::string, std::string>>;
 RunPlace begin_run(const std::filesystem::path& root, const std::string& serial,
                    const ResolvedFiles& resolved);
 
+/// What to say of a run in whose folder a process works.
+inline constexpr const char* still_at_work = "an rvbench is still at work in it: wait for its end";
+
+/// Whether a process works in that run folder now.
+bool is_at_work(const std::filesystem::path& folder);
+
 /// The newest unfinished run of that serial, or why it cannot be resumed: there is none, another
 /// process works in it, or it was begun with other files than these.
 /// @throws std::system_error

@@ -177,7 +177,7 @@ std::string ServedBench::obey(const std::string& line) {
   }
   std::vector<std::string> known;
   for (const auto& [phrase, act] : mischief_) known.push_back(phrase);
-  return "not understood: " + hal::in_quotes(line) + what_there_is(line, known);
+  return "not understood: " + hal::in_quotes(line) + hal::what_there_is(line, known);
 }
 
 std::string ServedBench::status() {

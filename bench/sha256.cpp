@@ -10,7 +10,7 @@
 #include <sstream>
 #include <system_error>
 
-#include "bench/run_folder.hpp"
+#include "bench/text_file.hpp"
 #include "hal/put_on_disk.hpp"
 
 namespace rvbench::bench {

@@ -4,7 +4,7 @@
 
 #include "analysis/kinematics.hpp"
 #include "bench/console.hpp"
-#include "bench/run_folder.hpp"
+#include "bench/judgement.hpp"
 
 namespace rvbench::bench {
 

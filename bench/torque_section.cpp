@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "bench/run_folder.hpp"
+#include "bench/text_file.hpp"
 #include "hal/can/can_frames.hpp"
 #include "hal/can/can_torque_sensor.hpp"
 #include "hal/did_you_mean.hpp"

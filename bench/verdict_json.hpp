@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/run_folder.hpp"
+#include "bench/judgement.hpp"
 
 namespace rvbench::bench {
 

@@ -40,6 +40,16 @@ std::string did_you_mean(std::string_view wrong, const std::vector<std::string>&
   return nearest.empty() ? "" : ", did you mean " + in_quotes(nearest) + "?";
 }
 
+std::string listed(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+std::string what_there_is(std::string_view wrong, const std::vector<std::string>& names) {
+  return " (there are: " + listed(names) + ")" + did_you_mean(wrong, names);
+}
+
 std::string in_quotes(std::string_view text) {
   std::string cut(text.substr(0, longest_shown));
   if (text.size() > longest_shown) cut += "...";

@@ -8,7 +8,7 @@
 #include "bench/judging.hpp"
 #include "bench/kinematics_file.hpp"
 #include "bench/rig_factory.hpp"
-#include "bench/run_folder.hpp"
+#include "bench/run_start.hpp"
 #include "bench/sha256.hpp"
 #include "sequences/plan.hpp"
 #include "sim/plant_json.hpp"
@@ -60,7 +60,8 @@ int check_run(Console& console, const std::filesystem::path& folder) {
   if (is_absent(folder / "plan.json")) {
     return refuse_file(console, folder, {{0, "", "no run folder: it holds no plan.json"}});
   }
-  std::vector<std::string> faults = verify_sums(folder);
+  if (is_at_work(folder)) return refuse_file(console, folder, {{0, "", still_at_work}});
+  const std::vector<std::string> faults = verify_sums(folder);
   for (const std::string& fault : faults) complain(console, (folder / fault).string());
   if (!faults.empty()) return exit_codes::bad_file;
   console.out << folder.string() << ": run folder, every file matches its hash\n";

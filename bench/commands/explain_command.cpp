@@ -17,11 +17,12 @@
 #include "bench/progress_bar.hpp"
 #include "bench/report/explanation_page.hpp"
 #include "bench/rig_file.hpp"
-#include "bench/run_folder.hpp"
 #include "bench/sha256.hpp"
 #include "bench/software_version.hpp"
 #include "bench/stop_on_signal.hpp"
+#include "bench/text_file.hpp"
 #include "bench/twin.hpp"
+#include "hal/did_you_mean.hpp"
 #include "sim/plant_files.hpp"
 #include "sim/plant_json.hpp"
 
@@ -42,7 +43,7 @@ class ExplainCommand final : public Command {
   std::vector<Option> options() override {
     return {{"RUN", "run folder; or --rec", &run_},
             {"--plant",
-             "plant: " + listed(names_of(sim::plant_files())) +
+             "plant: " + hal::listed(names_of(sim::plant_files())) +
                  ", or a plant file; default for RUN: that of its rig",
              &plant_},
             {"--rec", "a campaign file, or recordings", &files_},
@@ -67,6 +68,7 @@ class ExplainCommand final : public Command {
     return files_.size() == 1 && std::filesystem::path(files_[0]).extension() == ".json";
   }
   std::string usage_fault() const;
+  std::string make_out(bool& made_folder) const;
   int look_into_run(Console& console);
   CampaignOrRefusal campaign(const sim::PlantSpec& plant) const;
   analysis::Explanation explained(Console& console, Twin& twin) const;
@@ -184,6 +186,21 @@ CampaignOrRefusal ExplainCommand::campaign(const sim::PlantSpec& plant) const {
   return made;
 }
 
+// @return why --out cannot be used; empty if it can
+std::string ExplainCommand::make_out(bool& made_folder) const {
+  if (out_.empty()) return "";
+  std::error_code unusable;
+  made_folder = std::filesystem::create_directories(out_, unusable);
+  if (!unusable && access(out_.c_str(), W_OK) != 0) {
+    unusable.assign(errno, std::generic_category());
+  }
+  if (unusable) return unusable.message();
+  const std::filesystem::path updated = std::filesystem::path(out_) / "plant_updated.json";
+  std::error_code none;
+  const bool replaces = std::filesystem::equivalent(updated, plant_, none);
+  return replaces ? "would replace the plant it is given" : "";
+}
+
 int ExplainCommand::run(Console& console) {
   if (!is_rate(console, rate_Hz_)) return exit_codes::usage;
   if (const std::string fault = usage_fault(); !fault.empty()) {
@@ -210,16 +227,9 @@ int ExplainCommand::run(Console& console) {
     return exit_codes::data_refused;
   }
   Twin& twin = *std::get<0>(made);
-  std::error_code unusable;
-  const bool made_folder = !out_.empty() && std::filesystem::create_directories(out_, unusable);
-  if (!unusable && !out_.empty() && access(out_.c_str(), W_OK) != 0) {
-    unusable.assign(errno, std::generic_category());
-  }
-  if (unusable) return refuse_usage(console, "explain: --out " + out_ + ": " + unusable.message());
-  const std::filesystem::path updated = std::filesystem::path(out_) / "plant_updated.json";
-  if (std::error_code none; !out_.empty() && std::filesystem::equivalent(updated, plant_, none)) {
-    return refuse_usage(console,
-                        "explain: --out " + out_ + ": would replace the plant it is given");
+  bool made_folder = false;
+  if (const std::string fault = make_out(made_folder); !fault.empty()) {
+    return refuse_usage(console, "explain: --out " + out_ + ": " + fault);
   }
   try {
     return tell(console, campaign, twin, explained(console, twin));

@@ -46,7 +46,8 @@ std::string padded(const std::string& cell, int columns) {
   return cell + std::string(std::size_t(std::max(0, columns - shown_width(cell))), ' ');
 }
 
-void print(Console& console, const std::vector<RunRow>& rows) {
+// @param none  what to say if there are none
+void print(Console& console, const std::vector<RunRow>& rows, const std::string& none) {
   int serial_columns = 6, plan_columns = 4;
   for (const RunRow& row : rows) {
     serial_columns = std::max(serial_columns, shown_width(as_cell(row.serial, widest_name)));
@@ -65,7 +66,7 @@ void print(Console& console, const std::vector<RunRow>& rows) {
                                padded(as_cell(row.plan, widest_name), plan_columns),
                                paint(console, tone, verdict), as_cell(row.reason, longest_reason));
   }
-  if (rows.empty()) console.out << "no run yet\n";
+  if (rows.empty()) console.out << none << '\n';
 }
 
 // Those with a result, and those without: also of one that is resumed just now, but not of one that
@@ -129,7 +130,7 @@ class HistoryCommand final : public Command {
     if (json_) {
       console.out << as_json(all);
     } else {
-      print(console, all);
+      print(console, all, serial_.empty() ? "no run yet" : "no run of " + serial_ + " in " + out_);
     }
     return exit_codes::done;
   }

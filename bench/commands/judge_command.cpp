@@ -16,11 +16,14 @@
 #include "bench/published_catalogue.hpp"
 #include "bench/recordings_to_judge.hpp"
 #include "bench/report/report.hpp"
+#include "bench/run_folder.hpp"
 #include "bench/run_results.hpp"
 #include "bench/sha256.hpp"
 #include "bench/software_version.hpp"
 #include "bench/summary.hpp"
+#include "bench/text_file.hpp"
 #include "bench/verdict_json.hpp"
+#include "hal/did_you_mean.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -39,7 +42,7 @@ class JudgeCommand final : public Command {
     return {
         {"REC", "recordings; several are points of one judgement", &files_, true},
         {"--kinematics",
-         "machine: " + listed(names_of(kinematics_files())) + ", or a kinematics file",
+         "machine: " + hal::listed(names_of(kinematics_files())) + ", or a kinematics file",
          &kinematics_, true},
         {"--speed", "speed of the input shaft [rpm]; default: what the file states", &speed_rpm_},
         {"--rate", "sample rate [Hz]; default: what the file states", &rate_Hz_},

@@ -5,7 +5,9 @@
 #include "bench/judging.hpp"
 #include "bench/kinematics_file.hpp"
 #include "bench/run_results.hpp"
+#include "bench/run_start.hpp"
 #include "bench/sha256.hpp"
+#include "bench/text_file.hpp"
 #include "bench/verdict_json.hpp"
 #include "sequences/plan.hpp"
 
@@ -44,6 +46,7 @@ class ReportCommand final : public Command {
     const std::string machine = machine_of(folder, test);
     const auto kinematics = read_kinematics(machine);
     if (kinematics.index() == 1) return refuse_file(console, machine, std::get<1>(kinematics));
+    if (is_at_work(folder)) return refuse_file(console, folder, {{0, "", still_at_work}});
     const auto text = read_file(folder / "verdict.json");
     if (!text && !has_sums(folder)) {
       return refuse_file(

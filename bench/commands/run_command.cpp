@@ -22,10 +22,12 @@
 #include "bench/result_database.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/rig_file.hpp"
+#include "bench/run_folder.hpp"
 #include "bench/run_start.hpp"
 #include "bench/software_version.hpp"
 #include "bench/stop_on_signal.hpp"
 #include "bench/summary.hpp"
+#include "bench/text_file.hpp"
 #include "bench/timeline_table.hpp"
 #include "bench/verdict_json.hpp"
 #include "hal/did_you_mean.hpp"
@@ -53,16 +55,17 @@ class RunCommand final : public Command {
            "  rvbench run plans/mine.json --rig bench_a.json --serial A17 --resume\n";
   }
   std::vector<Option> options() override {
-    return {{"PLAN", "plan: " + listed(names_of(plan_files())) + ", or a plan file", &plan_, true},
-            {"--rig", "rig: sim, or a rig file", &rig_, true},
-            {"--serial", "serial number of the unit; no default", &serial_},
-            unit_.preset(),
-            unit_.seed(),
-            unit_.severity(),
-            {"--dry-run", "print the timeline and its envelope; touch nothing", &dry_run_},
-            {"--out", "folder for run folders; default: " + out_, &out_},
-            {"--resume", "go on with the newest unfinished run of this serial", &resume_},
-            {"--json", "one JSON document on standard output", &json_}};
+    return {
+        {"PLAN", "plan: " + hal::listed(names_of(plan_files())) + ", or a plan file", &plan_, true},
+        {"--rig", "rig: sim, or a rig file", &rig_, true},
+        {"--serial", "serial number of the unit; no default", &serial_},
+        unit_.preset(),
+        unit_.seed(),
+        unit_.severity(),
+        {"--dry-run", "print the timeline and its envelope; touch nothing", &dry_run_},
+        {"--out", "folder for run folders; default: " + out_, &out_},
+        {"--resume", "go on with the newest unfinished run of this serial", &resume_},
+        {"--json", "one JSON document on standard output", &json_}};
   }
   int run(Console& console) override;
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "bench/command.hpp"
-#include "bench/file_kind.hpp"
 #include "bench/rig_factory.hpp"
+#include "hal/did_you_mean.hpp"
 
 namespace rvbench::bench {
 
@@ -17,7 +17,7 @@ class SimChoice {
  public:
   Option preset() {
     return {"--preset",
-            "simulated unit: " + listed(preset_names()) + "; default: " + RigOptions().preset,
+            "simulated unit: " + hal::listed(preset_names()) + "; default: " + RigOptions().preset,
             &preset_};
   }
   Option seed() {
@@ -38,7 +38,7 @@ class SimChoice {
     if (!preset_.empty()) names.emplace_back("--preset");
     if (seed_) names.emplace_back("--seed");
     if (severity_) names.emplace_back("--severity");
-    return listed(names);
+    return hal::listed(names);
   }
   RigOptions rig_options() const {
     return {.preset = preset_.empty() ? RigOptions().preset : preset_,

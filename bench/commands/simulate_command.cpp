@@ -14,10 +14,11 @@
 #include "bench/plan_files.hpp"
 #include "bench/planned_inputs.hpp"
 #include "bench/progress_bar.hpp"
-#include "bench/run_folder.hpp"
 #include "bench/run_recordings.hpp"
 #include "bench/simulated_recording.hpp"
 #include "bench/stop_on_signal.hpp"
+#include "bench/text_file.hpp"
+#include "hal/did_you_mean.hpp"
 #include "hal/types/parallel_for.hpp"
 #include "sequences/timeline.hpp"
 #include "sim/plant_files.hpp"
@@ -57,22 +58,22 @@ class SimulateCommand final : public Command {
            "  rvbench simulate --plant rv20e_bench --plan quick --out sim.h5\n";
   }
   std::vector<Option> options() override {
-    return {
-        {"--plant", "plant: " + listed(names_of(sim::plant_files())) + ", or a plant file", &plant_,
-         true},
-        {"--like", "recording that holds the plant's inputs, or a run whose plan says them",
-         &like_},
-        {"--plan",
-         "instead: all points of a plan: " + listed(names_of(plan_files())) + ", or a plan file",
-         &plan_},
-        {"--rate",
-         fmt::format("sample rate [Hz]; default: what the file states, {:g} of a plan",
-                     rate_of_plans_Hz),
-         &rate_Hz_},
-        {"--out",
-         "file to write: .csv with time, inputs and outputs, or .h5 with torque and angle of "
-         "every point",
-         &out_, true}};
+    return {{"--plant", "plant: " + hal::listed(names_of(sim::plant_files())) + ", or a plant file",
+             &plant_, true},
+            {"--like", "recording that holds the plant's inputs, or a run whose plan says them",
+             &like_},
+            {"--plan",
+             "instead: all points of a plan: " + hal::listed(names_of(plan_files())) +
+                 ", or a plan file",
+             &plan_},
+            {"--rate",
+             fmt::format("sample rate [Hz]; default: what the file states, {:g} of a plan",
+                         rate_of_plans_Hz),
+             &rate_Hz_},
+            {"--out",
+             "file to write: .csv with time, inputs and outputs, or .h5 with torque and angle of "
+             "every point",
+             &out_, true}};
   }
   int run(Console& console) override;
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/kinematics.hpp"
-#include "bench/run_folder.hpp"
+#include "bench/judgement.hpp"
 #include "hal/types/recording.hpp"
 
 namespace rvbench::bench {

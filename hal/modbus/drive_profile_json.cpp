@@ -241,7 +241,7 @@ std::variant<DriveProfile, std::vector<ConfigFault>> read_drive_profile(const st
   if (!std::filesystem::exists(drive)) {
     return std::vector<ConfigFault>{
         {0, "",
-         "cannot be read: No such file or built-in drive" + did_you_mean(drive, drive_names())}};
+         "cannot be read: No such file or built-in drive" + what_there_is(drive, drive_names())}};
   }
   return read_from(ConfigReader::from_file(drive));
 }

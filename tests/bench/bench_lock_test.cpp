@@ -10,7 +10,7 @@
 
 #include "bench/cli.hpp"
 #include "bench/commands/commands.hpp"
-#include "bench/run_folder.hpp"
+#include "bench/text_file.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace rvbench::bench {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bench/rig_factory.hpp"
-#include "bench/run_folder.hpp"
+#include "bench/text_file.hpp"
 #include "tests/bench/answers.hpp"
 #include "tests/support/scratch_folder.hpp"
 

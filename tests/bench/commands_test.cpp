@@ -9,6 +9,7 @@
 #include "bench/run_folder.hpp"
 #include "bench/run_start.hpp"
 #include "bench/sha256.hpp"
+#include "bench/text_file.hpp"
 #include "bench/verdict_json.hpp"
 #include "tests/bench/answers.hpp"
 #include "tests/bench/judgements.hpp"

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <random>
 
-#include "bench/run_folder.hpp"
+#include "bench/text_file.hpp"
 #include "tests/bench/answers.hpp"
 #include "tests/hal/mat5_builder.hpp"
 #include "tests/support/scratch_folder.hpp"

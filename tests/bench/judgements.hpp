@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bench/run_folder.hpp"
+#include "bench/judgement.hpp"
 
 namespace rvbench::bench::test {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bench/kinematics_files.hpp"
-#include "bench/run_folder.hpp"
+#include "bench/text_file.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace rvbench::bench {

@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "bench/run_folder.hpp"
 #include "bench/simulated_recording.hpp"
+#include "bench/text_file.hpp"
 #include "hal/formats/read_recordings.hpp"
 #include "sim/plant_json.hpp"
 #include "sim/rv_plant.hpp"

@@ -8,6 +8,7 @@
 #include "bench/rig_factory.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/sha256.hpp"
+#include "bench/text_file.hpp"
 #include "bench/verdict_json.hpp"
 #include "tests/bench/answers.hpp"
 #include "tests/bench/judgements.hpp"
@@ -131,8 +132,30 @@ TEST_CASE("a run that another process is at work on is not resumed", "[bench]") 
     const Answer answer = rvbench(resume);
     CHECK(answer.code == 2);
     CHECK_THAT(answer.err, Contains("another rvbench is at work in"));
+    for (const char* command : {"check", "report"}) {
+      const Answer early = rvbench({command, folder.string()});
+      CHECK(early.code == 3);
+      CHECK_THAT(early.err, Contains("still at work in it"));
+    }
   }
+  CHECK_THAT(rvbench({"check", folder.string()}).err, Contains("the run did not finish"));
   CHECK_THAT(rvbench(resume).err, Contains("rig.json says something else"));  // the lock is free
+}
+
+TEST_CASE("a run that has lost its plan is no run that is not there", "[bench]") {
+  const ScratchFolder scratch;
+  const auto folder = create_run_folder(scratch.path(), "A", "20260102T030405Z");
+  write_file(folder / "recording.h5", "");
+  const Answer answer = rvbench({"run", "quick", "--rig", "sim", "--serial", "A", "--out",
+                                 scratch.path().string(), "--resume"});
+  CHECK(answer.code == 2);
+  CHECK_THAT(answer.err, Contains("is damaged: nobody knows what the run was"));
+}
+
+TEST_CASE("a simulated rig that does not say that it is one is still a rig", "[bench]") {
+  const ScratchFolder scratch;
+  write_file(scratch.path() / "rig.json", R"({"preset": "healthy", "plant": "rv20e_bench"})");
+  CHECK(rvbench({"check", (scratch.path() / "rig.json").string()}).code == 0);
 }
 
 TEST_CASE("a report that cannot be written is refused, not an internal error", "[bench]") {

@@ -11,8 +11,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "bench/run_folder.hpp"
 #include "bench/run_start.hpp"
 #include "bench/sha256.hpp"
+#include "bench/text_file.hpp"
 #include "bench/verdict_json.hpp"
 #include "tests/bench/answers.hpp"
 #include "tests/bench/judgements.hpp"
@@ -211,7 +213,7 @@ TEST_CASE("history tells every run of a folder, also those nobody entered", "[be
   CHECK(runs[0].at("verdict") == "FAIL");
   const test::Answer none =
       test::rvbench({"history", "--out", root.path().string(), "--serial", "C"});
-  CHECK(none.out.find("no run yet") != std::string::npos);
+  CHECK_THAT(none.out, Catch::Contains("no run of C in "));
   const test::Answer absent = test::rvbench({"history", "--out", (root / "no").string()});
   CHECK(absent.code == 2);
 }

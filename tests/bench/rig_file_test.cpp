@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "bench/run_folder.hpp"
+#include "bench/text_file.hpp"
 #include "sim/plant_json.hpp"
 #include "sim/rv_plant.hpp"
 #include "tests/support/scratch_folder.hpp"

@@ -7,8 +7,10 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "bench/judgement.hpp"
 #include "bench/run_recordings.hpp"
 #include "bench/sha256.hpp"
+#include "bench/text_file.hpp"
 #include "bench/verdict_json.hpp"
 #include "tests/bench/judgements.hpp"
 #include "tests/support/scratch_folder.hpp"

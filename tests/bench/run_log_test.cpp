@@ -4,7 +4,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "bench/run_folder.hpp"
+#include "bench/text_file.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace rvbench::bench {

@@ -7,6 +7,7 @@
 #include "bench/plan_files.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/sha256.hpp"
+#include "bench/text_file.hpp"
 #include "tests/bench/answers.hpp"
 #include "tests/support/scratch_folder.hpp"
 

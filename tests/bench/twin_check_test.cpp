@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "bench/planned_inputs.hpp"
-#include "bench/run_folder.hpp"
+#include "bench/text_file.hpp"
 #include "sim/plant_json.hpp"
 #include "sim/rv_plant.hpp"
 #include "sim/rv_unit.hpp"

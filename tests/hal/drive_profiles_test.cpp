@@ -54,6 +54,10 @@ TEST_CASE("every built-in drive can be read, and is called what its file is call
     CHECK(drive_profile(name).name == name);
   }
   CHECK_THROWS_AS(drive_profile("abb"), std::invalid_argument);
+  const auto unknown = read_drive_profile("acme");
+  REQUIRE(unknown.index() == 1);
+  CHECK_THAT(std::get<1>(unknown).front().message,
+             Catch::Contains("there are: abb_acs, danfoss_fc"));
 }
 
 TEST_CASE("nothing but commands is ever written", "[hal][modbus]") {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/run_folder.hpp"
+#include "bench/text_file.hpp"
 #include "tests/hal/mat5_builder.hpp"
 #include "tests/hal/recording_fixture.hpp"
 #include "tests/spec/rvbench.hpp"

@@ -12,6 +12,7 @@
 #include "bench/judging.hpp"
 #include "bench/kinematics_file.hpp"
 #include "bench/sha256.hpp"
+#include "bench/text_file.hpp"
 #include "hal/simulated_rig.hpp"
 #include "hal/types/units.hpp"
 #include "sequences/plan.hpp"

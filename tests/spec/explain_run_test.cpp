@@ -4,10 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "bench/judgement.hpp"
 #include "bench/rig_factory.hpp"
-#include "bench/run_folder.hpp"
 #include "bench/sha256.hpp"
 #include "bench/simulated_recording.hpp"
+#include "bench/text_file.hpp"
 #include "bench/verdict_json.hpp"
 #include "sim/rv_plant.hpp"
 #include "tests/spec/bench_run.hpp"

@@ -2,8 +2,8 @@
 #include <filesystem>
 #include <string>
 
-#include "bench/run_folder.hpp"
 #include "bench/sha256.hpp"
+#include "bench/text_file.hpp"
 #include "tests/spec/bench_run.hpp"
 #include "tests/spec/rvbench.hpp"
 #include "tests/support/scratch_folder.hpp"

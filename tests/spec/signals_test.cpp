@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "bench/run_folder.hpp"
 #include "bench/sha256.hpp"
+#include "bench/text_file.hpp"
 #include "hal/recording_file.hpp"
 #include "tests/spec/bench_run.hpp"
 #include "tests/spec/rvbench.hpp"

@@ -2,8 +2,8 @@
 #include <csignal>
 #include <filesystem>
 
-#include "bench/run_folder.hpp"
 #include "bench/simulated_recording.hpp"
+#include "bench/text_file.hpp"
 #include "hal/formats/read_recordings.hpp"
 #include "hal/types/units.hpp"
 #include "tests/spec/rvbench.hpp"

@@ -6,8 +6,10 @@
 #include <sstream>
 
 #include "bench/result_database.hpp"
+#include "bench/run_folder.hpp"
 #include "bench/run_recordings.hpp"
 #include "bench/sha256.hpp"
+#include "bench/text_file.hpp"
 #include "bench/verdict_json.hpp"
 #include "tests/survival/small_run.hpp"
 

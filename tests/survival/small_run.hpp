@@ -4,7 +4,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "bench/run_folder.hpp"
+#include "bench/judgement.hpp"
 #include "hal/recording_file.hpp"
 
 namespace rvbench::test {
