@@ -120,8 +120,9 @@ std::optional<Ending> BenchLoop::arm() {
       plan_.interlocks.stale_after_s + plan_.teardown.standstill_timeout_s);
   if (waited.ending) return waited.ending;
   if (!waited.met) return end(device_lost("the shaft turns before anybody has commanded it"));
-  supervisor_.handle(SupervisorEvent::reset);
-  supervisor_.handle(SupervisorEvent::arm);
+  if (!supervisor_.handle(SupervisorEvent::reset) || !supervisor_.handle(SupervisorEvent::arm)) {
+    return await_trip();
+  }
   event(armed_event);
   if (const std::string why = supervisor_.without_priority(); !why.empty()) {
     event("the supervisor has no real-time priority: " + why);
@@ -129,9 +130,21 @@ std::optional<Ending> BenchLoop::arm() {
   return std::nullopt;
 }
 
+// One that has fallen tells its ending once the drive is stopped. Not for ever: a stop that hangs
+// is trouble of its own.
+Ending BenchLoop::await_trip() {
+  if (!supervisor_.is_tripped()) {
+    throw std::logic_error(
+        fmt::format("BenchLoop::arm: already {}", to_string(supervisor_.state())));
+  }
+  for (;;) {
+    if (const auto ending = tick()) return *ending;
+  }
+}
+
 void BenchLoop::command(double speed_rpm, double brake_torque_Nm) {
   const bool may_turn =
-      speed_rpm == 0 || supervisor_.is_tripped() || supervisor_.handle(SupervisorEvent::run);
+      speed_rpm == 0 || supervisor_.handle(SupervisorEvent::run) || supervisor_.is_tripped();
   if (!may_turn) {
     throw std::logic_error(fmt::format("BenchLoop::command: {} rpm while {}", speed_rpm,
                                        to_string(supervisor_.state())));

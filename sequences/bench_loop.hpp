@@ -73,6 +73,7 @@ class BenchLoop {
  private:
   std::optional<Ending> tick();
   std::optional<Ending> trouble();
+  Ending await_trip();
   std::optional<Ending> await_buses();
   std::optional<Ending> await_sound_end();
   double planned_s(const Segment& segment) const;

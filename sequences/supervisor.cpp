@@ -180,7 +180,18 @@ void Supervisor::hold_brake(double torque_Nm) {
   told_brake_Nm_ = torque_Nm;
 }
 
+// Asked afterwards, too: a trip that fell in between may have moved the state before this did.
 bool Supervisor::handle(SupervisorEvent event) noexcept {
+  const bool leads_to_motion = event == SupervisorEvent::reset || event == SupervisorEvent::arm ||
+                               event == SupervisorEvent::run;
+  if (leads_to_motion && is_latched_) return false;
+  if (!move(event)) return false;
+  if (!leads_to_motion || !is_latched_) return true;
+  move(SupervisorEvent::trip);
+  return false;
+}
+
+bool Supervisor::move(SupervisorEvent event) noexcept {
   SupervisorState state = state_;
   for (;;) {
     const auto next = next_state(state, event);
@@ -198,7 +209,7 @@ void Supervisor::trip(const Ending& ending) {
 // Before anything that may take its time.
 void Supervisor::halt() noexcept {
   if (is_latched_.exchange(true)) return;
-  handle(SupervisorEvent::trip);
+  move(SupervisorEvent::trip);
   latched_s_ = rig_.clock->now_s();
   rig_.drive->stop();
   has_stopped_drive_ = true;

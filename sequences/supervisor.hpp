@@ -70,7 +70,8 @@ class Supervisor {
   Handover exchange(const DriveReport& drive);
   void hold_brake(double torque_Nm);  ///< one command to the brake: call it cyclically
 
-  /// Moves the state machine; false, and nothing changes, where the event may not happen.
+  /// Moves the state machine; false where the event may not happen. A trip is for good: from the
+  /// moment it falls, not only once the drive is stopped, nothing leads out of FAULTED.
   bool handle(SupervisorEvent event) noexcept;
   SupervisorState state() const { return state_; }
 
@@ -97,6 +98,7 @@ class Supervisor {
  private:
   void run(const std::stop_token& stop) noexcept;
   void step();
+  bool move(SupervisorEvent event) noexcept;
   void halt() noexcept;
   void fault(const char* what) noexcept;
   void look_for_trouble(const FreshValues& fresh);

@@ -87,6 +87,22 @@ TEST_CASE("a trip is latched: a good value does not take it back, and the drive 
   CHECK(watched.bench.stops == 1);
 }
 
+TEST_CASE("a reset does not lead out of a trip, neither while the drive is being stopped nor after",
+          "[sequences][safety]") {
+  Watched watched;
+  watched.drive_is_well();
+  watched.bench.stop_is_slow = true;
+  watched.bench.estop = true;
+  REQUIRE(wait_until([&] { return watched.supervisor.is_tripped(); }));
+  bool was_reset = false;
+  while (watched.supervisor.is_stopping_drive()) {
+    was_reset = watched.supervisor.handle(sequences::SupervisorEvent::reset) || was_reset;
+  }
+  CHECK_FALSE(was_reset);
+  CHECK_FALSE(watched.supervisor.handle(sequences::SupervisorEvent::reset));
+  CHECK(watched.supervisor.state() == sequences::SupervisorState::faulted);
+}
+
 TEST_CASE("a sequencer that hangs ends the run: nobody tells of the drive any more",
           "[sequences][safety]") {
   Watched watched(impatient_s);

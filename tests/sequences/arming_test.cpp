@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sequences/bench_loop.hpp"
+#include "tests/sequences/run_fixture.hpp"
+#include "tests/support/live_rig.hpp"
+#include "tests/support/wait_until.hpp"
+
+using namespace rvbench;
+
+namespace {
+
+const std::string plan_text = R"({
+  "name": "short",
+  "specimen": {"kinematics": "rv20e", "gear_ratio": 1.5, "rated_output_torque_Nm": 1},
+  "interlocks": {"input_speed_rpm": 2200, "input_torque_Nm": 8, "acceleration_m_s2": 300,
+                 "housing_temp_degC": 60, "stale_after_s": 1},
+  "setup": [{"phase": "connect"},
+            {"phase": "warm_up", "duration_s": 0.1, "speed_rpm": 605, "load_pct": 50}],
+  "main": [{"phase": "matrix", "speeds_rpm": [1815], "loads_pct": [100],
+            "record": {"output_turns": 4}}]
+})";
+
+// Answers its first question with an error, so that the bench waits for the second answer before it
+// arms. While it gives that one the emergency stop is pressed and the supervisor begins to stop it,
+// which takes longer than arming.
+class DriveStoppedWhileArming final : public hal::Drive {
+ public:
+  DriveStoppedWhileArming(std::unique_ptr<hal::Drive> drive, test::LiveBench& bench)
+      : drive_(std::move(drive)), bench_(bench) {
+    bench_.stop_is_slow = true;
+  }
+  hal::DriveLimits limits() const override { return drive_->limits(); }
+  Status connect() override { return drive_->connect(); }
+  Result<hal::DriveWatchdog> read_watchdog() override { return drive_->read_watchdog(); }
+  Status set_speed(double speed_rpm) override { return drive_->set_speed(speed_rpm); }
+  Result<hal::DriveStatus> read() override {
+    if (questions_++ == 0) return IoError{IoErrc::timeout, "drive"};
+    if (questions_ == 2) {
+      bench_.estop = true;
+      const bool comes = test::wait_until([this] { return is_being_stopped_.load(); });
+      if (!comes) return IoError{IoErrc::timeout, "nobody stops it"};
+    }
+    return drive_->read();
+  }
+  void stop() noexcept override {
+    is_being_stopped_ = true;
+    drive_->stop();
+  }
+  int retries() const override { return 0; }
+
+ private:
+  std::unique_ptr<hal::Drive> drive_;
+  test::LiveBench& bench_;
+  int questions_ = 0;
+  std::atomic<bool> is_being_stopped_ = false;
+};
+
+class Listener final : public sequences::RunObserver {
+ public:
+  void progress(double, double, const std::string&) override {}
+  void event(double, const std::string& text) override { texts.push_back(text); }
+  std::vector<std::string> texts;
+};
+
+}  // namespace
+
+TEST_CASE("a trip that falls while arming ends the run before anything is armed",
+          "[sequences][safety]") {
+  hal::Rig rig = test::make_live_rig();
+  test::LiveBench& bench = test::live_bench(rig);
+  rig.drive = std::make_unique<DriveStoppedWhileArming>(std::move(rig.drive), bench);
+  test::MemoryRecording recording;
+  Listener observer;
+  std::stop_source nobody;
+  const auto summary = sequences::run_sequence(test::plan_of(plan_text), rig, recording, observer,
+                                               nobody.get_token());
+  CHECK(summary.ending.error_kind == ErrorKind::safety_trip);
+  CHECK(summary.ending.reason == "the emergency stop is pressed");
+  CHECK(std::ranges::count(observer.texts, sequences::armed_event) == 0);
+  CHECK(std::ranges::count(observer.texts, "phase warm_up") == 0);
+}
