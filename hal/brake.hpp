@@ -12,12 +12,14 @@ struct BrakeLimits {
 struct BrakeStatus {
   double torque_Nm = not_known;  ///< as the brake measures it, at the output shaft
   bool tripped = false;
+  double time_s = not_known;  ///< when it was so, on the rig's clock; NaN: when it was read
 };
 
 /// Torque-controlled load at the reducer's output shaft. It can only hold back, never drive.
 ///
 /// Order    connect() → { set_torque() | read() }* → release()
 /// Time     no call blocks longer than the deadline given at construction
+/// Age      read() may hand out what was heard last, for as long as that deadline; time_s tells
 /// Threads  one caller at a time
 class Brake {
  public:

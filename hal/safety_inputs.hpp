@@ -9,9 +9,12 @@ struct SafetyStatus {
   bool estop_pressed = true;  ///< the hard-wired chain is open; rvbench only observes it
   bool guard_open = true;
   double housing_temp_degC = not_known;
+  double time_s = not_known;  ///< when it was so, on the rig's clock; NaN: when it was read
 };
 
 /// Read-only view of the safety chain and of the slow housekeeping sensors.
+///
+/// Age      a device may hand out what it has heard last, for as long as its deadline; time_s tells
 class SafetyInputs {
  public:
   virtual ~SafetyInputs() = default;

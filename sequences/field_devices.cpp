@@ -10,6 +10,11 @@ namespace {
 constexpr double ahead_at_most_s = 0.05;   // of a sample clock: time stamps are no better than that
 constexpr double speed_window_s = 0.0099;  // shorter ones tell the steps of the encoder
 
+// A value that a device has held for a while is as old as it says, not as its reading.
+double seen_when(double time_s, double read_s) {
+  return std::isfinite(time_s) ? std::min(time_s, read_s) : read_s;
+}
+
 }  // namespace
 
 void FieldDevices::start() {
@@ -28,6 +33,7 @@ FreshValues FieldDevices::read() {
   fresh.acceleration_rate_Hz = rig_.accelerometers->rate_Hz();
   // The slow one first: what interlocks act on is then as new as can be.
   fresh.brake = brake_.ask<hal::BrakeStatus>(*rig_.clock, [this] { return rig_.brake->read(); });
+  if (fresh.brake) brake_.seen_s = seen_when(fresh.brake->time_s, brake_.seen_s);
   read_safety(fresh);
   read_torque(fresh);
   read_accelerations(fresh);
@@ -41,6 +47,7 @@ void FieldDevices::read_safety(FreshValues& fresh) {
   fresh.safety =
       safety_.ask<hal::SafetyStatus>(*rig_.clock, [this] { return rig_.safety->read(); });
   if (!fresh.safety) return;
+  safety_.seen_s = seen_when(fresh.safety->time_s, safety_.seen_s);
   const bool is_known = std::isfinite(fresh.safety->housing_temp_degC);
   temperature_was_known_ = temperature_was_known_ || is_known;
   const bool can_get_hot = !rig_.clock->is_virtual() && !rig_.is_played;

@@ -64,7 +64,8 @@ Result<BrakeStatus> CanBrake::read() {
   const Status answered = await_status();
   if (!answered) return answered.error();
   return BrakeStatus{.torque_Nm = status_.torque_Nm,
-                     .tripped = status_.tripped || status_.command_lost};
+                     .tripped = status_.tripped || status_.command_lost,
+                     .time_s = fresh_s_};
 }
 
 void CanBrake::release() noexcept {

@@ -82,7 +82,7 @@ Status ModbusSafetyInputs::connect() {
 Result<SafetyStatus> ModbusSafetyInputs::read() {
   if (const std::unique_lock lock(mutex_, std::try_to_lock); lock) read_ = told_;
   if (!read_.status) return link_.failure(IoErrc::disconnected, "read");
-  const double age_s = clock_.now_s() - read_.asked_s;
+  const double age_s = clock_.now_s() - read_.status->time_s;
   if (age_s <= options_.deadline_s) return *read_.status;
   const std::string why = read_.failure ? " (" + describe(*read_.failure) + ")" : "";
   return link_.failure(IoErrc::timeout, fmt::format("read: no answer for {:.2f} s{}", age_s, why));
@@ -90,6 +90,7 @@ Result<SafetyStatus> ModbusSafetyInputs::read() {
 
 // One round of questions, over a link that is opened if need be.
 Result<SafetyStatus> ModbusSafetyInputs::ask() {
+  const double asked_s = clock_.now_s();
   if (!link_.is_open()) {
     if (const Status opened = link_.open(); !opened) return opened.error();
   }
@@ -109,14 +110,14 @@ Result<SafetyStatus> ModbusSafetyInputs::ask() {
   };
   return SafetyStatus{.estop_pressed = is_open(options_.estop),
                       .guard_open = is_open(options_.guard),
-                      .housing_temp_degC = temperature_degC(at, word[0])};
+                      .housing_temp_degC = temperature_degC(at, word[0]),
+                      .time_s = asked_s};
 }
 
 void ModbusSafetyInputs::ask_and_note() {
-  const double asked_s = clock_.now_s();
   Result<SafetyStatus> answer = ask();
   if (answer) {
-    polled_ = {std::move(answer).value(), asked_s, std::nullopt};
+    polled_ = {std::move(answer).value(), std::nullopt};
   } else {
     polled_.failure = answer.error();
   }

@@ -69,10 +69,9 @@ class ModbusSafetyInputs final : public SafetyInputs {
   Result<SafetyStatus> read() override;
 
  private:
-  /// What is known, and since when.
+  /// What is known.
   struct Known {
     std::optional<SafetyStatus> status;  ///< the newest answer
-    double asked_s = 0;                  ///< for it
     std::optional<IoError> failure;      ///< of the link, since then
   };
 

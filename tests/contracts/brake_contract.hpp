@@ -44,6 +44,7 @@ inline void check_brake_contract(hal::Brake& brake, hal::Clock& clock) {
       const auto status = brake.read();
       REQUIRE(status);
       CHECK_FALSE(status.value().tripped);
+      CHECK_FALSE(status.value().time_s > clock.now_s());  // NaN: as of now
     }
   }
 }

@@ -54,8 +54,8 @@ struct FaultKind {
 /// Until nobody drives the shaft any more: by the plan's staleness of 0.3 s, the drive's watchdog
 /// of 0.5 s and a response time-out of 0.05 s.
 namespace within {
-inline constexpr double trip_s = 0.025;  // a tick of 10 ms, and one more for the command
-inline constexpr double stale_s = 0.6;   // staleness, retries and a tick
+inline constexpr double trip_s = 0.025;          // a tick of 10 ms, and one more for the command
+inline constexpr double stale_s = 0.3 + trip_s;  // however long a device hands out its last word
 // Staleness, a call under way (four response time-outs), a tick, then silence until the watchdog
 // acts, in the plant's next step.
 inline constexpr double link_dead_s = 0.3 + 4 * 0.05 + 0.01 + 0.5 + 0.01;

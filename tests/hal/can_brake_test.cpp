@@ -91,6 +91,19 @@ SCENARIO("a brake that misbehaves is an error, each in its own word", "[hal][can
   }
 }
 
+TEST_CASE("a brake's status is as old as its frame, however often it is read", "[hal][can]") {
+  Bench bench;
+  REQUIRE(bench.brake.connect());
+  bench.world.wait_until(bench.world.now_s() + 0.1);
+  bench.world.brake.set_fault(sim::NodeFault::silent);
+  const double silent_s = bench.world.now_s();
+  bench.world.wait_until(silent_s + 0.15);
+  const auto status = bench.brake.read();
+  REQUIRE(status);
+  CHECK(status.value().time_s <= silent_s);
+  CHECK(status.value().time_s > silent_s - 0.05);
+}
+
 SCENARIO("a brake that does not answer is found at connect", "[hal][can]") {
   Bench bench;
   bench.world.brake.set_fault(sim::NodeFault::silent);

@@ -81,6 +81,22 @@ SCENARIO("a coupler's inputs are the safety chain as it is now", "[hal][modbus][
   }
 }
 
+TEST_CASE("what a coupler said is as old as the question, however often it is read",
+          "[hal][modbus][safety]") {
+  CouplerBench bench({.deadline_s = 30});
+  const double before_s = bench.clock.now_s();
+  REQUIRE(bench.inputs->connect());
+  CHECK(bench.inputs->read().value().time_s >= before_s);
+  CHECK(bench.inputs->read().value().time_s <= bench.clock.now_s());
+  bench.coupler.inject({.fault = WireFault::silent});
+  // A question that is on its way now may still be answered, none that comes later.
+  const double silent_s = bench.clock.now_s();
+  CHECK(test::wait_until([&] { return bench.clock.now_s() > silent_s + 0.3; }));
+  const auto held = bench.inputs->read();
+  REQUIRE(held);
+  CHECK(held.value().time_s <= silent_s);
+}
+
 SCENARIO("a coupler that falls silent stalls nobody", "[hal][modbus][safety]") {
   CouplerBench bench;
   REQUIRE(bench.inputs->connect());
