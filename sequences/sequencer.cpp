@@ -157,6 +157,7 @@ void tell_lag(ObserverBehind& observer, double now_s, double lag_s) {
 }
 
 // How punctual the supervisor was; nothing in virtual time, where nobody is late.
+// @pre it does not hang: its thread may come back, and counts on
 void tell_lateness(BenchLoop& loop) {
   const Lateness late = loop.supervisor().lateness();
   if (late.rounds() == 0) return;
@@ -182,7 +183,7 @@ void run(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) {
   summary.points = loop.points();
   summary.drive_retries = loop.rig().drive->retries();
   summary.duration_s = loop.now_s() - start_s;
-  tell_lateness(loop);
+  if (!summary.supervisor_hung) tell_lateness(loop);
   tell(loop, summary, measured, torn_down);
 }
 

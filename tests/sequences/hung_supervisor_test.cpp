@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <chrono>
@@ -153,6 +154,9 @@ TEST_CASE("a supervisor that hangs in a device's call holds up neither stop nor 
   CHECK_THAT(summary.ending.reason, Catch::Contains("the supervisor has not come round for 0.5"));
   CHECK_THAT(summary.ending.reason, Catch::Contains("supervisor hung"));
   CHECK_THAT(observer.texts.back(), Catch::Contains("supervisor hung"));
+  CHECK(std::ranges::none_of(observer.texts, [](const std::string& text) {
+    return text.starts_with("supervisor: ");  // its figures are still its own
+  }));
   CHECK(bench.stops > 0);
   CHECK(bench.setpoint_rpm == 0);
   CHECK(summary.shaft_stopped);  // by the drive's word
