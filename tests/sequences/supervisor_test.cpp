@@ -1,6 +1,7 @@
 #include "sequences/supervisor.hpp"
 
 #include <catch2/catch.hpp>
+#include <iterator>
 #include <memory>
 #include <thread>
 
@@ -31,7 +32,9 @@ sequences::Interlocks limits(double stale_after_s) {
 // A supervisor whose sequencer has told of the drive once, and not come back since.
 struct Watched {
   explicit Watched(double stale_after_s = patient_s) : supervisor(rig, limits(stale_after_s)) {
+    REQUIRE(rig.torque_sensor->connect());
     REQUIRE(rig.accelerometers->start());
+    started_s = rig.clock->now_s();
     report.status.seen_s = report.command.seen_s = rig.clock->now_s();
     supervisor.start(report);
   }
@@ -44,6 +47,20 @@ struct Watched {
   test::LiveBench& bench = test::live_bench(rig);
   Supervisor supervisor;
   DriveReport report;
+  double started_s = 0;  ///< the streams have
+};
+
+// A stream as it is handed over: each block begins where all samples before it have led to.
+struct Continuity {
+  void add(double t0_s, long fresh, long lost, double rate_Hz) {
+    REQUIRE(lost == 0);
+    if (samples == 0) first_s = t0_s;
+    REQUIRE(t0_s == Approx(first_s + double(samples) / rate_Hz).margin(0.01 / rate_Hz));
+    samples += fresh;
+  }
+
+  long samples = 0;
+  double first_s = -1;
 };
 
 // A clock on which a minute passes in a second.
@@ -115,24 +132,24 @@ TEST_CASE("a sequencer that hangs ends the run: nobody tells of the drive any mo
 
 TEST_CASE("while all is well the drive is left alone and no sample is lost", "[sequences]") {
   Watched watched;
-  long scans = 0, samples = 0;
-  double first_s = -1, end_s = -1;
+  Continuity torque, accelerations;
   const double until_s = watched.rig.clock->now_s() + 0.5;
   while (watched.rig.clock->now_s() < until_s) {
     watched.report.status.seen_s = watched.report.command.seen_s = watched.rig.clock->now_s();
-    const auto taken = watched.supervisor.exchange(watched.report);
-    if (taken.fresh.torque) samples += long(taken.fresh.torque->samples.size());
-    if (!taken.fresh.accelerations) continue;
-    if (first_s < 0) first_s = taken.fresh.accelerations->t0_s;
-    if (end_s >= 0) REQUIRE(taken.fresh.accelerations->t0_s == Approx(end_s).margin(1e-9));
-    scans += taken.fresh.accelerations->scans.rows();
-    end_s = taken.fresh.accelerations->t0_s +
-            double(taken.fresh.accelerations->scans.rows()) / taken.fresh.acceleration_rate_Hz;
+    const auto fresh = watched.supervisor.exchange(watched.report).fresh;
+    if (const auto& block = fresh.torque) {
+      torque.add(block->t0_s, std::ssize(block->samples), block->lost, fresh.torque_rate_Hz);
+    }
+    if (const auto& block = fresh.accelerations) {
+      accelerations.add(block->t0_s, block->scans.rows(), block->lost, fresh.acceleration_rate_Hz);
+    }
   }
   CHECK(watched.bench.stops == 0);
   CHECK_FALSE(watched.supervisor.latched());
-  CHECK(scans == Approx((end_s - first_s) * 4960).margin(1));
-  CHECK(samples > 100);  // of 500: a busy computer may be late with the last ones
+  CHECK(torque.samples > 100);  // of 500: a busy computer may be late with the last ones
+  CHECK(accelerations.samples > 500);
+  CHECK(torque.first_s < watched.started_s + 1.001 / 1000);
+  CHECK(accelerations.first_s < watched.started_s + 1.001 / 4960);
   watched.supervisor.end();
   CHECK(watched.supervisor.lateness().rounds() > 100);
 }
