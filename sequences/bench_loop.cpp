@@ -18,7 +18,10 @@ constexpr double report_period_s = 0.5;
 constexpr double longest_look_s = 2;  // at the counters of all buses
 // A stop waits for the request to the drive that is under way, with all its repetitions.
 constexpr double longest_stop_s = 5;
-// The drive's own speed may be an estimate that leaves slip out; a dead angle is far off.
+// Two witnesses of one shaft: no limit on what is tested, but how far apart a sound pair may be.
+// The drive's own speed may be an estimate that leaves slip out, a tenth at most of a motor within
+// its rating. Its answer may be 0.05 s old and the angle's speed is a mean over 0.1 s: 60 rpm at a
+// ramp of 600 rpm/s, and of a steeper one it is over within a second. A dead angle is far off.
 constexpr double speeds_apart_rpm = 60;
 constexpr double speeds_apart_share = 0.15;
 constexpr double speeds_apart_s = 1.0;
