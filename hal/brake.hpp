@@ -6,7 +6,8 @@
 namespace rvbench::hal {
 
 struct BrakeLimits {
-  double max_torque_Nm = 0;  ///< at the reducer's output shaft
+  double max_torque_Nm = 0;        ///< at the reducer's output shaft
+  double residual_torque_pct = 2;  ///< of that: what it shows at most though it is released
 };
 
 struct BrakeStatus {

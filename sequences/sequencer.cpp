@@ -67,7 +67,8 @@ Ending set_up_and_measure(const TestPlan& plan, BenchLoop& loop) {
 
 // The brake lets go within a second, or something is wrong with it.
 bool brake_lets_go(hal::Rig& rig) {
-  const double enough_Nm = 0.02 * rig.brake->limits().max_torque_Nm;
+  const hal::BrakeLimits brake = rig.brake->limits();
+  const double enough_Nm = brake.residual_torque_pct / 100 * brake.max_torque_Nm;
   for (int attempt = 0; attempt < 10; ++attempt) {
     rig.clock->wait_until(rig.clock->now_s() + 0.1);
     const auto status = rig.brake->read();

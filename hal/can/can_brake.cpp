@@ -19,6 +19,7 @@ CanBrake::CanBrake(std::unique_ptr<CanTransport> transport, const CanBrakeOption
     : transport_(std::move(transport)), options_(options), clock_(clock) {
   if (!transport_) throw std::invalid_argument("CanBrake: transport is null");
   require_positive(options.limits.max_torque_Nm, "CanBrake", "max_torque_Nm");
+  require_positive(options.limits.residual_torque_pct, "CanBrake", "residual_torque_pct");
   require_positive(options.deadline_s, "CanBrake", "deadline_s");
   require_positive(options.poll_s, "CanBrake", "poll_s");
   if (options.limits.max_torque_Nm > can_frames::max_brake_torque_Nm) {

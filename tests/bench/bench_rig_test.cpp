@@ -94,13 +94,15 @@ TEST_CASE("the resolved bench has every default, and reads as the same bench", "
       rig["torque"]["frames"] = frames;
       rig["can"] = can;
       rig["safety"]["temperature"] = {{"holding_register", 4}};
+      rig["brake"]["residual_torque_pct"] = 3.5;
       CHECK(disk.told(rig) == "");
       const std::string resolved = rig_to_json(disk.path(), {});
       INFO(resolved);
       write_file(disk.path("again.json"), resolved);
       CHECK(check_rig(disk.path("again.json")).empty());
       CHECK(rig_to_json(disk.path("again.json"), {}) == resolved);
-      for (const char* word : {"deadline_s", "holding_register", "offset_degC", "period_s"}) {
+      for (const char* word : {"deadline_s", "holding_register", "offset_degC", "period_s",
+                               "\"residual_torque_pct\": 3.5"}) {
         CHECK_THAT(resolved, Contains(word));
       }
     }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "tests/sequences/run_fixture.hpp"
 
@@ -25,6 +26,27 @@ class Defective final : public sequences::Phase {
   }
 };
 
+// A brake that drags though it is released, as powder brakes do.
+class DraggingBrake final : public hal::Brake {
+ public:
+  DraggingBrake(std::unique_ptr<hal::Brake> brake, hal::BrakeLimits limits, double drag_Nm)
+      : brake_(std::move(brake)), limits_(limits), drag_Nm_(drag_Nm) {}
+  hal::BrakeLimits limits() const override { return limits_; }
+  Status connect() override { return brake_->connect(); }
+  Status set_torque(double torque_Nm) override { return brake_->set_torque(torque_Nm); }
+  Result<hal::BrakeStatus> read() override {
+    const auto status = brake_->read();
+    if (!status) return status;
+    return hal::BrakeStatus{std::fmax(drag_Nm_, status.value().torque_Nm), status.value().tripped};
+  }
+  void release() noexcept override { brake_->release(); }
+
+ private:
+  std::unique_ptr<hal::Brake> brake_;
+  hal::BrakeLimits limits_;
+  double drag_Nm_;
+};
+
 // A log whose disk is full when the worst is to be told.
 class TongueTied final : public sequences::RunObserver {
  public:
@@ -43,6 +65,16 @@ TEST_CASE("the brake is released at standstill, not before", "[sequences]") {
   const double stopped_s = run.stopped_s();
   CHECK(run.world().brake_released_s() - stopped_s > 3.63);
   CHECK(run.world().brake_released_s() - stopped_s < 3.63 + 1.0);
+}
+
+TEST_CASE("a brake counts as released that shows no more than its residual torque", "[sequences]") {
+  const auto released = [](hal::BrakeLimits limits) {
+    Run run;
+    run.rig.brake = std::make_unique<DraggingBrake>(std::move(run.rig.brake), limits, 12);
+    return run.go().brake_released;
+  };
+  CHECK_FALSE(released({.max_torque_Nm = 400}));  // 2 % of it are 8 N·m
+  CHECK(released({.max_torque_Nm = 400, .residual_torque_pct = 4}));
 }
 
 TEST_CASE("an exception inside a phase ends in teardown", "[sequences][safety]") {
