@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "bench/cli.hpp"
 #include "bench/commands/commands.hpp"
@@ -64,6 +65,40 @@ SCENARIO("two processes do not use one device", "[bench][lock]") {
     const auto second = take(rig_on(folder / "by-id", "192.168.3.11"));
     REQUIRE(second.index() == 1);
     CHECK_THAT(std::get<1>(second), Contains("/dev/null"));
+  }
+}
+
+TEST_CASE("a front end is one device, whatever name the rig file has for it", "[bench][lock]") {
+  const auto names_of = [](const std::string& uri) {
+    BenchRig rig;
+    rig.drive.options.path = hal::ModbusRtu{.device = "/dev/null"};
+    hal::IioOptions front_end;
+    front_end.uri = uri;
+    front_end.device = "ad7768-1";
+    rig.accelerometers.emplace().options = front_end;
+    auto names = devices_of(rig);
+    std::erase(names, "/dev/null");
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  for (const char* uri : {"ip:127.0.0.1", "ip:localhost", "ip:LOCALHOST", "ip:127.0.0.1:30431",
+                          "ip:localhost:30431", "ip:::1", "ip:[::1]", "ip:[::1]:30431"}) {
+    CAPTURE(uri);
+    CHECK(names_of(uri) == Names{"ip:127.0.0.1 ad7768-1"});
+  }
+  CHECK(names_of("ip:localhost:30500") == Names{"ip:127.0.0.1:30500 ad7768-1"});
+  CHECK(names_of("ip:192.168.3.30") == Names{"ip:192.168.3.30 ad7768-1"});
+  CHECK(names_of("ip:[fe80:0:0::30]") == names_of("ip:fe80::30"));
+  SECTION("a name that nobody resolves stays as it is") {
+    const std::string too_long(64, 'x');  // of which no name server is asked
+    CHECK(names_of("ip:" + too_long) == Names{"ip:" + too_long + " ad7768-1"});
+    CHECK(names_of("ip:") == Names{"ip: ad7768-1"});
+  }
+  SECTION("one on a serial line is known by the line, as any device is") {
+    const rvbench::test::ScratchFolder folder;
+    std::filesystem::create_symlink("/dev/zero", folder / "by-id");
+    CHECK(names_of("serial:" + (folder / "by-id").string() + ",115200,8n1") ==
+          names_of("serial:/dev/zero"));
   }
 }
 
