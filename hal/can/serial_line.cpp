@@ -60,14 +60,14 @@ Status SerialLine::open(const std::string& device, int baud) {
   }
   waiting_.clear();
   error_ = 0;
-  reader_ = std::jthread([this](const std::stop_token& stop) { listen(stop); });
+  reader_.start([this](const std::stop_token& stop) { listen(stop); });
   return Done{};
 }
 
 void SerialLine::close() {
   reader_.request_stop();
   if (wake_ >= 0) (void)::eventfd_write(wake_, 1);
-  reader_ = {};
+  reader_.stop();
   // What an adapter that hangs has not taken would hold close() up for half a minute.
   if (file_ >= 0) (void)::tcflush(file_, TCOFLUSH);
   for (int* file : {&file_, &wake_}) {
@@ -88,17 +88,22 @@ Result<std::string> SerialLine::read() {
   if (!lock) return std::string();
   // What came before the line hung up is still good; the next call tells.
   if (waiting_.empty() && error_ != 0) return failure("read: the line hung up", error_);
+  if (const std::string_view thrown = reader_.thrown(); waiting_.empty() && !thrown.empty()) {
+    return IoError{IoErrc::disconnected, "read: nobody listens: " + std::string(thrown)};
+  }
   changed_.notify_all();  // there is room again
   return std::exchange(waiting_, {});
 }
 
 void SerialLine::wait(std::chrono::milliseconds longest) {
   std::unique_lock lock(mutex_);
-  changed_.wait_for(lock, longest, [this] { return !waiting_.empty() || error_ != 0; });
+  changed_.wait_for(lock, longest, [this] {
+    return !waiting_.empty() || error_ != 0 || !reader_.thrown().empty();
+  });
 }
 
 // What nobody fetches stays in the line once there is enough of it.
-void SerialLine::listen(const std::stop_token& stop) noexcept {
+void SerialLine::listen(const std::stop_token& stop) {
   (void)make_this_thread_urgent();  // so is who reads
   for (int error = 0; error == 0 && !stop.stop_requested();) {
     std::string bytes;

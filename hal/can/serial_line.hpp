@@ -6,8 +6,8 @@
 #include <stop_token>
 #include <string>
 #include <string_view>
-#include <thread>
 
+#include "hal/device_thread.hpp"
 #include "hal/types/result.hpp"
 
 namespace rvbench::hal {
@@ -18,7 +18,8 @@ namespace rvbench::hal {
 ///          wait for the kernel's worker that fills it, O_NONBLOCK or not. That worker is an
 ///          ordinary thread, and on a busy computer 0.2 s late (n_tty_read and n_tty_poll flush its
 ///          work: drivers/tty/n_tty.c)
-/// Errors   disconnected: no such device, no terminal, hung up, or its output is stuck
+/// Errors   disconnected: no such device, no terminal, hung up, its output is stuck, or something
+///          was thrown in that thread
 class SerialLine {
  public:
   /// @return false if termios knows no such rate
@@ -44,7 +45,7 @@ class SerialLine {
   void wait(std::chrono::milliseconds longest);
 
  private:
-  void listen(const std::stop_token& stop) noexcept;
+  void listen(const std::stop_token& stop);
   bool take(std::string& bytes, int& error) const;
 
   int file_ = -1;
@@ -55,7 +56,7 @@ class SerialLine {
   std::string waiting_;
   int error_ = 0;  ///< why nothing comes after that; 0 while something may
 
-  std::jthread reader_;
+  DeviceThread reader_;
 };
 
 }  // namespace rvbench::hal

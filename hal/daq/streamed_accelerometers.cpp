@@ -1,7 +1,7 @@
 #include "hal/daq/streamed_accelerometers.hpp"
 
-#include <exception>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "hal/real_time.hpp"
@@ -44,21 +44,17 @@ Status StreamedAccelerometers::start() {
   const double rate_Hz = source_->rate_Hz();
   stream_ = std::make_unique<ScanStream>(rate_Hz, Eigen::Index(rate_Hz * most_waiting_s));
   fresh_s_ = clock_.now_s();
-  pump_ = std::jthread([this](const std::stop_token& stop) { pump(stop); });
+  pump_.start([this](const std::stop_token& stop) { pump(stop); });
   return Done{};
 }
 
 // What a device cannot hand on in time it drops: reading comes before all that can wait.
-void StreamedAccelerometers::pump(const std::stop_token& stop) noexcept {
-  try {
-    (void)make_this_thread_urgent();  // so is who reads, and would wait for it at the stream's lock
-    while (!stop.stop_requested()) {
-      AccelerationBlock::Scans scans;
-      if (const Status waited = source_->wait(scans); !waited) return stream_->fail(waited.error());
-      stream_->push(std::move(scans), clock_.now_s());
-    }
-  } catch (const std::exception& bug) {
-    stream_->fail({IoErrc::disconnected, bug.what()});
+void StreamedAccelerometers::pump(const std::stop_token& stop) {
+  (void)make_this_thread_urgent();  // so is who reads, and would wait for it at the stream's lock
+  while (!stop.stop_requested()) {
+    AccelerationBlock::Scans scans;
+    if (const Status waited = source_->wait(scans); !waited) return stream_->fail(waited.error());
+    stream_->push(std::move(scans), clock_.now_s());
   }
 }
 
@@ -72,6 +68,8 @@ Result<AccelerationBlock> StreamedAccelerometers::read() {
   block.scans = std::move(taken).value().scans;
   if (block.scans.rows() > 0) {
     fresh_s_ = clock_.now_s();
+  } else if (const std::string_view thrown = pump_.thrown(); !thrown.empty()) {
+    return failure({IoErrc::disconnected, "read: nobody listens: " + std::string(thrown)});
   } else if (clock_.now_s() - fresh_s_ > deadline_s_) {
     return failure({IoErrc::timeout, "read: no scan"});
   } else {
@@ -81,10 +79,10 @@ Result<AccelerationBlock> StreamedAccelerometers::read() {
 }
 
 void StreamedAccelerometers::stop() noexcept {
-  if (pump_.joinable()) {
+  if (pump_.is_started()) {
     pump_.request_stop();
     source_->interrupt();
-    pump_.join();
+    pump_.stop();
   }
   source_->stop();
   stream_.reset();

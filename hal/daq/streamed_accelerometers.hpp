@@ -1,12 +1,12 @@
 #pragma once
 
 #include <memory>
-#include <thread>
 #include <vector>
 
 #include "hal/clock.hpp"
 #include "hal/daq/scan_source.hpp"
 #include "hal/daq/scan_stream.hpp"
+#include "hal/device_thread.hpp"
 
 namespace rvbench::hal {
 
@@ -14,7 +14,8 @@ namespace rvbench::hal {
 /// does.
 ///
 /// Errors   timeout: no scan within the deadline; overrun: scans are missing, and where is not
-///          known; whatever else the source says. After an error start() goes on
+///          known; disconnected: something was thrown in that thread; whatever else the source
+///          says. After an error start() goes on
 /// Holes    that the front end does not tell are found by SampleClock, which says how small ones
 ///          and when
 /// Time     t0_s by SampleClock: how sure, a block tells from the third second on. The DAQ's own
@@ -40,7 +41,7 @@ class StreamedAccelerometers final : public Accelerometers {
   void stop() noexcept override;
 
  private:
-  void pump(const std::stop_token& stop) noexcept;
+  void pump(const std::stop_token& stop);
   IoError failure(const IoError& error) const;
 
   const std::string where_;
@@ -51,7 +52,7 @@ class StreamedAccelerometers final : public Accelerometers {
   bool is_connected_ = false;
   double fresh_s_ = 0;
   std::unique_ptr<ScanStream> stream_;
-  std::jthread pump_;
+  DeviceThread pump_;
 };
 
 }  // namespace rvbench::hal

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -67,13 +68,13 @@ ModbusSafetyInputs::ModbusSafetyInputs(const ModbusSafetyOptions& options, const
 ModbusSafetyInputs::~ModbusSafetyInputs() = default;
 
 Status ModbusSafetyInputs::connect() {
-  poller_ = {};  // an earlier one ends before the link is somebody else's
+  poller_.stop();  // an earlier one ends before the link is somebody else's
   link_.close();
   polled_ = {};
   ask_and_note();
   read_ = polled_;
   if (polled_.failure) return *polled_.failure;
-  poller_ = std::jthread([this](const std::stop_token& stop) { poll(stop); });
+  poller_.start([this](const std::stop_token& stop) { poll(stop); });
   return Done{};
 }
 
@@ -81,6 +82,9 @@ Status ModbusSafetyInputs::connect() {
 // is as good, and no older than its age says.
 Result<SafetyStatus> ModbusSafetyInputs::read() {
   if (const std::unique_lock lock(mutex_, std::try_to_lock); lock) read_ = told_;
+  if (const std::string_view thrown = poller_.thrown(); !thrown.empty()) {
+    return link_.failure(IoErrc::disconnected, fmt::format("read: nobody asks: {}", thrown));
+  }
   if (!read_.status) return link_.failure(IoErrc::disconnected, "read");
   const double age_s = clock_.now_s() - read_.status->time_s;
   if (age_s <= options_.deadline_s) return *read_.status;

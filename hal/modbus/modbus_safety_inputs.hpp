@@ -5,9 +5,9 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
-#include <thread>
 
 #include "hal/clock.hpp"
+#include "hal/device_thread.hpp"
 #include "hal/modbus/modbus_link.hpp"
 #include "hal/modbus/modbus_path.hpp"
 #include "hal/safety_inputs.hpp"
@@ -52,8 +52,8 @@ struct ModbusSafetyOptions {
 /// Age      an answer is as old as its question
 /// Leaves out  a coupler whose own bus is dead and that answers with what it last knew: set its
 ///          substitute values to 0
-/// Errors   timeout: no answer within the deadline; disconnected: before connect(). The last
-///          failure of the link is told with it
+/// Errors   timeout: no answer within the deadline, and the last failure of the link with it;
+///          disconnected: before connect(), or something was thrown in that thread
 /// Time     connect() waits for one answer, twice the response time-out at most
 class ModbusSafetyInputs final : public SafetyInputs {
  public:
@@ -89,7 +89,7 @@ class ModbusSafetyInputs final : public SafetyInputs {
   Known told_;
   std::condition_variable_any ending_;
 
-  std::jthread poller_;
+  DeviceThread poller_;
 };
 
 }  // namespace rvbench::hal

@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <functional>
 #include <memory>
+#include <new>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "hal/modbus/modbus_safety_inputs.hpp"
@@ -163,6 +166,42 @@ TEST_CASE("a late answer of a coupler is never taken for the next one", "[hal][m
     return bench.coupler.requests() > before + 20;
   }));
   CHECK_FALSE(pressed);
+}
+
+TEST_CASE("a coupler that nobody asks any more, for want of memory, is a lost one",
+          "[hal][modbus][safety]") {
+  // Throws where it is asked for the time by any thread but this one.
+  class ScarceClock final : public hal::Clock {
+   public:
+    double now_s() const override {
+      if (is_scarce && std::this_thread::get_id() != owner_) throw std::bad_alloc();
+      return clock_.now_s();
+    }
+    void wait_until(double time_s) override { clock_.wait_until(time_s); }
+    bool is_virtual() const override { return false; }
+
+    std::atomic<bool> is_scarce = false;
+
+   private:
+    hal::SteadyClock clock_;
+    std::thread::id owner_ = std::this_thread::get_id();
+  };
+  ScarceClock clock;
+  sim::RemoteIoServer coupler;
+  hal::ModbusSafetyInputs inputs({.path = hal::ModbusTcp{"127.0.0.1", coupler.port()}}, clock);
+  REQUIRE(inputs.connect());
+  clock.is_scarce = true;
+  Result<hal::SafetyStatus> read = ready;
+  CHECK(test::wait_until([&] {
+    read = inputs.read();
+    return !read && read.error().code == IoErrc::disconnected;
+  }));
+  REQUIRE_FALSE(read);
+  CHECK_THAT(read.error().where,
+             Catch::Contains("safety inputs 127.0.0.1:") && Catch::Contains("std::bad_alloc"));
+  clock.is_scarce = false;
+  REQUIRE(inputs.connect());
+  CHECK(inputs.read());
 }
 
 TEST_CASE("a contact may be wired the other way round", "[hal][modbus][safety]") {
