@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
@@ -17,6 +18,7 @@ constexpr std::array all_states{DriveState::not_ready,      DriveState::inhibite
                                 DriveState::ready,          DriveState::switched_on,
                                 DriveState::running,        DriveState::quick_stop,
                                 DriveState::fault_reaction, DriveState::fault};
+constexpr Bounds scales{1e-9, 1e9};
 
 // Reads one profile. Registers are written as the manual of the family writes them; "addressing"
 // says how that is, and has no default: being off by one is the commonest fault of all.
@@ -40,9 +42,15 @@ class ProfileReader {
     profile.pole_pairs = optional_number("pole_pairs");
     read_states(profile);
     read_commands(profile);
-    profile.reference = frequency("reference");
-    profile.output_frequency = frequency("output_frequency");
+    profile.reference = reference();
+    ConfigReader output = root_.object("output_frequency");
+    profile.output_frequency = {number(output, "output_frequency"), unit(output)};
     profile.speed_rpm = optional_number("speed_rpm");
+    const bool tells_magnitudes =
+        !profile.output_frequency.is_signed || (profile.speed_rpm && !profile.speed_rpm->is_signed);
+    if (profile.is_reverse && !tells_magnitudes) {
+      root_.fault("is_reverse", "has no effect: output frequency and speed are signed");
+    }
     profile.current_A = optional_number("current_A");
     profile.fault_code = optional_number("fault_code");
     read_watchdog(profile);
@@ -103,8 +111,14 @@ class ProfileReader {
     number.words = at.integer("words", {1, 2}, 1);
     number.mask = word(at, "mask", "0xFFFF");
     number.is_signed = at.boolean("signed", false);
-    number.scale = at.number("scale", {1e-9, 1e9}, 1);
+    number.scale = at.number("scale", scales, 1);
     source(at, what);
+    if (number.words == 2 && at.has("mask")) {
+      at.fault("mask", "has no effect: of two words all bits are taken");
+    }
+    if (number.is_signed && (number.mask & 0x8000U) == 0) {
+      at.fault("signed", "has no effect: \"mask\" leaves no sign");
+    }
     return number;
   }
 
@@ -114,12 +128,25 @@ class ProfileReader {
     return number(*at, key);
   }
 
-  DriveProfile::Frequency frequency(const std::string& key) {
-    using Unit = DriveProfile::FrequencyUnit;
-    ConfigReader at = root_.object(key);
+  DriveProfile::FrequencyUnit unit(ConfigReader& at) {
+    using enum DriveProfile::FrequencyUnit;
     const std::string unit = at.choice("unit", {"Hz", "rpm", "of_rated"});
-    const Unit read = unit == "rpm" ? Unit::rpm : unit == "of_rated" ? Unit::of_rated : Unit::Hz;
-    return {number(at, key), read};
+    return unit == "rpm" ? rpm : unit == "of_rated" ? of_rated : Hz;
+  }
+
+  // The only number that is written, and always as one whole register.
+  DriveProfile::Frequency reference() {
+    ConfigReader at = root_.object("reference");
+    DriveProfile::Frequency reference;
+    reference.address = address(at);
+    reference.unit = unit(at);
+    reference.is_signed = at.boolean("signed", false);
+    reference.scale = at.number("scale", scales, 1);
+    source(at, "reference");
+    for (const char* const key : {"words", "mask"}) {
+      if (at.has(key)) at.fault(key, "has no effect: the reference is written as one whole word");
+    }
+    return reference;
   }
 
   DrivePattern pattern(ConfigReader& at, const std::string& what) {
@@ -174,6 +201,7 @@ class ProfileReader {
     source(control, "control");
     for (ConfigReader& at : root_.objects("steps", false)) {
       const DriveState from = state(at, "from");
+      check_step(profile, from, at);
       profile.steps.push_back({from, word(at, "word"), at.number("wait_s", {0, 10}, 0)});
       source(at, std::string("step from ") + to_string(from));
     }
@@ -181,6 +209,21 @@ class ProfileReader {
       profile.reset.push_back({address(at), word(at, "word")});
       source(at, "reset");
     }
+  }
+
+  // A step that would never be taken.
+  void check_step(const DriveProfile& profile, DriveState from, ConfigReader& at) {
+    const auto is_known = [from](const auto& all, auto state) {
+      return std::ranges::find(all, from, state) != all.end();
+    };
+    const char* why = nullptr;
+    if (from == DriveState::running) why = "it runs already";
+    if (from == DriveState::fault || from == DriveState::fault_reaction) why = "it has tripped";
+    if (from != DriveState::not_ready && !is_known(profile.states, &DriveProfile::State::is)) {
+      why = "none of \"states\" is that";
+    }
+    if (is_known(profile.steps, &DriveProfile::Step::from)) why = "an earlier step is taken";
+    if (why != nullptr) at.fault("from", std::string("has no effect: ") + why);
   }
 
   void read_watchdog(DriveProfile& profile) {
@@ -191,6 +234,7 @@ class ProfileReader {
     watchdog.timeout_s = number(timeout, "watchdog time-out");
     if (auto action = at->optional_object("action")) {
       for (const double stopping : action->numbers("stops", {0, 65535})) {
+        if (std::trunc(stopping) != stopping) action->fault("stops", "expected whole numbers");
         watchdog.stopping_actions.push_back(static_cast<int>(stopping));
       }
       watchdog.action = number(*action, "watchdog action");

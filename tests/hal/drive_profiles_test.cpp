@@ -108,6 +108,42 @@ TEST_CASE("a profile that would write beyond its own list is refused", "[hal][mo
              Catch::Contains("/control: its register is not among \"writable\""));
 }
 
+TEST_CASE("a key that would have no effect is refused by name", "[hal][modbus]") {
+  const auto with = [](const char* drive, const std::string& before, const std::string& more) {
+    return faults_of(changed(drive, before, before + more));
+  };
+  const std::string reference = R"("reference": {"register": "0x2001", )";
+  CHECK_THAT(with("delta_ms300", reference, R"("words": 2, )"),
+             Catch::Contains("/reference/words: has no effect"));
+  CHECK_THAT(with("delta_ms300", reference, R"("mask": "0x0FFF", )"),
+             Catch::Contains("/reference/mask: has no effect"));
+  CHECK_THAT(with("danfoss_fc", R"("16140", "words": 2, )", R"("mask": "0x0FFF", )"),
+             Catch::Contains("/current_A/mask: has no effect"));
+  CHECK_THAT(with("delta_ms300", R"("fault_code": {"register": "0x2100", )", R"("signed": true, )"),
+             Catch::Contains("/fault_code/signed: has no effect"));
+  CHECK_THAT(with("siemens_v20", R"("writes_blocks": false,)",
+                  R"("is_reverse": {"register": "40110", "is": "0x4000", "source": "v20_2019"},)"),
+             Catch::Contains("/is_reverse: has no effect"));
+  const auto with_step_from = [&](const std::string& state) {
+    return with("danfoss_fc", R"("word": "0x043C", "source": "fc100"})",
+                R"(, {"from": ")" + state + R"(", "word": "0x0001", "source": "fc100"})");
+  };
+  CHECK_THAT(with_step_from("running"),
+             Catch::Contains("/steps/1/from: has no effect: it runs already"));
+  CHECK_THAT(with_step_from("fault"),
+             Catch::Contains("/steps/1/from: has no effect: it has tripped"));
+  CHECK_THAT(with_step_from("inhibited"),
+             Catch::Contains("/steps/1/from: has no effect: an earlier step"));
+  CHECK_THAT(with_step_from("quick_stop"),
+             Catch::Contains("/steps/1/from: has no effect: none of"));
+  CHECK(with_step_from("ready") == "");
+}
+
+TEST_CASE("what a drive does when nobody talks to it is told in whole numbers", "[hal][modbus]") {
+  CHECK_THAT(faults_of(changed("delta_ms300", "[1, 2]", "[1, 2.5]")),
+             Catch::Contains("/watchdog/action/stops: expected whole numbers"));
+}
+
 TEST_CASE("a state that no word leads to is missed", "[hal][modbus]") {
   CHECK_THAT(faults_of(changed("delta_ms300", "\"state\": \"fault\"", "\"state\": \"ready\"")),
              Catch::Contains("/states: none of them is fault"));
