@@ -9,17 +9,11 @@
 #include <thread>
 #include <vector>
 
+#include "sim/free_modbus.hpp"
 #include "sim/loopback_listener.hpp"
 #include "sim/modbus_requests.hpp"
 
 namespace rvbench::sim {
-namespace {
-
-struct FreeModbus {
-  void operator()(modbus_t* context) const { modbus_free(context); }
-};
-
-}  // namespace
 
 // The serving thread and its sockets.
 class ModbusServer::Service {

@@ -1,4 +1,4 @@
-#include "sim/remote_io_server.hpp"
+#include "sim/remote_io_device.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,6 @@
 namespace rvbench::sim {
 namespace {
 
-constexpr std::uint8_t unit_id = 1;
 constexpr double broken_wire_degC = 850;  // the end of a Pt100's range
 
 std::uint16_t temperature_word(double temp_degC) {
@@ -28,12 +27,12 @@ ModbusAnswer part_of(std::span<const std::uint16_t> table, const ModbusRequest& 
 
 }  // namespace
 
-void RemoteIoServer::Coupler::show(const hal::SafetyStatus& status) {
+void RemoteIoDevice::show(const hal::SafetyStatus& status) {
   const std::lock_guard lock(mutex_);
   status_ = status;
 }
 
-ModbusAnswer RemoteIoServer::Coupler::carry_out(const ModbusRequest& request) {
+ModbusAnswer RemoteIoDevice::carry_out(const ModbusRequest& request) {
   const hal::SafetyStatus now = [this] {
     const std::lock_guard lock(mutex_);
     return status_;
@@ -52,9 +51,5 @@ ModbusAnswer RemoteIoServer::Coupler::carry_out(const ModbusRequest& request) {
     default: return {modbus_exceptions::illegal_function};
   }
 }
-
-RemoteIoServer::RemoteIoServer(std::uint16_t port) : server_(coupler_, unit_id, port) {}
-
-void RemoteIoServer::show(const hal::SafetyStatus& status) { coupler_.show(status); }
 
 }  // namespace rvbench::sim

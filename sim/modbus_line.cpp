@@ -1,4 +1,4 @@
-#include "sim/inverter_line.hpp"
+#include "sim/modbus_line.hpp"
 
 #include <modbus/modbus.h>
 #include <poll.h>
@@ -9,27 +9,19 @@
 #include <stdexcept>
 #include <thread>
 
-#include "sim/inverter_device.hpp"
+#include "sim/free_modbus.hpp"
 #include "sim/modbus_requests.hpp"
 #include "sim/pseudo_terminal.hpp"
 
 namespace rvbench::sim {
-namespace {
 
-struct FreeModbus {
-  void operator()(modbus_t* context) const { modbus_free(context); }
-};
-
-}  // namespace
-
-class InverterLine::Service {
+class ModbusLine::Service {
  public:
-  Service(InverterModel& model, std::uint8_t unit_id)
-      : device_(model),
-        requests_(device_, unit_id),
+  Service(ModbusDevice& device, std::uint8_t unit_id)
+      : requests_(device, unit_id),
         context_(modbus_new_rtu(terminal_.device().c_str(), 115200, 'N', 8, 1)) {
     if (!context_ || modbus_set_slave(context_.get(), unit_id) != 0) {
-      throw std::runtime_error(std::string("InverterLine: ") + std::strerror(errno));
+      throw std::runtime_error(std::string("ModbusLine: ") + std::strerror(errno));
     }
     modbus_set_byte_timeout(context_.get(), 0, 100'000);
     thread_ = std::thread([this] { serve(); });
@@ -60,26 +52,23 @@ class InverterLine::Service {
     }
   }
 
-  InverterDevice device_;
   ModbusRequests requests_;
   PseudoTerminal terminal_;
   std::unique_ptr<modbus_t, FreeModbus> context_;
   std::thread thread_;
 };
 
-InverterLine::InverterLine(InverterModel& model, std::uint8_t unit_id)
-    : service_(std::make_unique<Service>(model, unit_id)) {}
+ModbusLine::ModbusLine(ModbusDevice& device, std::uint8_t unit_id)
+    : service_(std::make_unique<Service>(device, unit_id)) {}
 
-InverterLine::~InverterLine() = default;
+ModbusLine::~ModbusLine() = default;
 
-const std::string& InverterLine::device() const { return service_->device(); }
+const std::string& ModbusLine::device() const { return service_->device(); }
 
-void InverterLine::inject(const WireFaultPlan& plan) { service_->requests().faults.inject(plan); }
+void ModbusLine::inject(const WireFaultPlan& plan) { service_->requests().faults.inject(plan); }
 
-void InverterLine::set_lateness_s(double lateness_s) {
-  service_->requests().lateness_s = lateness_s;
-}
+void ModbusLine::set_lateness_s(double lateness_s) { service_->requests().lateness_s = lateness_s; }
 
-int InverterLine::requests() const { return service_->requests().count; }
+int ModbusLine::requests() const { return service_->requests().count; }
 
 }  // namespace rvbench::sim
