@@ -1,9 +1,5 @@
-#include <modbus/modbus.h>
-
 #include <array>
 #include <catch2/catch.hpp>
-#include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -11,6 +7,7 @@
 #include "hal/modbus/modbus_inverter.hpp"
 #include "sim/inverter_line.hpp"
 #include "tests/hal/modbus_bench.hpp"
+#include "tests/support/bare_master.hpp"
 
 using namespace rvbench;
 using sim::WireFault;
@@ -34,31 +31,6 @@ struct SerialBench {
   sim::InverterLine line{model};
   test::InverterClock clock{model};
   hal::ModbusInverter drive{over(line), clock};
-};
-
-// A plain Modbus master that knows nothing of rvbench.
-class BareMaster {
- public:
-  explicit BareMaster(const std::string& device)
-      : context_(modbus_new_rtu(device.c_str(), 9600, 'N', 8, 1), modbus_free) {
-    modbus_set_slave(context_.get(), 1);
-    modbus_set_response_timeout(context_.get(), 0,
-                                static_cast<std::uint32_t>(1e6 * response_timeout_s));
-    REQUIRE(modbus_connect(context_.get()) == 0);
-  }
-  ~BareMaster() { modbus_close(context_.get()); }
-  BareMaster(const BareMaster&) = delete;
-  BareMaster& operator=(const BareMaster&) = delete;
-
-  // The motor's speed in 0.1 rpm, or nothing.
-  std::optional<int> read_speed() {
-    std::uint16_t word = 0;
-    if (modbus_read_registers(context_.get(), 0x0203, 1, &word) != 1) return std::nullopt;
-    return word;
-  }
-
- private:
-  std::unique_ptr<modbus_t, decltype(&modbus_free)> context_;
 };
 
 }  // namespace
@@ -85,12 +57,15 @@ TEST_CASE("libmodbus alone hands a late reply on a serial line to the next reque
   sim::InverterModel model;
   sim::InverterLine line(model);
   line.set_lateness_s(1.3 * response_timeout_s);
-  BareMaster master(line.device());
+  test::BareMaster master(modbus_new_rtu(line.device().c_str(), 9600, 'N', 8, 1),
+                          response_timeout_s);
+  std::array<std::uint16_t, 1> speed{};  // of the motor, in 0.1 rpm
   model.set_measured(10, 0);
   line.inject({.fault = WireFault::late, .requests = 1});
-  CHECK_FALSE(master.read_speed());
+  CHECK_FALSE(master.read(0x0203, speed));
   model.set_measured(20, 0);
-  CHECK(master.read_speed() == 100);  // the old value, as if it were the new one
+  REQUIRE(master.read(0x0203, speed));
+  CHECK(speed[0] == 100);  // the old value, as if it were the new one
 }
 
 SCENARIO("a late reply on a serial line is never taken for the next one", "[hal][modbus][rtu]") {

@@ -1,8 +1,5 @@
-#include <modbus/modbus.h>
-
 #include <array>
 #include <chrono>
-#include <memory>
 #include <stdexcept>
 
 #include "hal/modbus/drive_profile_json.hpp"
@@ -11,16 +8,10 @@
 #include "hal/steady_clock.hpp"
 #include "sim/inverter_server.hpp"
 #include "tests/latency/figures.hpp"
+#include "tests/support/bare_master.hpp"
 
 namespace rvbench::test {
 namespace {
-
-struct FreeModbus {
-  void operator()(modbus_t* context) const {
-    modbus_close(context);
-    modbus_free(context);
-  }
-};
 
 double time_us(const std::function<bool()>& reading) {
   const auto began = std::chrono::steady_clock::now();
@@ -40,9 +31,7 @@ std::vector<Figure> measure_polling(int readings) {
   hal::ModbusInverter inverter(
       {.profile = profile, .path = hal::ModbusTcp{"127.0.0.1", server.port()}}, clock);
   if (!inverter.connect()) throw std::runtime_error("the inverter does not connect");
-  const std::unique_ptr<modbus_t, FreeModbus> bare(modbus_new_tcp("127.0.0.1", server.port()));
-  modbus_set_slave(bare.get(), 1);
-  if (modbus_connect(bare.get()) != 0) throw std::runtime_error("libmodbus does not connect");
+  BareMaster bare(modbus_new_tcp("127.0.0.1", server.port()));
   const auto blocks = hal::status_blocks(profile);
   std::array<std::uint16_t, 125> words{};
   std::vector<double> ours_us, bare_us;
@@ -50,10 +39,8 @@ std::vector<Figure> measure_polling(int readings) {
     ours_us.push_back(time_us([&] { return bool(inverter.read()); }));
     bare_us.push_back(time_us([&] {
       for (const hal::DriveBlock& block : blocks) {
-        if (modbus_read_registers(bare.get(), block.address, block.count, words.data()) !=
-            block.count) {
-          return false;
-        }
+        const auto count = static_cast<std::size_t>(block.count);
+        if (!bare.read(block.address, {words.data(), count})) return false;
       }
       return true;
     }));
