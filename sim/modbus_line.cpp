@@ -69,6 +69,10 @@ void ModbusLine::inject(const WireFaultPlan& plan) { service_->requests().faults
 
 void ModbusLine::set_lateness_s(double lateness_s) { service_->requests().lateness_s = lateness_s; }
 
+void ModbusLine::set_forgets(bool forgets) { service_->requests().forgets = forgets; }
+
 int ModbusLine::requests() const { return service_->requests().count; }
+
+int ModbusLine::misbehaved() const { return service_->requests().faults.met(); }
 
 }  // namespace rvbench::sim

@@ -30,7 +30,10 @@ class ModbusLine {
   /// As ModbusServer's; WireFault::dead answers nothing here, there is no connection to close.
   void inject(const WireFaultPlan& plan);
   void set_lateness_s(double lateness_s);
+  /// A device may forget requests that come while it is late with its reply, or answer them, too.
+  void set_forgets(bool forgets);
   int requests() const;
+  int misbehaved() const;
 
  private:
   class Service;

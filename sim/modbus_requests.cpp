@@ -170,6 +170,7 @@ bool ModbusRequests::serve(modbus_t* context, int line) {
     return send_merged(line, bytes_of_reply(context, line, bytes, request, answer), pdu);
   }
   if (fault == WireFault::late && !linger()) return false;
+  if (fault == WireFault::late && forgets) modbus_flush(context);
   if (fault == WireFault::doubled && !reply(context, bytes, request, answer)) return false;
   return reply(context, bytes, request, answer);
 }

@@ -36,7 +36,8 @@ class ModbusRequests {
 
   WireFaultSwitch faults;
   std::atomic<double> lateness_s = 0.4;
-  std::atomic<int> count = 0;  ///< of valid requests, also those answered badly
+  std::atomic<bool> forgets = false;  ///< what comes while it is late
+  std::atomic<int> count = 0;         ///< of valid requests, also those answered badly
 
  private:
   using Reading = std::pair<int, std::uint16_t>;  // function and address

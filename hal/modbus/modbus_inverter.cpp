@@ -130,7 +130,8 @@ Status ModbusInverter::attempt(const std::function<Status()>& request) {
   if (!link_.is_open()) {
     const Status opened = link_.open();
     if (!opened) return opened;
-    const Status identified = identify();
+    Status identified = identify();
+    if (identified) identified = link_.confirm_in_step();
     if (!identified) {
       link_.close();  // an exception reply leaves it open: the next request would go to a stranger
       return identified;

@@ -36,7 +36,7 @@ struct ModbusInverterOptions {
 ///          last read asks for
 /// Retries  a failed read() is sent once more, counted; a setpoint never; a stop() once more
 /// Time     no call blocks longer than 4 response time-outs, stall_s included, connect() 7, for
-///          each block of registers that the family needs; on a serial line 3 more. stop() from
+///          each block of registers that the family needs; on a serial line 4 more. stop() from
 ///          another thread also waits for the request under way, which is then not repeated
 /// Clock    real time passes while a reply is awaited; each time-out is charged to a virtual
 ///          clock, so that a simulated drive's own watchdog runs on. stop() charges nothing: it

@@ -20,6 +20,8 @@
 namespace rvbench::hal {
 namespace {
 
+using SteadyClock = std::chrono::steady_clock;
+
 bool is_exception_reply(int error) { return error >= EMBXILFUN && error <= EMBXGTAR; }
 
 IoErrc code_from_errno(int error) {
@@ -58,6 +60,11 @@ void check(const ModbusRtu& rtu) {
 
 std::string shown(const ModbusTcp& tcp) { return fmt::format("{}:{}", tcp.host, tcp.port); }
 std::string shown(const ModbusRtu& rtu) { return rtu.device; }
+
+SteadyClock::duration duration_of(double duration_s) {
+  return std::chrono::duration_cast<SteadyClock::duration>(
+      std::chrono::duration<double>(duration_s));
+}
 
 modbus_t* new_context(const ModbusTcp& tcp) { return modbus_new_tcp(tcp.host.c_str(), tcp.port); }
 
@@ -100,7 +107,8 @@ Status ModbusLink::open() {
   modbus_set_response_timeout(context, timeout_us / 1'000'000, timeout_us % 1'000'000);
   modbus_set_byte_timeout(context, 0, 0);  // the response time-out bounds the whole reply
   if (modbus_connect(context) == 0) {
-    if (std::holds_alternative<ModbusRtu>(options_.path) && may_be_late_) drop_late_bytes();
+    is_in_doubt_ = may_be_late_ && std::holds_alternative<ModbusRtu>(options_.path);
+    if (is_in_doubt_) drop_late_bytes();
     may_be_late_ = false;
     return Done{};
   }
@@ -116,28 +124,43 @@ void ModbusLink::close() {
   connection_.reset();
 }
 
-// Silence for a time-out means that nothing is under way any more; a line that never falls silent
-// is left after three, and what it tells is refused by whoever identifies the drive.
+Status ModbusLink::confirm_in_step() {
+  if (!std::exchange(is_in_doubt_, false) || !is_open()) return Done{};
+  if (!drop_bytes(SteadyClock::now() + duration_of(options_.timeout_s))) return Done{};
+  close();
+  return failure(IoErrc::bad_reply, "more answers than questions: an older one came late");
+}
+
+// A line that never falls silent is left after three time-outs, and what it tells is refused by
+// whoever identifies the device.
 void ModbusLink::drop_late_bytes() {
-  using Clock = std::chrono::steady_clock;
-  const auto patience = std::chrono::duration<double>(options_.timeout_s);
-  const auto end = Clock::now() + 3 * patience;
+  const auto timeout = duration_of(options_.timeout_s);
+  const auto give_up = SteadyClock::now() + 3 * timeout;
+  while (drop_bytes(std::min(SteadyClock::now() + 2 * timeout, give_up))) continue;
+}
+
+// Waits for bytes, and drops them. @return false if none came before the end
+bool ModbusLink::drop_bytes(SteadyClock::time_point end) {
   pollfd line{modbus_get_socket(connection_->context), POLLIN, 0};
   std::array<char, 256> late{};
-  while (Clock::now() < end) {
-    const int wait_ms = std::max(1, static_cast<int>(std::lround(1000 * options_.timeout_s)));
-    if (::poll(&line, 1, wait_ms) <= 0) return;
-    const auto count = ::read(line.fd, late.data(), late.size());
-    if (count <= 0) return;
-    dropped_bytes_ += static_cast<int>(count);
+  for (;;) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - SteadyClock::now());
+    if (left.count() <= 0) return false;
+    const int ready = ::poll(&line, 1, static_cast<int>(left.count()));
+    if (ready == 0 || (ready < 0 && errno == EINTR)) continue;
+    const auto count = ready < 0 ? -1 : ::read(line.fd, late.data(), late.size());
+    if (count > 0) {
+      dropped_bytes_ += static_cast<int>(count);
+      return true;
+    }
+    const bool is_lost = count == 0 || (errno != EINTR && errno != EAGAIN);
+    if (is_lost) return false;  // the next request will say why
   }
 }
 
 void ModbusLink::keep_turnaround() const {
   if (options_.turnaround_s == 0) return;
-  const std::chrono::duration<double> silence(options_.turnaround_s);
-  std::this_thread::sleep_until(
-      quiet_since_ + std::chrono::duration_cast<std::chrono::steady_clock::duration>(silence));
+  std::this_thread::sleep_until(quiet_since_ + duration_of(options_.turnaround_s));
 }
 
 void ModbusLink::require_writable(std::uint16_t address, std::size_t count) const {

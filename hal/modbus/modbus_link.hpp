@@ -26,8 +26,9 @@ struct ModbusLinkOptions {
 /// Late     libmodbus alone hands a reply that comes after the time-out to the request that
 ///          follows. So a failed exchange closes the connection, unless the device answered with
 ///          an exception: then request and reply are still in step. On TCP a reply to a closed
-///          socket goes nowhere; on a serial line open() drops what still comes in, until there
-///          was silence for a time-out
+///          socket goes nowhere. On a serial line nothing says which request a reply is to: open()
+///          drops what still comes in, until there was silence for two time-outs, and what comes
+///          later yet is_in_doubt() and confirm_in_step() are for
 /// Threads  one caller at a time
 class ModbusLink {
  public:
@@ -42,6 +43,13 @@ class ModbusLink {
   bool is_open() const { return connection_ != nullptr; }
   Status open();
   void close();
+
+  /// True if the next answer may be one to a request before open().
+  bool is_in_doubt() const { return is_in_doubt_; }
+  /// To be called after one exchange of which nothing is kept. Where that took an older answer for
+  /// its own, its own is yet to come: waits a time-out for it, and closes the link if it does. At
+  /// once if there is no doubt.
+  Status confirm_in_step();
 
   /// Reads words.size() holding registers from the PDU address on (function 3).
   Status read(const char* operation, std::uint16_t address, std::span<std::uint16_t> words);
@@ -66,10 +74,12 @@ class ModbusLink {
   Status settle(int words_done, std::size_t words_asked, const char* operation,
                 std::uint16_t address);
   void drop_late_bytes();
+  bool drop_bytes(std::chrono::steady_clock::time_point end);
 
   const ModbusLinkOptions options_;
   std::unique_ptr<Connection> connection_;
   bool may_be_late_ = false;  ///< a reply of the last connection
+  bool is_in_doubt_ = false;
   int timeouts_ = 0;
   int dropped_bytes_ = 0;
   std::chrono::steady_clock::time_point quiet_since_;

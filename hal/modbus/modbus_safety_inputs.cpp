@@ -92,12 +92,27 @@ Result<SafetyStatus> ModbusSafetyInputs::read() {
   return link_.failure(IoErrc::timeout, fmt::format("read: no answer for {:.2f} s{}", age_s, why));
 }
 
-// One round of questions, over a link that is opened if need be.
 Result<SafetyStatus> ModbusSafetyInputs::ask() {
-  const double asked_s = clock_.now_s();
   if (!link_.is_open()) {
-    if (const Status opened = link_.open(); !opened) return opened.error();
+    if (const Status opened = open(); !opened) return opened.error();
   }
+  return ask_once();
+}
+
+// Where older answers may still be under way, nothing is kept of a first round.
+Status ModbusSafetyInputs::open() {
+  Status done = link_.open();
+  if (!done || !link_.is_in_doubt()) return done;
+  if (const auto first = ask_once(); !first) {
+    link_.close();  // an exception reply leaves it open: the next answer would not be doubted
+    return first.error();
+  }
+  return link_.confirm_in_step();
+}
+
+// One round of questions.
+Result<SafetyStatus> ModbusSafetyInputs::ask_once() {
+  const double asked_s = clock_.now_s();
   const auto first = std::min(options_.estop.address, options_.guard.address);
   const auto last = std::max(options_.estop.address, options_.guard.address);
   std::vector<std::uint8_t> bits(static_cast<std::size_t>(last - first + 1));

@@ -48,13 +48,16 @@ struct ModbusSafetyOptions {
 /// Polling  a thread of its own asks, from connect() on: read() hands out the newest answer and
 ///          never waits, neither for a coupler that is silent nor for that thread. Both contacts
 ///          are read in one request
-/// Link     as ModbusLink says: after a time-out or a garbled reply over a new connection
+/// Link     as ModbusLink says: after a time-out or a garbled reply over a new connection. On a
+///          serial line it takes four response time-outs from a lost answer to the next one that is
+///          believed: with a shorter deadline one lost answer is a lost device
 /// Age      an answer is as old as its question
 /// Leaves out  a coupler whose own bus is dead and that answers with what it last knew: set its
 ///          substitute values to 0
 /// Errors   timeout: no answer within the deadline, and the last failure of the link with it;
 ///          disconnected: before connect(), or something was thrown in that thread
-/// Time     connect() waits for one answer, twice the response time-out at most
+/// Time     connect() waits for one answer, twice the response time-out at most; on a serial line
+///          that it had open before, six time-outs more
 class ModbusSafetyInputs final : public SafetyInputs {
  public:
   /// @param clock  must outlive the inputs; its now_s() is asked from a thread of their own
@@ -76,6 +79,8 @@ class ModbusSafetyInputs final : public SafetyInputs {
   };
 
   Result<SafetyStatus> ask();
+  Status open();
+  Result<SafetyStatus> ask_once();
   void ask_and_note();
   void poll(const std::stop_token& stop);
 

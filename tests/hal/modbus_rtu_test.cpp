@@ -1,7 +1,12 @@
+#include <pthread.h>
+#include <signal.h>
+
 #include <array>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 #include "hal/modbus/drive_profile_json.hpp"
 #include "hal/modbus/modbus_inverter.hpp"
@@ -91,6 +96,78 @@ SCENARIO("a late reply on a serial line is never taken for the next one", "[hal]
       bench.model.set_measured(123.4, 5);
       CHECK(bench.drive.read().value().speed_rpm == Approx(123.4));
     }
+  }
+}
+
+namespace {
+
+// A drive that has no constants to be known by: who identifies it asks what it is asked anyway.
+struct PlainBench {
+  sim::InverterModel model;
+  sim::InverterLine line{model};
+  test::InverterClock clock{model};
+  hal::ModbusInverter drive{plain(over(line)), clock};
+
+  static hal::ModbusInverterOptions plain(hal::ModbusInverterOptions options) {
+    options.profile.identity.clear();
+    options.profile.pole_pairs.reset();
+    return options;
+  }
+
+  // Reads eight times, the second time with a late reply, and the value changes before each.
+  void read_with_one_late() {
+    int told = 0;
+    for (int i = 1; i <= 8; ++i) {
+      model.set_measured(100 * i, 0);
+      if (i == 2) line.inject({.fault = WireFault::late, .requests = 1});
+      const auto status = drive.read();
+      told += status ? 1 : 0;
+      CHECK((!status || status.value().speed_rpm == 100 * i));
+    }
+    CHECK(told >= 6);
+  }
+};
+
+// Meets the thread that made it with a signal every millisecond.
+class Signals {
+ public:
+  Signals() {
+    struct sigaction action {};
+    action.sa_handler = [](int) {};
+    ::sigaction(SIGUSR1, &action, &before_);
+    sender_ = std::jthread([target = ::pthread_self()](const std::stop_token& stop) {
+      while (!stop.stop_requested()) {
+        ::pthread_kill(target, SIGUSR1);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+    });
+  }
+  ~Signals() {
+    sender_ = {};
+    ::sigaction(SIGUSR1, &before_, nullptr);
+  }
+  Signals(const Signals&) = delete;
+  Signals& operator=(const Signals&) = delete;
+
+ private:
+  struct sigaction before_ {};
+  std::jthread sender_;
+};
+
+}  // namespace
+
+SCENARIO("a reply on a serial line is taken for no other, however late it is",
+         "[hal][modbus][rtu]") {
+  PlainBench bench;
+  REQUIRE(bench.drive.connect());
+  WHEN("it comes when it was given up, or when the next question was asked") {
+    bench.line.set_lateness_s(GENERATE(1.3, 2.5, 3.5, 4.5) * response_timeout_s);
+    bench.read_with_one_late();
+  }
+  WHEN("signals come while it is waited for") {
+    bench.line.set_lateness_s(1.3 * response_timeout_s);
+    const Signals signals;
+    bench.read_with_one_late();
   }
 }
 
