@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@ struct IioFrontEnd {
   std::vector<std::string> labels;  ///< one per input, as on the drawing: "accel_1x"
   double rate_Hz = 0;               ///< the only one that it has
   double m_s2_per_count = 1e-4;     ///< the `scale` of its inputs
+  /// Of every input, beside these or in their place, as it is told: {"offset", "-32768"}. One
+  /// without text cannot be read (EIO).
+  std::map<std::string, std::string> attributes = {};
 };
 
 /// The DAQ of a simulated bench as a network context of Linux industrial I/O: any libiio client

@@ -65,7 +65,12 @@ std::string context_of(const IioFrontEnd& front_end) {
     xml += "<channel id=\"accel" + n + "\" type=\"input\"><scan-element index=\"" + n +
            "\" format=\"le:S32/32&gt;&gt;0\" scale=\"" + decimal(front_end.m_s2_per_count) +
            "\"/><attribute name=\"scale\" filename=\"in_accel" + n +
-           "_scale\"/><attribute name=\"label\" filename=\"in_accel" + n + "_label\"/></channel>";
+           "_scale\"/><attribute name=\"label\" filename=\"in_accel" + n + "_label\"/>";
+    for (const auto& [name, text] : front_end.attributes) {
+      if (name == "scale" || name == "label") continue;
+      xml += "<attribute name=\"" + name + "\" filename=\"in_accel" + n + "_" + name + "\"/>";
+    }
+    xml += "</channel>";
   }
   return xml + "<attribute name=\"sampling_frequency\"/></device></context>";
 }
@@ -145,6 +150,10 @@ std::string IioSession::read_attribute(std::string_view words) const {
   channel.remove_prefix(5);
   const auto at = parsed<std::size_t>(channel, 10);
   if (!at || *at >= front_end_.labels.size()) return number(-ENOENT);
+  const auto told = front_end_.attributes.find(std::string(attribute));
+  if (told != front_end_.attributes.end()) {
+    return told->second.empty() ? number(-EIO) : with_length(told->second);
+  }
   if (attribute == "scale") return with_length(decimal(front_end_.m_s2_per_count));
   if (attribute == "label") return with_length(front_end_.labels[*at]);
   return number(-ENOENT);

@@ -5,16 +5,14 @@
 #include <iio.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include "hal/daq/captured_complaints.hpp"
+#include "hal/daq/iio_input.hpp"
 #include "hal/daq/no_pipe_signal.hpp"
 #include "hal/daq/require_inputs.hpp"
 #include "hal/did_you_mean.hpp"
@@ -38,12 +36,6 @@ struct DestroyBuffer {
     iio_buffer_destroy(buffer);
   }
 };
-
-std::string reason(ssize_t error) {
-  std::array<char, 128> text{};
-  iio_strerror(int(std::abs(error)), text.data(), text.size());
-  return text.data();
-}
 
 IoErrc code_of(ssize_t error) {
   switch (-error) {
@@ -80,47 +72,6 @@ std::string there_is(const std::string& wrong, const std::vector<std::string>& n
   return fmt::format("{} (there is: {})", did_you_mean(wrong, names), fmt::join(names, ", "));
 }
 
-// An input as it streams: raw counts and what they mean.
-struct Input {
-  iio_channel* channel;
-  double m_s2_per_count = 1;
-  double offset_counts = 0;
-};
-
-double attribute_or(const iio_channel* channel, const char* name, double without) {
-  double value = without;
-  if (iio_channel_find_attr(channel, name) == nullptr) return without;
-  return iio_channel_attr_read_double(channel, name, &value) == 0 ? value : without;
-}
-
-bool is_voltage(const iio_channel* channel) { return iio_channel_get_type(channel) == IIO_VOLTAGE; }
-
-// m/s² per unit of the scaled value, which is a millivolt, or m/s² where the device knows its
-// sensors. Nothing if the sensitivity, V per m/s², does not fit. Source: Linux'
-// Documentation/ABI/testing/sysfs-bus-iio, in_voltageY_raw and in_accel_x_raw.
-std::optional<double> unit_of(const iio_channel* channel, double sensitivity) {
-  const bool is_known = std::isfinite(sensitivity);
-  if (is_voltage(channel) != is_known) return std::nullopt;
-  return is_known ? 1e-3 / sensitivity : 1;
-}
-
-// A sample in the device's own format, of up to 64 bits.
-double count_of(const iio_channel* channel, const void* sample) {
-  const iio_data_format* format = iio_channel_get_data_format(channel);
-  std::array<std::byte, 8> host{};
-  iio_channel_convert(channel, host.data(), sample);
-  const auto as = [&host](auto zero) {
-    std::copy_n(host.data(), sizeof zero, reinterpret_cast<std::byte*>(&zero));
-    return double(zero);
-  };
-  switch (format->length) {
-    case 8: return format->is_signed ? as(std::int8_t{}) : as(std::uint8_t{});
-    case 16: return format->is_signed ? as(std::int16_t{}) : as(std::uint16_t{});
-    case 32: return format->is_signed ? as(std::int32_t{}) : as(std::uint32_t{});
-    default: return format->is_signed ? as(std::int64_t{}) : as(std::uint64_t{});
-  }
-}
-
 class IioSource final : public ScanSource {
  public:
   explicit IioSource(IioOptions options) : options_(std::move(options)) {}
@@ -142,7 +93,7 @@ class IioSource final : public ScanSource {
   IioOptions options_;
   std::unique_ptr<iio_context, DestroyContext> context_;
   iio_device* device_ = nullptr;  // the context's
-  std::vector<Input> inputs_;
+  std::vector<IioInput> inputs_;
   std::unique_ptr<iio_buffer, DestroyBuffer> buffer_;
   double rate_Hz_ = 0;
   double converter_m_s2_ = std::numeric_limits<double>::infinity();
@@ -156,7 +107,7 @@ Status IioSource::connect() {
   {
     const CapturedComplaints complaints;
     context_.reset(iio_create_context_from_uri(uri.data()));
-    const std::string why = context_ ? "" : reason(errno);
+    const std::string why = context_ ? "" : iio_reason(errno);
     const std::string more = context_ ? "" : complaints.text();
     if (!context_) {
       return IoError{IoErrc::disconnected, "connect: " + why + (more.empty() ? "" : ": ") + more};
@@ -185,19 +136,10 @@ Status IioSource::find_inputs() {
                                           there_is(input.device_channel, input_names(device_))};
     }
     iio_channel_enable(channel);
-    const auto m_s2_per_unit = unit_of(channel, input.info.sensitivity);
-    if (!m_s2_per_unit) {
-      return IoError{
-          IoErrc::refused,
-          input.device_channel + (is_voltage(channel)
-                                      ? ": it tells volts, and the sensor has no sensitivity"
-                                      : ": it tells m/s², and needs no sensitivity")};
-    }
-    const double scale = attribute_or(channel, "scale", 1) * *m_s2_per_unit;
-    inputs_.push_back({channel, scale, attribute_or(channel, "offset", 0)});
-    const iio_data_format* format = iio_channel_get_data_format(channel);
-    const double full_counts = std::exp2(double(format->bits) - (format->is_signed ? 1 : 0)) - 1;
-    converter_m_s2_ = std::min(converter_m_s2_, full_counts * std::abs(scale));
+    const auto read = read_iio_input(channel, input.info.sensitivity);
+    if (!read) return read.error();
+    inputs_.push_back(read.value());
+    converter_m_s2_ = std::min(converter_m_s2_, read.value().full_scale_m_s2());
   }
   return Done{};
 }
@@ -216,9 +158,10 @@ Status IioSource::set_rate() {
     if (failed == 0) failed = iio_channel_attr_read_double(first, name, &rate_Hz_);
   }
   if (failed < 0 || !(rate_Hz_ > 0)) {
-    return IoError{failed < 0 ? IoErrc::refused : IoErrc::bad_reply,
-                   fmt::format("{} of {:g} Hz: {}", name, options_.rate_Hz,
-                               failed < 0 ? reason(failed) : fmt::format("now {:g} Hz", rate_Hz_))};
+    return IoError{
+        failed < 0 ? IoErrc::refused : IoErrc::bad_reply,
+        fmt::format("{} of {:g} Hz: {}", name, options_.rate_Hz,
+                    failed < 0 ? iio_reason(failed) : fmt::format("now {:g} Hz", rate_Hz_))};
   }
   return Done{};
 }
@@ -234,24 +177,23 @@ Status IioSource::start() {
   const double blocks = std::ceil(kernel_buffer_s * rate_Hz_ / scans);
   (void)iio_device_set_kernel_buffers_count(device_, unsigned(std::max(4.0, blocks)));
   buffer_.reset(iio_device_create_buffer(device_, std::size_t(scans), false));
-  if (!buffer_) return IoError{IoErrc::refused, "start: " + reason(errno)};
+  if (!buffer_) return IoError{IoErrc::refused, "start: " + iio_reason(errno)};
   return Done{};
 }
 
 Status IioSource::wait(AccelerationBlock::Scans& scans) {
   const NoPipeSignal quiet;
   const ssize_t bytes = iio_buffer_refill(buffer_.get());
-  if (bytes < 0) return IoError{code_of(bytes), "read: " + reason(bytes)};
+  if (bytes < 0) return IoError{code_of(bytes), "read: " + iio_reason(bytes)};
   const std::ptrdiff_t step = iio_buffer_step(buffer_.get());
   if (step <= 0) return IoError{IoErrc::bad_reply, "read: scans of no size"};
   const auto rows = Eigen::Index(bytes / step);
   scans.resize(rows, Eigen::Index(inputs_.size()));
   for (std::size_t i = 0; i < inputs_.size(); ++i) {
-    const Input& input = inputs_[i];
+    const IioInput& input = inputs_[i];
     const auto* sample = static_cast<const char*>(iio_buffer_first(buffer_.get(), input.channel));
     for (Eigen::Index row = 0; row < rows; ++row, sample += step) {
-      const double counts = count_of(input.channel, sample) + input.offset_counts;
-      scans(row, Eigen::Index(i)) = float(counts * input.m_s2_per_count);
+      scans(row, Eigen::Index(i)) = float(input.m_s2_of(sample));
     }
   }
   return Done{};

@@ -23,12 +23,17 @@ struct IioOptions {
 /// Accelerometers on a front end of the Linux industrial I/O subsystem, in this machine or behind
 /// iiod in another. Over libiio 0.24, whose own names these are.
 ///
-/// Values   raw count of the channel (its own format) + its `offset`, times its `scale`. Of a voltage
-///          channel that makes millivolts, and the input's sensitivity m/s² of them; of a channel of
-///          acceleration m/s² (Linux: Documentation/ABI/testing/sysfs-bus-iio)
+/// Values   raw count of the channel (its own format) + its `offset`, times its `scale`. Of a
+/// voltage
+///          channel that makes millivolts, and the input's sensitivity m/s² of them; of a channel
+///          of acceleration m/s² (Linux: Documentation/ABI/testing/sysfs-bus-iio)
 /// Rate     written to `sampling_frequency` of the device, or of its channels, and read back
-/// Errors   refused (connect): no such device, channel or rate, with what there is; disconnected:
-///          no context, or the link broke. The connection itself may take 2 s
+///          An attribute that the channel does not have is 1 (scale) or 0 (offset)
+/// Range    the sensors' full scale, or what the converter reaches in both directions, offset and
+///          scale included, where that is less
+/// Errors   refused (connect): no such device, channel or rate, with what there is, or an attribute
+///          that cannot be read; bad_reply (connect): one that is no number; disconnected: no
+///          context, or the link broke. The connection itself may take 2 s
 /// @throws std::invalid_argument naming the option that is out of range
 std::unique_ptr<StreamedAccelerometers> make_iio_accelerometers(IioOptions options, Clock& clock);
 

@@ -2,8 +2,11 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <map>
 #include <memory>
+#include <string>
 #include <thread>
+#include <utility>
 
 #include "hal/steady_clock.hpp"
 #include "sim/iio_server.hpp"
@@ -20,7 +23,12 @@ constexpr double rate_Hz = 5000;
 // A front end of four inputs that counts scans; sends ten of them every 2 ms.
 class CountingDaq {
  public:
-  CountingDaq() : server_(std::make_unique<IioServer>(front_end())) { go_on(); }
+  using Attributes = std::map<std::string, std::string>;
+
+  explicit CountingDaq(Attributes attributes = {})
+      : server_(std::make_unique<IioServer>(front_end(std::move(attributes)))) {
+    go_on();
+  }
   ~CountingDaq() { pause(); }
 
   void go_on() {
@@ -48,8 +56,9 @@ class CountingDaq {
   std::uint16_t port() const { return server_->port(); }
 
  private:
-  static sim::IioFrontEnd front_end() {
+  static sim::IioFrontEnd front_end(Attributes attributes) {
     sim::IioFrontEnd daq;
+    daq.attributes = std::move(attributes);
     daq.rate_Hz = rate_Hz;
     daq.m_s2_per_count = 0.001;
     daq.labels = {"a", "b", "c", "d"};
@@ -168,6 +177,44 @@ TEST_CASE("the converter's full scale counts where it is below the sensors'", "[
   Connected bench(how);
   REQUIRE(bench.accelerometers->connect());
   CHECK(bench.accelerometers->range_m_s2() == Approx(0.001 * 2147483647));
+}
+
+TEST_CASE("a converter whose middle is moved reaches less far on one side", "[hal][daq]") {
+  const CountingDaq daq(CountingDaq::Attributes{{"offset", "1000000000"}});
+  IioOptions how = options(daq.port());
+  how.range_m_s2 = 1e9;
+  Connected bench(how);
+  REQUIRE(bench.accelerometers->connect());
+  CHECK(bench.accelerometers->range_m_s2() == Approx(0.001 * (2147483648 - 1000000000)));
+  REQUIRE(bench.accelerometers->start());
+  const auto scans = bench.read(1);
+  CHECK(double(scans(0, 0)) == Approx(1e6 + 50).margin(51));
+}
+
+TEST_CASE("what a channel's counts mean is read, and never guessed", "[hal][daq]") {
+  const auto error_with = [](const CountingDaq::Attributes& attributes) {
+    const CountingDaq daq(attributes);
+    Connected bench(options(daq.port()));
+    const auto status = bench.accelerometers->connect();
+    REQUIRE_FALSE(status);
+    return describe(status.error());
+  };
+  SECTION("a scale that cannot be read") {
+    CHECK_THAT(error_with({{"scale", ""}}),
+               Catch::Contains("accel0: scale: Input/output error") && Catch::Contains("refused"));
+  }
+  SECTION("an offset that cannot be read") {
+    CHECK_THAT(error_with({{"offset", ""}}), Catch::Contains("accel0: offset: Input/output error"));
+  }
+  SECTION("a scale that is no number") {
+    CHECK_THAT(error_with({{"scale", "0.001 m/s"}}),
+               Catch::Contains("accel0: scale: expected a number, found \"0.001 m/s\""));
+    CHECK_THAT(error_with({{"scale", "nan"}}), Catch::Contains("accel0: scale: expected a number"));
+  }
+  SECTION("an offset that is no number") {
+    CHECK_THAT(error_with({{"offset", "middle"}}),
+               Catch::Contains("accel0: offset: expected a number, found \"middle\""));
+  }
 }
 
 TEST_CASE("a front end that tells m/s² by itself is given no sensitivity", "[hal][daq]") {
