@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "hal/can/waiting_frames.hpp"
 #include "hal/types/require_positive.hpp"
 
 namespace rvbench::hal {
@@ -34,7 +35,7 @@ Status CanBrake::connect() {
   const Status opened = transport_->open();
   if (!opened) return opened;
   was_opened_ = true;
-  drop_waiting_frames();
+  drop_waiting_frames(*transport_);
   has_status_ = saw_repeats_ = false;
   const Status released = send(0, false);
   if (!released) return released;
@@ -82,36 +83,27 @@ Status CanBrake::send(double torque_Nm, bool enable) {
       can_frames::frame_from_brake_command({torque_Nm, enable, ++command_counter_}));
 }
 
-void CanBrake::drop_waiting_frames() {
-  while (transport_->receive()) continue;
-}
-
 // Keeps the newest status.
-Status CanBrake::take_waiting_frames() {
-  for (;;) {
-    const Result<CanFrame> received = transport_->receive();
-    if (!received) {
-      if (received.error().code == IoErrc::timeout) return Done{};
-      return received.error();
-    }
-    const auto frame = can_frames::brake_status_from_frame(received.value());
-    if (!frame) return failure(IoErrc::bad_reply, "read: not a status frame");
-    if (has_status_ && frame->counter == status_.counter) {
-      saw_repeats_ = true;
-      continue;
-    }
-    status_ = *frame;
-    has_status_ = true;
-    saw_repeats_ = false;
-    fresh_s_ = received.value().time_s;
+Status CanBrake::take(const CanFrame& frame) {
+  const auto status = can_frames::brake_status_from_frame(frame);
+  if (!status) return failure(IoErrc::bad_reply, "read: not a status frame");
+  if (has_status_ && status->counter == status_.counter) {
+    saw_repeats_ = true;
+    return Done{};
   }
+  status_ = *status;
+  has_status_ = true;
+  saw_repeats_ = false;
+  fresh_s_ = frame.time_s;
+  return Done{};
 }
 
 Status CanBrake::await_status() {
   for (;;) {
-    const Status taken = take_waiting_frames();
+    const Status taken =
+        take_waiting_frames(*transport_, [this](const CanFrame& frame) { return take(frame); });
     if (!taken) {
-      drop_waiting_frames();
+      drop_waiting_frames(*transport_);
       return taken;
     }
     const double now_s = clock_.now_s();

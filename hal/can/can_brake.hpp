@@ -36,8 +36,7 @@ class CanBrake final : public Brake {
 
  private:
   Status send(double torque_Nm, bool enable);
-  void drop_waiting_frames();
-  Status take_waiting_frames();
+  Status take(const CanFrame& frame);
   Status await_status();
 
   std::unique_ptr<CanTransport> transport_;

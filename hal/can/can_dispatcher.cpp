@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "hal/can/waiting_frames.hpp"
+
 namespace rvbench::hal {
 namespace {
 
@@ -47,24 +49,22 @@ class SharedBus {
   };
 
   void empty_bus() {
-    for (;;) {
-      const Result<CanFrame> next = bus_->receive();
-      if (!next) return note(next.error());
-      deliver(next.value());
-    }
+    const Status emptied =
+        take_waiting_frames(*bus_, [this](const CanFrame& frame) { return deliver(frame); });
+    if (!emptied) note(emptied.error());
   }
 
-  void deliver(const CanFrame& frame) {
+  Status deliver(const CanFrame& frame) {
     const auto found = mailboxes_.find(frame.id);
-    if (found == mailboxes_.end()) return;
+    if (found == mailboxes_.end()) return Done{};
     std::deque<CanFrame>& frames = found->second.frames;
     if (frames.size() == mailbox_capacity) frames.pop_front();
     frames.push_back(frame);
+    return Done{};
   }
 
   // A bus that was lost can be opened anew.
   void note(const IoError& error) {
-    if (error.code == IoErrc::timeout) return;
     if (error.code == IoErrc::disconnected) is_open_ = false;
     for (auto& [id, mailbox] : mailboxes_) mailbox.error = error;
   }

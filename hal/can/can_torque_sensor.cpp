@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "hal/can/waiting_frames.hpp"
 #include "hal/types/require_positive.hpp"
 #include "hal/types/units.hpp"
 
@@ -43,7 +44,7 @@ Status CanTorqueSensor::connect() {
   connected_ = false;
   const Status opened = transport_->open();
   if (!opened) return opened;
-  drop_waiting_frames();
+  drop_waiting_frames(*transport_);
   track_ = Track(options_.rate_Hz);
   saw_repeats_ = false;
   fresh_s_ = clock_.now_s();
@@ -59,9 +60,10 @@ Result<TorqueBlock> CanTorqueSensor::read() {
   Track track = track_;
   TorqueBlock block;
   for (;;) {
-    const Status taken = take_waiting_frames(track, block);
+    const Status taken = take_waiting_frames(
+        *transport_, [&](const CanFrame& frame) { return take(frame, track, block); });
     if (!taken) {
-      drop_waiting_frames();
+      drop_waiting_frames(*transport_);
       return taken.error();
     }
     const double now_s = clock_.now_s();
@@ -81,22 +83,12 @@ Result<TorqueBlock> CanTorqueSensor::read() {
   return block;
 }
 
-void CanTorqueSensor::drop_waiting_frames() {
-  while (transport_->receive()) continue;
-}
-
-Status CanTorqueSensor::take_waiting_frames(Track& track, TorqueBlock& block) {
-  for (;;) {
-    const Result<CanFrame> received = transport_->receive();
-    if (!received) {
-      if (received.error().code == IoErrc::timeout) return Done{};
-      return received.error();
-    }
-    const auto frame = options_.decode(received.value());
-    if (!frame) return failure(IoErrc::bad_reply, "read: not a torque frame");
-    if (const char* what = flaw(*frame)) return failure(IoErrc::bad_reply, what);
-    append(*frame, received.value().time_s, track, block);
-  }
+Status CanTorqueSensor::take(const CanFrame& frame, Track& track, TorqueBlock& block) {
+  const auto torque = options_.decode(frame);
+  if (!torque) return failure(IoErrc::bad_reply, "read: not a torque frame");
+  if (const char* what = flaw(*torque)) return failure(IoErrc::bad_reply, what);
+  append(*torque, frame.time_s, track, block);
+  return Done{};
 }
 
 // Samples from the newest one to this one: 1 if none was lost, 0 or less if it is not new. The

@@ -63,8 +63,7 @@ class CanTorqueSensor final : public TorqueSensor {
     double turns_per_sample = 0;  ///< at the newest sample
   };
 
-  void drop_waiting_frames();
-  Status take_waiting_frames(Track& track, TorqueBlock& block);
+  Status take(const CanFrame& frame, Track& track, TorqueBlock& block);
   void append(const can_frames::TorqueFrame& frame, double time_s, Track& track,
               TorqueBlock& block);
   std::int64_t samples_since(const Track& track, const can_frames::TorqueFrame& frame,

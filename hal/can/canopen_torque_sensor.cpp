@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "hal/can/waiting_frames.hpp"
 #include "hal/types/require_positive.hpp"
 
 namespace rvbench::hal {
@@ -47,7 +48,7 @@ Status CanopenTorqueSensor::connect() {
   connected_ = false;
   const Status opened = transport_->open();
   if (!opened) return opened;
-  while (transport_->receive()) continue;  // of an earlier time
+  drop_waiting_frames(*transport_);  // of an earlier time
   const Status started =
       transport_->send({.id = network_management,
                         .length = 2,
@@ -59,7 +60,7 @@ Status CanopenTorqueSensor::connect() {
     TorqueBlock none;
     made_ = 0;
     start_s_ = clock_.now_s();
-    const Status taken = take_waiting_frames(none);
+    const Status taken = take_waiting_into(none);
     if (!taken) return taken;
     if (!std::isnan(torque_Nm_)) break;
     if (clock_.now_s() >= end_s) {
@@ -81,7 +82,7 @@ Result<TorqueBlock> CanopenTorqueSensor::read() {
   block.t0_s = start_s_ + static_cast<double>(made_ - lost_) / options_.rate_Hz;
   block.samples.resize(static_cast<std::size_t>(lost_));  // of not_known
   const double now_s = clock_.now_s();
-  Status taken = take_waiting_frames(block);
+  Status taken = take_waiting_into(block);
   if (taken && now_s - alive_s_ > options_.deadline_s) {
     taken = failure(IoErrc::timeout, "read: neither value nor heartbeat");
   }
@@ -91,17 +92,9 @@ Result<TorqueBlock> CanopenTorqueSensor::read() {
   return block;
 }
 
-Status CanopenTorqueSensor::take_waiting_frames(TorqueBlock& block) {
-  for (;;) {
-    const Result<CanFrame> received = transport_->receive();
-    if (received) {
-      const Status taken = take(received.value(), block);
-      if (!taken) return taken;
-      continue;
-    }
-    if (received.error().code == IoErrc::timeout) return Done{};
-    return received.error();
-  }
+Status CanopenTorqueSensor::take_waiting_into(TorqueBlock& block) {
+  return take_waiting_frames(*transport_,
+                             [&](const CanFrame& frame) { return take(frame, block); });
 }
 
 Status CanopenTorqueSensor::take(const CanFrame& frame, TorqueBlock& block) {

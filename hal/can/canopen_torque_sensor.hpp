@@ -45,7 +45,7 @@ class CanopenTorqueSensor final : public TorqueSensor {
   Result<TorqueBlock> read() override;
 
  private:
-  Status take_waiting_frames(TorqueBlock& block);
+  Status take_waiting_into(TorqueBlock& block);
   Status take(const CanFrame& frame, TorqueBlock& block);
   void hold_until(double time_s, TorqueBlock& block);
 
