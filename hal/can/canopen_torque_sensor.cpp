@@ -55,6 +55,7 @@ Status CanopenTorqueSensor::connect() {
                         .data = {start_node, static_cast<std::uint8_t>(options_.node)}});
   if (!started) return started;
   torque_Nm_ = not_known;
+  status_ = said_ = 0;
   const double end_s = clock_.now_s() + options_.deadline_s;
   for (;;) {
     TorqueBlock none;
@@ -62,6 +63,8 @@ Status CanopenTorqueSensor::connect() {
     start_s_ = clock_.now_s();
     const Status taken = take_waiting_into(none);
     if (!taken) return taken;
+    const Status sound = check_status();
+    if (!sound) return sound;
     if (!std::isnan(torque_Nm_)) break;
     if (clock_.now_s() >= end_s) {
       return failure(IoErrc::timeout, "connect: no value after it was told to operate");
@@ -83,6 +86,7 @@ Result<TorqueBlock> CanopenTorqueSensor::read() {
   block.samples.resize(static_cast<std::size_t>(lost_));  // of not_known
   const double now_s = clock_.now_s();
   Status taken = take_waiting_into(block);
+  if (taken) taken = check_status();
   if (taken && now_s - alive_s_ > options_.deadline_s) {
     taken = failure(IoErrc::timeout, "read: neither value nor heartbeat");
   }
@@ -109,14 +113,24 @@ Status CanopenTorqueSensor::take(const CanFrame& frame, TorqueBlock& block) {
     return Done{};
   }
   const unsigned byte = frame.length > 0 ? frame.data[0] : 0xFFU;
-  if (kind == second_tpdo && (byte & zeroing) != 0) return failure(IoErrc::bad_reply, "zeroing");
-  if (kind == second_tpdo && (byte & shunt_on) != 0) {
-    return failure(IoErrc::bad_reply, "shunt calibration is on");
+  if (kind == second_tpdo) {
+    if (frame.length < 1) return failure(IoErrc::bad_reply, "a status of 0 bytes");
+    status_ = byte;
+    said_ |= byte;
   }
   const bool lives_on = kind != heartbeat || byte == operational || !connected_;
   if (lives_on) return Done{};
   connected_ = false;  // what it sends from now on may be scaled or zeroed anew
   return failure(IoErrc::disconnected, byte == booted ? "it has restarted" : "it was stopped");
+}
+
+// It says once that a flaw begins, and once that it is over. One that came and went between two
+// reads has spoilt samples as well.
+Status CanopenTorqueSensor::check_status() {
+  const unsigned said = std::exchange(said_, status_);
+  if ((said & shunt_on) != 0) return failure(IoErrc::bad_reply, "shunt calibration is on");
+  if ((said & zeroing) != 0) return failure(IoErrc::bad_reply, "zeroing");
+  return Done{};
 }
 
 // Samples before that time: a value that was not sent anew has not changed.

@@ -24,9 +24,9 @@ struct CanopenTorqueOptions {
 ///          HBM TIM40 mounting instructions, p. 39
 /// Samples  at rate_Hz, each the last value that came before it: a torque that stays is sent once.
 ///          No angle
-/// Errors   timeout: neither value nor heartbeat came; bad_reply: it zeroes, its shunt is on, or a
-///          frame has another length; disconnected: it has restarted or was stopped. Samples of a
-///          failed read() count as lost in the next one
+/// Errors   timeout: neither value nor heartbeat came; bad_reply: it zeroes, its shunt is on, or
+///          either was so since the last read(), or a frame has another length; disconnected: it
+///          has restarted or was stopped. Samples of a failed read() count as lost in the next one
 /// Time     connect() tells the node to operate and waits on the clock for its first value, until
 ///          the deadline; read() never waits
 class CanopenTorqueSensor final : public TorqueSensor {
@@ -47,6 +47,7 @@ class CanopenTorqueSensor final : public TorqueSensor {
  private:
   Status take_waiting_into(TorqueBlock& block);
   Status take(const CanFrame& frame, TorqueBlock& block);
+  Status check_status();
   void hold_until(double time_s, TorqueBlock& block);
 
   std::unique_ptr<CanTransport> transport_;
@@ -54,6 +55,8 @@ class CanopenTorqueSensor final : public TorqueSensor {
   Clock& clock_;
   bool connected_ = false;
   double torque_Nm_ = not_known;  ///< as last sent
+  unsigned status_ = 0;           ///< as last sent
+  unsigned said_ = 0;             ///< every bit that was set since the last read
   double alive_s_ = 0;            ///< when the node was last heard
   double start_s_ = 0;            ///< of sample 0
   std::int64_t made_ = 0;         ///< samples since then

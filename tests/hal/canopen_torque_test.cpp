@@ -41,6 +41,7 @@ class Node final : public hal::Clock {
   bool beats = true;
   std::uint8_t state = 0x7F;  // pre-operational
   std::int32_t first_counts = 1500;
+  std::uint8_t first_status = 0;
 
  private:
   void listen() {
@@ -48,6 +49,7 @@ class Node final : public hal::Clock {
       const bool is_start = told.value().id == 0 && told.value().data[0] == 1;
       if (!is_start || told.value().data[1] != node_id) continue;
       state = 0x05;
+      say(0x280, {first_status});
       torque(first_counts);
     }
   }
@@ -106,6 +108,53 @@ SCENARIO("a node that is not heard is lost, though its last value is known", "[h
 SCENARIO("what is measured while something else is going on is not a torque", "[hal][can]") {
   Bench bench;
   REQUIRE(bench.sensor.connect());
+  WHEN("its shunt goes on, which it says once") {
+    const double start_s = bench.node.now_s();
+    bench.node.say(0x280, {0x04});
+    THEN("no read is good until it has said that it is off, and those samples are lost") {
+      for (int i = 1; i <= 3; ++i) {
+        bench.node.wait_until(start_s + 0.05 * i);
+        const auto read = bench.sensor.read();
+        REQUIRE_FALSE(read);
+        CHECK_THAT(read.error().where, Catch::Contains("shunt calibration is on"));
+      }
+      bench.node.say(0x280, {0x00});
+      bench.node.wait_until(start_s + 0.2);
+      CHECK_FALSE(bench.sensor.read());  // it was on in the first part of it
+      bench.node.wait_until(start_s + 0.25);
+      const auto after = bench.sensor.read();
+      REQUIRE(after);
+      CHECK(after.value().lost == Approx(200).margin(1));
+    }
+  }
+  WHEN("it zeroes between two reads, and has a new zero before the second") {
+    const double start_s = bench.node.now_s();
+    bench.node.say(0x280, {0x01});
+    bench.node.wait_until(start_s + 0.02);
+    bench.node.torque(0);
+    bench.node.say(0x280, {0x00});
+    bench.node.wait_until(start_s + 0.05);
+    const auto read = bench.sensor.read();
+    REQUIRE_FALSE(read);
+    CHECK_THAT(read.error().where, Catch::Contains("zeroing"));
+    THEN("it is told once") {
+      const auto after = bench.sensor.read();
+      REQUIRE(after);
+      CHECK(after.value().lost == Approx(50).margin(1));
+    }
+  }
+  WHEN("it zeroes as it is connected") {
+    bench.node.first_status = 0x01;
+    CHECK(bench.sensor.connect().error().code == IoErrc::bad_reply);
+    bench.node.first_status = 0x00;
+    CHECK(bench.sensor.connect());
+    CHECK(bench.sensor.read());
+  }
+  WHEN("a status says nothing") {
+    bench.node.say(0x280, {});
+    CHECK(bench.sensor.read().error().code == IoErrc::bad_reply);
+    CHECK(bench.sensor.read());
+  }
   WHEN("its shunt is on, or it zeroes") {
     bench.node.say(0x280, {0x04});
     CHECK(bench.sensor.read().error().code == IoErrc::bad_reply);
@@ -113,13 +162,14 @@ SCENARIO("what is measured while something else is going on is not a torque", "[
     CHECK(bench.sensor.read().error().code == IoErrc::bad_reply);
     THEN("it measures again once that is over") {
       bench.node.say(0x280, {0x00});
+      CHECK_FALSE(bench.sensor.read());
       const double start_s = bench.node.now_s();
       bench.node.wait_until(start_s + 0.1);
       CHECK_FALSE(bench.sensor.read().value().samples.empty());
       bench.node.say(0x280, {0x04});
+      bench.node.say(0x280, {0x00});
       bench.node.wait_until(start_s + 0.15);
       CHECK_FALSE(bench.sensor.read());
-      bench.node.say(0x280, {0x00});
       bench.node.wait_until(start_s + 0.2);
       const auto after = bench.sensor.read();
       REQUIRE(after);
