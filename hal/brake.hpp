@@ -33,7 +33,10 @@ class Brake {
   virtual Status set_torque(double torque_Nm) = 0;
 
   virtual Result<BrakeStatus> read() = 0;  ///< fresh within the deadline, or an error
-  virtual void release() noexcept = 0;     ///< legal in every state, any number of times
+
+  /// Legal in every state, any number of times; also tries to reach a brake whose link was lost.
+  /// @return Done once the command is on its way: read() tells whether the brake has obeyed
+  virtual Status release() noexcept = 0;
 };
 
 }  // namespace rvbench::hal

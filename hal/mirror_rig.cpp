@@ -121,10 +121,13 @@ class MirrorBrake final : public Brake {
     return BrakeStatus{world_.brake_torque_Nm(), world_.has(MirrorFault::brake_tripped)};
   }
 
-  void release() noexcept override {
-    if (!no_answer(world_, connected_, MirrorFault::brake_dead, "mirror brake: release")) {
-      world_.release_brake();
+  Status release() noexcept override {
+    if (auto error =
+            no_answer(world_, connected_, MirrorFault::brake_dead, "mirror brake: release")) {
+      return *error;
     }
+    world_.release_brake();
+    return Done{};
   }
 
  private:

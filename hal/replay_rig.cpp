@@ -86,7 +86,10 @@ class ReplayBrake final : public Brake {
     return BrakeStatus{world_.brake_torque_Nm(), false};
   }
 
-  void release() noexcept override { world_.command_brake(0); }
+  Status release() noexcept override {
+    world_.command_brake(0);
+    return Done{};
+  }
 
  private:
   ReplayWorld& world_;

@@ -66,14 +66,15 @@ Ending set_up_and_measure(const TestPlan& plan, BenchLoop& loop) {
 }
 
 // The brake lets go within a second, or something is wrong with it.
-bool brake_lets_go(hal::Rig& rig) {
+bool brake_lets_go(hal::Rig& rig, Status told) {
   const hal::BrakeLimits brake = rig.brake->limits();
   const double enough_Nm = brake.residual_torque_pct / 100 * brake.max_torque_Nm;
   for (int attempt = 0; attempt < 10; ++attempt) {
     rig.clock->wait_until(rig.clock->now_s() + 0.1);
     const auto status = rig.brake->read();
-    if (status && std::abs(status.value().torque_Nm) <= enough_Nm) return true;
-    rig.brake->release();
+    // At standstill a brake that was never told may hold nothing, either.
+    if (told && status && std::abs(status.value().torque_Nm) <= enough_Nm) return true;
+    told = rig.brake->release();
   }
   return false;
 }
@@ -119,9 +120,9 @@ Ending tear_down(const TestPlan& plan, BenchLoop& loop, RunSummary& summary) noe
                   }));
   summary.supervisor_hung = !loop.supervisor().end();
   if (!summary.supervisor_hung) {  // the brake is the sequencer's again
-    rig.brake->release();
+    const Status told = rig.brake->release();
     ending = graver(std::move(ending), guarded([&] {
-                      summary.brake_released = brake_lets_go(rig);
+                      summary.brake_released = brake_lets_go(rig, told);
                       return all_well;
                     }));
     rig.accelerometers->stop();
@@ -210,7 +211,7 @@ RunSummary run_unhindered(const TestPlan& plan, hal::Rig& rig, hal::RecordingWri
     // Nobody knows how far the run has come: these are legal in every state.
     if (!drive_hangs) rig.drive->stop();
     if (!summary.supervisor_hung) {
-      rig.brake->release();
+      (void)rig.brake->release();
       rig.accelerometers->stop();
     }
   }

@@ -32,15 +32,11 @@ CanBrake::CanBrake(std::unique_ptr<CanTransport> transport, const CanBrakeOption
 
 Status CanBrake::connect() {
   connected_ = false;
-  const Status opened = transport_->open();
-  if (!opened) return opened;
   was_opened_ = true;
-  drop_waiting_frames(*transport_);
-  has_status_ = saw_repeats_ = false;
-  const Status released = send(0, false);
+  const Status released = open_and_release();
   if (!released) return released;
   const double sent_s = clock_.now_s();
-  fresh_s_ = sent_s;
+  was_lost_ = false;
   do {
     clock_.wait_until(clock_.now_s() + options_.poll_s);
     const Status answered = await_status();
@@ -57,7 +53,7 @@ Status CanBrake::set_torque(double torque_Nm) {
     throw std::invalid_argument(
         fmt::format("CanBrake::set_torque: {} N·m is not within 0 to {}", torque_Nm, max_Nm));
   }
-  if (!connected_) return failure(IoErrc::disconnected, "set torque");
+  if (!connected_ || was_lost_) return failure(IoErrc::disconnected, "set torque");
   return send(torque_Nm, true);
 }
 
@@ -70,17 +66,34 @@ Result<BrakeStatus> CanBrake::read() {
                      .time_s = fresh_s_};
 }
 
-void CanBrake::release() noexcept {
+// A link that was lost stays so until it is opened, and the brake at its other end holds on: it is
+// opened for this command, and for no torque before connect().
+Status CanBrake::release() noexcept {
   try {
-    if (was_opened_) (void)send(0, false);
+    if (!was_opened_) return failure(IoErrc::disconnected, "release");
+    Status sent = send(0, false);
+    if (sent || sent.error().code != IoErrc::disconnected) return sent;
+    return open_and_release();
   } catch (...) {
     // Out of memory: the brake releases by itself when commands stop coming.
+    return IoError{IoErrc::disconnected, {}};
   }
 }
 
+Status CanBrake::open_and_release() {
+  const Status opened = transport_->open();
+  if (!opened) return opened;
+  drop_waiting_frames(*transport_);
+  has_status_ = saw_repeats_ = false;
+  fresh_s_ = clock_.now_s();
+  return send(0, false);
+}
+
 Status CanBrake::send(double torque_Nm, bool enable) {
-  return transport_->send(
+  Status sent = transport_->send(
       can_frames::frame_from_brake_command({torque_Nm, enable, ++command_counter_}));
+  if (!sent && sent.error().code == IoErrc::disconnected) was_lost_ = true;
+  return sent;
 }
 
 // Keeps the newest status.

@@ -20,6 +20,8 @@ struct CanBrakeOptions {
 ///
 /// Errors   timeout: no status came; stale: its counter stood still; bad_reply: a frame of wrong
 ///          length or content; refused (connect only): the brake stays engaged or tripped
+/// Loss     release() opens a link that was lost. read() goes on with it; set_torque() does not
+///          before connect()
 /// Time     connect() waits on the clock for the first status, until the deadline; the others never
 class CanBrake final : public Brake {
  public:
@@ -32,9 +34,10 @@ class CanBrake final : public Brake {
   Status connect() override;
   Status set_torque(double torque_Nm) override;
   Result<BrakeStatus> read() override;
-  void release() noexcept override;
+  Status release() noexcept override;
 
  private:
+  Status open_and_release();
   Status send(double torque_Nm, bool enable);
   Status take(const CanFrame& frame);
   Status await_status();
@@ -44,6 +47,7 @@ class CanBrake final : public Brake {
   Clock& clock_;
   bool was_opened_ = false;
   bool connected_ = false;
+  bool was_lost_ = false;  ///< the link, since connect(): what comes of it now is no torque
   std::uint8_t command_counter_ = 0;
   bool has_status_ = false;  ///< one came since connect()
   bool saw_repeats_ = false;

@@ -28,7 +28,12 @@ class SharedBus {
     return status;
   }
 
-  Status send(const CanFrame& frame) { return bus_->send(frame); }
+  // Whoever waits for frames hears that the bus was lost, also when it is opened before he asks.
+  Status send(const CanFrame& frame) {
+    Status sent = bus_->send(frame);
+    if (!sent && sent.error().code == IoErrc::disconnected) note(sent.error());
+    return sent;
+  }
 
   Result<CanFrame> receive(std::uint32_t id) {
     empty_bus();

@@ -15,6 +15,7 @@
 #include <cerrno>
 #include <cstring>
 #include <ctime>
+#include <fstream>
 #include <stdexcept>
 #include <utility>
 
@@ -109,8 +110,18 @@ Status SocketcanTransport::open() {
   }
   sender_ = sender.value();
   Status status = configure_receiver();
+  if (status && !is_on_bus()) status = failure("open: not on the bus", ENETDOWN);
   if (!status) close();
   return status;
+}
+
+// Of an interface that is down, or a controller that went bus-off, the kernel takes frames and
+// drops them without a word. The carrier goes and comes with the bus; IFF_RUNNING may be a second
+// late. It cannot be read of an interface that is down.
+bool SocketcanTransport::is_on_bus() const {
+  std::ifstream file("/sys/class/net/" + interface_ + "/carrier");
+  int carrier = 0;
+  return !file.is_open() || (file >> carrier && carrier == 1);
 }
 
 Result<int> SocketcanTransport::open_socket() {

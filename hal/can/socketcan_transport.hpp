@@ -16,7 +16,8 @@ namespace rvbench::hal {
 /// Errors   disconnected: no such interface, no CAN in this kernel, interface down, bus-off, a
 ///          controller that was restarted, a send queue that is full while nobody on the bus
 ///          listens. Then it stays disconnected until open() is called again: nothing resumes by
-///          itself. overrun: the send queue is full, or frames were dropped on their way in
+///          itself, nor while interface or controller are still off the bus. overrun: the send
+///          queue is full, or frames were dropped on their way in
 /// Sending  one frame at a time: the next is refused (timeout) while the one before has not been
 ///          on the bus, and send() waits 2 ms at most for that. open() is refused likewise. So no
 ///          setpoint waits in a queue to be sent when nobody means it any more
@@ -39,6 +40,7 @@ class SocketcanTransport final : public CanTransport {
  private:
   Result<int> open_socket();
   Status configure_receiver();
+  bool is_on_bus() const;
   Status watch_own(std::uint32_t id);
   bool has_left();
   std::optional<IoError> bus_error(std::uint32_t kind, std::uint8_t controller);

@@ -21,7 +21,7 @@ class BrakeWithout : public hal::Brake {
     show(shown);
     return shown;
   }
-  void release() noexcept override { brake_->release(); }
+  Status release() noexcept override { return brake_->release(); }
 
  protected:
   virtual void show(hal::BrakeStatus&) {}
@@ -32,7 +32,7 @@ class BrakeWithout : public hal::Brake {
 class NoRelease final : public BrakeWithout {
  public:
   using BrakeWithout::BrakeWithout;
-  void release() noexcept override {}
+  Status release() noexcept override { return Done{}; }
 };
 
 class NoBrakeFaults final : public BrakeWithout {

@@ -1,18 +1,56 @@
 #include "hal/can/can_brake.hpp"
 
 #include <catch2/catch.hpp>
+#include <memory>
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "hal/can/can_dispatcher.hpp"
 #include "tests/hal/can_bench.hpp"
 
 using namespace rvbench;
 
 namespace {
 
+// A controller that may go bus-off. It is lost then until it is opened, which it cannot be before
+// it has recovered.
+class FragileBus final : public hal::CanTransport {
+ public:
+  FragileBus(std::unique_ptr<hal::CanTransport> bus, const bool& is_off)
+      : bus_(std::move(bus)), is_off_(is_off) {}
+
+  Status open() override {
+    is_open_ = !is_off_;
+    return is_open_ ? bus_->open() : Status(lost("open"));
+  }
+  Status send(const hal::CanFrame& frame) override {
+    return is_lost() ? Status(lost("send")) : bus_->send(frame);
+  }
+  Result<hal::CanFrame> receive() override {
+    if (is_lost()) return lost("receive");
+    return bus_->receive();
+  }
+
+ private:
+  static IoError lost(const std::string& what) { return {IoErrc::disconnected, "CAN: " + what}; }
+  bool is_lost() {
+    if (is_off_) is_open_ = false;
+    return !is_open_;
+  }
+
+  std::unique_ptr<hal::CanTransport> bus_;
+  const bool& is_off_;
+  bool is_open_ = false;
+};
+
 struct Bench {
   test::CanBench world;
-  hal::CanBrake brake{std::move(world.bus.bench), {.limits = {.max_torque_Nm = 600}}, world};
+  bool is_bus_off = false;
+  std::vector<std::unique_ptr<hal::CanTransport>> ports = hal::split_by_id(
+      std::make_unique<FragileBus>(std::move(world.bus.bench), is_bus_off), {0x181, 0x281});
+  hal::CanBrake brake{std::move(ports[1]), {.limits = {.max_torque_Nm = 600}}, world};
 
   Bench() { world.transducer.set_fault(sim::NodeFault::silent); }  // no frames but the brake's
 
@@ -37,9 +75,54 @@ SCENARIO("the brake holds what it is told, to 0.1 N·m", "[hal][can]") {
   REQUIRE(status);
   CHECK(status.value().torque_Nm == Approx(167.0));
   CHECK_FALSE(status.value().tripped);
-  bench.brake.release();
+  CHECK(bench.brake.release());
   bench.world.wait_until(bench.world.now_s() + 0.02);
   CHECK_FALSE(bench.world.brake.engaged());
+}
+
+SCENARIO("a brake is released once its bus is back, and holds nothing before it is connected",
+         "[hal][can][safety]") {
+  Bench bench;
+  REQUIRE(bench.brake.connect());
+  bench.hold(100, 0.5);
+  bench.is_bus_off = true;
+  CHECK(bench.brake.set_torque(100).error().code == IoErrc::disconnected);
+  GIVEN("a controller that is still bus-off") {
+    const auto released = bench.brake.release();
+    REQUIRE_FALSE(released);
+    CHECK(released.error().code == IoErrc::disconnected);
+    bench.world.wait_until(bench.world.now_s() + 0.02);
+    CHECK(bench.world.brake.engaged());
+  }
+  GIVEN("one that has recovered") {
+    CHECK_FALSE(bench.brake.release());
+    bench.is_bus_off = false;
+    CHECK_FALSE(bench.brake.set_torque(100));
+    REQUIRE(bench.brake.release());
+    const double released_s = bench.world.now_s();
+    THEN("the brake lets go, and can be seen to") {
+      const auto status = bench.brake.read();
+      REQUIRE(status);
+      CHECK(status.value().torque_Nm == 0);
+      CHECK_FALSE(bench.world.brake.engaged());
+      CHECK(bench.world.now_s() - released_s < 0.02);
+    }
+    THEN("no torque resumes by itself") {
+      CHECK(bench.brake.set_torque(100).error().code == IoErrc::disconnected);
+      REQUIRE(bench.brake.connect());
+      CHECK(bench.brake.set_torque(100));
+    }
+    THEN("the other devices on the bus hear that it was lost") {
+      const auto heard = bench.ports[0]->receive();
+      REQUIRE_FALSE(heard);
+      CHECK(heard.error().code == IoErrc::disconnected);
+    }
+  }
+}
+
+TEST_CASE("a brake that nobody has reached is not said to be released", "[hal][can][safety]") {
+  Bench bench;
+  CHECK_FALSE(bench.brake.release());
 }
 
 SCENARIO("a brake that hears no more commands releases, and stays released", "[hal][can]") {

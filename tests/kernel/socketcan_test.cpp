@@ -1,5 +1,8 @@
+#include <memory>
+#include <string>
 #include <vector>
 
+#include "hal/can/can_brake.hpp"
 #include "hal/can/socketcan_counters.hpp"
 #include "hal/can/socketcan_transport.hpp"
 #include "tests/kernel/can_interface.hpp"
@@ -110,6 +113,42 @@ SCENARIO("an interface that goes down is lost until it is opened again") {
   REQUIRE_FALSE(sent);
   CHECK(sent.error().code == IoErrc::disconnected);
   shell("ip link set vcan0 up");
+  REQUIRE(bench.open());
+  CHECK(bench.send(numbered(0x201, 1)));
+}
+
+SCENARIO("a brake whose link was lost is released once it can be reached", "[safety]") {
+  hal::SteadyClock clock;
+  SocketcanTransport node("can1", {0x201}, clock);
+  REQUIRE(node.open());
+  hal::CanBrake brake(
+      std::make_unique<SocketcanTransport>("can0", std::vector<std::uint32_t>{0x281}, clock), {},
+      clock);
+  const auto is_told_to_release = [&] {
+    const auto frame = next(node);
+    return frame && frame.value().data[2] == 0;
+  };
+  CHECK(brake.connect().error().code == IoErrc::timeout);  // it is told, and does not answer
+  REQUIRE(is_told_to_release());
+  shell("ip link set can0 down");
+  CHECK(brake.release().error().code == IoErrc::disconnected);
+  CHECK(brake.release().error().code == IoErrc::disconnected);
+  CHECK(node.receive().error().code == IoErrc::timeout);
+  shell("ip link set can0 up");
+  CHECK(brake.release());
+  CHECK(is_told_to_release());
+}
+
+SCENARIO("a controller that went bus-off is lost until it is opened again") {
+  hal::SteadyClock clock;
+  SocketcanTransport bench("vcan0", {0x281}, clock);
+  REQUIRE(bench.open());
+  shell("cansend vcan0 20000040#0000000000000000");  // as the kernel tells it
+  const auto lost = next(bench);
+  REQUIRE_FALSE(lost);
+  CHECK(lost.error().code == IoErrc::disconnected);
+  CHECK_THAT(lost.error().where, Catch::Contains("bus-off"));
+  CHECK(bench.send(numbered(0x201, 1)).error().code == IoErrc::disconnected);
   REQUIRE(bench.open());
   CHECK(bench.send(numbered(0x201, 1)));
 }

@@ -52,9 +52,9 @@ class CountingBrake final : public hal::Brake {
   Status connect() override { return brake_->connect(); }
   Status set_torque(double torque_Nm) override { return brake_->set_torque(torque_Nm); }
   Result<hal::BrakeStatus> read() override { return brake_->read(); }
-  void release() noexcept override {
+  Status release() noexcept override {
     ++releases_;
-    brake_->release();
+    return brake_->release();
   }
 
  private:

@@ -56,7 +56,39 @@ class TongueTied final : public sequences::RunObserver {
   }
 };
 
+// A brake that cannot be told anything from the end of the run on. At standstill it holds nothing.
+class DeafBrake final : public hal::Brake {
+ public:
+  explicit DeafBrake(std::unique_ptr<hal::Brake> brake) : brake_(std::move(brake)) {}
+  hal::BrakeLimits limits() const override { return brake_->limits(); }
+  Status connect() override { return brake_->connect(); }
+  Status set_torque(double torque_Nm) override { return brake_->set_torque(torque_Nm); }
+  Result<hal::BrakeStatus> read() override {
+    auto status = brake_->read();
+    if (!is_deaf_ || !status) return status;
+    return hal::BrakeStatus{.torque_Nm = 0};
+  }
+  Status release() noexcept override {
+    is_deaf_ = true;
+    return IoError{IoErrc::disconnected, "CAN can0"};
+  }
+
+ private:
+  std::unique_ptr<hal::Brake> brake_;
+  bool is_deaf_ = false;
+};
+
 }  // namespace
+
+TEST_CASE("a brake that could not be told is not seen released, though it holds nothing",
+          "[sequences][safety]") {
+  Run run;
+  run.rig.brake = std::make_unique<DeafBrake>(std::move(run.rig.brake));
+  const auto& summary = run.go();
+  CHECK_FALSE(summary.brake_released);
+  CHECK(exit_code(summary.ending) == 30);
+  CHECK_THAT(summary.ending.reason, Catch::Contains("does not confirm that it has released"));
+}
 
 TEST_CASE("the brake is released at standstill, not before", "[sequences]") {
   Run run;

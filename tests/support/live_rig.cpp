@@ -94,7 +94,10 @@ class LiveBrake final : public hal::Brake {
     return Done{};
   }
   Result<hal::BrakeStatus> read() override { return hal::BrakeStatus{bench_.brake_Nm, false}; }
-  void release() noexcept override { bench_.brake_Nm = 0; }
+  Status release() noexcept override {
+    bench_.brake_Nm = 0;
+    return Done{};
+  }
 
  private:
   LiveBench& bench_;

@@ -110,8 +110,8 @@ class PacedBrake final : public hal::Brake {
   Result<hal::BrakeStatus> read() override {
     return clock_.at_this_moment([this] { return brake_->read(); });
   }
-  void release() noexcept override {
-    clock_.at_this_moment([this] { brake_->release(); });
+  Status release() noexcept override {
+    return clock_.at_this_moment([this] { return brake_->release(); });
   }
 
  private:
