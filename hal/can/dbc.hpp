@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,8 +11,8 @@
 #include "hal/config_reader.hpp"
 
 /// What frames on a CAN bus mean, as a DBC file tells it: the part of the format that classic CAN
-/// with integers needs. BO_, SG_ with both byte orders and simple multiplexing, VAL_; all other
-/// sections are passed over, except SIG_VALTYPE_ (floating point), which is refused.
+/// with integers needs. BO_, SG_ with both byte orders and simple multiplexing; all other sections
+/// are passed over, except SIG_VALTYPE_ (floating point), which is refused.
 namespace rvbench::hal::dbc {
 
 /// A number in a frame: raw * factor + offset.
@@ -28,7 +27,6 @@ struct Signal {
   std::string unit = {};
   bool selects = false;                       ///< its raw value says which others are there
   std::optional<std::uint64_t> only_at = {};  ///< there only while the selecting one has this value
-  std::map<std::int64_t, std::string> words = {};  ///< of VAL_, by raw value
 };
 
 struct Message {
@@ -54,13 +52,5 @@ std::variant<Database, std::vector<ConfigFault>> parse(std::string_view text);
 /// What a signal says in a frame; empty if the frame is not the message's, too short, or does not
 /// carry the signal now.
 std::optional<double> value_of(const Message& message, const Signal& signal, const CanFrame& frame);
-
-/// The word for the signal's present value, or nothing.
-std::optional<std::string> word_of(const Message& message, const Signal& signal,
-                                   const CanFrame& frame);
-
-/// Puts a value into a frame's bits, rounded to the signal's resolution.
-/// @throws std::invalid_argument if it does not fit
-void put(const Signal& signal, double value, CanFrame& frame);
 
 }  // namespace rvbench::hal::dbc

@@ -43,8 +43,6 @@ class Parser {
       parse_message();
     } else if (is_signal(word)) {
       parse_signal();
-    } else if (!word.is_string && word.text == "VAL_" && word.starts_line) {
-      parse_words();
     } else if (!word.is_string && word.text == "SIG_VALTYPE_" && word.starts_line) {
       throw Refused(word.line, "floating-point signals (SIG_VALTYPE_) are not read here");
     } else {
@@ -200,29 +198,6 @@ class Parser {
     if (signal.selects && std::ranges::any_of(message_->signals, &Signal::selects)) {
       refuse("a second signal that selects others");
     }
-  }
-
-  // VAL_ 385 State 0 "sound" 1 "zeroing" ;
-  void parse_words() {
-    const int line = tokens_[at_++].line;
-    const auto id = number<std::uint32_t>("a message's identifier");
-    const std::string signal = name("a signal's name");
-    const auto message = std::ranges::find_if(database_.messages, [id](const Message& one) {
-      return (one.id | (one.is_extended ? extended_flag : 0)) == id;
-    });
-    Signal* of = nullptr;
-    if (message != database_.messages.end()) {
-      const auto found = std::ranges::find(message->signals, signal, &Signal::name);
-      if (found != message->signals.end()) of = &*found;
-    }
-    if (of == nullptr) throw Refused(line, fmt::format("words for {}, which is not there", signal));
-    while (!is_next(";")) {
-      const auto value = number<std::int64_t>("a value");
-      const Token& word = next("a word");
-      if (!word.is_string) throw Refused(word.line, "expected a word in quotes");
-      of->words[value] = word.text;
-    }
-    ++at_;
   }
 
   std::vector<Token> tokens_;

@@ -18,7 +18,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       frame.data.fill(byte);
       for (const hal::dbc::Signal& signal : message.signals) {
         (void)hal::dbc::value_of(message, signal, frame);
-        (void)hal::dbc::word_of(message, signal, frame);
       }
     }
   }
