@@ -242,8 +242,12 @@ Result<CanFrame> SocketcanTransport::receive() {
 // What an error frame means: the end of the link, lost frames, or only a note.
 std::optional<IoError> SocketcanTransport::bus_error(std::uint32_t kind, std::uint8_t controller) {
   if ((kind & CAN_ERR_CRTL) != 0) {
+    // A frame that tells of an overflow may tell nothing of the state.
     constexpr unsigned passive = CAN_ERR_CRTL_RX_PASSIVE | CAN_ERR_CRTL_TX_PASSIVE;
-    is_passive_ = (controller & passive) != 0;
+    constexpr unsigned warning = CAN_ERR_CRTL_RX_WARNING | CAN_ERR_CRTL_TX_WARNING;
+    if ((controller & (passive | warning | CAN_ERR_CRTL_ACTIVE)) != 0) {
+      is_passive_ = (controller & passive) != 0;
+    }
   }
   const char* lost = nullptr;
   if ((kind & CAN_ERR_TX_TIMEOUT) != 0) lost = "receive: the controller cannot send";

@@ -153,6 +153,36 @@ SCENARIO("a controller that went bus-off is lost until it is opened again") {
   CHECK(bench.send(numbered(0x201, 1)));
 }
 
+SCENARIO("a controller that loses frames stays as silent as it was", "[safety]") {
+  hal::SteadyClock clock;
+  SocketcanTransport bench("vcan0", {0x281}, clock);
+  const auto tell = [&](const std::string& state) {
+    shell("cansend vcan0 20000004#00" + state + "000000000000");
+  };
+  const auto code_of_full_queue = [&] {
+    shell("tc qdisc replace dev vcan0 root netem delay 60s limit 1 && cansend vcan0 123#01");
+    const auto sent = bench.send(numbered(0x201, 1));
+    shell("tc qdisc delete dev vcan0 root");
+    REQUIRE_FALSE(sent);
+    return sent.error().code;
+  };
+  REQUIRE(bench.open());
+  tell("20");  // it sends no more errors: nobody answers
+  CHECK(bench.receive().error().code == IoErrc::timeout);
+  WHEN("it loses a frame that it received") {
+    tell("01");
+    CHECK(bench.receive().error().code == IoErrc::overrun);
+    THEN("a full queue is a lost bus as before") {
+      CHECK(code_of_full_queue() == IoErrc::disconnected);
+    }
+  }
+  WHEN("it is well again") {
+    tell("40");
+    CHECK(bench.receive().error().code == IoErrc::timeout);
+    THEN("a full queue is only full") { CHECK(code_of_full_queue() == IoErrc::overrun); }
+  }
+}
+
 TEST_CASE("two controllers on one bus exchange frames at 250 kbit/s") {
   hal::SteadyClock clock;
   SocketcanTransport bench("can0", {0x281}, clock);
