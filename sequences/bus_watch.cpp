@@ -11,7 +11,8 @@ namespace {
 
 constexpr double longest_farewell_s = 1;  // no bus takes longer to answer
 
-// A counter that has fallen belongs to an interface that was made anew meanwhile.
+// A counter that has fallen belongs to an interface that was made anew meanwhile, one that is gone
+// to another than is there now: nobody counted what went wrong in between.
 std::string moved(const hal::BusCounters& before, const hal::BusCounters& after) {
   std::vector<std::string> words;
   for (const auto& [name, count] : after.counts) {
@@ -19,6 +20,9 @@ std::string moved(const hal::BusCounters& before, const hal::BusCounters& after)
     const std::uint64_t earlier = found == before.counts.end() ? 0 : found->second;
     if (count > earlier) words.push_back(fmt::format("{} +{}", name, count - earlier));
     if (count < earlier) words.push_back(fmt::format("{} began anew", name));
+  }
+  for (const auto& [name, count] : before.counts) {
+    if (!after.counts.contains(name)) words.push_back(fmt::format("{} is gone", name));
   }
   return words.empty() ? "" : fmt::format("{}: {}", after.interface, fmt::join(words, ", "));
 }

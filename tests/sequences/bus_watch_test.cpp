@@ -31,7 +31,7 @@ class CountingBus final : public hal::BusMonitor {
     ++script_.reads;
     const bool now = clock_.now_s() >= script_.from_s;
     if (now && script_.is_gone) return IoError{IoErrc::disconnected, "CAN " + name_ + ": count"};
-    return hal::BusCounters{name_, {{script_.counter, now ? 10u : 7u}, {"rx_dropped", 2}}};
+    return hal::BusCounters{name_, {{"rx_dropped", 2}, {script_.counter, now ? 10u : 7u}}};
   }
 
  private:
@@ -123,11 +123,14 @@ TEST_CASE("what has moved is told of each bus", "[sequences][can]") {
   CHECK(at_end(watch).empty());
   run.can0 = {.counter = "bus_off", .from_s = 0};
   run.can1 = {.counter = "bus_error", .from_s = 0};
-  CHECK(at_end(watch) == "can0: bus_off +10; can1: bus_error +3");
+  CHECK(at_end(watch) == "can0: bus_off +10, bus_error is gone; can1: bus_error +3");
   watch.begin();
   CHECK(at_end(watch).empty());
   run.can1.from_s = never_s;  // as an interface that was taken down and made anew
   CHECK(at_end(watch) == "can1: bus_error began anew");
+  watch.begin();
+  run.can1.counter = "rx_dropped";  // as an interface of that name that has no controller
+  CHECK(at_end(watch) == "can1: bus_error is gone");
 }
 
 TEST_CASE("in real time nobody waits for a bus", "[sequences][can][safety]") {
