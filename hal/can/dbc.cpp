@@ -44,7 +44,7 @@ const Message* Database::find(std::string_view message) const {
 
 std::optional<double> value_of(const Message& message, const Signal& signal,
                                const CanFrame& frame) {
-  if (!carries(message, signal, frame)) return std::nullopt;
+  if (signal.is_float || !carries(message, signal, frame)) return std::nullopt;
   const std::uint64_t raw = raw_of(signal, frame);
   const double counts =
       signal.is_signed ? static_cast<double>(signed_of(signal, raw)) : static_cast<double>(raw);

@@ -11,8 +11,9 @@
 #include "hal/config_reader.hpp"
 
 /// What frames on a CAN bus mean, as a DBC file tells it: the part of the format that classic CAN
-/// with integers needs. BO_, SG_ with both byte orders and simple multiplexing; all other sections
-/// are passed over, except SIG_VALTYPE_ (floating point), which is refused.
+/// with integers needs. BO_, SG_ with both byte orders and simple multiplexing, and SIG_VALTYPE_,
+/// of which signals are told that cannot be read. All other sections are passed over, and the
+/// message VECTOR__INDEPENDENT_SIG_MSG, where editors keep signals that belong to no message.
 namespace rvbench::hal::dbc {
 
 /// A number in a frame: raw * factor + offset.
@@ -22,6 +23,7 @@ struct Signal {
   int length = 0;     ///< bits, 1 to 64
   bool is_motorola = false;
   bool is_signed = false;
+  bool is_float = false;  ///< not read here
   double factor = 1;
   double offset = 0;
   std::string unit = {};
@@ -50,7 +52,7 @@ struct Database {
 std::variant<Database, std::vector<ConfigFault>> parse(std::string_view text);
 
 /// What a signal says in a frame; empty if the frame is not the message's, too short, or does not
-/// carry the signal now.
+/// carry the signal now, or the signal is a floating-point number.
 std::optional<double> value_of(const Message& message, const Signal& signal, const CanFrame& frame);
 
 }  // namespace rvbench::hal::dbc

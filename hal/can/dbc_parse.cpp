@@ -44,7 +44,7 @@ class Parser {
     } else if (is_signal(word)) {
       parse_signal();
     } else if (!word.is_string && word.text == "SIG_VALTYPE_" && word.starts_line) {
-      throw Refused(word.line, "floating-point signals (SIG_VALTYPE_) are not read here");
+      parse_value_type();
     } else {
       ++at_;
       skip_section();
@@ -107,14 +107,20 @@ class Parser {
   void parse_message() {
     const int line = tokens_[at_++].line;
     message_ = nullptr;
+    is_passed_over_ = false;
     Message message;
     const auto id = number<std::uint32_t>("a message's identifier");
+    message.name = name("a message's name");
+    if (message.name == "VECTOR__INDEPENDENT_SIG_MSG") {
+      is_passed_over_ = true;
+      skip_section();
+      return;
+    }
     message.is_extended = (id & extended_flag) != 0;
     message.id = id & ~extended_flag;
     if (message.id > (message.is_extended ? 0x1FFFFFFFU : 0x7FFU)) {
       throw Refused(line, fmt::format("identifier {} has too many bits", id));
     }
-    message.name = name("a message's name");
     expect(":");
     message.length = number<int>("a message's length");
     if (message.length < 0 || message.length > 8) {
@@ -132,6 +138,7 @@ class Parser {
   // SG_ Torque m3 : 0|32@1- (1e-06,0) [-2147|2147] "N·m" Bench
   void parse_signal() {
     const int line = tokens_[at_++].line;
+    if (is_passed_over_) return skip_section();
     if (message_ == nullptr) throw Refused(line, "a signal (SG_) that belongs to no message");
     Signal signal;
     signal.name = name("a signal's name");
@@ -200,10 +207,26 @@ class Parser {
     }
   }
 
+  // SIG_VALTYPE_ 385 Torque : 1; the signal may be one that nobody reads: see torque_decoder().
+  void parse_value_type() {
+    ++at_;
+    const auto id = number<std::uint32_t>("a message's identifier");
+    const std::string signal = name("a signal's name");
+    if (is_next(":")) ++at_;
+    const bool is_float = number<int>("a type, 0 to 3") != 0;
+    expect(";");
+    for (Message& message : database_.messages) {
+      if ((message.id | (message.is_extended ? extended_flag : 0)) != id) continue;
+      const auto found = std::ranges::find(message.signals, signal, &Signal::name);
+      if (found != message.signals.end()) found->is_float = is_float;
+    }
+  }
+
   std::vector<Token> tokens_;
   std::size_t at_ = 0;
   Database database_;
-  Message* message_ = nullptr;  // whose signals follow
+  Message* message_ = nullptr;   // whose signals follow
+  bool is_passed_over_ = false;  // nor are signals that follow
   std::vector<ConfigFault> faults_;
 };
 

@@ -36,6 +36,8 @@ class Finder {
       faults.push_back(
           {0, "/" + key,
            message_.name + " has no signal " + in_quotes(name) + did_you_mean(name, names)});
+    } else if (found->is_float) {
+      faults.push_back({0, "/" + key, name + " is a floating-point number, expected an integer"});
     }
     return found;
   }

@@ -28,10 +28,12 @@ const DbcTorqueNames names{.message = "TorqueData",
                            .counter = "Counter",
                            .status = "State"};
 
-dbc::Database database() { return std::get<0>(dbc::parse(sheet)); }
+dbc::Database database(const std::string& more = "") {
+  return std::get<0>(dbc::parse(sheet + more));
+}
 
-std::string faults_of(const DbcTorqueNames& of) {
-  const auto decoder = torque_decoder(database(), of);
+std::string faults_of(const DbcTorqueNames& of, const std::string& more = "") {
+  const auto decoder = torque_decoder(database(more), of);
   std::string all;
   if (decoder.index() == 0) return all;
   for (const ConfigFault& fault : std::get<1>(decoder)) {
@@ -86,6 +88,14 @@ TEST_CASE("the sensor follows a shaft by its database", "[hal][can][dbc]") {
         Approx(test::CanBench::torque_Nm).margin(1e-6).epsilon(0));
   CHECK(block.value().samples.back().angle_rad ==
         Approx(test::CanBench::angle_rad(0.15)).margin(0.02));
+}
+
+TEST_CASE("only the signals that are read must be integers", "[hal][can][dbc]") {
+  CHECK(faults_of(names, "SIG_VALTYPE_ 386 Temperature : 1;\n") == "");
+  CHECK_THAT(faults_of(names, "SIG_VALTYPE_ 385 Torque : 1;\n"),
+             Catch::Contains("/torque: Torque is a floating-point number, expected an integer"));
+  CHECK_THAT(faults_of(names, "SIG_VALTYPE_ 385 State : 2;\n"),
+             Catch::Contains("/status: State is a floating-point number"));
 }
 
 TEST_CASE("names and units that a transducer cannot have are told all at once", "[hal][can][dbc]") {
