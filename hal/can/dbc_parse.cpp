@@ -29,6 +29,7 @@ class Parser {
         skip_section();
       }
     }
+    end_message();
     if (database_.messages.empty() && faults_.empty()) {
       faults_.push_back({1, "", "no message (BO_) in it"});
     }
@@ -105,6 +106,7 @@ class Parser {
 
   // BO_ 385 TorqueData: 8 Transducer
   void parse_message() {
+    end_message();
     const int line = tokens_[at_++].line;
     message_ = nullptr;
     is_passed_over_ = false;
@@ -135,6 +137,16 @@ class Parser {
     message_ = &database_.messages.back();
   }
 
+  // The signal that selects others may stand behind them.
+  void end_message() {
+    for (const auto& [line, signal] : selected_) {
+      if (has_selecting_) break;
+      faults_.push_back({line, "", signal + ": no signal of its message selects it (M)"});
+    }
+    selected_.clear();
+    has_selecting_ = false;
+  }
+
   // SG_ Torque m3 : 0|32@1- (1e-06,0) [-2147|2147] "N·m" Bench
   void parse_signal() {
     const int line = tokens_[at_++].line;
@@ -148,7 +160,12 @@ class Parser {
     expect("|");
     signal.length = number<int>("a signal's length");
     expect("@");
-    signal.is_motorola = number<int>("a byte order, 0 or 1") == 0;
+    const int byte_order = number<int>("a byte order");
+    if (byte_order != 0 && byte_order != 1) {
+      throw Refused(line, fmt::format("{}: the byte order is {}, must be 0 (Motorola) or 1 (Intel)",
+                                      signal.name, byte_order));
+    }
+    signal.is_motorola = byte_order == 0;
     const Token& sign = next("a sign");
     signal.is_signed = sign.text == "-";
     if (sign.is_string || (sign.text != "-" && sign.text != "+")) {
@@ -174,8 +191,8 @@ class Parser {
 
   void read_multiplexing(Signal& signal) {
     const Token& mark = next("a mark of multiplexing");
-    if (mark.text == "M") {
-      signal.selects = true;
+    if (!mark.is_string && mark.text == "M") {
+      signal.selects = has_selecting_ = true;
       return;
     }
     std::uint64_t value = 0;
@@ -187,6 +204,7 @@ class Parser {
                                            in_quotes(mark.text)));
     }
     signal.only_at = value;
+    selected_.emplace_back(mark.line, signal.name);
   }
 
   void check(const Signal& signal, int line) const {
@@ -225,8 +243,10 @@ class Parser {
   std::vector<Token> tokens_;
   std::size_t at_ = 0;
   Database database_;
-  Message* message_ = nullptr;   // whose signals follow
-  bool is_passed_over_ = false;  // nor are signals that follow
+  Message* message_ = nullptr;                         // whose signals follow
+  std::vector<std::pair<int, std::string>> selected_;  // of its signals, with their lines
+  bool has_selecting_ = false;                         // one of them, also if it was refused
+  bool is_passed_over_ = false;                        // nor are signals that follow
   std::vector<ConfigFault> faults_;
 };
 

@@ -152,6 +152,34 @@ SIG_VALTYPE_ 3221225472 Spare : 2;
              Catch::Contains("2: M has 9 bytes"));
 }
 
+TEST_CASE("a signal that nothing selects is refused, wherever the selecting one would stand",
+          "[hal][can][dbc]") {
+  CHECK(faults_of("BO_ 1 A: 8 X\n SG_ Late m0 : 8|8@1+ (1,0) [0|0] \"\" X\n"
+                  " SG_ Page M : 0|8@1+ (1,0) [0|0] \"\" X\n") == "");
+  const std::string faults = faults_of(R"(BO_ 1 A: 8 X
+ SG_ Page M : 0|8@1+ (1,0) [0|0] "" X
+BO_ 2 B: 8 X
+ SG_ Lost m0 : 8|8@1+ (1,0) [0|0] "" X
+ SG_ Plain : 16|8@1+ (1,0) [0|0] "" X
+BO_ 3 C: 8 X
+ SG_ Page M : 64|8@1+ (1,0) [0|0] "" X
+ SG_ Selected m1 : 8|8@1+ (1,0) [0|0] "" X
+BO_ 4 D: 8 X
+ SG_ Last m2 : 8|8@1+ (1,0) [0|0] "" X
+)");
+  CHECK_THAT(faults, Catch::Contains("4: Lost: no signal of its message selects it"));
+  CHECK_THAT(faults, Catch::Contains("10: Last: no signal of its message selects it"));
+  CHECK_THAT(faults, !Catch::Contains("Selected"));  // its fault is another one's
+}
+
+TEST_CASE("a byte order is one of two", "[hal][can][dbc]") {
+  for (const char* order : {"2", "-1", "10"}) {
+    CHECK_THAT(
+        faults_of(std::string("BO_ 1 A: 8 X\n SG_ S : 7|8@") + order + "+ (1,0) [0|0] \"\" X\n"),
+        Catch::Contains("2: S: the byte order is"));
+  }
+}
+
 TEST_CASE("a database's faults come all at once, each with its line", "[hal][can][dbc]") {
   CHECK(faults_of(transducer) == "");
   const std::string faults = faults_of(R"(BO_ 385 TorqueData: 9 X
