@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "hal/can_transport.hpp"
 
@@ -34,6 +35,7 @@ struct TorqueFrame {
   bool zeroing = false;
   bool overload = false;
   bool shunt_on = false;
+  std::string flaw = {};  ///< whatever else it says is wrong: "State: not calibrated"
 
   bool operator==(const TorqueFrame&) const = default;
 };

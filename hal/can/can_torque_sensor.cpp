@@ -19,11 +19,11 @@ constexpr double slowest_clock_share = 1.01;  // of a transducer, against its st
 // One that is slower yet is followed at this pace: a burst is over before it makes a difference.
 constexpr double samples_to_follow = 4096;
 
-const char* flaw(const can_frames::TorqueFrame& frame) {
+std::string flaw(const can_frames::TorqueFrame& frame) {
   if (frame.overload) return "overload";
   if (frame.shunt_on) return "shunt calibration is on";
   if (frame.zeroing) return "zeroing";
-  return nullptr;
+  return frame.flaw;
 }
 
 IoError failure(IoErrc code, const std::string& what) {
@@ -86,7 +86,8 @@ Result<TorqueBlock> CanTorqueSensor::read() {
 Status CanTorqueSensor::take(const CanFrame& frame, Track& track, TorqueBlock& block) {
   const auto torque = options_.decode(frame);
   if (!torque) return failure(IoErrc::bad_reply, "read: not a torque frame");
-  if (const char* what = flaw(*torque)) return failure(IoErrc::bad_reply, what);
+  const std::string what = flaw(*torque);
+  if (!what.empty()) return failure(IoErrc::bad_reply, what);
   append(*torque, frame.time_s, track, block);
   return Done{};
 }

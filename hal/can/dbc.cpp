@@ -1,6 +1,9 @@
 #include "hal/can/dbc.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 
 namespace rvbench::hal::dbc {
 namespace {
@@ -49,6 +52,12 @@ std::optional<double> value_of(const Message& message, const Signal& signal,
   const double counts =
       signal.is_signed ? static_cast<double>(signed_of(signal, raw)) : static_cast<double>(raw);
   return counts * signal.factor + signal.offset;
+}
+
+std::string word_for(const Signal& signal, double value) {
+  const auto raw = std::llround((value - signal.offset) / signal.factor);
+  const auto found = signal.words.find(raw);
+  return found == signal.words.end() ? fmt::format("{:g}", value) : found->second;
 }
 
 }  // namespace rvbench::hal::dbc

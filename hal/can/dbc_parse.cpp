@@ -14,6 +14,7 @@ namespace rvbench::hal::dbc {
 namespace {
 
 constexpr std::uint32_t extended_flag = 0x80000000;
+
 class Parser {
  public:
   explicit Parser(std::string_view text) : tokens_(tokens_of(text)) {}
@@ -46,6 +47,8 @@ class Parser {
       parse_signal();
     } else if (!word.is_string && word.text == "SIG_VALTYPE_" && word.starts_line) {
       parse_value_type();
+    } else if (!word.is_string && word.text == "VAL_" && word.starts_line) {
+      parse_words();
     } else {
       ++at_;
       skip_section();
@@ -233,11 +236,33 @@ class Parser {
     if (is_next(":")) ++at_;
     const bool is_float = number<int>("a type, 0 to 3") != 0;
     expect(";");
+    if (Signal* of = find(id, signal); of != nullptr) of->is_float = is_float;
+  }
+
+  // VAL_ 385 State 0 "sound" 1 "zeroing" ; or of an environment variable, without the number.
+  void parse_words() {
+    ++at_;
+    const bool is_of_signal = at_ < tokens_.size() && tokens_[at_].text.front() <= '9';
+    if (!is_of_signal) return skip_section();
+    const auto id = number<std::uint32_t>("a message's identifier");
+    Signal* const of = find(id, name("a signal's name"));
+    while (!is_next(";")) {
+      const auto value = number<std::int64_t>("a value");
+      const Token& word = next("a word");
+      if (!word.is_string) throw Refused(word.line, "expected a word in quotes");
+      if (of != nullptr) of->words[value] = word.text;
+    }
+    ++at_;
+  }
+
+  // A signal by its name; null if it is of a message that is not read.
+  Signal* find(std::uint32_t id, const std::string& signal) {
     for (Message& message : database_.messages) {
       if ((message.id | (message.is_extended ? extended_flag : 0)) != id) continue;
       const auto found = std::ranges::find(message.signals, signal, &Signal::name);
-      if (found != message.signals.end()) found->is_float = is_float;
+      if (found != message.signals.end()) return &*found;
     }
+    return nullptr;
   }
 
   std::vector<Token> tokens_;

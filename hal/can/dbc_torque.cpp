@@ -95,12 +95,15 @@ std::variant<TorqueDecoder, std::vector<ConfigFault>> torque_decoder(const dbc::
         const auto value = [&](const dbc::Signal& of) { return dbc::value_of(message, of, frame); };
         const auto torque_told = value(torque), angle_told = value(angle), counted = value(counter);
         if (!torque_told || !angle_told || !counted) return std::nullopt;
-        if (status && value(*status) != 0) return std::nullopt;
+        const auto state = status ? value(*status) : 0;
+        if (!state) return std::nullopt;
+        const bool is_sound = *state == 0;
         const double turns = *angle_told * angle_turns;
         return can_frames::TorqueFrame{
             .torque_Nm = *torque_told * torque_Nm,
             .angle_turns = turns - std::floor(turns),
-            .counter = static_cast<std::uint8_t>(std::llround(std::fmod(*counted, 256)))};
+            .counter = static_cast<std::uint8_t>(std::llround(std::fmod(*counted, 256))),
+            .flaw = is_sound ? "" : status->name + ": " + dbc::word_for(*status, *state)};
       });
 }
 

@@ -17,7 +17,7 @@ struct DbcTorqueNames {
   std::string torque;       ///< in mNm, Nm or kNm ("N·m" alike)
   std::string angle;        ///< of the shaft, within a turn: in deg, rad or rev
   std::string counter;      ///< one more with each sample; its lowest 8 bits are looked at
-  std::string status = {};  ///< 0 while nothing is wrong; any other value refuses the frame
+  std::string status = {};  ///< 0 while nothing is wrong; any other value is told by its VAL_
 };
 
 using TorqueDecoder = std::function<std::optional<can_frames::TorqueFrame>(const CanFrame&)>;

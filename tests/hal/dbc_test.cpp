@@ -67,7 +67,7 @@ double one(const std::string& where, const std::array<std::uint8_t, 8>& data) {
 
 }  // namespace
 
-TEST_CASE("a database names messages, signals and units", "[hal][can][dbc]") {
+TEST_CASE("a database names messages, signals, units and words", "[hal][can][dbc]") {
   const dbc::Database database = read(transducer);
   REQUIRE(database.messages.size() == 2);  // the one inside a comment is none
   const dbc::Message& torque = *database.find("TorqueData");
@@ -75,6 +75,8 @@ TEST_CASE("a database names messages, signals and units", "[hal][can][dbc]") {
   CHECK_FALSE(torque.is_extended);
   CHECK(torque.length == 8);
   CHECK(torque.find("Torque")->unit == "Nm");
+  CHECK(dbc::word_for(*torque.find("State"), 4) == "shunt on");
+  CHECK(dbc::word_for(*torque.find("State"), 2) == "2");
   CHECK(torque.find("Speed") == nullptr);
   const dbc::Message& status = *database.find("Status");
   CHECK(status.is_extended);

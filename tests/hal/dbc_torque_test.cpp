@@ -20,6 +20,9 @@ BO_ 385 TorqueData: 8 Transducer
 BO_ 386 Slow: 2 Transducer
  SG_ Temperature : 0|16@1- (0.1,0) [0|0] "degC" Bench
  SG_ Nibble : 0|4@1+ (1,0) [0|0] "" Bench
+VAL_ 385 State 0 "sound" 4 "shunt on" ;
+VAL_ 999 Elsewhere 0 "of a message that is not there" ;
+VAL_ Environment 0 "of no message at all" ;
 )";
 
 const DbcTorqueNames names{.message = "TorqueData",
@@ -66,8 +69,12 @@ TEST_CASE("a transducer that is told by a database reads as one that is built in
 
 TEST_CASE("a transducer that says that something is wrong gives no torque", "[hal][can][dbc]") {
   const auto decode = std::get<0>(torque_decoder(database(), names));
-  CHECK(decode({.id = 0x181, .length = 8}));
-  CHECK_FALSE(decode({.id = 0x181, .length = 8, .data = {0, 0, 0, 0, 0, 0, 0, 4}}));
+  CHECK(decode({.id = 0x181, .length = 8}).value().flaw.empty());
+  const auto flaw_of = [&](std::uint8_t state) {
+    return decode({.id = 0x181, .length = 8, .data = {0, 0, 0, 0, 0, 0, 0, state}}).value().flaw;
+  };
+  CHECK(flaw_of(4) == "State: shunt on");
+  CHECK(flaw_of(3) == "State: 3");
   CHECK_FALSE(decode({.id = 0x181, .length = 7}));
   CHECK_FALSE(decode({.id = 0x182, .length = 8}));
 }

@@ -27,7 +27,7 @@ class DatedBrake final : public hal::Brake {
   Status connect() override { return Done{}; }
   Status set_torque(double) override { return Done{}; }
   Result<hal::BrakeStatus> read() override { return hal::BrakeStatus{70, false, time_s_}; }
-  void release() noexcept override {}
+  Status release() noexcept override { return Done{}; }
 
  private:
   const double& time_s_;

@@ -39,7 +39,7 @@ class DraggingBrake final : public hal::Brake {
     if (!status) return status;
     return hal::BrakeStatus{std::fmax(drag_Nm_, status.value().torque_Nm), status.value().tripped};
   }
-  void release() noexcept override { brake_->release(); }
+  Status release() noexcept override { return brake_->release(); }
 
  private:
   std::unique_ptr<hal::Brake> brake_;
