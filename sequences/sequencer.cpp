@@ -24,6 +24,7 @@ constexpr std::size_t most_bytes_behind = 256UL << 20U;
 constexpr std::size_t most_bytes_of_log = 1UL << 20U;  // some two thousand events
 constexpr double slow_disk_s = 0.5;
 constexpr double most_lag_s = 5;  // what waits would be lost with the process
+constexpr double longest_release_s = 1;
 constexpr const char* hung =
     "supervisor hung: a device's call does not return, the program must exit";
 constexpr const char* bus_hung =
@@ -69,7 +70,9 @@ Ending set_up_and_measure(const TestPlan& plan, BenchLoop& loop) {
 bool brake_lets_go(hal::Rig& rig, Status told) {
   const hal::BrakeLimits brake = rig.brake->limits();
   const double enough_Nm = brake.residual_torque_pct / 100 * brake.max_torque_Nm;
-  for (int attempt = 0; attempt < 10; ++attempt) {
+  // A link that is lost may take its time to be opened again, each time.
+  const double end_s = rig.clock->now_s() + longest_release_s;
+  while (rig.clock->now_s() < end_s) {
     rig.clock->wait_until(rig.clock->now_s() + 0.1);
     const auto status = rig.brake->read();
     // At standstill a brake that was never told may hold nothing, either.

@@ -32,11 +32,10 @@ CanBrake::CanBrake(std::unique_ptr<CanTransport> transport, const CanBrakeOption
 
 Status CanBrake::connect() {
   connected_ = false;
-  was_opened_ = true;
   const Status released = open_and_release();
   if (!released) return released;
   const double sent_s = clock_.now_s();
-  was_lost_ = false;
+  lost_.reset();
   do {
     clock_.wait_until(clock_.now_s() + options_.poll_s);
     const Status answered = await_status();
@@ -53,7 +52,8 @@ Status CanBrake::set_torque(double torque_Nm) {
     throw std::invalid_argument(
         fmt::format("CanBrake::set_torque: {} N·m is not within 0 to {}", torque_Nm, max_Nm));
   }
-  if (!connected_ || was_lost_) return failure(IoErrc::disconnected, "set torque");
+  if (!connected_) return failure(IoErrc::disconnected, "set torque");
+  if (lost_) return *lost_;
   return send(torque_Nm, true);
 }
 
@@ -83,6 +83,7 @@ Status CanBrake::release() noexcept {
 Status CanBrake::open_and_release() {
   const Status opened = transport_->open();
   if (!opened) return opened;
+  was_opened_ = true;
   drop_waiting_frames(*transport_);
   has_status_ = saw_repeats_ = false;
   fresh_s_ = clock_.now_s();
@@ -92,7 +93,7 @@ Status CanBrake::open_and_release() {
 Status CanBrake::send(double torque_Nm, bool enable) {
   Status sent = transport_->send(
       can_frames::frame_from_brake_command({torque_Nm, enable, ++command_counter_}));
-  if (!sent && sent.error().code == IoErrc::disconnected) was_lost_ = true;
+  if (!sent && sent.error().code == IoErrc::disconnected) lost_ = sent.error();
   return sent;
 }
 

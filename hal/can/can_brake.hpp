@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "hal/brake.hpp"
 #include "hal/can/can_frames.hpp"
@@ -47,7 +48,7 @@ class CanBrake final : public Brake {
   Clock& clock_;
   bool was_opened_ = false;
   bool connected_ = false;
-  bool was_lost_ = false;  ///< the link, since connect(): what comes of it now is no torque
+  std::optional<IoError> lost_;  ///< how the link was, since connect(): no torque follows
   std::uint8_t command_counter_ = 0;
   bool has_status_ = false;  ///< one came since connect()
   bool saw_repeats_ = false;
