@@ -6,12 +6,9 @@
 #include <chrono>
 #include <cmath>
 
+#include "sequences/phases/connect.hpp"
+
 namespace rvbench::bench {
-namespace {
-
-constexpr double watchdog_max_s = 2;  // as the sequencer arms at most
-
-}  // namespace
 
 DriveProbe probe_drive(hal::Drive& drive, int readings, const std::stop_token& stop) {
   using Clock = std::chrono::steady_clock;
@@ -61,9 +58,9 @@ std::string refusal_to_arm(const DriveProbe& probe) {
     return fmt::format("it has tripped, fault code {}", probe.status.fault_code);
   if (probe.watchdog.timeout_s == 0) return "its communication watchdog is off, or cannot be read";
   if (!probe.watchdog.stops_motor) return "its communication watchdog does not stop the motor";
-  if (probe.watchdog.timeout_s > watchdog_max_s) {
+  if (probe.watchdog.timeout_s > sequences::longest_watchdog_s) {
     return fmt::format("its communication watchdog waits {:g} s, at most {:g} s are allowed",
-                       probe.watchdog.timeout_s, watchdog_max_s);
+                       probe.watchdog.timeout_s, sequences::longest_watchdog_s);
   }
   return "";
 }

@@ -98,7 +98,8 @@ class Connect final : public Phase {
 }  // namespace
 
 std::unique_ptr<Phase> parse_connect(hal::ConfigReader& json) {
-  return std::make_unique<Connect>(json.number("watchdog_max_s", {0.1, 2.0}, 2.0));
+  return std::make_unique<Connect>(
+      json.number("watchdog_max_s", {0.1, longest_watchdog_s}, longest_watchdog_s));
 }
 
 }  // namespace rvbench::sequences
