@@ -2,6 +2,7 @@
 #include <thread>
 
 #include "tests/hal/modbus_bench.hpp"
+#include "tests/support/wait_until.hpp"
 
 using namespace rvbench;
 using sim::WireFault;
@@ -205,9 +206,11 @@ SCENARIO("stop may come from another thread while a reading waits for its reply"
   REQUIRE(bench.drive.set_speed(600));
   bench.server->inject({.fault = WireFault::silent, .requests = 1});
   std::thread reader([&] { (void)bench.drive.read(); });
-  while (bench.server->requests() < 5) std::this_thread::yield();  // connect 3, set 1, read 1
+  const bool reads = test::wait_until([&] { return bench.server->requests() >= 5; });
   const double took_s = real_seconds([&] { bench.drive.stop(); });
   reader.join();
+  CHECK(reads);  // connect 3, set 1, read 1
+  CHECK(bench.drive.retries() == 0);
   CHECK(bench.model.state().run == sim::RunCommand::stop);
   CHECK(took_s < 4 * response_timeout_s + 0.1);
 }
