@@ -10,10 +10,11 @@
 
 #include "hal/plant_port.hpp"
 #include "sim/anti_alias_filter.hpp"
-#include "sim/can_nodes.hpp"
+#include "sim/brake_node.hpp"
 #include "sim/inverter_model.hpp"
 #include "sim/inverter_server.hpp"
 #include "sim/rv_bench.hpp"
+#include "sim/transducer_node.hpp"
 
 namespace rvbench::sim {
 

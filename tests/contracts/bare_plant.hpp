@@ -8,9 +8,10 @@
 #include "hal/can/in_process_transport.hpp"
 #include "hal/plant_port.hpp"
 #include "hal/types/units.hpp"
-#include "sim/can_nodes.hpp"
+#include "sim/brake_node.hpp"
 #include "sim/inverter_model.hpp"
 #include "sim/inverter_server.hpp"
+#include "sim/transducer_node.hpp"
 
 namespace rvbench::test {
 

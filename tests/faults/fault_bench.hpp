@@ -9,9 +9,10 @@
 
 #include "hal/can/in_process_transport.hpp"
 #include "hal/plant_port.hpp"
-#include "sim/can_nodes.hpp"
+#include "sim/brake_node.hpp"
 #include "sim/inverter_model.hpp"
 #include "sim/inverter_server.hpp"
+#include "sim/transducer_node.hpp"
 #include "tests/faults/witnessed_bus.hpp"
 
 namespace rvbench::test {

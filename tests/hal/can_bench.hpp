@@ -3,7 +3,8 @@
 #include "hal/can/in_process_transport.hpp"
 #include "hal/clock.hpp"
 #include "hal/types/units.hpp"
-#include "sim/can_nodes.hpp"
+#include "sim/brake_node.hpp"
+#include "sim/transducer_node.hpp"
 
 namespace rvbench::test {
 

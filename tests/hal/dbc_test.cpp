@@ -1,13 +1,18 @@
 #include "hal/can/dbc.hpp"
 
 #include <catch2/catch.hpp>
+#include <string>
+#include <utility>
+
+#include "tests/hal/dbc_text.hpp"
 
 using namespace rvbench;
 using namespace rvbench::hal;
 
 namespace {
 
-constexpr const char* transducer = R"(VERSION "1.0"
+// All that there is in a file beside it.
+const std::string transducer = R"(VERSION "1.0"
 
 NS_ :
 	NS_DESC_
@@ -18,13 +23,7 @@ NS_ :
 BS_:
 
 BU_: Transducer Bench
-
-BO_ 385 TorqueData: 8 Transducer
- SG_ Torque : 0|32@1- (1e-06,0) [-2147.48|2147.48] "Nm" Bench
- SG_ Angle : 32|16@1+ (0.0054931640625,0) [0|360] "deg" Bench
- SG_ Counter : 48|8@1+ (1,0) [0|255] "" Bench
- SG_ State : 56|8@1+ (1,0) [0|255] "" Bench
-
+)" + test::torque_data + R"(
 BO_ 2566851328 Status: 8 Transducer
  SG_ Page M : 7|2@0+ (1,0) [0|3] "" Bench
  SG_ Temperature m0 : 15|16@0- (0.1,-40) [-40|200] "degC" Bench
@@ -39,21 +38,11 @@ VAL_ 385 State 0 "sound" 1 "zeroing" 4 "shunt on" ;
 
 dbc::Database read(const std::string& text) {
   auto parsed = dbc::parse(text);
-  if (parsed.index() == 1) {
-    FAIL(std::get<1>(parsed).front().line << ": " << std::get<1>(parsed).front().message);
-  }
+  REQUIRE(test::faults_in(parsed) == "");
   return std::get<0>(std::move(parsed));
 }
 
-std::string faults_of(const std::string& text) {
-  const auto parsed = dbc::parse(text);
-  std::string all;
-  if (parsed.index() == 0) return all;
-  for (const ConfigFault& fault : std::get<1>(parsed)) {
-    all += std::to_string(fault.line) + ": " + fault.message + "\n";
-  }
-  return all;
-}
+std::string faults_of(const std::string& text) { return test::faults_in(dbc::parse(text)); }
 
 double value(const dbc::Message& message, const char* signal, const CanFrame& frame) {
   return dbc::value_of(message, *message.find(signal), frame).value();

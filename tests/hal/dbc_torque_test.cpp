@@ -1,23 +1,18 @@
 #include "hal/can/dbc_torque.hpp"
 
 #include <catch2/catch.hpp>
+#include <string>
 
 #include "hal/can/can_torque_sensor.hpp"
 #include "tests/hal/can_bench.hpp"
+#include "tests/hal/dbc_text.hpp"
 
 using namespace rvbench;
 using namespace rvbench::hal;
 
 namespace {
 
-// The simulated transducer's frame, as a supplier's sheet would have it.
-constexpr const char* sheet = R"(
-BO_ 385 TorqueData: 8 Transducer
- SG_ Torque : 0|32@1- (1e-06,0) [-2147|2147] "Nm" Bench
- SG_ Angle : 32|16@1+ (0.0054931640625,0) [0|360] "deg" Bench
- SG_ Counter : 48|8@1+ (1,0) [0|255] "" Bench
- SG_ State : 56|8@1+ (1,0) [0|255] "" Bench
-BO_ 386 Slow: 2 Transducer
+const std::string sheet = test::torque_data + R"(BO_ 386 Slow: 2 Transducer
  SG_ Temperature : 0|16@1- (0.1,0) [0|0] "degC" Bench
  SG_ Nibble : 0|4@1+ (1,0) [0|0] "" Bench
 VAL_ 385 State 0 "sound" 4 "shunt on" ;
@@ -36,13 +31,7 @@ dbc::Database database(const std::string& more = "") {
 }
 
 std::string faults_of(const DbcTorqueNames& of, const std::string& more = "") {
-  const auto decoder = torque_decoder(database(more), of);
-  std::string all;
-  if (decoder.index() == 0) return all;
-  for (const ConfigFault& fault : std::get<1>(decoder)) {
-    all += fault.pointer + ": " + fault.message + "\n";
-  }
-  return all;
+  return test::faults_in(torque_decoder(database(more), of));
 }
 
 }  // namespace

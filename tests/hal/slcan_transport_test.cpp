@@ -7,7 +7,8 @@
 #include "hal/can/can_brake.hpp"
 #include "hal/can/can_dispatcher.hpp"
 #include "hal/can/can_torque_sensor.hpp"
-#include "sim/can_nodes.hpp"
+#include "sim/brake_node.hpp"
+#include "sim/transducer_node.hpp"
 #include "tests/hal/slcan_bench.hpp"
 
 using namespace rvbench;

@@ -18,10 +18,10 @@ namespace {
 constexpr double lost_from_s = 12.0;
 constexpr double lost_until_s = 12.055;  // before anything counts as stale
 
-// For some ticks not one scan comes through.
-class LosingAccelerometers final : public hal::Accelerometers {
+// Those of a rig, but for what they read.
+class SpoiltAccelerometers : public hal::Accelerometers {
  public:
-  LosingAccelerometers(std::unique_ptr<hal::Accelerometers> whole, double until_s)
+  SpoiltAccelerometers(std::unique_ptr<hal::Accelerometers> whole, double until_s)
       : whole_(std::move(whole)), until_s_(until_s) {}
   const std::vector<ChannelInfo>& channels() const override { return whole_->channels(); }
   double range_m_s2() const override { return whole_->range_m_s2(); }
@@ -29,6 +29,16 @@ class LosingAccelerometers final : public hal::Accelerometers {
   Status connect() override { return whole_->connect(); }
   Status start() override { return whole_->start(); }
   void stop() noexcept override { whole_->stop(); }
+
+ protected:
+  const std::unique_ptr<hal::Accelerometers> whole_;
+  const double until_s_;
+};
+
+// For some ticks not one scan comes through.
+class LosingAccelerometers final : public SpoiltAccelerometers {
+ public:
+  using SpoiltAccelerometers::SpoiltAccelerometers;
   Result<hal::AccelerationBlock> read() override {
     auto read = whole_->read();
     if (!read || read.value().t0_s < lost_from_s || read.value().t0_s > until_s_) return read;
@@ -37,23 +47,12 @@ class LosingAccelerometers final : public hal::Accelerometers {
     block.lost = int(block.scans.rows());
     return block;
   }
-
- private:
-  std::unique_ptr<hal::Accelerometers> whole_;
-  double until_s_;
 };
 
 // For so long the scans are gone, and the device counts on as if there had been none.
-class SwallowingAccelerometers final : public hal::Accelerometers {
+class SwallowingAccelerometers final : public SpoiltAccelerometers {
  public:
-  SwallowingAccelerometers(std::unique_ptr<hal::Accelerometers> whole, double until_s)
-      : whole_(std::move(whole)), until_s_(until_s) {}
-  const std::vector<ChannelInfo>& channels() const override { return whole_->channels(); }
-  double range_m_s2() const override { return whole_->range_m_s2(); }
-  double rate_Hz() const override { return whole_->rate_Hz(); }
-  Status connect() override { return whole_->connect(); }
-  Status start() override { return whole_->start(); }
-  void stop() noexcept override { whole_->stop(); }
+  using SpoiltAccelerometers::SpoiltAccelerometers;
   Result<hal::AccelerationBlock> read() override {
     auto read = whole_->read();
     if (!read) return read;
@@ -67,8 +66,6 @@ class SwallowingAccelerometers final : public hal::Accelerometers {
   }
 
  private:
-  std::unique_ptr<hal::Accelerometers> whole_;
-  double until_s_;
   double swallowed_s_ = 0;
 };
 

@@ -1,11 +1,11 @@
-#include "sim/can_nodes.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
 
 #include "hal/can/in_process_transport.hpp"
+#include "sim/brake_node.hpp"
+#include "sim/transducer_node.hpp"
 
 using namespace rvbench;
 
