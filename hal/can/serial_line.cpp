@@ -95,9 +95,9 @@ Result<std::string> SerialLine::read() {
   return std::exchange(waiting_, {});
 }
 
-void SerialLine::wait(std::chrono::milliseconds longest) {
+bool SerialLine::wait(std::chrono::milliseconds longest) {
   std::unique_lock lock(mutex_);
-  changed_.wait_for(lock, longest, [this] {
+  return changed_.wait_for(lock, longest, [this] {
     return !waiting_.empty() || error_ != 0 || !reader_.thrown().empty();
   });
 }

@@ -38,11 +38,13 @@ class SerialLine {
   /// All of it or nothing that can be relied on: on an error the line is of no more use.
   Status write(std::string_view bytes);
 
-  /// What is there now, at most 64 kB of it; empty if nothing is.
+  /// What is there now, at most 64 kB of it. Empty is no silence: the reading thread may be just
+  /// about to hand something over.
   Result<std::string> read();
 
   /// Waits until there is something to read, or the line hung up.
-  void wait(std::chrono::milliseconds longest);
+  /// @return false if neither came: the line was silent
+  bool wait(std::chrono::milliseconds longest);
 
  private:
   void listen(const std::stop_token& stop);

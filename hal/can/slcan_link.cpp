@@ -92,7 +92,7 @@ Status SlcanLink::command(const std::string& text, LineKind answer, const char* 
       }
     }
     if (RealClock::now() >= end) return failure(IoErrc::timeout, operation);
-    line_.wait(until(end));
+    (void)line_.wait(until(end));
     const auto bytes = line_.read();
     if (!bytes) return failure(bytes.error().code, bytes.error().where);
     lines_.add(bytes.value());
@@ -101,13 +101,12 @@ Status SlcanLink::command(const std::string& text, LineKind answer, const char* 
 
 Status SlcanLink::drop_until_quiet(Deadline end) {
   while (RealClock::now() < end) {
-    line_.wait(quiet);
-    const auto bytes = line_.read();
-    if (!bytes) return failure(bytes.error().code, bytes.error().where);
-    if (bytes.value().empty()) {
+    if (!line_.wait(quiet)) {
       lines_.clear();
       return Done{};
     }
+    const auto bytes = line_.read();
+    if (!bytes) return failure(bytes.error().code, bytes.error().where);
   }
   return failure(IoErrc::bad_reply, "open: the line does not fall silent");
 }
@@ -262,7 +261,7 @@ void SlcanLink::ask_flags() {
 // Lines that come meanwhile are taken in.
 void SlcanLink::await_answer(const std::optional<double>& question, Deadline end) {
   while (line_.is_open() && question && RealClock::now() < end) {
-    line_.wait(until(end));
+    (void)line_.wait(until(end));
     take_lines();
   }
 }

@@ -68,7 +68,7 @@ TEST_CASE("a serial line for whose bytes there is no memory is a lost one", "[ha
     const test::ScarceMemory scarce;
     adapter.type("more bytes than fit into a short string\n");
     CHECK(wait_until([&] {
-      line.wait(std::chrono::milliseconds(1));
+      (void)line.wait(std::chrono::milliseconds(1));
       read = line.read();
       return !read || !read.value().empty();
     }));
