@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/eventfd.h>
+#include <sys/file.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -39,6 +40,10 @@ Status SerialLine::open(const std::string& device, int baud) {
   close();
   file_ = ::open(device.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   if (file_ < 0) return failure("open", errno);
+  if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    close();
+    return IoError{IoErrc::disconnected, "open: another program has the line"};
+  }
   termios settings{};
   const speed_t speed = speeds().at(baud);
   int error = 0;

@@ -18,8 +18,10 @@ namespace rvbench::hal {
 ///          wait for the kernel's worker that fills it, O_NONBLOCK or not. That worker is an
 ///          ordinary thread, and on a busy computer 0.2 s late (n_tty_read and n_tty_poll flush its
 ///          work: drivers/tty/n_tty.c)
-/// Errors   disconnected: no such device, no terminal, hung up, its output is stuck, or something
-///          was thrown in that thread
+/// Alone    two readers would each get some of the bytes, and to either the device would seem
+///          silent or garbled: the line is locked by flock(), as other terminal programs do
+/// Errors   disconnected: no such device, another program has it, no terminal, hung up, its output
+///          is stuck, or something was thrown in that thread
 class SerialLine {
  public:
   /// @return false if termios knows no such rate

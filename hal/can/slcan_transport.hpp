@@ -23,11 +23,11 @@ struct SlcanOptions {
 /// Classic CAN through a serial adapter that speaks the LAWICEL ASCII protocol, where the kernel
 /// has no driver for it.
 ///
-/// Errors   disconnected: no such device, the line hung up, the adapter fell silent or its
-///          controller went bus-off. Then it stays disconnected until open() is called again.
-///          refused (open only): the adapter tells no status flags, so nobody would hear of a
-///          bus-off. overrun: the adapter lost frames. bad_reply: a line was garbled, and with it
-///          maybe a frame
+/// Errors   disconnected: no such device, another program has it, the line hung up, the adapter
+///          fell silent or its controller went bus-off. Then it stays disconnected until open() is
+///          called again. refused (open only): the adapter tells no status flags, so nobody would
+///          hear of a bus-off. overrun: the adapter lost frames. bad_reply: a line was garbled, and
+///          with it maybe a frame
 /// Sending  one frame at a time: the next is refused (timeout) while the one before has not been
 ///          acknowledged, and send() waits 2 ms at most for that. A frame that the adapter
 ///          declines makes the next call tell overrun

@@ -1,3 +1,7 @@
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <string>
@@ -39,6 +43,21 @@ SCENARIO("an adapter that cannot be relied on is not opened", "[hal][can]") {
   const double start_s = clock.now_s();
   CHECK(open(silent.device()).code == IoErrc::timeout);
   CHECK(clock.now_s() - start_s < 3);  // 2 s, and what a busy computer adds
+}
+
+SCENARIO("an adapter that another program has is no silent one", "[hal][can]") {
+  hal::SteadyClock clock;
+  test::OddAdapter adapter(test::sound_answer);
+  SlcanTransport can({.device = adapter.device()}, clock);
+  const int other = ::open(adapter.device().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  REQUIRE(::flock(other, LOCK_EX | LOCK_NB) == 0);
+  const Status opened = can.open();
+  REQUIRE_FALSE(opened);
+  CHECK(opened.error().code == IoErrc::disconnected);
+  CHECK_THAT(opened.error().where,
+             Catch::Contains(adapter.device()) && Catch::Contains("another program has the line"));
+  ::close(other);
+  must_open(can);
 }
 
 SCENARIO("an adapter of another make is understood", "[hal][can]") {
