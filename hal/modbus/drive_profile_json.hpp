@@ -12,8 +12,8 @@ namespace rvbench::hal {
 /// The built-in profiles, in order of their names.
 std::vector<std::string> drive_names();
 
-/// Reads a built-in profile by its name, or a file of one's own by its path. hal/README.md tells
-/// the keys.
+/// Reads a built-in profile by its name, or a file of one's own by its path.
+/// hal/modbus/drives/README.md tells the keys.
 /// @return everything that is wrong with it instead
 std::variant<DriveProfile, std::vector<ConfigFault>> read_drive_profile(const std::string& drive);
 

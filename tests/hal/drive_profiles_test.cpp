@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <regex>
 #include <stdexcept>
 
 #include "hal/drive_files.hpp"
@@ -18,6 +21,11 @@ std::string text_of(const std::string& drive) {
     if (file.name == drive) return file.text;
   }
   return "";
+}
+
+std::string text_in(const std::string& file) {
+  std::ifstream in(std::filesystem::path(RVBENCH_SOURCE_DIR) / file);
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 std::string changed(const std::string& drive, const std::string& from, const std::string& to) {
@@ -58,6 +66,28 @@ TEST_CASE("every built-in drive can be read, and is called what its file is call
   REQUIRE(unknown.index() == 1);
   CHECK_THAT(std::get<1>(unknown).front().message,
              Catch::Contains("there are: abb_acs, danfoss_fc"));
+}
+
+TEST_CASE("the README tells each key of a profile, and its example can be read", "[hal][modbus]") {
+  const std::string readme = text_in("hal/modbus/drives/README.md");
+  const auto begin = readme.find("```json\n") + 8;
+  CHECK(faults_of(readme.substr(begin, readme.find("```", begin) - begin)) == "");
+  const std::regex key("\"([a-zA-Z_]+)\": ");
+  for (const EmbeddedFile& file : drive_files()) {
+    const std::string text = file.text;
+    for (std::sregex_iterator at(text.begin(), text.end(), key), end; at != end; ++at) {
+      INFO(file.name);
+      CHECK_THAT(readme, Catch::Contains("`" + (*at)[1].str() + "`") ||
+                             Catch::Contains("\"" + (*at)[1].str() + "\""));
+    }
+  }
+}
+
+TEST_CASE("a profile names no file of the simulator", "[hal][modbus]") {
+  for (const EmbeddedFile& file : drive_files()) {
+    INFO(file.name);
+    CHECK_THAT(std::string(file.text), !Catch::Contains("sim/"));
+  }
 }
 
 TEST_CASE("nothing but commands is ever written", "[hal][modbus]") {
