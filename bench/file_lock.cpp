@@ -1,7 +1,6 @@
 #include "bench/file_lock.hpp"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -9,6 +8,8 @@
 #include <string>
 #include <system_error>
 #include <utility>
+
+#include "hal/lock_alone.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -38,20 +39,13 @@ std::optional<FileLock> FileLock::take_shared(const std::filesystem::path& file)
   return lock(open_or_make(file), file);
 }
 
-bool FileLock::is_held(const std::filesystem::path& file) {
-  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (descriptor < 0) return false;
-  const bool is_free = flock(descriptor, LOCK_SH | LOCK_NB) == 0;
-  close(descriptor);
-  return !is_free;
-}
-
 std::optional<FileLock> FileLock::lock(int descriptor, const std::filesystem::path& file) {
   if (descriptor < 0) throw std::system_error(errno, std::generic_category(), file.string());
   FileLock lock(descriptor);
-  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) return lock;
-  if (errno == EWOULDBLOCK) return std::nullopt;
-  throw std::system_error(errno, std::generic_category(), file.string());
+  const int error = hal::lock_alone(descriptor);
+  if (error == 0) return lock;
+  if (error == EWOULDBLOCK) return std::nullopt;
+  throw std::system_error(error, std::generic_category(), file.string());
 }
 
 FileLock::FileLock(FileLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}

@@ -15,9 +15,6 @@ class FileLock {
   /// The same in a folder that all users share: any of them may lock the file.
   static std::optional<FileLock> take_shared(const std::filesystem::path& file);
 
-  /// Whether somebody holds it now. Makes no file; false of one that cannot be looked at.
-  static bool is_held(const std::filesystem::path& file);
-
   FileLock(FileLock&& other) noexcept;
   FileLock& operator=(FileLock&& other) noexcept;
   ~FileLock();

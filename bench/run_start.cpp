@@ -6,6 +6,7 @@
 
 #include "bench/run_folder.hpp"
 #include "bench/text_file.hpp"
+#include "hal/lock_alone.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -15,7 +16,9 @@ std::filesystem::path log_of(const std::filesystem::path& folder) { return folde
 
 }  // namespace
 
-bool is_at_work(const std::filesystem::path& folder) { return FileLock::is_held(log_of(folder)); }
+bool is_at_work(const std::filesystem::path& folder) {
+  return hal::is_locked(log_of(folder)).value_or(false);
+}
 
 RunPlace begin_run(const std::filesystem::path& root, const std::string& serial,
                    const ResolvedFiles& resolved) {

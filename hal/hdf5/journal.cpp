@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <unistd.h>
 #include <zlib.h>
 
@@ -12,16 +11,14 @@
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
-#include <thread>
 
 #include "hal/hdf5/hdf5_handle.hpp"
 #include "hal/hdf5/journal_record.hpp"
+#include "hal/lock_alone.hpp"
 #include "hal/put_on_disk.hpp"
 
 namespace rvbench::hal::hdf5 {
 namespace {
-
-constexpr std::chrono::milliseconds longest_probe{100};  // of others, that do no more than look
 
 // Before each record; its checksum covers the first three and what follows.
 struct Head {
@@ -129,24 +126,7 @@ std::filesystem::path journal_of(const std::filesystem::path& recording) {
   return recording.string() + ".journal";
 }
 
-int lock_alone(int descriptor) noexcept {
-  using namespace std::chrono;
-  const auto end = steady_clock::now() + longest_probe;
-  for (;;) {
-    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return 0;
-    if (errno != EWOULDBLOCK || steady_clock::now() > end) return errno;
-    std::this_thread::sleep_for(milliseconds(1));
-  }
-}
-
-// Any number may look at once: only a writer, or who repairs, holds the lock alone.
-bool is_left_behind(const std::filesystem::path& journal) {
-  const int descriptor = ::open(journal.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return false;
-  const bool is_free = ::flock(descriptor, LOCK_SH | LOCK_NB) == 0;
-  ::close(descriptor);
-  return is_free;
-}
+bool is_left_behind(const std::filesystem::path& journal) { return is_locked(journal) == false; }
 
 Journal::Journal(const std::filesystem::path& recording, const RecordingLayout& layout,
                  std::chrono::milliseconds sync_interval)

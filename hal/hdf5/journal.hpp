@@ -17,11 +17,6 @@ namespace rvbench::hal::hdf5 {
 /// it only a view for readers, made anew from it after a crash.
 std::filesystem::path journal_of(const std::filesystem::path& recording);
 
-/// Locks an open file for this program alone. Somebody who only looks whether it is locked, as
-/// is_left_behind() does, is waited for.
-/// @return 0, or errno: EWOULDBLOCK if it is in use
-int lock_alone(int descriptor) noexcept;
-
 /// Whether a journal is there that nobody writes any more: the recording needs repair_recording().
 bool is_left_behind(const std::filesystem::path& journal);
 

@@ -9,6 +9,7 @@
 #include "hal/hdf5/hdf5_writer.hpp"
 #include "hal/hdf5/journal.hpp"
 #include "hal/hdf5/superblock.hpp"
+#include "hal/lock_alone.hpp"
 #include "hal/recording_file.hpp"
 
 namespace rvbench::hal {
