@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "bench/judgement.hpp"
+#include "bench/on_disk.hpp"
 #include "bench/sha256.hpp"
 #include "bench/text_file.hpp"
 #include "bench/verdict_json.hpp"
-#include "hal/put_on_disk.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -25,14 +25,6 @@ constexpr std::uint64_t most_runs = 1'000'000'000;
 bool is_plain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
          c == '_' || c == '-';
-}
-
-[[noreturn]] void throw_error(int error, const std::filesystem::path& file) {
-  throw std::system_error(error, std::generic_category(), file.string());
-}
-
-void put_folder_on_disk(const std::filesystem::path& file) {
-  if (const int error = hal::sync_folder_of(file); error != 0) throw_error(error, file);
 }
 
 // With those above it, each on the disk before the next.

@@ -10,8 +10,8 @@
 #include <sstream>
 #include <system_error>
 
+#include "bench/on_disk.hpp"
 #include "bench/text_file.hpp"
-#include "hal/put_on_disk.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -72,14 +72,6 @@ Contents contents_of(const std::filesystem::path& folder) {
   return contents;
 }
 
-[[noreturn]] void throw_error(int error, const std::filesystem::path& file) {
-  throw std::system_error(error, std::generic_category(), file.string());
-}
-
-void put_on_disk(const std::filesystem::path& file) {
-  if (const int error = hal::sync_file(file); error != 0) throw_error(error, file);
-}
-
 // "<64 hex digits>  <name>" → name and hash; nullopt if the line is something else.
 std::optional<std::pair<std::string, std::string>> parse_sum(const std::string& line) {
   const bool shaped = line.size() > hex_digits + 2 && line[hex_digits] == ' ' &&
@@ -133,7 +125,7 @@ bool has_sums(const std::filesystem::path& folder) {
 void remove_sums(const std::filesystem::path& folder) {
   const std::filesystem::path sums = folder / sums_name;
   if (!std::filesystem::remove(sums)) return;
-  if (const int error = hal::sync_folder_of(sums); error != 0) throw_error(error, sums);
+  put_folder_on_disk(sums);
 }
 
 std::vector<std::string> verify_sums(const std::filesystem::path& folder) {

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "hal/put_on_disk.hpp"
+#include "bench/on_disk.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -23,10 +23,6 @@ int fill(int fd, const std::string& text) {
     written += static_cast<std::size_t>(std::max<ssize_t>(0, more));
   }
   return fsync(fd) == 0 ? 0 : errno;
-}
-
-[[noreturn]] void throw_error(int error, const std::filesystem::path& file) {
-  throw std::system_error(error, std::generic_category(), file.string());
 }
 
 }  // namespace
@@ -51,7 +47,7 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
     unlink(draft.c_str());
     throw_error(error, file);
   }
-  if (const int failed = hal::sync_folder_of(file); failed != 0) throw_error(failed, file);
+  put_folder_on_disk(file);
 }
 
 std::optional<std::string> read_file(const std::filesystem::path& file) {
