@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "hal/can/torque_transducer.hpp"
 #include "hal/can/waiting_frames.hpp"
 #include "hal/types/require_positive.hpp"
 #include "hal/types/units.hpp"
@@ -21,14 +22,12 @@ constexpr double samples_to_follow = 4096;
 
 std::string flaw(const can_frames::TorqueFrame& frame) {
   if (frame.overload) return "overload";
-  if (frame.shunt_on) return "shunt calibration is on";
-  if (frame.zeroing) return "zeroing";
+  if (frame.shunt_on) return torque_transducer::shunt_on;
+  if (frame.zeroing) return torque_transducer::zeroing;
   return frame.flaw;
 }
 
-IoError failure(IoErrc code, const std::string& what) {
-  return {code, "torque transducer: " + what};
-}
+using torque_transducer::failure;
 
 }  // namespace
 

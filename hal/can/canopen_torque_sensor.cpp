@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "hal/can/torque_transducer.hpp"
 #include "hal/can/waiting_frames.hpp"
 #include "hal/types/require_positive.hpp"
 
@@ -20,9 +21,7 @@ constexpr unsigned booted = 0x00;
 constexpr unsigned zeroing = 0x01;
 constexpr unsigned shunt_on = 0x04;
 
-IoError failure(IoErrc code, const std::string& what) {
-  return {code, "torque transducer: " + what};
-}
+using torque_transducer::failure;
 
 }  // namespace
 
@@ -128,8 +127,8 @@ Status CanopenTorqueSensor::take(const CanFrame& frame, TorqueBlock& block) {
 // reads has spoilt samples as well.
 Status CanopenTorqueSensor::check_status() {
   const unsigned said = std::exchange(said_, status_);
-  if ((said & shunt_on) != 0) return failure(IoErrc::bad_reply, "shunt calibration is on");
-  if ((said & zeroing) != 0) return failure(IoErrc::bad_reply, "zeroing");
+  if ((said & shunt_on) != 0) return failure(IoErrc::bad_reply, torque_transducer::shunt_on);
+  if ((said & zeroing) != 0) return failure(IoErrc::bad_reply, torque_transducer::zeroing);
   return Done{};
 }
 
