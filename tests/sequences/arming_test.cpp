@@ -2,8 +2,6 @@
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <memory>
-#include <string>
-#include <vector>
 
 #include "sequences/bench_loop.hpp"
 #include "tests/sequences/run_fixture.hpp"
@@ -13,17 +11,6 @@
 using namespace rvbench;
 
 namespace {
-
-const std::string plan_text = R"({
-  "name": "short",
-  "specimen": {"kinematics": "rv20e", "gear_ratio": 1.5, "rated_output_torque_Nm": 1},
-  "interlocks": {"input_speed_rpm": 2200, "input_torque_Nm": 8, "acceleration_m_s2": 300,
-                 "housing_temp_degC": 60, "stale_after_s": 1},
-  "setup": [{"phase": "connect"},
-            {"phase": "warm_up", "duration_s": 0.1, "speed_rpm": 605, "load_pct": 50}],
-  "main": [{"phase": "matrix", "speeds_rpm": [1815], "loads_pct": [100],
-            "record": {"output_turns": 4}}]
-})";
 
 // Answers its first question with an error, so that the bench waits for the second answer before it
 // arms. While it gives that one the emergency stop is pressed and the supervisor begins to stop it,
@@ -60,13 +47,6 @@ class DriveStoppedWhileArming final : public hal::Drive {
   std::atomic<bool> is_being_stopped_ = false;
 };
 
-class Listener final : public sequences::RunObserver {
- public:
-  void progress(double, double, const std::string&) override {}
-  void event(double, const std::string& text) override { texts.push_back(text); }
-  std::vector<std::string> texts;
-};
-
 }  // namespace
 
 TEST_CASE("a trip that falls while arming ends the run before anything is armed",
@@ -75,10 +55,10 @@ TEST_CASE("a trip that falls while arming ends the run before anything is armed"
   test::LiveBench& bench = test::live_bench(rig);
   rig.drive = std::make_unique<DriveStoppedWhileArming>(std::move(rig.drive), bench);
   test::MemoryRecording recording;
-  Listener observer;
+  test::EventTexts observer;
   std::stop_source nobody;
-  const auto summary = sequences::run_sequence(test::plan_of(plan_text), rig, recording, observer,
-                                               nobody.get_token());
+  const auto summary = sequences::run_sequence(test::plan_of(test::live_plan), rig, recording,
+                                               observer, nobody.get_token());
   CHECK(summary.ending.error_kind == ErrorKind::safety_trip);
   CHECK(summary.ending.reason == "the emergency stop is pressed");
   CHECK(std::ranges::count(observer.texts, sequences::armed_event) == 0);

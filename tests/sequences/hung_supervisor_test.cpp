@@ -121,13 +121,6 @@ class DeadBus final : public hal::BusMonitor {
   std::atomic<bool> never_ = false;
 };
 
-class Deaf final : public sequences::RunObserver {
- public:
-  void progress(double, double, const std::string&) override {}
-  void event(double, const std::string& text) override { texts.push_back(text); }
-  std::vector<std::string> texts;
-};
-
 }  // namespace
 
 TEST_CASE("a supervisor that hangs in a device's call holds up neither stop nor end",
@@ -143,7 +136,7 @@ TEST_CASE("a supervisor that hangs in a device's call holds up neither stop nor 
     hung_s = bench.clock.now_s();
     hanging.answers = false;
   });
-  Deaf observer;
+  test::EventTexts observer;
   std::stop_source nobody;
   const auto summary = sequences::run_sequence(test::plan_of(warm_up_plan), hanging.rig,
                                                hanging.recording, observer, nobody.get_token());
@@ -180,7 +173,7 @@ TEST_CASE("a stop that hangs holds up the supervisor, and not the end", "[sequen
     while (bench.setpoint_rpm < 605 && !stop.stop_requested()) std::this_thread::yield();
     bench.torque_Nm = 9;  // above its interlock
   });
-  Deaf observer;
+  test::EventTexts observer;
   std::stop_source nobody;
   const auto summary = sequences::run_sequence(test::plan_of(warm_up_plan), hanging.rig,
                                                hanging.recording, observer, nobody.get_token());
@@ -204,7 +197,7 @@ TEST_CASE("a stop that hangs while a speed is commanded holds up no sequencer",
     bench.torque_Nm = 9;  // above its interlock
     while (!drive.has_hung) std::this_thread::yield();
   };
-  Deaf observer;
+  test::EventTexts observer;
   std::stop_source nobody;
   const auto summary = sequences::run_sequence(test::plan_of(warm_up_plan), hanging.rig,
                                                hanging.recording, observer, nobody.get_token());
@@ -218,7 +211,7 @@ TEST_CASE("a bus that never tells its counters makes the run an error that must 
   hanging.rig.buses.push_back(std::make_unique<DeadBus>());
   auto plan_text = warm_up_plan;
   plan_text.replace(plan_text.find("\"duration_s\": 60"), 16, "\"duration_s\": 0.1");
-  Deaf observer;
+  test::EventTexts observer;
   std::stop_source nobody;
   const auto summary = sequences::run_sequence(test::plan_of(plan_text), hanging.rig,
                                                hanging.recording, observer, nobody.get_token());

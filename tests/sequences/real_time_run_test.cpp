@@ -11,19 +11,6 @@ using namespace rvbench;
 
 namespace {
 
-// About four seconds in all.
-const std::string short_plan = R"({
-  "name": "short",
-  "specimen": {"kinematics": "rv20e", "gear_ratio": 1.5, "rated_output_torque_Nm": 1},
-  "interlocks": {"input_speed_rpm": 2200, "input_torque_Nm": 8, "acceleration_m_s2": 300,
-                 "housing_temp_degC": 60, "stale_after_s": 1},
-  "setup": [{"phase": "connect"},
-            {"phase": "warm_up", "duration_s": 0.1, "speed_rpm": 605, "load_pct": 50}],
-  "main": [{"phase": "matrix", "speeds_rpm": [1815], "loads_pct": [100],
-            "settling": {"hold_s": 0.5, "timeout_s": 10}, "record": {"output_turns": 40}}],
-  "teardown": {"standstill_timeout_s": 5}
-})";
-
 // A disk, or a terminal, that hangs until somebody lets it go on.
 class Gate {
  public:
@@ -129,7 +116,7 @@ struct LiveRun {
   LiveRun() { gate.open(); }
 
   const sequences::RunSummary& go() {
-    summary = sequences::run_sequence(test::plan_of(short_plan), rig, recording, listener,
+    summary = sequences::run_sequence(test::plan_of(test::live_plan), rig, recording, listener,
                                       stop.get_token());
     return summary;
   }
@@ -154,7 +141,7 @@ struct HinderedRun {
 
   sequences::RunSummary go() {
     const GateAtStop opener(gate, bench);
-    return sequences::run_sequence(test::plan_of(short_plan), rig, recording, listener,
+    return sequences::run_sequence(test::plan_of(test::live_plan), rig, recording, listener,
                                    stop.get_token());
   }
 };
@@ -253,8 +240,8 @@ TEST_CASE("a run whose log lacks events is an error", "[sequences]") {
   LiveRun run;
   Gate gate;
   HangingLog log(gate);
-  const auto summary = sequences::run_sequence(test::plan_of(short_plan), run.rig, run.recording,
-                                               log, run.stop.get_token());
+  const auto summary = sequences::run_sequence(test::plan_of(test::live_plan), run.rig,
+                                               run.recording, log, run.stop.get_token());
   CHECK(summary.observer_hung);
   CHECK(summary.events_untold > 0);
   CHECK(summary.ending.outcome == Outcome::error);

@@ -75,6 +75,28 @@ class MemoryObserver final : public sequences::RunObserver {
   std::vector<std::pair<bool, std::string>> events;  ///< was the drive told to stop by then?
 };
 
+/// Remembers what it is told.
+class EventTexts final : public sequences::RunObserver {
+ public:
+  void progress(double, double, const std::string&) override {}
+  void event(double, const std::string& text) override { texts.push_back(text); }
+
+  std::vector<std::string> texts;
+};
+
+/// On the live rig about four seconds in all.
+inline const std::string live_plan = R"({
+  "name": "short",
+  "specimen": {"kinematics": "rv20e", "gear_ratio": 1.5, "rated_output_torque_Nm": 1},
+  "interlocks": {"input_speed_rpm": 2200, "input_torque_Nm": 8, "acceleration_m_s2": 300,
+                 "housing_temp_degC": 60, "stale_after_s": 1},
+  "setup": [{"phase": "connect"},
+            {"phase": "warm_up", "duration_s": 0.1, "speed_rpm": 605, "load_pct": 50}],
+  "main": [{"phase": "matrix", "speeds_rpm": [1815], "loads_pct": [100],
+            "settling": {"hold_s": 0.5, "timeout_s": 10}, "record": {"output_turns": 40}}],
+  "teardown": {"standstill_timeout_s": 5}
+})";
+
 /// One point after two seconds of warm-up: about 25 s of rig time at 1815 rpm.
 inline const std::string small_plan = R"({
   "name": "small",
