@@ -24,11 +24,10 @@ struct IioOptions {
 /// iiod in another. Over libiio 0.24, whose own names these are.
 ///
 /// Values   raw count of the channel (its own format) + its `offset`, times its `scale`. Of a
-/// voltage
-///          channel that makes millivolts, and the input's sensitivity m/s² of them; of a channel
-///          of acceleration m/s² (Linux: Documentation/ABI/testing/sysfs-bus-iio)
-/// Rate     written to `sampling_frequency` of the device, or of its channels, and read back
+///          voltage channel that makes millivolts, and the input's sensitivity m/s² of them; of a
+///          channel of acceleration m/s² (Linux: Documentation/ABI/testing/sysfs-bus-iio).
 ///          An attribute that the channel does not have is 1 (scale) or 0 (offset)
+/// Rate     written to `sampling_frequency` of the device, or of its channels, and read back
 /// Range    the sensors' full scale, or what the converter reaches in both directions, offset and
 ///          scale included, where that is less
 /// Errors   refused (connect): no such device, channel or rate, with what there is, or an attribute

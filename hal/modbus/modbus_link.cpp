@@ -20,7 +20,7 @@
 namespace rvbench::hal {
 namespace {
 
-using SteadyClock = std::chrono::steady_clock;
+using RealClock = std::chrono::steady_clock;
 
 bool is_exception_reply(int error) { return error >= EMBXILFUN && error <= EMBXGTAR; }
 
@@ -61,9 +61,8 @@ void check(const ModbusRtu& rtu) {
 std::string shown(const ModbusTcp& tcp) { return fmt::format("{}:{}", tcp.host, tcp.port); }
 std::string shown(const ModbusRtu& rtu) { return rtu.device; }
 
-SteadyClock::duration duration_of(double duration_s) {
-  return std::chrono::duration_cast<SteadyClock::duration>(
-      std::chrono::duration<double>(duration_s));
+RealClock::duration duration_of(double duration_s) {
+  return std::chrono::duration_cast<RealClock::duration>(std::chrono::duration<double>(duration_s));
 }
 
 modbus_t* new_context(const ModbusTcp& tcp) { return modbus_new_tcp(tcp.host.c_str(), tcp.port); }
@@ -126,7 +125,7 @@ void ModbusLink::close() {
 
 Status ModbusLink::confirm_in_step() {
   if (!std::exchange(is_in_doubt_, false) || !is_open()) return Done{};
-  if (!drop_bytes(SteadyClock::now() + duration_of(options_.timeout_s))) return Done{};
+  if (!drop_bytes(RealClock::now() + duration_of(options_.timeout_s))) return Done{};
   close();
   return failure(IoErrc::bad_reply, "more answers than questions: an older one came late");
 }
@@ -135,16 +134,16 @@ Status ModbusLink::confirm_in_step() {
 // whoever identifies the device.
 void ModbusLink::drop_late_bytes() {
   const auto timeout = duration_of(options_.timeout_s);
-  const auto give_up = SteadyClock::now() + 3 * timeout;
-  while (drop_bytes(std::min(SteadyClock::now() + 2 * timeout, give_up))) continue;
+  const auto give_up = RealClock::now() + 3 * timeout;
+  while (drop_bytes(std::min(RealClock::now() + 2 * timeout, give_up))) continue;
 }
 
 // Waits for bytes, and drops them. @return false if none came before the end
-bool ModbusLink::drop_bytes(SteadyClock::time_point end) {
+bool ModbusLink::drop_bytes(RealClock::time_point end) {
   pollfd line{modbus_get_socket(connection_->context), POLLIN, 0};
   std::array<char, 256> late{};
   for (;;) {
-    const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - SteadyClock::now());
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - RealClock::now());
     if (left.count() <= 0) return false;
     const int ready = ::poll(&line, 1, static_cast<int>(left.count()));
     if (ready == 0 || (ready < 0 && errno == EINTR)) continue;
