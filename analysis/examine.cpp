@@ -4,6 +4,7 @@
 #include "analysis/diagnosis.hpp"
 #include "analysis/emd/emd.hpp"
 #include "analysis/envelope_lines.hpp"
+#include "analysis/order/resolution.hpp"
 #include "analysis/quality.hpp"
 #include "analysis/quality/record_quality.hpp"
 #include "analysis/shaft_angle.hpp"
@@ -15,8 +16,8 @@
 namespace rvbench::analysis {
 namespace {
 
-constexpr double fewest_periods = 4;          // to part lines one period's order apart
-constexpr double relevant_correlation = 0.1;  // an IMF below it says nothing about the signal
+constexpr double fewest_periods = lines_to_part;  // to part lines one period's order apart
+constexpr double relevant_correlation = 0.1;      // an IMF below it says nothing about the signal
 
 // What one channel came to.
 struct ChannelResult {

@@ -2,53 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <stdexcept>
+#include <utility>
 
+#include "analysis/order/sinc_interpolator.hpp"
 #include "hal/types/units.hpp"
 
 namespace rvbench::analysis {
 namespace {
 
-constexpr Eigen::Index taps = 32;     // of the interpolator
-constexpr Eigen::Index phases = 256;  // tabulated between two samples, straight lines between them
-constexpr double kaiser_beta = 5.65;  // 60 dB: passes 0.44 of the rate, stops from 0.56 on
-
-using Taps = Eigen::Matrix<double, taps, 1>;
-
-// A sinc under a Kaiser window, by place between two samples. Each column sums to 1.
-// Source  Oppenheim & Schafer, Discrete-Time Signal Processing, ch. 7 (window design)
-Eigen::Matrix<double, taps, Eigen::Dynamic> make_kernel() {
-  Eigen::Matrix<double, taps, Eigen::Dynamic> kernel(taps, phases + 1);
-  for (Eigen::Index phase = 0; phase <= phases; ++phase) {
-    for (Eigen::Index tap = 0; tap < taps; ++tap) {
-      const double away = static_cast<double>(phase) / phases - static_cast<double>(tap + 1) +
-                          static_cast<double>(taps) / 2;
-      const double x = std::numbers::pi * away;
-      const double sinc = std::abs(x) < 1e-12 ? 1 : std::sin(x) / x;
-      const double edge = std::min(1.0, std::abs(away) * 2 / static_cast<double>(taps));
-      kernel(tap, phase) = sinc * std::cyl_bessel_i(0, kaiser_beta * std::sqrt(1 - edge * edge));
-    }
-    kernel.col(phase) /= kernel.col(phase).sum();
-  }
-  return kernel;
-}
-
-// x between its samples; held beyond its ends.
-double at(const Eigen::Ref<const Eigen::VectorXd>& x, double place) {
-  static const auto kernel = make_kernel();
-  const Eigen::Index last = x.size() - 1;
-  const auto i = std::clamp(static_cast<Eigen::Index>(std::floor(place)), Eigen::Index{0}, last);
-  const double phase = std::clamp(place - static_cast<double>(i), 0.0, 1.0) * phases;
-  const auto below = std::min(static_cast<Eigen::Index>(phase), phases - 1);
-  const double weight = phase - static_cast<double>(below);
-  const Taps weights = (1 - weight) * kernel.col(below) + weight * kernel.col(below + 1);
-  const Eigen::Index first = i - taps / 2 + 1;
-  if (first >= 0 && first + taps <= x.size()) return weights.dot(x.segment<taps>(first));
-  double sum = 0;
-  for (Eigen::Index tap = 0; tap < taps; ++tap) {
-    sum += weights[tap] * x[std::clamp(first + tap, Eigen::Index{0}, last)];
-  }
-  return sum;
+// 60 dB: passes 0.44 of the rate, stops from 0.56 on.
+const SincInterpolator& interpolator() {
+  static const SincInterpolator sinc(32, 5.65);
+  return sinc;
 }
 
 double end_s(const Channel& channel) {
@@ -93,13 +59,36 @@ std::optional<ShaftAngle> ShaftAngle::of(const Recording& record) {
   } else {
     return std::nullopt;
   }
-  if (shaft.turns_[shaft.turns_.size() - 1] < shaft.turns_[0]) shaft.turns_ = -shaft.turns_;
-  const Eigen::Index n = shaft.turns_.size();
-  const bool turns_back =
-      (shaft.turns_.tail(n - 1).array() < shaft.turns_.head(n - 1).array()).any();
-  if (turns_back || !(shaft.turns_[n - 1] > shaft.turns_[0])) return std::nullopt;
-  shaft.turns_.array() -= shaft.turns_[0];
+  if (!shaft.straighten()) return std::nullopt;
   return shaft;
+}
+
+std::optional<ShaftAngle> ShaftAngle::of_turns(Eigen::VectorXd turns, double start_s,
+                                               double step_s) {
+  if (turns.size() < 2 || !turns.allFinite() || !(step_s > 0)) return std::nullopt;
+  ShaftAngle shaft;
+  shaft.is_measured_ = true;
+  shaft.start_s_ = start_s;
+  shaft.step_s_ = step_s;
+  shaft.turns_ = std::move(turns);
+  if (!shaft.straighten()) return std::nullopt;
+  return shaft;
+}
+
+bool ShaftAngle::straighten() {
+  const Eigen::Index n = turns_.size();
+  if (turns_[n - 1] < turns_[0]) turns_ = -turns_;
+  const bool turns_back = (turns_.tail(n - 1).array() < turns_.head(n - 1).array()).any();
+  if (turns_back || !(turns_[n - 1] > turns_[0])) return false;
+  turns_.array() -= turns_[0];
+  return true;
+}
+
+ShaftAngle ShaftAngle::geared(double ratio) const {
+  if (!(ratio > 0)) throw std::invalid_argument("ShaftAngle::geared: ratio must be > 0");
+  ShaftAngle other = *this;
+  other.turns_ *= ratio;
+  return other;
 }
 
 double ShaftAngle::mean_speed_Hz() const {
@@ -119,6 +108,18 @@ double ShaftAngle::time_before(Eigen::Index after, double turns) const {
   return start_s_ + step_s_ * (static_cast<double>(after - 1) + (turns - turns_[after - 1]) / rise);
 }
 
+Eigen::VectorXd ShaftAngle::times_s(double first_turns, double samples_per_turn,
+                                    Eigen::Index count) const {
+  Eigen::VectorXd times_s(count);
+  Eigen::Index after = 0;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double turns = first_turns + static_cast<double>(i) / samples_per_turn;
+    while (after < turns_.size() && turns_[after] <= turns) ++after;
+    times_s[i] = time_before(after, turns);
+  }
+  return times_s;
+}
+
 double ShaftAngle::whole_periods(Eigen::Index count, double rate_Hz, double start_s,
                                  double period_turns) const {
   const double until_s = start_s + static_cast<double>(count) / rate_Hz;
@@ -132,13 +133,8 @@ Eigen::VectorXd ShaftAngle::resample(const Eigen::Ref<const Eigen::VectorXd>& x,
   if (!(periods >= 1)) return {};
   const double first = turns_at(start_s);
   const auto n = static_cast<Eigen::Index>(std::llround(periods * period_turns * samples_per_turn));
-  Eigen::VectorXd even(n);
-  Eigen::Index after = 0;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double turns = first + static_cast<double>(i) / samples_per_turn;
-    while (after < turns_.size() && turns_[after] <= turns) ++after;
-    even[i] = at(x, (time_before(after, turns) - start_s) * rate_Hz);
-  }
+  Eigen::VectorXd even = times_s(first, samples_per_turn, n);
+  for (double& sample : even) sample = interpolator().at(x, (sample - start_s) * rate_Hz);
   return even;
 }
 

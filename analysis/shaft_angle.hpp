@@ -14,9 +14,21 @@ class ShaftAngle {
   /// Empty if it has neither, or no rate with it, if the shaft turned back, or never turned.
   static std::optional<ShaftAngle> of(const Recording& record);
 
+  /// From turns at start_s, start_s + step_s and so on, however they were come by.
+  /// Empty if there are fewer than two, if one is not finite, or the shaft turned back or never.
+  static std::optional<ShaftAngle> of_turns(Eigen::VectorXd turns, double start_s, double step_s);
+
+  /// Of another shaft, that makes so many turns for each turn of this one.
+  /// @throws std::invalid_argument if ratio is not above 0
+  ShaftAngle geared(double ratio) const;
+
   bool is_measured() const { return is_measured_; }  ///< else the speed was taken as constant
   double mean_speed_Hz() const;
   double turns_at(double time_s) const;  ///< extrapolates at the ends
+
+  /// When the shaft stands at first_turns, and at each of `count` - 1 even steps beyond; straight
+  /// lines between samples of the angle and beyond its ends.
+  Eigen::VectorXd times_s(double first_turns, double samples_per_turn, Eigen::Index count) const;
 
   /// Whole periods of so many input turns that `count` samples from start_s on span.
   double whole_periods(Eigen::Index count, double rate_Hz, double start_s,
@@ -26,13 +38,16 @@ class ShaftAngle {
   /// largest whole number of periods that fits. Empty if not even one fits.
   ///
   /// A windowed sinc: within 0.1 % up to 0.4 of rate_Hz, images 60 dB down. Even steps wider than
-  /// 1/rate_Hz fold what they cannot hold: nothing filters it out before.
+  /// 1/rate_Hz fold what they cannot hold: nothing filters it out before. over_angle() does.
   /// @param period_turns      input turns per period
   /// @param samples_per_turn  > 0; their product with period_turns is whole
   Eigen::VectorXd resample(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz,
                            double start_s, double period_turns, int samples_per_turn) const;
 
  private:
+  /// Counts up from 0, whichever way it turned. False if it turned back, or never turned.
+  bool straighten();
+
   /// @param after  first of turns_ beyond `turns`
   double time_before(Eigen::Index after, double turns) const;
 

@@ -1,0 +1,25 @@
+#pragma once
+
+namespace rvbench::analysis {
+
+/// Lines of a spectrum that two tones must lie apart to be told apart, under a Hann window: each
+/// fills two lines to either side, so that from four lines on neither touches the other's peak.
+/// Source  Harris, Proc. IEEE 66(1), 51-83 (1978), table 1: 4 lines from null to null
+inline constexpr double lines_to_part = 4;
+
+/// Turns of the reference shaft that a record must span to part two orders: 4 / |a − b|. Orders
+/// 120/121 and 1 take 484 input turns, four of the output.
+///
+/// Units   orders in events per turn of the reference shaft → turns of that shaft
+/// Errors  throws std::invalid_argument: an order not finite, or both the same
+double turns_to_part(double order_a, double order_b);
+
+/// Whether a record of so many turns parts two orders: to be asked before either is named.
+///
+/// @param speed_error  relative: how far the speed may be off that orders were made with; what is
+///                     uncertain by it cannot be parted by any record. 0 where an angle was
+///                     measured
+/// Errors  throws std::invalid_argument: an order not finite, turns or speed_error below 0
+bool are_parted(double order_a, double order_b, double turns, double speed_error = 0);
+
+}  // namespace rvbench::analysis
