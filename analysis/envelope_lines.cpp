@@ -6,6 +6,7 @@
 #include <set>
 
 #include "analysis/hilbert.hpp"
+#include "analysis/order/synchronous_average.hpp"
 #include "analysis/statistics.hpp"
 
 namespace rvbench::analysis {
@@ -18,13 +19,6 @@ int samples_per_turn(double rate_Hz, double speed_Hz) {
   int samples = 32;
   while (samples < 1024 && samples * speed_Hz < rate_Hz / 2) samples *= 2;
   return samples;
-}
-
-Eigen::VectorXd without_average_period(const Eigen::VectorXd& x, Eigen::Index periods) {
-  const Eigen::Index length = x.size() / periods;
-  const Eigen::Map<const Eigen::MatrixXd> folded(x.data(), length, periods);
-  const Eigen::VectorXd average = folded.rowwise().mean();
-  return x - average.replicate(periods, 1);
 }
 
 // Mean frequency of x, from its zero crossings, as an order.
@@ -180,9 +174,10 @@ EnvelopeSpectra envelope_spectra(const Eigen::Ref<const Eigen::VectorXd>& x, dou
   result.whole = amplitude_spectrum(swing, per_turn, Window::hann);
   result.lines = line_floor(result.whole, periods);
   if (periods >= 2 && over_angle.size() % periods == 0) {
-    result.unlocked = line_floor(
-        amplitude_spectrum(without_average_period(over_angle, periods), per_turn, Window::hann),
-        periods);
+    result.unlocked =
+        line_floor(amplitude_spectrum(without_average(over_angle, over_angle.size() / periods),
+                                      per_turn, Window::hann),
+                   periods);
   } else {
     result.unlocked = result.lines;
   }
