@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "analysis/line_floor.hpp"
+#include "analysis/order/standing_lines.hpp"
 #include "analysis/spectrum.hpp"
-#include "analysis/statistics.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -151,17 +151,13 @@ std::vector<SpectralLine> spectral_lines(const Channel& x, const ShaftAngle& ang
                static_cast<Eigen::Index>(0.4 * x.rate_Hz / speed_Hz / spectrum.resolution));
   const double alpha = 1e-3 / static_cast<double>(std::max<Eigen::Index>(last, 1));
   std::vector<SpectralLine> lines;
-  for (Eigen::Index i = 2; i < last; ++i) {
-    const double here = spectrum.amplitude[i];
-    if (here < spectrum.amplitude[i - 1] || here <= spectrum.amplitude[i + 1]) continue;
-    const double p = line_p_value(floor.power[i] / floor.floor[i], 1, floor.floor_lines[i]);
-    if (p > alpha) continue;
-    const double order = place_of_tone(spectrum.amplitude, i) * spectrum.resolution;
+  for (const StandingLine& line : standing_lines(spectrum, floor, last, alpha)) {
+    const double order = line.place * spectrum.resolution;
     const double near =
         std::max(same_line * spectrum.resolution, angle.is_measured() ? 0.0 : speed_error * order);
-    lines.push_back({order, order * speed_Hz, here, p, meaning_of(order, near, kinematics)});
+    lines.push_back({order, order * speed_Hz, line.amplitude, line.p_value,
+                     meaning_of(order, near, kinematics)});
   }
-  std::ranges::sort(lines, stronger);
   const auto rest = lines.begin() + static_cast<std::ptrdiff_t>(std::min(most, lines.size()));
   lines.erase(std::remove_if(
                   rest, lines.end(),
