@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <unsupported/Eigen/SpecialFunctions>
 #include <utility>
 
@@ -18,6 +19,7 @@ constexpr std::size_t fewest_pairs = 3;
 constexpr double tolerances = 20;     // to each side of a spacing, that tell what chance makes
 constexpr int most_sidebands = 3;     // of a known spacing
 constexpr int most_multiples = 6;     // of a spacing, that are no new one
+constexpr double as_many = 0.75;      // of the pairs of a spacing, that a part of it must have
 constexpr double errors_allowed = 3;  // standard errors
 
 using Pair = std::pair<std::size_t, std::size_t>;
@@ -41,7 +43,7 @@ bool is_multiple(double spacing, double of, double within) {
 class Lines {
  public:
   Lines(const std::vector<FamilyLine>& lines, const FamilySearch& search)
-      : near_(search.near), spacings_(search.known_spacings) {
+      : near_(search.near), known_(search.known_spacings.size()), spacings_(search.known_spacings) {
     index_.resize(lines.size());
     std::iota(index_.begin(), index_.end(), std::size_t{0});
     std::ranges::sort(index_, std::less<>(), [&](std::size_t i) { return lines[i].order; });
@@ -54,6 +56,8 @@ class Lines {
   const FamilyLine& operator[](std::size_t i) const { return lines_[i]; }
   std::size_t listed(std::size_t i) const { return index_[i - 1]; }
   void explain(std::size_t i) { lines_[i].explained = true; }
+
+  std::span<const double> found() const { return std::span(spacings_).subspan(known_); }
 
   // From now on, what lies a spacing away from a line that is explained is explained, too.
   void know(double spacing) {
@@ -109,7 +113,8 @@ class Lines {
   }
 
   double near_;
-  std::vector<double> spacings_;  // known, or found
+  std::size_t known_;             // of the spacings, the first ones
+  std::vector<double> spacings_;  // known, then found
   std::vector<FamilyLine> lines_;
   std::vector<std::size_t> index_;
 };
@@ -152,6 +157,31 @@ Candidate candidate_at(const Lines& lines, double spacing, double within, double
   return candidate;
 }
 
+// Twice a spacing has pairs wherever the spacing itself has, and so has its sum with a spacing that
+// was found; the parts have none by chance. The finest of them that has about as many, and is
+// significant, too.
+std::optional<Candidate> finer_than(const Candidate& coarse, const Lines& lines,
+                                    const FamilySearch& search, double tried) {
+  std::vector<double> spacings;
+  for (int k = 2; k <= most_multiples; ++k) spacings.push_back(coarse.spacing / k);
+  for (const double found : lines.found()) {
+    for (int k = 1; k <= most_multiples; ++k) {
+      const double apart = std::abs(coarse.spacing - k * found);
+      if (apart < coarse.spacing - 2 * search.near) spacings.push_back(apart);
+    }
+  }
+  std::ranges::sort(spacings);
+  for (const double spacing : spacings) {
+    if (spacing < search.smallest_spacing || lines.is_known(spacing)) continue;
+    Candidate finer = candidate_at(lines, spacing, 2 * search.near, tried);
+    const auto pairs = static_cast<double>(coarse.pairs.size());
+    if (finer.p_value < significant_p && double(finer.pairs.size()) >= as_many * pairs) {
+      return finer;
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<Candidate> surest(const Lines& lines, const FamilySearch& search) {
   const std::vector<double> spacings = spacings_of(lines, search);
   const auto tried = static_cast<double>(spacings.size());
@@ -162,13 +192,7 @@ std::optional<Candidate> surest(const Lines& lines, const FamilySearch& search) 
     if (next.p_value < best.p_value) best = std::move(next);
   }
   if (best.p_value >= significant_p) return std::nullopt;
-  // Twice a spacing has pairs wherever the spacing itself has; half of one has none by chance.
-  for (int part = most_multiples; part > 1; --part) {
-    const double spacing = best.spacing / part;
-    if (spacing < search.smallest_spacing || lines.is_known(spacing)) continue;
-    Candidate finer = candidate_at(lines, spacing, within, tried);
-    if (finer.p_value < significant_p) return finer;
-  }
+  while (auto finer = finer_than(best, lines, search, tried)) best = *std::move(finer);
   return best;
 }
 

@@ -46,10 +46,10 @@ struct FamilySearch {
 ///     p = P(Poisson(λ) ≥ pairs at the spacing) · spacings tried
 ///
 /// λ is what spacings nearby have, and no less than what lines spread evenly would have. The most
-/// significant spacing is taken first, or a whole part of it that is significant, too. From then on
-/// its harmonics are explained, and sidebands of explained lines; the other families are made of
-/// the rest, with spacings that are no multiples of those found. A family has p below 1e-3 and at
-/// least 3 pairs.
+/// significant spacing is taken first, or what it is a multiple of, or a sum with a spacing that
+/// was found before, if that is significant, too. From then on its harmonics are explained, and
+/// sidebands of explained lines; the other families are made of the rest, with spacings that are no
+/// multiples of those found. A family has p below 1e-3 and at least 3 pairs.
 ///
 /// Shape    any number of lines (cost grows as their third power) → families, surest first
 /// Units    orders of a shaft, or Hz, or cycles per sample: all of one kind
