@@ -100,7 +100,7 @@ Eigen::VectorXcd turned_back(const Eigen::Ref<const Eigen::VectorXd>& x,
                              const Eigen::VectorXd& cycles, double away) {
   Eigen::VectorXcd z(x.size());
   for (Eigen::Index i = 0; i < x.size(); ++i) {
-    z[i] = std::polar(x[i], -units::two_pi * (cycles[i] + away * static_cast<double>(i)));
+    z[i] = x[i] * std::polar(1.0, -units::two_pi * (cycles[i] + away * static_cast<double>(i)));
   }
   return z;
 }

@@ -45,8 +45,10 @@ std::optional<LinePhase> line_phase(const Eigen::Ref<const Eigen::VectorXd>& x, 
 /// The angle of the shaft that sheds the line at this order. Its zero is that of the first sample.
 ///
 /// @param start_s  of the first sample  @param order  of the line, events per turn, above 0
-/// @return empty if the line's phase turned back: noise or ripple is too strong for one sample's
-///         step, or the ends, which see the filter, have none
+/// @return empty if the line's phase turned back
+/// Limits   the line must be one where the sensor is: the mesh of a sun with planets that go round,
+///          1080/121, is 1079/121 and 1081/121 in the housing, and following either for the middle
+///          is 1/1080 off; 1521/121 and 1599/121 each stand alone
 /// Errors   throws std::invalid_argument: order not above 0
 std::optional<ShaftAngle> angle_of_line(const LinePhase& line, double start_s, double order);
 

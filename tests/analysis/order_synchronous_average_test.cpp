@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "analysis/order/mesh_residual.hpp"
+#include "analysis/order/order_spectrum.hpp"
+#include "analysis/order/over_angle.hpp"
 #include "analysis/order/synchronous_average.hpp"
 #include "analysis/statistics.hpp"
 #include "hal/types/recording.hpp"
@@ -134,4 +136,41 @@ SCENARIO("regular meshing is taken out of an average, the odd tooth stays", "[an
   }
   CHECK_THROWS_AS(mesh_residual(Eigen::VectorXd::Zero(10), {.mesh_lines = 6}),
                   std::invalid_argument);
+}
+
+SCENARIO("over output turns, gears and all else are parted", "[analysis][order]") {
+  GIVEN("an RV-20E at 15 turns a second, 1 % up and down, with a bearing of order 4.8731") {
+    constexpr double rate_Hz = 1000;
+    const auto turns_at = [](const Eigen::ArrayXd& t) -> Eigen::ArrayXd {
+      return 15 * t + 0.15 * 2 * (1 - (t / 2).cos());
+    };
+    const Eigen::ArrayXd theta = 2 * std::numbers::pi * turns_at(test::times_s(60000, rate_Hz));
+    const Eigen::VectorXd x = 0.5 * theta.cos() + 0.2 * (120.0 / 121 * theta).cos() +
+                              (1080.0 / 121 * theta + 1).cos() + 0.3 * (4.8731 * theta).sin() +
+                              0.1 * test::white_noise(60000, 1).array();
+    const auto angle =
+        analysis::ShaftAngle::of_turns(turns_at(test::times_s(60001, rate_Hz)), 0, 1 / rate_Hz);
+    REQUIRE(angle);
+    WHEN("it is averaged over its seven whole output turns") {
+      const auto over = analysis::over_angle(x, rate_Hz, 0, *angle, {64, 121});
+      REQUIRE(over.samples.size() == 7 * 121 * 64);
+      const auto mean = synchronous_average(over.samples, 121 * 64);
+      THEN("each gear line has its own amplitude, 120/121 beside the shaft, too") {
+        for (const auto& [line, amplitude] : {std::pair{121, 0.5}, {120, 0.2}, {1080, 1.0}}) {
+          CHECK(std::abs(mean.lines[line]) ==
+                Approx(amplitude).margin(4 * mean.line_error[line] + 1e-3));
+          CHECK(mean.p_value(line) < 1e-6);
+        }
+      }
+      THEN("the bearing is in what is left") {
+        const Eigen::VectorXd left = without_average(over.samples, 121 * 64);
+        const auto spectrum = analysis::order_spectrum({left, 64, 0});
+        Eigen::Index peak = 0;
+        spectrum.amplitude.maxCoeff(&peak);
+        CHECK(spectrum.axis(peak) == Approx(4.8731).margin(spectrum.resolution));
+        CHECK(spectrum.amplitude[121 * 7] < 0.01);
+        CHECK(spectrum.amplitude[1080 * 7] < 0.01);
+      }
+    }
+  }
 }
