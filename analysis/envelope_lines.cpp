@@ -21,13 +21,6 @@ int samples_per_turn(double rate_Hz, double speed_Hz) {
   return samples;
 }
 
-// Mean frequency of x, from its zero crossings, as an order.
-double carrier_order(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz, double speed_Hz) {
-  const Eigen::Index n = x.size();
-  const auto crossings = (x.head(n - 1).array() * x.tail(n - 1).array() < 0).count();
-  return 0.5 * static_cast<double>(crossings) * rate_Hz / static_cast<double>(n) / speed_Hz;
-}
-
 // The line nearest to `order`; −1 where the spectrum or the carrier ends.
 Eigen::Index line_at(const EnvelopeSpectra& envelope, double order) {
   const auto line = static_cast<Eigen::Index>(std::lround(order / envelope.whole.resolution));
@@ -167,7 +160,7 @@ EnvelopeSpectra envelope_spectra(const Eigen::Ref<const Eigen::VectorXd>& x, dou
   if (over_angle.size() < 16) return result;
 
   result.mean = over_angle.mean();
-  result.highest_order = 0.5 * carrier_order(x, rate_Hz, angle.mean_speed_Hz());
+  result.highest_order = 0.5 * crossing_frequency(x, rate_Hz) / angle.mean_speed_Hz();
   result.periods = std::round(static_cast<double>(over_angle.size()) / per_turn / period_turns);
   const auto periods = static_cast<Eigen::Index>(result.periods);
   const Eigen::VectorXd swing = over_angle.array() - result.mean;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 namespace rvbench::analysis {
 namespace {
@@ -39,6 +40,15 @@ fftw_complex* as_fftw(Eigen::VectorXcd& lines) {
   return reinterpret_cast<fftw_complex*>(lines.data());
 }
 
+Eigen::VectorXcd transformed(Plans& plans, Eigen::VectorXcd x, int sign) {
+  if (x.size() == 0) return x;
+  const fftw_plan plan = plans.find_or_make(x.size(), [&](int n) {
+    return fftw_plan_dft_1d(n, as_fftw(x), as_fftw(x), sign, FFTW_ESTIMATE);
+  });
+  fftw_execute_dft(plan, as_fftw(x), as_fftw(x));
+  return x;
+}
+
 }  // namespace
 
 Eigen::VectorXcd fft(const Eigen::Ref<const Eigen::VectorXd>& x) {
@@ -65,6 +75,30 @@ Eigen::VectorXd inverse_fft(Eigen::VectorXcd lines, Eigen::Index n) {
   });
   fftw_execute_dft_c2r(plan, as_fftw(lines), x.data());
   return x / static_cast<double>(n);
+}
+
+Eigen::VectorXcd complex_fft(Eigen::VectorXcd x) {
+  thread_local Plans plans;
+  return transformed(plans, std::move(x), FFTW_FORWARD);
+}
+
+Eigen::VectorXcd inverse_complex_fft(Eigen::VectorXcd lines) {
+  thread_local Plans plans;
+  const auto n = static_cast<double>(lines.size());
+  Eigen::VectorXcd x = transformed(plans, std::move(lines), FFTW_BACKWARD);
+  x /= n;
+  return x;
+}
+
+Eigen::Index next_fast_length(Eigen::Index n) {
+  if (n < 1) throw std::invalid_argument("next_fast_length: n = " + std::to_string(n));
+  for (Eigen::Index length = n;; ++length) {
+    Eigen::Index rest = length;
+    for (const Eigen::Index factor : {2, 3, 5}) {
+      while (rest % factor == 0) rest /= factor;
+    }
+    if (rest == 1) return length;
+  }
 }
 
 }  // namespace rvbench::analysis

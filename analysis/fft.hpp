@@ -16,4 +16,15 @@ Eigen::VectorXcd fft(const Eigen::Ref<const Eigen::VectorXd>& x);
 /// Errors  throws std::invalid_argument: lines.size() is not n/2 + 1
 Eigen::VectorXd inverse_fft(Eigen::VectorXcd lines, Eigen::Index n);
 
+/// The same of complex samples: N → N lines, those from N/2 on of negative frequency.
+/// Threads, source  of fft()
+Eigen::VectorXcd complex_fft(Eigen::VectorXcd x);
+
+/// The complex samples whose complex_fft() is `lines`, to rounding.
+Eigen::VectorXcd inverse_complex_fft(Eigen::VectorXcd lines);
+
+/// The least number from n on that has no factor but 2, 3 and 5: transforms of it are fast.
+/// @param n  >= 1
+Eigen::Index next_fast_length(Eigen::Index n);
+
 }  // namespace rvbench::analysis

@@ -50,4 +50,11 @@ Eigen::VectorXd instantaneous_frequency_Hz(const Eigen::Ref<const Eigen::VectorX
   return frequency_Hz * rate_Hz;
 }
 
+double crossing_frequency(const Eigen::Ref<const Eigen::VectorXd>& x, double rate) {
+  const Eigen::Index n = x.size();
+  if (n < 2) return 0;
+  const auto crossings = (x.head(n - 1).array() * x.tail(n - 1).array() < 0).count();
+  return 0.5 * static_cast<double>(crossings) * rate / static_cast<double>(n);
+}
+
 }  // namespace rvbench::analysis

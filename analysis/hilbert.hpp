@@ -22,4 +22,10 @@ Eigen::VectorXd envelope(const Eigen::Ref<const Eigen::VectorXd>& x);
 Eigen::VectorXd instantaneous_frequency_Hz(const Eigen::Ref<const Eigen::VectorXd>& x,
                                            double rate_Hz);
 
+/// Mean frequency of x by half of its zero crossings: the carrier of a narrow band or an IMF.
+///
+/// Shape  N → one; 0 for N < 2
+/// Units  those of the rate: Hz, or orders for samples per turn
+double crossing_frequency(const Eigen::Ref<const Eigen::VectorXd>& x, double rate);
+
 }  // namespace rvbench::analysis

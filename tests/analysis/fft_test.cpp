@@ -37,6 +37,30 @@ TEST_CASE("fft is the discrete Fourier transform, at any length", "[analysis][ff
   }
 }
 
+TEST_CASE("of complex samples the transform is linear in both parts, and comes back",
+          "[analysis][fft][law]") {
+  for (const Eigen::Index n : {1, 2, 7, 64, 101}) {
+    CAPTURE(n);
+    const Eigen::VectorXd real = test::white_noise(n, 1), imaginary = test::white_noise(n, 2);
+    const std::complex<double> i(0, 1);
+    const Eigen::VectorXcd x = real.cast<std::complex<double>>() + i * imaginary;
+    const Eigen::VectorXcd lines = analysis::complex_fft(x);
+    const Eigen::VectorXcd expected = dft(real) + i * dft(imaginary);
+    CHECK((lines.head(n / 2 + 1) - expected).cwiseAbs().maxCoeff() < 1e-11);
+    CHECK((analysis::inverse_complex_fft(lines) - x).cwiseAbs().maxCoeff() < 1e-14);
+  }
+  CHECK(analysis::complex_fft({}).size() == 0);
+}
+
+TEST_CASE("fast lengths have no factor but 2, 3 and 5", "[analysis][fft]") {
+  CHECK(analysis::next_fast_length(1) == 1);
+  CHECK(analysis::next_fast_length(7) == 8);
+  CHECK(analysis::next_fast_length(720) == 720);
+  CHECK(analysis::next_fast_length(1009) == 1024);
+  CHECK(analysis::next_fast_length(297601) == 300000);
+  CHECK_THROWS_AS(analysis::next_fast_length(0), std::invalid_argument);
+}
+
 TEST_CASE("more lengths than plans are kept all come out right", "[analysis][fft]") {
   for (int round = 0; round < 2; ++round) {
     for (Eigen::Index n = 2; n < 40; ++n) {

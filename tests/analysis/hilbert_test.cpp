@@ -77,3 +77,11 @@ TEST_CASE("envelope refuses what it cannot answer", "[analysis][hilbert][errors]
       GENERATE(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity());
   CHECK_THROWS_AS(envelope(x), std::invalid_argument);
 }
+
+TEST_CASE("a carrier is known by its zero crossings, however it swells", "[analysis][hilbert]") {
+  const Eigen::VectorXd x =
+      test::ringing({.carrier_Hz = 1000, .rate_Hz = 40, .depth = 0.3}, 4960, 4960);
+  CHECK(analysis::crossing_frequency(x, 4960) == Approx(1000).epsilon(2e-3));
+  CHECK(analysis::crossing_frequency(x, 49.6) == Approx(10).epsilon(2e-3));
+  CHECK(analysis::crossing_frequency(Eigen::VectorXd::Zero(1), 4960) == 0);
+}
