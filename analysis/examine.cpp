@@ -4,6 +4,7 @@
 #include "analysis/diagnosis.hpp"
 #include "analysis/emd/emd.hpp"
 #include "analysis/envelope_lines.hpp"
+#include "analysis/indicators/signal_levels.hpp"
 #include "analysis/order/resolution.hpp"
 #include "analysis/quality.hpp"
 #include "analysis/quality/record_quality.hpp"
@@ -34,13 +35,12 @@ struct Task {
 };
 
 void describe_signal(const Channel& channel, ChannelExamination& e) {
-  const Eigen::VectorXd& x = channel.samples;
-  const double mean = x.mean();
+  const SignalLevels levels = signal_levels(channel.samples);
   e.name = channel.info.name;
   e.unit = channel.info.unit;
-  e.rms = std::sqrt((x.array() - mean).square().mean());
-  e.peak = (x.array() - mean).abs().maxCoeff();
-  e.kurtosis = kurtosis(x);
+  e.rms = levels.rms;
+  e.peak = levels.peak;
+  e.kurtosis = levels.kurtosis;
 }
 
 // Depths of the IMFs are weighed by the share of the signal that each carries, so that a strong

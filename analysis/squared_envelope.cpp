@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "analysis/envelope/band_pass.hpp"
 #include "analysis/fft.hpp"
 #include "analysis/hilbert.hpp"
 
@@ -19,21 +20,13 @@ constexpr double lines_per_hann_line = 1.5;  // equivalent noise bandwidth
 
 BandVibration band_vibration(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz,
                              double from_Hz, double to_Hz, Eigen::Index parts) {
-  if (!(from_Hz >= 0 && to_Hz > from_Hz && to_Hz <= rate_Hz / 2 && parts >= 1)) {
-    throw std::invalid_argument("band_vibration: the band must lie within half the rate");
-  }
-  if (x.size() < 4 || !x.allFinite()) {
-    throw std::invalid_argument("band_vibration: needs at least 4 finite samples");
-  }
+  if (parts < 1) throw std::invalid_argument("band_vibration: parts must be at least 1");
+  Eigen::VectorXcd lines = band_lines(x, rate_Hz, from_Hz, to_Hz);
   const auto n = static_cast<double>(x.size());
-  Eigen::VectorXcd lines = fft(x);
   BandVibration vibration{Eigen::VectorXd::Zero(parts), {}};
-  for (Eigen::Index k = 0; k < lines.size(); ++k) {
+  for (Eigen::Index k = 1; k < lines.size(); ++k) {
     const double f_Hz = double(k) * rate_Hz / n;
-    if (k == 0 || f_Hz < from_Hz || f_Hz >= to_Hz) {
-      lines[k] = 0;
-      continue;
-    }
+    if (f_Hz < from_Hz || f_Hz >= to_Hz) continue;
     const auto part =
         static_cast<Eigen::Index>((f_Hz - from_Hz) / (to_Hz - from_Hz) * double(parts));
     vibration.mean_square[std::min(part, parts - 1)] += 2 * std::norm(lines[k]) / (n * n);
