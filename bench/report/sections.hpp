@@ -13,6 +13,7 @@ std::string matrix_section(const ReportInput& input);
 std::string findings_section(const ReportInput& input);
 std::string frequency_section(const ReportInput& input);
 std::string signal_section(const ReportInput& input);  ///< time, spectra, IMFs, envelope spectra
+std::string methods_section(const ReportInput& input);  ///< what each envelope method found
 std::string correlation_section(const ReportInput& input);
 std::string limits_section(const ReportInput& input);
 std::string settings_section(const ReportInput& input);

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
+#include <random>
 #include <regex>
 
 #include "bench/report/order_spectrum.hpp"
@@ -91,6 +92,39 @@ TEST_CASE("the report says first what the verdict is", "[bench]") {
         "Signature", "A-17 &lt;&amp;&quot;", "&lt;quick&gt;"}) {
     INFO(expected);
     CHECK_THAT(html, Contains(expected));
+  }
+}
+
+TEST_CASE("the report shows beside each other what four ways find in an envelope", "[bench]") {
+  ReportInput input = failed_input();
+  input.kinematics.signatures[0].order = 1;
+  analysis::Signature quiet;
+  quiet.component = "pin_housing";
+  quiet.order = 78.0 / 121;
+  input.kinematics.signatures.push_back(quiet);
+  Recording record = chirped(30);
+  Eigen::VectorXd& x = record.channels[0].samples;
+  std::mt19937 generator(7);
+  std::normal_distribution<double> noise;
+  const auto heard_in = [&] {
+    input.load = [&](std::size_t) { return std::optional<Recording>(record); };
+    const std::string html = make_report(input);
+    const auto begin = html.find("Four ways to ask the envelope");
+    REQUIRE(begin != std::string::npos);
+    return html.substr(begin, html.find("<h2>", begin) - begin);
+  };
+  SECTION("a swing once per turn, in noise") {
+    for (double& sample : x) sample += noise(generator);
+    const std::string section = heard_in();
+    CHECK_THAT(section, Contains("EMD") && Contains("kurtogram") &&
+                            Contains("spectral coherence") && Contains("cepstrum pre-whitening"));
+    CHECK_THAT(section, Contains("input shaft") && Contains("1 of 1 (p "));
+    CHECK_THAT(section, !Contains("pin housing"));
+    CHECK_THAT(section, Contains("Of 1 orders that any way found, EMD found 1."));
+  }
+  SECTION("nothing but noise") {
+    for (double& sample : x) sample = noise(generator);
+    CHECK_THAT(heard_in(), Contains("None of them found any of the orders."));
   }
 }
 
