@@ -101,11 +101,19 @@ struct ExamineOptions {
 /// relevant IMFs over the measured shaft angle, and the score of every signature.
 ///
 /// Shape   channels of one rate and length, or groups of such; angle and torque channels may differ
+/// Units   orders of the input shaft; depths over the mean envelope; those of the channels
 /// Errors  never throws for what was measured: bad data becomes quality notes
+/// Source  Xie, Cheng & Li, Vibration Diagnosis and Optimization of Industrial Robot Based on TPA
+///         and EMD Methods: "the article"; p-values and signatures are ours, it judges by eye
 Examination examine(const Recording& record, const Kinematics& kinematics,
                     const ExamineOptions& options = {});
 
 /// Weighs the examinations of all points of a run (or of one file) into findings.
+///
+/// Shape   any number of points, none among them → findings, gravest first
+/// Units   of the examinations; limits are those of the kinematics
+/// Errors  none thrown; no point that could be judged is `resolvable` false
+/// Source  combined_p_value() over the points; what explains what is ours
 Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kinematics);
 
 }  // namespace rvbench::analysis

@@ -22,7 +22,10 @@ struct EnvelopeSpectra {
 };
 
 /// Envelope of x, sampled over the shaft angle. Empty mean and spectra if no period fits.
-/// Source  Bedrosian, Proc. IEEE 51(5), 868-869 (1963), for highest_order
+/// Units   those of x; orders of the shaft, Hz, s
+/// Errors  throws std::invalid_argument of envelope(): N < 4, sample not finite
+/// Source  Randall & Antoni, Mech. Syst. Signal Process. 25(2), 485-520 (2011); highest_order:
+///         Bedrosian, Proc. IEEE 51(5), 868-869 (1963)
 EnvelopeSpectra envelope_spectra(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz,
                                  double start_s, const ShaftAngle& angle, double period_turns);
 
@@ -44,6 +47,10 @@ struct FamilyScore {
 ///
 /// @param lines  from signature_lines(); those of a family are scaled together within its slip
 ///               or tolerance
+/// Shape   one score per signature, in their order; `lines` has a list for each
+/// Units   orders; depths over the mean envelope
+/// Errors  none thrown; a family of which no line is held has p-value 1
+/// Source  line_p_value() for a family's sum; who explains what first is ours
 std::vector<FamilyScore> score_families(const EnvelopeSpectra& envelope,
                                         const std::vector<Signature>& signatures,
                                         const std::vector<std::vector<SignatureLine>>& lines);

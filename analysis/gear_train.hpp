@@ -39,9 +39,14 @@ struct GearTrain {
 /// Orders of every shaft: turns per input turn; 0 where no mesh leads there.
 /// @throws std::invalid_argument if there is no shaft, or naming a count of teeth that is not
 ///         positive or a shaft that does not exist
+/// Shape, units  one order per shaft: turns per turn of the first, without sign
+/// Source  Randall, Vibration-based Condition Monitoring (2011), ch. 2
 std::vector<double> shaft_orders(const GearTrain& train);
 
+/// Characteristic orders and signatures of such a machine.
 /// @throws std::invalid_argument as shaft_orders() does, or naming a shaft that no mesh leads to
+/// Shape, units  every shaft, mesh and bearing; orders of the first shaft
+/// Source  Randall, Vibration-based Condition Monitoring (2011), ch. 2; limits and advice are ours
 Kinematics gear_train(const GearTrain& train);
 
 }  // namespace rvbench::analysis

@@ -7,6 +7,7 @@ namespace rvbench::analysis {
 /// Magnitude of the analytic signal of x: its envelope.
 ///
 /// Shape   N → N; any N, even primes
+/// Units   those of x
 /// Limits  x is taken as periodic: the first and last cycles see each other
 /// Errors  throws std::invalid_argument: N < 4, sample not finite
 /// Source  Marple, IEEE Trans. Signal Process. 47(9), 2600-2603 (1999)
@@ -26,6 +27,8 @@ Eigen::VectorXd instantaneous_frequency_Hz(const Eigen::Ref<const Eigen::VectorX
 ///
 /// Shape  N → one; 0 for N < 2
 /// Units  those of the rate: Hz, or orders for samples per turn
+/// Errors none thrown
+/// Source Rice, Bell Syst. Tech. J. 24(1), 46-156 (1945), sec. 3.3
 double crossing_frequency(const Eigen::Ref<const Eigen::VectorXd>& x, double rate);
 
 }  // namespace rvbench::analysis

@@ -67,7 +67,10 @@ struct BearingOrders {
   double ball = 0;   ///< 2·BSF: a ball defect strikes both races in one ball turn
 };
 
+/// Orders of one bearing, per turn of the inner race against the outer one; geometry in mm,
+/// degrees.
 /// @throws std::invalid_argument naming the first value out of range
+/// Source  of BearingOrders
 BearingOrders bearing_orders(const BearingGeometry& bearing);
 
 }  // namespace rvbench::analysis

@@ -23,6 +23,10 @@ struct LineFloor {
 };
 
 /// @param locked_every  lines from one shaft-locked line to the next; 0: there are none
+/// Shape   N lines → N each; at least one
+/// Units   those of the spectrum, squared
+/// Errors  none thrown; where nothing is there the floor is the least that keeps ratios finite
+/// Source  ours: the median of an exponential distribution is ln 2 of its mean
 LineFloor line_floor(const Spectrum& spectrum, Eigen::Index locked_every);
 
 }  // namespace rvbench::analysis

@@ -8,6 +8,10 @@
 namespace rvbench::analysis {
 
 /// Where the input shaft stood at any time of a record, in turns from the record's first sample.
+///
+/// Units   turns, s, Hz; channels in rad and rpm
+/// Errors  no angle where there is none to be had, as said below; nothing else is thrown
+/// Source  Fyfe & Munck, Mech. Syst. Signal Process. 11(2), 187-205 (1997): computed order tracking
 class ShaftAngle {
  public:
   /// From the channel input_angle if the record has one, else from its mean speed.
@@ -37,8 +41,9 @@ class ShaftAngle {
   /// Samples x, taken at rate_Hz from start_s on, anew at even steps of the shaft angle, over the
   /// largest whole number of periods that fits. Empty if not even one fits.
   ///
-  /// A windowed sinc: within 0.1 % up to 0.4 of rate_Hz, images 60 dB down. Even steps wider than
-  /// 1/rate_Hz fold what they cannot hold: nothing filters it out before. over_angle() does.
+  /// N → whole periods, in the unit of x. A windowed sinc: within 0.1 % up to 0.4 of rate_Hz,
+  /// images 60 dB down. Even steps wider than 1/rate_Hz fold what they cannot hold: nothing filters
+  /// it out before. over_angle() does.
   /// @param period_turns      input turns per period
   /// @param samples_per_turn  > 0; their product with period_turns is whole
   Eigen::VectorXd resample(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz,

@@ -31,7 +31,7 @@ struct ShaftSpeed {
 /// Units   turns per sample: no rate is needed
 /// Errors  standard_error = √(Σ s'²) / |Σ s''|, s the summands of S at f̂: each line is a witness.
 ///         Not seen where not more than half of the orders stand out at f̂, or a sample is not
-///         finite throws std::invalid_argument: no order, a value out of range, an order beyond
+///         finite. Throws std::invalid_argument: no order, a value out of range, an order beyond
 ///         half the sample rate, a block of less than 64 samples, channels of unequal length
 /// Limits  a family in the same ratios at another order looks the same; a change of speed within a
 ///         block is averaged

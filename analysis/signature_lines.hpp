@@ -25,6 +25,9 @@ struct SignatureLine {
 ///
 /// @param resolution  orders per line: what lies closer than 0.75 of it is the same line
 /// @return one list per signature, ascending harmonics, sidebands behind their harmonic
+/// Units   orders of the input shaft
+/// Errors  none thrown
+/// Source  ours: what an order is worth to one part where several share it
 std::vector<std::vector<SignatureLine>> signature_lines(const Kinematics& kinematics,
                                                         double resolution);
 

@@ -15,19 +15,30 @@ namespace rvbench::analysis {
 /// A line is explained if it is a harmonic of a characteristic order, or a sideband of a mesh line
 /// at up to three times the order of a shaft. Orders must agree within 0.6 lines, and 0.3 ‰ where
 /// the speed was stated instead of measured.
+///
+/// Shape   none if less than one period, or 64 samples of it, are there
+/// Units   orders, Hz, that of the channel
+/// Errors  throws std::invalid_argument of amplitude_spectrum(): sample not finite
+/// Source  standing_lines() for the lines; what they are called is ours
 std::vector<SpectralLine> spectral_lines(const Channel& x, const ShaftAngle& angle,
                                          const Kinematics& kinematics, std::size_t most = 40);
 
-/// Whether the line lies on a characteristic order itself, not on a harmonic or a sideband.
+/// Whether the line lies on a characteristic order itself, not on a harmonic or a sideband: told by
+/// its meaning. Nothing is thrown.
 bool is_characteristic(const SpectralLine& line, const Kinematics& kinematics);
 
 /// What the kinematics calls this order; empty if it has no word for it.
 /// @param near  how far orders may differ and still be the same
+/// Units   orders of the input shaft
+/// Errors  none thrown
+/// Source  ours; sidebands of a mesh: McFadden, J. Vib. Acoust. 108(2), 165-170 (1986)
 std::string meaning_of(double order, double near, const Kinematics& kinematics);
 
 /// Unexplained lines that are harmonics of a common fundamental, or sidebands of a mesh line at up
 /// to three times it, become one line each: the fundamental's, with the strongest amplitude, and
 /// with what was seen as its meaning, as "x1, x3, pinion mesh - 1x". Strongest first.
+/// Shape, units, errors  those of the lines, no more than they are; nothing thrown
+/// Source  ours; line_families() asks the same without kinematics, and with a p-value
 std::vector<SpectralLine> families(std::vector<SpectralLine> unexplained,
                                    const Kinematics& kinematics);
 

@@ -27,6 +27,8 @@ Spectrum amplitude_spectrum(const Eigen::Ref<const Eigen::VectorXd>& x, double r
 
 /// Where between the lines a tone lies whose two highest lines, under a Hann window, are `line` and
 /// a neighbour; `line` has two.
+/// Units   lines
+/// Errors  none thrown. Limits  right for a tone that is alone there
 /// Source  Grandke, IEEE Trans. Instrum. Meas. 32(2), 350-355 (1983)
 double place_of_tone(const Eigen::VectorXd& amplitude, Eigen::Index line);
 

@@ -9,10 +9,11 @@
 namespace rvbench::analysis {
 
 /// How a signal is decomposed. A fixed count of sifts is the only way to stop whose modes do not
-/// depend on the length of the record.
+/// depend on the length of the record; ten are those of Wu & Huang, Proc. R. Soc. A 460, 1597-1611
+/// (2004).
 struct EmdOptions {
   int imfs = 9;    ///< at most; fewer if the residue runs out of extrema
-  int sifts = 10;  ///< per IMF (Wu & Huang 2004); with a rule, at most
+  int sifts = 10;  ///< per IMF; with a rule, at most
   SiftRule rule = {};
   const StoppingRule* stopping = nullptr;  ///< stops sifting an IMF before that
 };
@@ -40,7 +41,9 @@ struct Emd {
 /// Shape   N samples → up to options.imfs columns; any N
 /// Threads any number at once; the result does not depend on them
 /// Errors  throws std::invalid_argument: sample not finite, options not positive
-/// Source  Huang et al., Proc. R. Soc. A 454, 903-995 (1998); Rilling & Flandrin (2008)
+/// Units   those of x
+/// Source  Huang et al., Proc. R. Soc. A 454, 903-995 (1998); Rilling & Flandrin, IEEE Trans.
+///         Signal Process. 56(1), 85-95 (2008): which tones it parts
 Emd emd(const Eigen::Ref<const Eigen::VectorXd>& x, const EmdOptions& options = {});
 
 }  // namespace rvbench::analysis

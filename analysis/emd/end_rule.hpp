@@ -11,6 +11,8 @@ namespace rvbench::analysis {
 /// How envelopes go on past the outermost extrema, so that they span the signal. A rule lays
 /// further knots past either end, two at the least: one of each envelope at or before sample 0, or
 /// at or after the last one. All still alternate.
+///
+/// Units   samples and the signal's own. Errors  none thrown: a sift sees to what a rule looks at
 struct EndRule {
   const char* name;
 
@@ -55,6 +57,7 @@ const EndRule& linear_ends();
 const EndRule& slope_ends();
 
 /// All of them.
+/// Source  of each
 const std::vector<const EndRule*>& end_rules();
 
 }  // namespace rvbench::analysis

@@ -23,22 +23,23 @@ struct EnsembleOptions {
 /// Shape   N samples → up to options.emd.imfs columns, as emd(); so are the unreliable ends
 /// Errors  throws std::invalid_argument: sample not finite, options out of range
 /// Source  Wu & Huang, Adv. Adapt. Data Anal. 1, 1-41 (2009)
+/// Units   those of x
 Emd eemd(const Eigen::Ref<const Eigen::VectorXd>& x, const EnsembleOptions& options = {});
 
 /// Complete ensemble EMD with adaptive noise: each IMF is the mean of the first ones of what the
 /// IMFs before have left, to each of which that IMF of white noise is added. They sum to the
 /// signal.
 ///
-/// Shape, errors  as of eemd()
+/// Shape, units, errors  as of eemd()
 /// Source         Torres et al., ICASSP 2011, 4144-4147
 Emd ceemdan(const Eigen::Ref<const Eigen::VectorXd>& x, const EnsembleOptions& options = {});
 
 /// The improved one: averages what an IMF leaves, so that less of the noise stays in the IMFs, and
 /// none of them is made of noise alone.
 ///
-/// Shape, errors  as of eemd()
+/// Shape, units, errors  as of eemd()
 /// Source         Colominas, Schlotthauer & Torres, Biomed. Signal Process. Control 14, 19-29
-/// (2014)
+///                (2014)
 Emd iceemdan(const Eigen::Ref<const Eigen::VectorXd>& x, const EnsembleOptions& options = {});
 
 }  // namespace rvbench::analysis

@@ -10,6 +10,8 @@
 namespace rvbench::analysis {
 
 /// Takes the fastest IMF out of a whole signal, as the options say.
+///
+/// Units, source  those of the signal; of emd(), which checks samples and options
 class ImfSift {
  public:
   explicit ImfSift(const EmdOptions& options);

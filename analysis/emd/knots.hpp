@@ -8,6 +8,9 @@ namespace rvbench::analysis {
 
 /// Extrema in the order of time, through which the two envelopes go: every second one belongs to
 /// the same. Those that are done with are dropped from the front.
+///
+/// Errors  none thrown: who lays or drops more than there is room for, or are, has a bug
+/// Source  ours: one list for both envelopes, so that they are gone through once
 struct Knots {
   std::vector<double> at;     ///< in samples; half-integer at the middle of an even plateau
   std::vector<double> value;  ///< of the signal there

@@ -17,10 +17,13 @@ namespace rvbench::analysis {
 /// record's start is so here, and only end() makes an unreliable end.
 ///
 /// Shape    any number of samples at a time; how they are parted changes no bit
+/// Units    those of the samples
 /// Memory   of the samples that are not final yet
 /// Threads  one caller at a time
-/// Errors   both throw std::invalid_argument: options not positive; sample not finite, of which
-///          nothing is taken up
+/// Errors   throws std::invalid_argument: options not positive, or with a stopping rule; sample not
+///          finite, of which nothing is taken up; std::out_of_range: no such IMF
+/// Source   ours; block by block, but for another record: Rilling, Flandrin & Gonçalvès, NSIP-03
+///          (2003)
 class LiveEmd {
  public:
   explicit LiveEmd(const EmdOptions& options = {});

@@ -8,7 +8,8 @@ namespace rvbench::analysis {
 /// power of their sum. 0 if every two are orthogonal; a few hundredths are usual, and tenths a sign
 /// that an oscillation is in two IMFs.
 ///
-/// Shape   N x K, samples by IMFs; 0 for K < 2, and where nothing swings
+/// Shape   N x K, samples by IMFs → one, dimensionless; 0 for K < 2, and where nothing swings
+/// Errors  none thrown
 /// Source  Huang et al., Proc. R. Soc. A 454, 903-995 (1998), eq. 6.5
 double orthogonality_index(const Eigen::Ref<const Eigen::MatrixXd>& imfs);
 
@@ -19,6 +20,8 @@ double orthogonality_index(const Eigen::Ref<const Eigen::MatrixXd>& imfs);
 ///
 /// Shape   N x K, samples by IMFs → K - 1; NaN beside an IMF of no power
 /// Errors  throws std::invalid_argument: N < 2, sample not finite
+/// Source  ours; the filter bank: Flandrin, Rilling & Gonçalvès, IEEE Signal Process. Lett. 11(2),
+///         112-114 (2004)
 Eigen::VectorXd spectral_overlap(const Eigen::Ref<const Eigen::MatrixXd>& imfs);
 
 }  // namespace rvbench::analysis

@@ -9,6 +9,8 @@ namespace rvbench::analysis {
 
 /// The extrema as seen from one end of the signal: `out` grows towards it and beyond, so that a
 /// rule says the same of either end.
+///
+/// Units, errors  of EndRule. Source  ours: no rule is written twice
 class OutwardExtrema {
  public:
   struct Extremum {

@@ -20,6 +20,9 @@ struct SiftRule {
 
 /// One sift: a signal loses the mean of its envelopes, in place, as it becomes known from left to
 /// right. What comes out does not depend on the steps in which it became known, to the bit.
+///
+/// Units   those of the signal. Errors  none thrown: samples are finite
+/// Source  Huang et al., Proc. R. Soc. A 454, 903-995 (1998), sec. 5
 class Sift {
  public:
   Sift(const SiftRule& rule, const SiftKernels& kernels) : rule_(rule), kernels_(&kernels) {}

@@ -11,6 +11,8 @@ namespace rvbench::analysis {
 /// All sifts of an IMF, one behind the other: while the first looks at new samples, the last is
 /// where their envelopes are settled, a few dozen extrema for each sift behind. What they work on
 /// stays in the processor's cache, whatever the length of the record.
+///
+/// Units, errors  of Sift. Source  ours: sift after sift it would be read from memory as often
 class SiftChain {
  public:
   explicit SiftChain(int sifts, const SiftRule& rule = {},

@@ -20,6 +20,8 @@ struct Cubics {
 
 /// The inner loops of a sift, for one kind of processor. All kinds give the same bits: each does
 /// the same operations in the same order, and none fuses a product with a sum.
+///
+/// Units   samples and the signal's own. Errors  none thrown. Source  ours, of MeanEnvelope
 struct SiftKernels {
   /// Looks at the steps from state.next to sample `last`; lays extrema at at[0...] and value[0...],
   /// which have room for one per step. @return how many

@@ -9,6 +9,8 @@
 namespace rvbench::analysis {
 
 /// Sifts a whole signal pass by pass, until a rule that looks at all of it says that it is an IMF.
+///
+/// Units, errors, source  of Sift; of the rule
 class SiftPasses {
  public:
   /// @param most_sifts  after so many it counts as one

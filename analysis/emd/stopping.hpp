@@ -25,6 +25,8 @@ class Stopping {
 
 /// Decides by what sifting does how often an IMF is sifted. Such rules depend on the length of the
 /// record: the IMFs of 10 s and of 60 s of the same signal are not comparable.
+///
+/// Shape, units  N samples of h, mean and amplitude each, in the signal's unit. Errors  none thrown
 struct StoppingRule {
   const char* name;
   std::unique_ptr<Stopping> (*begin)();
@@ -54,6 +56,7 @@ const StoppingRule& energy_stopping();
 const StoppingRule& rilling_stopping();
 
 /// All of them.
+/// Source  of each
 const std::vector<const StoppingRule*>& stopping_rules();
 
 }  // namespace rvbench::analysis

@@ -46,6 +46,7 @@ struct Kurtogram {
 /// noise it is that of fewer samples, by the measured correlation.
 ///
 /// Shape   N >= 256 samples, of which the last few may be left out so that the bands are equal
+/// Units   Hz; kurtosis without
 /// Limits  a strike that comes once counts like many; a tone takes significance from its band, as
 ///         does a train of strikes that repeats to a fraction of the carrier's period: it could be
 ///         noise of one period, repeated. 5 % of the record at either end, faded in and out, do not

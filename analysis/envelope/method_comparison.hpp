@@ -21,6 +21,7 @@ inline constexpr EnvelopeMethod envelope_methods[] = {
     EnvelopeMethod::prewhitened};
 
 /// "EMD", "kurtogram", "spectral coherence", "cepstrum pre-whitening": for reports.
+/// Errors  none thrown
 std::string_view name_of(EnvelopeMethod method);
 
 /// A frequency at which a part would show, in Hz; an order if the samples are even in shaft angle.
@@ -68,10 +69,13 @@ struct MethodComparison {
 /// stands out of noise, it is the whole.
 ///
 /// Shape   N samples, at least 256
+/// Units   those of the rate: Hz, or orders for samples per turn
 /// Limits  the speed must be steady, or the samples even in shaft angle and the rate in samples per
 ///         turn; those of EMD's envelope reach half the mean frequency of the IMF
 /// Errors  throws std::invalid_argument: of fast_kurtogram(), emd() and spectral_coherence(), and
 ///         for a candidate that is not above 0 and below a quarter of the rate
+/// Source  of emd(), fast_kurtogram(), enhanced_envelope_spectrum(), cepstrum_prewhitened(); that
+///         they are held to one rate of false alarms is ours
 MethodComparison compare_methods(const Eigen::Ref<const Eigen::VectorXd>& x, double rate,
                                  const std::vector<Candidate>& candidates,
                                  const ComparisonOptions& options = {});

@@ -9,6 +9,7 @@ namespace rvbench::analysis {
 ///
 ///     K = <|z|⁴> / <|z|²>² - 2
 ///
+/// Shape   N >= 1 → one, dimensionless. Errors  none thrown
 /// Source  Antoni, Mech. Syst. Signal Process. 20(2), 282-307 (2006): spectral kurtosis
 double complex_kurtosis(const Eigen::Ref<const Eigen::VectorXcd>& z);
 
@@ -33,6 +34,7 @@ double noise_kurtosis_p_value(double kurtosis, double samples);
 /// over all lags τ, as the fourth-order part of |z|⁴ correlates by |ρ|⁴.
 /// @param power  of each spectral line of the samples, whose transform is their correlation ρ
 /// @return at least 1, at most `samples`; `samples` where there is no power
+/// Errors  none thrown. Source  ours: fourth moments of a complex Gaussian process by its second
 double independent_samples(const Eigen::Ref<const Eigen::VectorXd>& power, double samples);
 
 }  // namespace rvbench::analysis

@@ -50,10 +50,12 @@ SpectralCoherence spectral_coherence(const Eigen::Ref<const Eigen::VectorXd>& x,
 /// swings without a period raises the coherence at all frequencies, and in many bands at once: how
 /// far its lines then scatter is measured, best with some hundreds of cyclic lines. Lines 0 to 2,
 /// which are the window's, are 0.
-/// Source  Antoni, Xin & Hamzaoui, Mech. Syst. Signal Process. 92, 248-277 (2017)
+/// Shape, units  as many lines as the coherence has, of its unit; amplitude without. Errors  none
+/// Source  Antoni, Xin & Hamzaoui, Mech. Syst. Signal Process. 92, 248-277 (2017); the null is ours
 TestedSpectrum enhanced_envelope_spectrum(const SpectralCoherence& coherence);
 
 /// Improved envelope spectrum: the same over the bands whose middle is in [from, to).
+/// Shape, units  of enhanced_envelope_spectrum(); from and to in the unit of the rate
 /// Errors  throws std::invalid_argument: no band is
 /// Source  Mauricio, Smith, Randall, Antoni & Gryllias, Mech. Syst. Signal Process. 144, 106891
 ///         (2020)

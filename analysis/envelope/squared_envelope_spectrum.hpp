@@ -20,9 +20,8 @@ inline constexpr Eigen::Index too_few_products = 160;
 /// Shape   N samples → N/2 + 1 lines, of which those up to the width of the band, less
 ///         too_few_products, are tested
 /// Units   depth: lines of the squared envelope over its mean, 0-to-peak; 1 for a power that swings
-/// as
-///         a cosine down to 0, up to 2 for short strikes. Band in Hz, or in orders for samples per
-///         turn
+///         as a cosine down to 0, up to 2 for short strikes. Band in Hz, or in orders for samples
+///         per turn
 /// Limits, errors  of band_vibration(): tones that the record cuts off reach every band
 /// Source  Antoni, Mech. Syst. Signal Process. 21, 597-630 (2007); Randall & Antoni, Mech. Syst.
 ///         Signal Process. 25(2), 485-520 (2011)

@@ -13,6 +13,12 @@ namespace rvbench::analysis {
 /// The power of a noise line, amplitude², is the mean of `averages` exponentially distributed ones:
 /// a chi-square of 2·averages degrees of freedom. Its own mean is known as well as `floor_lines`
 /// noise lines tell it, so power over noise has an F distribution.
+///
+/// Units   those of the axis and of the amplitude
+/// Errors  threshold() throws std::invalid_argument: rate not in (0, 1); that a line is
+///         there is up to the caller
+/// Source  Percival & Walden, Spectral Analysis for Physical Applications (1993), §10.9, for F;
+///         Šidák, J. Am. Stat. Assoc. 62, 626-633 (1967), for the share
 struct TestedSpectrum {
   Spectrum spectrum;      ///< over Hz; over orders if the samples are even in shaft angle
   Eigen::VectorXd noise;  ///< mean power of a noise line, in the unit of the amplitude squared
@@ -48,6 +54,7 @@ struct TestedSpectrum {
 /// Tested against the noise around each line: of an envelope, whose lines are exponential.
 /// @param last   line beyond which the envelope holds nothing
 /// @param shape  of the noise over the lines, as far as it is known, > 0; empty: it is even
+/// Shape, units  those of the envelope. Errors  none thrown. Source  line_floor()
 TestedSpectrum tested_against_floor(Spectrum envelope, Eigen::Index last,
                                     const Eigen::VectorXd& shape = {});
 
@@ -62,6 +69,8 @@ struct LineEvidence {
 /// @param within  to both sides; the nearest line at least
 /// @param rate    of false alarms, in (0, 1)
 /// @return p-value 1 and amplitude 0 where the spectrum does not reach
+/// Units   those of the axis. Source  Šidák (1967), for all lines looked at
+/// Errors  throws std::invalid_argument of threshold()
 LineEvidence evidence_near(const TestedSpectrum& tested, double frequency, double within,
                            double rate);
 

@@ -13,6 +13,8 @@ namespace rvbench::analysis {
 /// model presses these, they pull no more than slight ones do, and the fit may rest where a few of
 /// them are given up: it begins without pressing, too, and the lower end is taken.
 /// @return without residuals if the model cannot be evaluated at its nominal values
+/// Shape, units  all of the model's values; errors  none thrown
+/// Source  ours; fit_from() for the fit, pressed() for the pressing
 Fit fit_base(const ForwardModel& model, const std::vector<bool>& everything);
 
 }  // namespace rvbench::analysis

@@ -22,6 +22,9 @@ struct Descent {
 ///              and one
 /// @param negligible  part of the cost: who wins less with a step is at rest; 0 is as exact as
 ///                    differences allow
+/// Units   those of the parameters; stepped in their scales
+/// Errors  none thrown; not converged where the model cannot be evaluated
+/// Source  Marquardt, J. Soc. Ind. Appl. Math. 11(2), 431-441 (1963), as Ceres has it
 Descent descend(const FitProblem& on, std::vector<double> values, int iterations,
                 const Eigen::MatrixXd& held = {}, double negligible = 0);
 

@@ -14,6 +14,9 @@ struct Estimate {
 };
 
 /// Of all values of a fit: of the base, then of each effect; waves as size and phase.
+/// Shape, units  one per value, in its unit, a phase in rad. Errors  none thrown: the fit has a
+///         covariance
+/// Source  normal intervals, 1.645 standard errors of Liang & Zeger (1986) to each side
 std::vector<Estimate> estimates(const ForwardModel& model, const Fit& fit);
 
 }  // namespace rvbench::analysis

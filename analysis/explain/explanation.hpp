@@ -84,6 +84,7 @@ struct Explanation {
 /// Held-out error that noise alone leaves: one repeat differs from another by √2 of it. Without
 /// repeats, what a law of any shape leaves, or one standard error where these are counted; nothing
 /// if neither is known.
+/// Units   of the held-out error. Errors  none thrown. Source  ours
 std::optional<double> noise_floor(const Explanation& explanation);
 
 /// "1.2 σ" of one that counts standard errors; "2.6 %" of a relative one.
@@ -93,6 +94,8 @@ std::string error_text(double error, bool in_standard_errors);
 /// measurement are not known, and names do less than half of what a law of any shape could, none is
 /// told, and nothing is added to the model: so little may be a part of what has no name.
 /// @throws what options.progress throws
+/// Shape, units  one verdict of all units; errors of fits as `in_standard_errors` says
+/// Source  ours: selection by held-out prediction, see select_effects() and predict_held_out()
 Explanation explain(const ForwardModel& model, const SelectionOptions& options = {});
 
 }  // namespace rvbench::analysis

@@ -41,6 +41,8 @@ struct MustBeat {
 /// standard error. All starts make their first moves; the best three go on until two come to rest
 /// in one place.
 ///
+/// Units       those of the parameters; residuals as the model has them
+/// Errors      none thrown: what must not be ranked says so in not_certified
 /// Covariance  (JᵀJ)⁻¹ (Σ_u g_u g_uᵀ) (JᵀJ)⁻¹ with g_u = J_uᵀ r_u: dependence within a unit does
 ///             not count as knowledge
 /// Source      Liang & Zeger, Biometrika 73(1), 13-22 (1986)
@@ -55,12 +57,15 @@ Fit fit_from(const ForwardModel& model, const std::vector<std::size_t>& effects,
              double scatter = 1, const Eigen::MatrixXd& held = {}, const MustBeat& must_beat = {});
 
 /// Where fits begin that add to another: its values, then each of `all_own` in turn.
+/// Shape   one start per own one. Errors  none thrown. Source  ours
 std::vector<std::vector<double>> starts_from(const std::vector<double>& before,
                                              const std::vector<std::vector<double>>& all_own);
 
 /// The fit of `before` with `added` as one more effect, from that effect's own starts.
 /// @param screened  one more start, or, of an effect with far starts, the only one: see Screened;
 ///                  may be empty
+/// Units, source  of fit_from()
+/// @throws std::out_of_range if the library has no such effect
 Fit fit_with(const ForwardModel& model, const Fit& before, std::size_t added,
              const std::vector<bool>& trained, const MustBeat& must_beat = {},
              const std::vector<double>& screened = {});
@@ -70,18 +75,22 @@ Fit fit_with(const ForwardModel& model, const Fit& before, std::size_t added,
 /// @param before  cost of the model that it adds to: a step that wins hardly anything of what was
 ///                gained over it is the last one; 0 goes as far as differences are exact
 /// @return with the certificate that it had, or the reason why it has lost it
+/// Units, errors, source  of fit_from()
 Fit polish(const ForwardModel& model, const Fit& fit, const std::vector<bool>& trained,
            double before = 0);
 
 /// Where its slopes say that a fit would come to rest on other units; of a quick model, see
 /// refit().
+/// Units, errors, source  of forecast()
 Evaluated foresee(const ForwardModel& model, const Fit& fit, const std::vector<bool>& trained);
 
 /// Where a fit comes to rest on other units, without a certificate.
+/// Units   of fit_from(). Errors  none thrown; no residuals where it fails. Source  of settle()
 Evaluated refit(const ForwardModel& model, const Fit& fit, const std::vector<bool>& trained);
 
 /// Where the values of one of the effects begin, after those of the base and of the effects before.
 /// @param place  of the effect in `effects`
+/// Errors  none thrown: a place that is not there is the caller's bug
 std::size_t first_value_of(const ForwardModel& model, const std::vector<std::size_t>& effects,
                            std::size_t place);
 

@@ -75,7 +75,10 @@ struct ObservedUnit {
 /// What analysis needs of a machine's model in order to compare it with recordings: the
 /// differences between measured and predicted values, whatever these are (samples, means, lines).
 ///
+/// Units    of the parameters, SI; residuals as counts_standard_errors() says
+/// Errors   none are thrown: what cannot be evaluated is no residuals
 /// Threads  const calls may overlap
+/// Source   ours: analysis asks, who knows the physics answers
 class ForwardModel {
  public:
   virtual ~ForwardModel() = default;

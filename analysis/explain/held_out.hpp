@@ -26,13 +26,16 @@ struct Fold {
 /// A fold for each condition. Of fewer than five, where some were recorded more than once, a fold
 /// for each record: what shows under one of few conditions alone cannot be learned from the others.
 /// Empty if there is only one.
+/// Errors  none thrown. Source  Stone, J. R. Stat. Soc. B 36(2), 111-147 (1974), by conditions
 std::vector<Fold> condition_folds(const std::vector<ObservedUnit>& units);
 
 /// A fold for each speed, or each load. Empty if there are fewer than three of them.
+/// Errors, source  of condition_folds()
 std::vector<Fold> speed_folds(const std::vector<ObservedUnit>& units);
 std::vector<Fold> load_folds(const std::vector<ObservedUnit>& units);
 
 /// Both of them, speeds first: what holds between conditions must hold beyond them, too.
+/// Errors, source  of condition_folds()
 std::vector<Fold> extrapolation_folds(const std::vector<ObservedUnit>& units);
 
 /// How well a model predicts what it has not seen.
@@ -65,15 +68,20 @@ enum class LeftOut {
 /// @param counts_as  how many independent values one value of a unit is worth, in (0, 1]; the same
 ///                   for all models that are compared
 /// @return nothing if the model cannot be evaluated in a fold
+/// Shape, units  one log density, in nats, per fold and unit held out. Errors  none thrown
+/// Source  Stone (1974); log density as a score: Gneiting & Raftery, J. Am. Stat. Assoc. 102,
+///         359-378 (2007)
 std::optional<HeldOut> predict_held_out(const ForwardModel& model, const Fit& fit,
                                         const std::vector<Fold>& folds, double counts_as,
                                         LeftOut left_out);
 
 /// Log density of a unit's residuals, normal with this mean square.
+/// Units   nats. Errors  none thrown. Source  the normal density; Gneiting & Raftery (2007)
 double log_density_of(const Eigen::Ref<const Eigen::VectorXd>& residuals, double mean_square,
                       double counts_as);
 
 /// What a value is worth where neighbours correlate by ρ: (1 − ρ)/(1 + ρ).
+/// Errors  none thrown. Source  Bayley & Hammersley, Suppl. J. R. Stat. Soc. 8(2), 184-197 (1946)
 double independent_share(const ForwardModel& model, const Eigen::VectorXd& residuals);
 
 /// By how much one model predicts better than another: the sum over all predictions, and its
@@ -84,11 +92,15 @@ struct Margin {
   bool is_clear() const { return delta > 2 * se; }
 };
 
+/// Of two models on the same folds.
 /// @throws std::invalid_argument if the two were not predicted on the same folds
+/// Source  Vehtari, Gelman & Gabry, Stat. Comput. 27, 1413-1432 (2017): its standard error
 Margin margin(const HeldOut& better, const HeldOut& than);
 
 /// In how many of `count` draws of the units, with replacement, each model predicts best.
 /// Deterministic. @return shares, one for each model
+/// Errors  none thrown; all were predicted on the same folds
+/// Source  Efron, Ann. Stat. 7(1), 1-26 (1979): the bootstrap
 std::vector<double> shares_won(const std::vector<HeldOut>& models, int count = 200);
 
 }  // namespace rvbench::analysis

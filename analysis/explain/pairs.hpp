@@ -14,6 +14,7 @@ struct Pair {
 };
 
 /// The four of a screening that promise most, most first: none of them by chance.
+/// Units   gains in nats. Errors  none thrown. Source  pair_p_value(); that four are tried is ours
 std::vector<Pair> promising_pairs(const Tryout& on, const std::vector<Screened>& screened);
 
 struct PairTrial {
@@ -23,6 +24,7 @@ struct PairTrial {
 /// Tries both on top of what stands. Left-out conditions are forecast.
 /// @param before  with forecasts, likewise
 /// @return the second is refused where the two are not clearly better than neither
+/// Units, errors, source  of try_effect()
 PairTrial try_pair(const Tryout& on, const Standing& before, const Pair& pair);
 
 }  // namespace rvbench::analysis

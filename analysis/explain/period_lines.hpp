@@ -26,6 +26,10 @@ struct PeriodLines {
 /// @param period_turns  input turns per period
 /// @return empty if the signal is shorter than four periods: then a line cannot be told from its
 ///         neighbour
+/// Shape   one amplitude per order of the period, from 0 up to 0.4 of the sample rate
+/// Units   that of the signal; per period
+/// Errors  throws std::invalid_argument of amplitude_spectrum(): sample not finite
+/// Source  McFadden, Mech. Syst. Signal Process. 1(1), 83-95 (1987); noise: line_floor()
 std::optional<PeriodLines> period_lines(const Channel& signal, const ShaftAngle& angle,
                                         double period_turns);
 
@@ -35,12 +39,16 @@ struct TimedLine {
   double noise = 0;      ///< rms amplitude that noise alone shows there
 };
 
+/// The line at a frequency, on a line of the spectrum or not.
 /// @param frequency_Hz  in (0, half the sample rate)
+/// Units   that of the signal. Errors  of amplitude_spectrum()
+/// Source  Heinzel, Rüdiger & Schilling (2002): a Hann window, read at the frequency itself
 TimedLine line_at(const Channel& signal, double frequency_Hz);
 
 /// Subtracts the line at this frequency, so that none of it leaks into others. A line that lies
 /// four or more of 1/duration away is left as it is to a part in 10,000.
 /// @param frequency_Hz  in (0, half the sample rate)
+/// Units   that of the signal. Errors  none thrown. Source  of line_at()
 void take_out_line(Channel& signal, double frequency_Hz);
 
 }  // namespace rvbench::analysis

@@ -12,6 +12,8 @@ namespace rvbench::analysis {
 /// wrong with a condition, as a load known by its label only, is wrong with all that was recorded
 /// under it. a and b are what the residuals of the conditions left out scatter by: everywhere, and
 /// more where the values matter more.
+/// Units   standard deviations of the measurement
+/// Errors  throws std::invalid_argument: a fit without residuals
 /// Limits  leaves out in one linear step, without a fit of its own; where two conditions of eight
 ///         hold most of the scatter, eight in ten are inside instead of nine
 /// Source  Cameron & Miller, J. Human Resources 50(2), 317-372 (2015), §VI: jackknife by cluster,

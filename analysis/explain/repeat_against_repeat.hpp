@@ -15,6 +15,7 @@ namespace rvbench::analysis {
 /// by chance.
 ///
 /// Values   those of the last repeat less those of the first, both against the same fit
+/// Units    those of the model's residuals. Errors  none thrown. Source  ours
 /// Library  each number of the model as a drift, then the effects that the fit does not hold
 class RepeatAgainstRepeat final : public ForwardModel {
  public:

@@ -43,6 +43,7 @@ struct ResidualCluster {
 /// Which hypotheses to reject so that, of those rejected, a share of q is rejected wrongly on
 /// average.
 /// @return per p-value: whether it is rejected
+/// Errors  none thrown
 /// Source  Benjamini & Hochberg, J. R. Stat. Soc. B 57(1), 289-300 (1995)
 std::vector<bool> discoveries(const std::vector<double>& p_values, double q);
 
@@ -51,6 +52,7 @@ std::vector<bool> discoveries(const std::vector<double>& p_values, double q);
 /// more than chance.
 /// @param beside  orders that are this far apart belong together, and so do frequencies and times
 /// @return farthest off first
+/// Units   of the cells. Errors  none thrown: standard errors are above 0
 /// Source  Simes, Biometrika 73(3), 751-754 (1986), for the families
 std::vector<ResidualCluster> locate(const std::vector<ResidualCell>& cells, double beside,
                                     double q = 0.05);

@@ -72,6 +72,10 @@ struct SelectionOptions {
 /// ones are exchanged for their rivals where that predicts clearly better; where no single
 /// candidate passes, the four most promising pairs are tried; in the end each effect that the
 /// others made needless is dropped.
+///
+/// Units   log density in nats; errors as the model counts them
+/// Errors  throws what options.progress throws; nothing else
+/// Source  ours: forward selection by held-out log density, as predict_held_out() has it
 Selection select_effects(const ForwardModel& model, const SelectionOptions& options = {});
 
 }  // namespace rvbench::analysis

@@ -43,6 +43,7 @@ struct SideBalance {
 ///
 /// @return of each side that differs by more than chance; empty for fewer than five conditions, and
 ///         where torque and speed answer both sides alike
+/// Units   N·m, rad/s. Errors  none thrown: standard errors are above 0
 /// Source  Draper & Smith, Applied Regression Analysis (1998), ch. 15: backward elimination
 std::vector<SideBalance> torque_balances(const std::vector<TransducerMeans>& conditions);
 

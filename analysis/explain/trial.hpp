@@ -8,6 +8,10 @@
 namespace rvbench::analysis {
 
 /// What a selection tries things on: the model, and how it leaves conditions out.
+///
+/// Units   log density in nats; costs as the model counts residuals. Of all in this file:
+/// Errors  none thrown: a model that cannot be evaluated is nothing, or a refusal with its reason
+/// Source  ours; what each is made of names its own
 struct Tryout {
   const ForwardModel& model;
   std::vector<Fold> conditions;

@@ -9,6 +9,7 @@
 namespace rvbench::analysis {
 
 /// Of the values of a model with some effects: where the two parts of each phasor begin.
+/// Errors  none thrown, nor by what follows. Source  ours, of plane trigonometry
 std::vector<std::size_t> waves_among(const ForwardModel& model,
                                      const std::vector<std::size_t>& effects);
 
@@ -20,9 +21,11 @@ std::vector<double> from_waves(std::vector<double> values, const std::vector<std
 
 /// A step of a wave's size or of its parts, to tell slopes by: the usual one, but a hundredth of
 /// the wave's size at most, for what shows in amplitudes has a corner where there is no wave.
+/// Units   of the size
 double step_of_wave(double usual, double size);
 
 /// Slopes with respect to as_waves(values, waves), of slopes with respect to the values.
+/// Shape, units  residuals by values; of a phase, per rad
 Eigen::MatrixXd slopes_of_waves(Eigen::MatrixXd slopes, const std::vector<double>& values,
                                 const std::vector<std::size_t>& waves);
 

@@ -27,7 +27,7 @@ std::optional<double> fm0(const Eigen::Ref<const Eigen::VectorXd>& average, Eige
 ///
 /// Shape   difference: N samples; the caller takes the lines out
 /// Units   dimensionless; 3 for Gaussian noise, more for a tooth that stands out; 0 for a constant
-/// Source  Stewart (1977); Lebold et al. (2000)
+/// Errors  none thrown. Source  Stewart (1977); Lebold et al. (2000)
 double fm4(const Eigen::Ref<const Eigen::VectorXd>& difference);
 
 /// NA4, as FM4 for faults that spread, which keeps growing when all teeth are bad: the fourth

@@ -12,6 +12,7 @@ namespace rvbench::analysis {
 /// @param within  orders to both sides; the nearest line at least
 /// @return empty where the spectrum does not reach
 /// Errors  throws std::invalid_argument: order or within negative or not finite
+/// Source  ours: what a limit at an order is held against
 std::optional<double> level_at_order(const Spectrum& spectrum, double order, double within);
 
 /// Sideband ratio of a mesh line: the sum of the amplitudes of its sidebands to both sides over its
@@ -19,9 +20,8 @@ std::optional<double> level_at_order(const Spectrum& spectrum, double order, dou
 ///
 ///     Σ (A(mesh - k·spacing) + A(mesh + k·spacing)) / A(mesh),   k = 1 .. sidebands
 ///
-/// Units   dimensionless; m for a mesh whose amplitude swings by m at one order: it has one
-/// sideband
-///         of m/2 to either side
+/// Units   dimensionless; m for a mesh whose amplitude swings by m at one order: one sideband of
+///         m/2 to either side
 /// Limits  noise counts as well: compare with that of a sound unit
 /// @param sidebands  to either side; 3 as in the literature
 /// @return empty where the mesh line or a sideband is outside the spectrum, or is no line of its

@@ -19,6 +19,7 @@ std::optional<double> torque_ripple(const Eigen::Ref<const Eigen::VectorXd>& tor
 ///
 /// Units   N·m, rad/s → W; positive where torque and speed have one sign
 /// Errors  throws std::invalid_argument: none or different numbers of samples, sample not finite
+/// Source  definition of mechanical power; not <torque>·<speed>, which leaves out what both share
 double mean_power_W(const Eigen::Ref<const Eigen::VectorXd>& torque_Nm,
                     const Eigen::Ref<const Eigen::VectorXd>& speed_rad_s);
 

@@ -12,7 +12,10 @@ struct SignalLevels {
   double kurtosis = 0;      ///< 3 for Gaussian noise, 1.5 for a sine; 0 for a constant
 };
 
+/// Levels of all of a signal.
+///
 /// Shape   N >= 1 samples
+/// Units   that of the signal; crest factor and kurtosis without
 /// Errors  throws std::invalid_argument: N < 1, sample not finite
 /// Source  ISO 13373-2:2016 for rms, peak and crest factor; Dyer & Stewart, J. Mech. Des. 100(2),
 ///         229-235 (1978) for kurtosis
@@ -20,6 +23,7 @@ SignalLevels signal_levels(const Eigen::Ref<const Eigen::VectorXd>& x);
 
 /// The same of what lies between two frequencies.
 /// Units, limits, errors  of band_passed(): Hz, or orders for samples per turn
+/// Source  of signal_levels()
 SignalLevels band_levels(const Eigen::Ref<const Eigen::VectorXd>& x, double rate, double from,
                          double to);
 

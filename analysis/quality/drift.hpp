@@ -24,6 +24,7 @@ struct Drift {
 ///         noise by about 2 rms in 10 s and 6 rms in 10 min. A smaller drift leaves orders and
 ///         envelopes alone: the residue takes it
 /// Errors  throws std::invalid_argument: rate or period not > 0, or sample not finite
+/// Units   that of x, Hz, s. Source  ours: what AC coupling lets through, as above
 std::optional<Drift> find_drift(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz,
                                 double period_s);
 

@@ -16,11 +16,16 @@ struct Heard {
   double evenness = 0;  ///< of that noise: lowest over highest octave's power density; white: 1
 };
 
+/// A channel as it is compared with others.
 /// @throws std::invalid_argument as amplitude_spectrum() does
+/// Shape, units  N → N/2 + 1 lines, in the channel's unit; Hz
+/// Source  ours: each octave's noise by its median, which lines do not move
 Heard heard(const Channel& channel);
 
 /// rms of all that lies within two lines of a frequency: a tone under the Hann window, and the
 /// noise there. 0 beyond half the sample rate.
+/// Units   that of the spectrum; Hz. Errors  none thrown
+/// Source  Heinzel, Rüdiger & Schilling (2002), for the window's noise bandwidth
 double rms_at(const Spectrum& spectrum, double frequency_Hz);
 
 }  // namespace rvbench::analysis

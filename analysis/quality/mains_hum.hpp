@@ -34,6 +34,8 @@ struct MainsHum {
 ///         or two channels; nor hum whose odd lines fall on orders that the machine has
 /// @param one            index of the channel in question
 /// @param is_of_machine  (frequency_Hz, within_Hz): whether the kinematics has a word for it
+/// Units   Hz; those of the channels. Errors  throws std::out_of_range: no such channel
+/// Source  ours; EN 50160 for the odd harmonics that a grid's voltage may have
 std::optional<MainsHum> find_mains_hum(const std::vector<Heard>& channels, std::size_t one,
                                        const std::function<bool(double, double)>& is_of_machine);
 

@@ -16,6 +16,7 @@ namespace rvbench::analysis {
 ///
 /// Shape   one list per channel, in their order
 /// Cost    one spectrum per channel
+/// Units   those of the channels. Errors  none thrown for what was measured. Source  ours
 std::vector<std::vector<QualityNote>> record_quality(const std::vector<const Channel*>& channels,
                                                      const ShaftAngle& angle,
                                                      const Kinematics& kinematics,

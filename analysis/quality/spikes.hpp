@@ -24,6 +24,7 @@ namespace rvbench::analysis {
 ///         without such a filter, leaves a jump per strike: whoever knows how often parts meet must
 ///         weigh the number
 /// Errors  throws std::invalid_argument: sample not finite
+/// Units   those of x, samples. Source  ours, from the decay of what is struck, as above
 std::vector<Eigen::Index> find_spikes(const Eigen::Ref<const Eigen::VectorXd>& x);
 
 }  // namespace rvbench::analysis
