@@ -12,6 +12,14 @@ constexpr int imfs = 5;
 constexpr Eigen::Index count = 20000, block = 100;
 constexpr double rate_Hz = 1000;
 
+Eigen::VectorXd signal() {
+  //! [page]
+  const Eigen::ArrayXd t_s = times_s(20000, 1000);
+  const Eigen::VectorXd x = noise(20000, 1) + 3 * wave(3 * t_s);
+  //! [page]
+  return x;
+}
+
 struct Watched {
   Eigen::MatrixXd behind_s;       // blocks by IMFs
   std::vector<double> first_imf;  // as it came
@@ -39,9 +47,8 @@ Watched watch(const Eigen::VectorXd& x) {
 }  // namespace
 
 Example live_emd_example() {
+  const Eigen::VectorXd x = signal();
   //! [page]
-  const Eigen::ArrayXd t_s = times_s(20000, 1000);
-  const Eigen::VectorXd x = noise(20000, 1) + 3 * wave(3 * t_s);
   const Emd whole = emd(x, {.imfs = imfs});
   //! [page]
   const Watched seen = watch(x);
