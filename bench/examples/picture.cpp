@@ -18,9 +18,8 @@ namespace {
 
 constexpr int width_px = 640, plot_px = 190;
 constexpr int empty_px = 34;  // above the title of a plot without marks
-constexpr int map_left_px = 64, map_right_px = 14, map_top_px = 26, map_foot_px = 38;
+constexpr int map_left_px = 64, map_top_px = 26, map_foot_px = 38;
 constexpr int map_rows_px = 170, right_px = 626;
-constexpr std::size_t most_row_labels = 8;
 
 constexpr std::array<const char*, 4> styles{"first", "second", "third", "fourth"};
 
