@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "analysis/compare/quantities.hpp"
+#include "analysis/shaft_angle.hpp"
+
+namespace rvbench::analysis {
+
+/// One quantity of one channel of one record: 20·log10 of its value in its unit.
+struct Level {
+  double whole_dB = not_known;        ///< NaN where the record does not hold it
+  Eigen::VectorXd parts_dB = {};      ///< of parts that share no sample; empty: too few
+  double above_floor_dB = not_known;  ///< of a line: over the noise around it
+  bool seen = false;                  ///< a line that noise alone shows once in 10 000
+};
+
+struct ChannelLevels {
+  ChannelInfo info;
+  double rate_Hz = 0;
+  double length_s = 0;
+  std::vector<Level> levels;  ///< one per quantity
+};
+
+/// Measures all quantities of a channel. Parts of a line are the periods of the gear train, without
+/// a window, where it is locked to them; else blocks of block_turns(). Parts of a level are eighths
+/// of the record. Fewer than three parts are none.
+///
+/// Limits  a record shorter than block_turns() has levels only
+/// Errors  throws std::invalid_argument: a sample is not finite, no sample
+ChannelLevels measure_channel(const Channel& x, const ShaftAngle& angle,
+                              const Kinematics& kinematics,
+                              const std::vector<Quantity>& quantities);
+
+}  // namespace rvbench::analysis

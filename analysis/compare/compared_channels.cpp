@@ -1,0 +1,91 @@
+#include "analysis/compare/compared_channels.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace rvbench::analysis {
+namespace {
+
+constexpr double rate_tolerance = 1e-3;  // relative
+
+using ByName = std::map<std::string, std::vector<const ChannelLevels*>>;
+
+ByName by_name(const PointRecords& point, const std::vector<RecordLevels>& records) {
+  ByName all;
+  for (const std::size_t i : point.records) {
+    for (const ChannelLevels& channel : records[i].channels) {
+      all[channel.info.name].push_back(&channel);
+    }
+  }
+  return all;
+}
+
+// A file that does not state it does not contradict.
+bool differ(const std::string& a, const std::string& b) {
+  return !a.empty() && !b.empty() && a != b;
+}
+
+std::string why_not(const ChannelLevels& a, const ChannelLevels& b) {
+  if (differ(a.info.unit, b.info.unit)) {
+    return fmt::format("in {} in A and {} in B", a.info.unit, b.info.unit);
+  }
+  if (differ(a.info.direction, b.info.direction)) {
+    return fmt::format("points to {} in A and {} in B: mounted another way", a.info.direction,
+                       b.info.direction);
+  }
+  if (std::abs(a.rate_Hz - b.rate_Hz) > rate_tolerance * a.rate_Hz) {
+    return fmt::format("sampled at {:g} Hz in A and {:g} Hz in B: its band is another one",
+                       a.rate_Hz, b.rate_Hz);
+  }
+  return "";
+}
+
+// Of all repeats, each against the first of A.
+std::string why_not(const ChannelPair& pair) {
+  for (const auto* side : {&pair.a, &pair.b}) {
+    for (const ChannelLevels* one : *side) {
+      if (const std::string why = why_not(*pair.a.front(), *one); !why.empty()) return why;
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string point_text(double speed_rpm, double load_pct) {
+  const std::string speed =
+      std::isfinite(speed_rpm) ? fmt::format("{:.0f} rpm", speed_rpm) : "speed not known";
+  return std::isfinite(load_pct) ? fmt::format("{}, {:.0f} % load", speed, load_pct) : speed;
+}
+
+std::vector<ChannelPair> compared_channels(const MatchedPoint& point,
+                                           const std::vector<RecordLevels>& a,
+                                           const std::vector<RecordLevels>& b,
+                                           std::vector<LeftOut>& left_out) {
+  ByName of_a = by_name(point.a, a), of_b = by_name(point.b, b);
+  const std::string where = point_text(point.a.speed_rpm, point.a.load_pct) + ", ";
+  std::vector<ChannelPair> pairs;
+  for (auto& [name, channels] : of_a) {
+    const auto other = of_b.find(name);
+    if (other == of_b.end()) {
+      left_out.push_back({where + name, "only A has it, or a B that can be trusted is missing"});
+      continue;
+    }
+    ChannelPair pair{name, std::move(channels), std::move(other->second)};
+    of_b.erase(other);
+    if (const std::string why = why_not(pair); !why.empty()) {
+      left_out.push_back({where + name, why});
+    } else {
+      pairs.push_back(std::move(pair));
+    }
+  }
+  for (const auto& [name, channels] : of_b) {
+    left_out.push_back({where + name, "only B has it, or an A that can be trusted is missing"});
+  }
+  return pairs;
+}
+
+}  // namespace rvbench::analysis

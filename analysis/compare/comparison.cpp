@@ -1,0 +1,255 @@
+#include "analysis/compare/comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "analysis/compare/change_test.hpp"
+#include "analysis/compare/compared_channels.hpp"
+#include "analysis/compare/false_discovery.hpp"
+#include "analysis/compare/scatter.hpp"
+#include "hal/types/require.hpp"
+
+namespace rvbench::analysis {
+namespace {
+
+constexpr double same_length = 0.1;      // relative: longer records have higher peaks
+constexpr double same_speed = 1e-2;      // relative
+constexpr double class_of_lines_dB = 6;  // that are alike in scatter: it follows from the noise
+
+// A change and what it was estimated from.
+struct Cell {
+  Change change;
+  std::size_t values_a = 0, values_b = 0;
+  Scatter scatter;
+  double above_floor_dB = not_known;
+};
+
+struct Levels {
+  std::vector<double> whole_dB;  // of repeats
+  std::vector<double> parts_dB;  // of the first
+  double above_floor_dB = 0;     // mean
+  bool seen = false;             // in half of the repeats at least
+};
+
+Levels levels_of(const std::vector<const ChannelLevels*>& repeats, std::size_t quantity) {
+  Levels levels;
+  std::size_t seen = 0;
+  for (const ChannelLevels* one : repeats) {
+    const Level& level = one->levels[quantity];
+    if (!std::isfinite(level.whole_dB)) continue;
+    levels.whole_dB.push_back(level.whole_dB);
+    levels.above_floor_dB += level.above_floor_dB;
+    seen += level.seen ? 1 : 0;
+  }
+  const Eigen::VectorXd& parts = repeats.front()->levels[quantity].parts_dB;
+  levels.parts_dB.assign(parts.data(), parts.data() + parts.size());
+  levels.above_floor_dB /= static_cast<double>(std::max<std::size_t>(levels.whole_dB.size(), 1));
+  levels.seen = seen > 0 && 2 * seen >= levels.whole_dB.size();
+  return levels;
+}
+
+double mean(const std::vector<double>& x) {
+  double sum = 0;
+  for (const double v : x) sum += v;
+  return sum / static_cast<double>(x.size());
+}
+
+void hold(const std::vector<double>& a, const std::vector<double>& b, ScatterSource source,
+          Cell& cell) {
+  cell.change.source = source;
+  cell.change.a_dB = mean(a);
+  cell.change.b_dB = mean(b);
+  cell.change.change_dB = cell.change.b_dB - cell.change.a_dB;
+  cell.values_a = a.size();
+  cell.values_b = b.size();
+  cell.scatter = pooled_scatter(a, b);
+}
+
+// The quantity is in neither's band, or only in one's, if either has no level.
+bool make_cell(const ChannelPair& pair, const Quantity& quantity, Cell& cell) {
+  const Levels a = levels_of(pair.a, cell.change.quantity);
+  const Levels b = levels_of(pair.b, cell.change.quantity);
+  if (a.whole_dB.empty() || b.whole_dB.empty()) return false;
+  cell.change.seen_a = !quantity.is_line() || a.seen;
+  cell.change.seen_b = !quantity.is_line() || b.seen;
+  cell.above_floor_dB = (a.above_floor_dB + b.above_floor_dB) / 2;
+  if (a.whole_dB.size() + b.whole_dB.size() > 2) {
+    hold(a.whole_dB, b.whole_dB, ScatterSource::repeats, cell);
+  } else if (!a.parts_dB.empty() && !b.parts_dB.empty()) {
+    hold(a.parts_dB, b.parts_dB, ScatterSource::parts, cell);
+  } else {
+    hold(a.whole_dB, b.whole_dB, ScatterSource::none, cell);
+  }
+  return true;
+}
+
+bool is_of_length(std::size_t quantity) {
+  return quantity == static_cast<std::size_t>(LevelIndex::peak) ||
+         quantity == static_cast<std::size_t>(LevelIndex::crest_factor);
+}
+
+// Peaks of records of different length are not alike.
+bool has_one_length(const ChannelPair& pair) {
+  double shortest = pair.a.front()->length_s, longest = shortest;
+  for (const auto* side : {&pair.a, &pair.b}) {
+    for (const ChannelLevels* one : *side) {
+      shortest = std::min(shortest, one->length_s);
+      longest = std::max(longest, one->length_s);
+    }
+  }
+  return longest - shortest <= same_length * longest;
+}
+
+double measured_speed(const PointRecords& point, const std::vector<RecordLevels>& records) {
+  double sum = 0;
+  for (const std::size_t i : point.records) sum += records[i].measured_rpm;
+  return sum / static_cast<double>(point.records.size());
+}
+
+// Orders follow the speed; resonances do not.
+void tell_speeds(const MatchedPoint& point, const std::vector<RecordLevels>& a,
+                 const std::vector<RecordLevels>& b, std::vector<LeftOut>& left_out) {
+  const double of_a = measured_speed(point.a, a), of_b = measured_speed(point.b, b);
+  if (!(std::abs(of_a - of_b) > same_speed * std::abs(of_a))) return;
+  left_out.push_back(
+      {point_text(point.a.speed_rpm, point.a.load_pct),
+       fmt::format("compared, but A turned at {:.1f} rpm and B at {:.1f} rpm: what changed may be "
+                   "the speed",
+                   of_a, of_b)});
+}
+
+std::size_t index_of(const std::string& name, std::vector<std::string>& names) {
+  const auto known = std::ranges::find(names, name);
+  if (known != names.end()) return static_cast<std::size_t>(known - names.begin());
+  names.push_back(name);
+  return names.size() - 1;
+}
+
+void add_cells(std::size_t point, const ChannelPair& pair, Comparison& comparison,
+               std::vector<Cell>& cells) {
+  const std::size_t channel = index_of(pair.name, comparison.channels);
+  const bool one_length = has_one_length(pair);
+  if (!one_length) {
+    const PointRecords& at = comparison.points[point].a;
+    comparison.left_out.push_back({point_text(at.speed_rpm, at.load_pct) + ", " + pair.name,
+                                   "peak and crest factor: the records differ in length"});
+  }
+  for (std::size_t q = 0; q < comparison.quantities.size(); ++q) {
+    if (!one_length && is_of_length(q)) continue;
+    Cell cell;
+    cell.change.point = point;
+    cell.change.channel = channel;
+    cell.change.quantity = q;
+    if (make_cell(pair, comparison.quantities[q], cell)) cells.push_back(cell);
+  }
+}
+
+// Cells whose scatter is of one kind.
+using Kind = std::tuple<ScatterSource, std::size_t, int>;
+
+Kind kind_of(const Cell& cell, const std::vector<Quantity>& quantities) {
+  if (!quantities[cell.change.quantity].is_line()) {
+    return {cell.change.source, cell.change.quantity, 0};
+  }
+  const double height = std::isfinite(cell.above_floor_dB) ? cell.above_floor_dB : 0;
+  return {cell.change.source, quantities.size(), int(std::floor(height / class_of_lines_dB))};
+}
+
+void draw_scatter_together(const std::vector<Quantity>& quantities, std::vector<Cell>& cells) {
+  std::map<Kind, std::vector<std::size_t>> kinds;
+  for (std::size_t i = 0; i < cells.size(); ++i) kinds[kind_of(cells[i], quantities)].push_back(i);
+  for (const auto& [kind, members] : kinds) {
+    std::vector<Scatter> scatter;
+    for (const std::size_t i : members) scatter.push_back(cells[i].scatter);
+    scatter = drawn_together(std::move(scatter));
+    for (std::size_t k = 0; k < members.size(); ++k) cells[members[k]].scatter = scatter[k];
+  }
+}
+
+ChangeTest test_of(const Cell& cell, double least_dB) {
+  return test_change(cell.change.change_dB, double(cell.values_a), double(cell.values_b),
+                     cell.scatter, least_dB);
+}
+
+// The p-value up to which one more would have been called.
+double called_p(const std::vector<double>& adjusted, double false_share) {
+  double asked = 0, called = 0;
+  for (const double p : adjusted) {
+    asked += std::isnan(p) ? 0 : 1;
+    called += p <= false_share ? 1 : 0;
+  }
+  return false_share * std::max(called, 1.0) / std::max(asked, 1.0);
+}
+
+ChangeWord word_of(const Change& change, const CompareOptions& options) {
+  if (change.adjusted_p <= options.false_share) return ChangeWord::changed;
+  return change.detectable_dB <= options.blind_dB ? ChangeWord::not_changed
+                                                  : ChangeWord::cannot_tell;
+}
+
+void judge(const CompareOptions& options, std::vector<Cell>& cells) {
+  std::vector<double> p_values;
+  for (Cell& cell : cells) {
+    if (cell.scatter.freedom > 0) cell.change.p_value = test_of(cell, options.least_dB).p_value;
+    p_values.push_back(cell.change.p_value);
+  }
+  const std::vector<double> adjusted = adjusted_p_values(p_values);
+  const double p = called_p(adjusted, options.false_share);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    Change& change = cells[i].change;
+    change.adjusted_p = adjusted[i];
+    change.freedom = cells[i].scatter.freedom;
+    if (!(change.freedom > 0)) continue;
+    const ChangeTest test = test_of(cells[i], options.least_dB);
+    change.uncertainty_dB = half_width_dB(test);
+    change.detectable_dB = detectable_dB(test, options.least_dB, p);
+    change.word = word_of(change, options);
+  }
+}
+
+void check(const CompareOptions& options) {
+  constexpr Require require{"compare"};
+  require(options.least_dB >= 0 && std::isfinite(options.least_dB), "least_dB must be 0 or above");
+  require(options.false_share > 0 && options.false_share < 1, "false_share must be in (0, 1)");
+  require(options.blind_dB > options.least_dB, "blind_dB must be above least_dB");
+}
+
+}  // namespace
+
+Comparison compare(const std::vector<RecordLevels>& a, const std::vector<RecordLevels>& b,
+                   const std::vector<Quantity>& quantities, const CompareOptions& options) {
+  check(options);
+  MatchedPoints matched = match_points(a, b);
+  Comparison comparison{options,
+                        quantities,
+                        {},
+                        std::move(matched.both),
+                        std::move(matched.only_a),
+                        std::move(matched.only_b),
+                        {},
+                        {}};
+  for (const auto* side : {&a, &b}) {
+    for (const RecordLevels& record : *side) {
+      comparison.left_out.insert(comparison.left_out.end(), record.left_out.begin(),
+                                 record.left_out.end());
+    }
+  }
+  std::vector<Cell> cells;
+  for (std::size_t p = 0; p < comparison.points.size(); ++p) {
+    const MatchedPoint point = comparison.points[p];
+    tell_speeds(point, a, b, comparison.left_out);
+    for (const ChannelPair& pair : compared_channels(point, a, b, comparison.left_out)) {
+      add_cells(p, pair, comparison, cells);
+    }
+  }
+  draw_scatter_together(quantities, cells);
+  judge(options, cells);
+  for (const Cell& cell : cells) comparison.changes.push_back(cell.change);
+  return comparison;
+}
+
+}  // namespace rvbench::analysis

@@ -1,0 +1,89 @@
+#include "analysis/compare/headlines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "analysis/statistics.hpp"
+
+namespace rvbench::analysis {
+namespace {
+
+struct Gathered {
+  Headline headline;
+  std::vector<double> changes_dB;
+  std::set<std::size_t> points;
+};
+
+void gather(const Comparison& comparison, std::size_t index, Gathered& into) {
+  const Change& change = comparison.changes[index];
+  if (!change.is_seen()) return;
+  ++into.headline.compared;
+  if (change.word != ChangeWord::changed) return;
+  const bool first = into.changes_dB.empty();
+  const double strongest_dB = comparison.changes[into.headline.strongest].change_dB;
+  if (first || std::abs(change.change_dB) > std::abs(strongest_dB)) {
+    into.headline.strongest = index;
+  }
+  into.changes_dB.push_back(change.change_dB);
+  into.points.insert(change.point);
+}
+
+Headline completed(Gathered gathered) {
+  Headline headline = gathered.headline;
+  headline.changed = gathered.changes_dB.size();
+  headline.points = gathered.points.size();
+  const auto [least, most] = std::ranges::minmax_element(gathered.changes_dB);
+  headline.least_dB = *least;
+  headline.most_dB = *most;
+  headline.median_dB = median(std::move(gathered.changes_dB));
+  return headline;
+}
+
+double weight(const Headline& h) { return static_cast<double>(h.changed) * std::abs(h.median_dB); }
+
+}  // namespace
+
+std::vector<Headline> headlines(const Comparison& comparison) {
+  std::vector<Gathered> all(comparison.quantities.size());
+  for (std::size_t i = 0; i < comparison.changes.size(); ++i) {
+    const std::size_t quantity = comparison.changes[i].quantity;
+    all[quantity].headline.quantity = quantity;
+    gather(comparison, i, all[quantity]);
+  }
+  std::vector<Headline> told;
+  for (Gathered& one : all) {
+    if (!one.changes_dB.empty()) told.push_back(completed(std::move(one)));
+  }
+  std::ranges::stable_sort(told, std::greater<>(), weight);
+  return told;
+}
+
+ChangeCounts counts_of(const Comparison& comparison) {
+  ChangeCounts counts;
+  std::vector<double> detectable_dB;
+  for (const Change& change : comparison.changes) {
+    const bool changed = change.word == ChangeWord::changed;
+    if (!change.is_seen()) {
+      counts.noise_changed += changed ? 1 : 0;
+    } else if (changed) {
+      ++counts.changed;
+    } else if (change.word == ChangeWord::not_changed) {
+      ++counts.not_changed;
+      detectable_dB.push_back(change.detectable_dB);
+    } else {
+      ++counts.cannot_tell;
+    }
+  }
+  if (!detectable_dB.empty()) counts.median_detectable_dB = median(std::move(detectable_dB));
+  return counts;
+}
+
+ChangeWord word_of(const ChangeCounts& counts) {
+  if (counts.changed > 0) return ChangeWord::changed;
+  return counts.not_changed > 0 && counts.not_changed >= counts.cannot_tell
+             ? ChangeWord::not_changed
+             : ChangeWord::cannot_tell;
+}
+
+}  // namespace rvbench::analysis

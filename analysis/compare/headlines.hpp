@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "analysis/compare/comparison.hpp"
+
+namespace rvbench::analysis {
+
+/// All changes of one quantity, over points and channels. Lines count where they are seen.
+struct Headline {
+  std::size_t quantity = 0;
+  std::size_t compared = 0;
+  std::size_t changed = 0;
+  double median_dB = not_known;                      ///< of those changed
+  double least_dB = not_known, most_dB = not_known;  ///< likewise
+  std::size_t strongest = 0;  ///< index into Comparison::changes: the largest change
+  std::size_t points = 0;     ///< that show a change
+};
+
+/// Of all quantities that changed somewhere, those with the most of it first: cells times dB.
+std::vector<Headline> headlines(const Comparison& comparison);
+
+/// Cells by their word; lines that neither A nor B shows are counted apart.
+struct ChangeCounts {
+  std::size_t changed = 0, not_changed = 0, cannot_tell = 0;
+  std::size_t noise_changed = 0;            ///< at places of lines that neither shows
+  double median_detectable_dB = not_known;  ///< of those not changed
+};
+
+ChangeCounts counts_of(const Comparison& comparison);
+
+/// Changed if a cell is; else not changed if that can be told of half of the cells at least.
+ChangeWord word_of(const ChangeCounts& counts);
+
+}  // namespace rvbench::analysis

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+
+#include "analysis/line_floor.hpp"
+#include "analysis/spectrum.hpp"
+
+namespace rvbench::analysis {
+
+/// Power of a tone, and how surely there is one.
+struct LineLevel {
+  double power = 0;        ///< amplitude², 0-to-peak
+  double above_floor = 0;  ///< of its highest line, over the power of the noise around
+  double p_value = 1;      ///< that noise alone reaches that, anywhere within reach
+};
+
+/// Power at an order of a Hann spectrum: of the strongest three neighbouring lines whose middle
+/// lies within reach.
+///
+///     P = (A²₋₁ + A²₀ + A²₊₁) / 1.5
+///
+/// Shape   of a tone on a line its amplitude², of one between two lines at most 0.4 dB less
+/// @param floor   of the same spectrum
+/// @param blocks  independent ones that the spectrum is the mean of, in power; >= 1
+/// @param within  orders to both sides
+/// @return empty where the spectrum does not reach, or too near to order 0
+/// Source  1.5 lines is the noise bandwidth of the Hann window: Harris, Proc. IEEE 66(1), 51-83
+///         (1978), table 1
+std::optional<LineLevel> line_level(const Spectrum& spectrum, const LineFloor& floor, double blocks,
+                                    double order, double within);
+
+/// Power of the strongest single line within reach, of a spectrum without a window; empty as above.
+std::optional<double> single_line_power(const Spectrum& spectrum, double order, double within);
+
+}  // namespace rvbench::analysis

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/compare/record_levels.hpp"
+
+namespace rvbench::analysis {
+
+/// Repeats of one speed and load.
+struct PointRecords {
+  double speed_rpm = not_known;
+  double load_pct = not_known;  ///< NaN: nobody states it
+  std::vector<std::size_t> records;
+};
+
+/// The matrix that records form, whatever their order: by rising speed, then load.
+std::vector<PointRecords> points_of(const std::vector<RecordLevels>& records);
+
+/// One point in both.
+struct MatchedPoint {
+  PointRecords a, b;
+};
+
+struct MatchedPoints {
+  std::vector<MatchedPoint> both;
+  std::vector<PointRecords> only_a, only_b;
+};
+
+/// Pairs points whose speeds agree within 1 % and whose loads agree within one percentage point, or
+/// are both unknown.
+MatchedPoints match_points(const std::vector<RecordLevels>& a, const std::vector<RecordLevels>& b);
+
+}  // namespace rvbench::analysis

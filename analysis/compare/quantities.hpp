@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/kinematics.hpp"
+#include "hal/types/recording.hpp"
+
+namespace rvbench::analysis {
+
+/// Something that is compared in each channel of each point.
+struct Quantity {
+  std::string name;            ///< "rms", "input shaft x2", "sun-planet mesh - input shaft"
+  double order = not_known;    ///< of a line; NaN: a level of the whole signal
+  double stray = 0;            ///< relative: how far the line may lie off its order
+  std::string component = {};  ///< the part whose line it is
+
+  bool is_line() const { return order > 0; }
+};
+
+/// Levels of the signal, in this order, before all lines.
+enum class LevelIndex : std::size_t { rms, peak, crest_factor, kurtosis };
+
+/// What is compared for a machine, whatever was measured: rms, peak, crest factor and kurtosis; of
+/// each characteristic order the first three harmonics; of each mesh the sidebands at every order
+/// that is no mesh. Lines by rising order; of the same order the simplest name stays, and
+/// characteristic orders share it.
+std::vector<Quantity> quantities_to_compare(const Kinematics& kinematics);
+
+}  // namespace rvbench::analysis

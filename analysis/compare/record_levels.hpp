@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/compare/channel_levels.hpp"
+#include "analysis/kinematics.hpp"
+#include "hal/types/recording.hpp"
+
+namespace rvbench::analysis {
+
+/// What is not compared, and why.
+struct LeftOut {
+  std::string where;  ///< "A17/recording.h5#003, accel_2z"
+  std::string why;
+};
+
+/// One record as it is compared.
+struct RecordLevels {
+  std::string source;
+  double speed_rpm = not_known;  ///< as planned; as measured where nobody planned
+  double measured_rpm = not_known;
+  double load_pct = not_known;
+  std::vector<ChannelLevels> channels;  ///< those that can be trusted
+  std::vector<LeftOut> left_out;
+};
+
+/// Measures all quantities in the acceleration channels of a record.
+///
+/// Errors  never throws for what was measured: what cannot be compared is left out, with the reason
+RecordLevels measure_levels(const Recording& record, const Kinematics& kinematics,
+                            const std::vector<Quantity>& quantities);
+
+}  // namespace rvbench::analysis

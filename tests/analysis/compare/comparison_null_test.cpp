@@ -1,0 +1,108 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "analysis/compare/comparison.hpp"
+#include "analysis/compare/headlines.hpp"
+#include "tests/analysis/compare/compared_records.hpp"
+
+// How often something is said to have changed where nothing has.
+namespace rvbench::analysis {
+namespace {
+
+using test::compared;
+using test::repeats;
+
+// At most: the stated rate, and three standard deviations of the count.
+double most_of(double rate, int draws) { return rate * draws + 3 * std::sqrt(rate * draws); }
+
+bool calls_a_change(const Comparison& c) {
+  const ChangeCounts counts = counts_of(c);
+  return counts.changed + counts.noise_changed > 0;
+}
+
+// A matrix of levels without records: strong lines scatter by their own amount, weak ones as noise
+// does.
+std::vector<RecordLevels> drawn_matrix(int points, int repeats, std::size_t quantities,
+                                       std::mt19937& engine) {
+  std::normal_distribution<double> gaussian;
+  std::exponential_distribution<double> noise_power;
+  std::vector<RecordLevels> records;
+  for (int point = 0; point < points; ++point) {
+    for (int repeat = 0; repeat < repeats; ++repeat) {
+      RecordLevels record;
+      record.source = "drawn";
+      record.speed_rpm = record.measured_rpm = 600;
+      record.load_pct = 25 * point;
+      for (const char* name : {"accel_1x", "accel_1y", "accel_1z"}) {
+        ChannelLevels channel{{name, "m/s²", "", not_known}, 2000, 10, {}};
+        for (std::size_t q = 0; q < quantities; ++q) {
+          const bool strong = q % 3 != 0;
+          const double scatter_dB = 0.05 * std::pow(4.0, double(q % 4)) * (1 + point % 2);
+          Level level;
+          level.whole_dB =
+              strong ? 10 + scatter_dB * gaussian(engine) : 10 * std::log10(noise_power(engine));
+          level.above_floor_dB = strong ? 30 : 0;
+          level.seen = strong;
+          channel.levels.push_back(level);
+        }
+        record.channels.push_back(channel);
+      }
+      records.push_back(record);
+    }
+  }
+  return records;
+}
+
+}  // namespace
+
+TEST_CASE("a matrix in which nothing changed is called changed once in twenty", "[analysis]") {
+  const std::vector<Quantity> quantities = quantities_to_compare(test::small_gear());
+  std::mt19937 engine(11);
+  int calls = 0;
+  constexpr int draws = 300;
+  for (int i = 0; i < draws; ++i) {
+    const auto a = drawn_matrix(4, 3, quantities.size(), engine);
+    const auto b = drawn_matrix(4, 3, quantities.size(), engine);
+    calls += calls_a_change(compare(a, b, quantities, {.least_dB = 0})) ? 1 : 0;
+  }
+  INFO(calls << " of " << draws);
+  CHECK(calls <= most_of(0.05, draws));
+}
+
+TEST_CASE("two draws of one unit are called changed once in twenty at most", "[analysis]") {
+  const auto count = GENERATE(1u, 2u, 3u);  // repeats
+  int calls = 0;
+  constexpr int draws = 100;
+  for (unsigned seed = 0; seed < draws; ++seed) {
+    const double scatter_dB = count > 1 ? 0.2 : 0;
+    const test::GearRecord unit{.scatter_dB = scatter_dB, .count = 7000};
+    const Comparison c = compared(repeats(unit, count, 2 * seed + 1),
+                                  repeats(unit, count, 2 * seed + 2), {.least_dB = 0});
+    calls += calls_a_change(c) ? 1 : 0;
+  }
+  INFO(count << " repeats: " << calls << " of " << draws);
+  CHECK(calls <= most_of(0.05, draws));
+}
+
+TEST_CASE("of many changes one in twenty is false at most", "[analysis]") {
+  const std::vector<Quantity> quantities = quantities_to_compare(test::small_gear());
+  std::mt19937 engine(13);
+  double called = 0, falsely = 0;
+  for (int i = 0; i < 60; ++i) {
+    const auto a = drawn_matrix(4, 3, quantities.size(), engine);
+    auto b = drawn_matrix(4, 3, quantities.size(), engine);
+    for (RecordLevels& record : b) {
+      for (ChannelLevels& channel : record.channels) channel.levels[4].whole_dB += 6;
+    }
+    for (const Change& change : compare(a, b, quantities, {.least_dB = 0}).changes) {
+      if (change.word != ChangeWord::changed) continue;
+      ++called;
+      falsely += change.quantity != 4 ? 1 : 0;
+    }
+  }
+  CHECK(called > 60 * 12 * 0.9);  // nearly all that are true
+  CHECK(falsely <= 0.06 * called);
+}
+
+}  // namespace rvbench::analysis
