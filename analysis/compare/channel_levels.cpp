@@ -1,11 +1,12 @@
 #include "analysis/compare/channel_levels.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "analysis/compare/block_spectrum.hpp"
 #include "analysis/compare/line_level.hpp"
 #include "analysis/indicators/signal_levels.hpp"
+#include "analysis/order/synchronous_average.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -40,29 +41,36 @@ void measure_signal(const Eigen::VectorXd& x, std::vector<Level>& levels) {
   }
 }
 
-// The lines of one channel over the shaft's angle.
+// Lines of one kind, and the samples over the shaft's angle that they are read from.
 struct LinesOf {
   const OverAngle& even;
+  const ShaftAngle& angle;
   const std::vector<Quantity>& quantities;
-  double highest_order;
-  double order_error;  // relative
+  double rate_Hz;
   int block;
-  double period_turns;
+  double period_turns;  // 1: the train has none
+  bool locked;          // to the period: else those that stray from it, or all where there is none
 
-  double within(const Quantity& q) const { return (q.stray + order_error) * q.order; }
-  bool is_held(const Quantity& q) const {
-    return q.is_line() && q.order + within(q) < highest_order;
+  double within(const Quantity& q) const {
+    return (q.stray + (angle.is_measured() ? 0 : speed_error)) * q.order;
+  }
+  bool holds(const Quantity& q) const {
+    const bool is_of_kind = period_turns == 1 || locked == (q.stray == 0);
+    const double highest = held_band * rate_Hz / angle.mean_speed_Hz();
+    return q.is_line() && is_of_kind && q.order + within(q) < highest;
   }
 };
 
-void measure_whole(const LinesOf& of, const Spectrum& spectrum, std::vector<Level>& levels) {
-  const auto locked = static_cast<Eigen::Index>(std::lround(of.block / of.period_turns));
-  const LineFloor floor = line_floor(spectrum, of.period_turns > 1 ? locked : 0);
+void measure_whole(const LinesOf& of, std::vector<Level>& levels) {
+  const Spectrum spectrum = block_spectrum(of.even, of.angle, of.block);
+  if (spectrum.amplitude.size() == 0) return;
+  const auto every = static_cast<Eigen::Index>(std::lround(of.block / of.period_turns));
+  const LineFloor floor = line_floor(spectrum, of.locked ? every : 0);
   const double blocks =
       std::floor(double(of.even.samples.size()) / of.even.samples_per_turn / of.block);
   for (std::size_t i = 0; i < of.quantities.size(); ++i) {
     const Quantity& q = of.quantities[i];
-    if (!of.is_held(q)) continue;
+    if (!of.holds(q)) continue;
     const auto level = line_level(spectrum, floor, blocks, q.order, of.within(q));
     if (!level) continue;
     levels[i].whole_dB = dB_of_power(level->power);
@@ -71,37 +79,53 @@ void measure_whole(const LinesOf& of, const Spectrum& spectrum, std::vector<Leve
   }
 }
 
-// What a part's spectrum says of a line.
-double part_dB(const LinesOf& of, const Spectrum& spectrum, const LineFloor* floor,
+// What a part says of a line. A period without a window parts all lines that repeat with it.
+double part_dB(const LinesOf& of, const Spectrum& spectrum, const LineFloor& floor,
                const Quantity& q) {
-  if (floor == nullptr) {
+  if (of.locked) {
     const auto power = single_line_power(spectrum, q.order, of.within(q));
     return power ? dB_of_power(*power) : not_known;
   }
-  const auto level = line_level(spectrum, *floor, 1, q.order, of.within(q));
+  const auto level = line_level(spectrum, floor, 1, q.order, of.within(q));
   return level ? dB_of_power(level->power) : not_known;
 }
 
-// A period without a window parts all lines that repeat with it; other lines need blocks.
-void measure_parts(const LinesOf& of, bool locked, std::vector<Level>& levels) {
-  const double turns = locked ? of.period_turns : of.block;
+void measure_parts(const LinesOf& of, std::vector<Level>& levels) {
+  const double turns = of.locked ? of.period_turns : of.block;
   const auto size = static_cast<Eigen::Index>(std::lround(turns * of.even.samples_per_turn));
   const Eigen::Index parts = of.even.samples.size() / size;
   if (parts < fewest_parts) return;
   for (Eigen::Index part = 0; part < parts; ++part) {
     const Spectrum spectrum =
         amplitude_spectrum(of.even.samples.segment(part * size, size), of.even.samples_per_turn,
-                           locked ? Window::rectangular : Window::hann);
-    std::optional<LineFloor> floor;
-    if (!locked) floor = line_floor(spectrum, 0);
+                           of.locked ? Window::rectangular : Window::hann);
+    const LineFloor floor = line_floor(spectrum, 0);
     for (std::size_t i = 0; i < of.quantities.size(); ++i) {
-      const Quantity& q = of.quantities[i];
-      const bool is_of_period = of.period_turns > 1 && q.stray == 0;
-      if (!of.is_held(q) || is_of_period != locked) continue;
+      if (!of.holds(of.quantities[i])) continue;
       levels[i].parts_dB.conservativeResize(parts);
-      levels[i].parts_dB[part] = part_dB(of, spectrum, floor ? &*floor : nullptr, q);
+      levels[i].parts_dB[part] = part_dB(of, spectrum, floor, of.quantities[i]);
     }
   }
+}
+
+bool strays(const Quantity& q) { return q.stray > 0; }
+
+void measure_lines(const Channel& x, const ShaftAngle& angle, const Kinematics& kinematics,
+                   const std::vector<Quantity>& quantities, std::vector<Level>& levels) {
+  OverAngle even = over_periods(x, angle, kinematics);
+  const double period = whole_period(kinematics);
+  const int block = block_turns(kinematics);
+  if (even.samples.size() < Eigen::Index{block} * even.samples_per_turn) return;
+  const LinesOf locked{even, angle, quantities, x.rate_Hz, block, period, period > 1};
+  measure_whole(locked, levels);
+  measure_parts(locked, levels);
+  if (period == 1 || std::ranges::none_of(quantities, strays)) return;
+  // Within reach of a line that strays lie many that repeat with the train: they are taken out.
+  even.samples = without_average(
+      even.samples, static_cast<Eigen::Index>(std::lround(period * even.samples_per_turn)));
+  const LinesOf astray{even, angle, quantities, x.rate_Hz, block, period, false};
+  measure_whole(astray, levels);
+  measure_parts(astray, levels);
 }
 
 void drop_unknown_parts(std::vector<Level>& levels) {
@@ -118,20 +142,7 @@ ChannelLevels measure_channel(const Channel& x, const ShaftAngle& angle,
   ChannelLevels measured{x.info, x.rate_Hz, double(x.samples.size()) / x.rate_Hz, {}};
   measured.levels.resize(quantities.size());
   measure_signal(x.samples, measured.levels);
-  const OverAngle even = over_periods(x, angle, kinematics);
-  const int block = block_turns(kinematics);
-  const Spectrum spectrum = block_spectrum(even, angle, block);
-  if (spectrum.amplitude.size() > 0) {
-    const LinesOf of{even,
-                     quantities,
-                     held_band * x.rate_Hz / angle.mean_speed_Hz(),
-                     angle.is_measured() ? 0 : speed_error,
-                     block,
-                     whole_period(kinematics)};
-    measure_whole(of, spectrum, measured.levels);
-    measure_parts(of, false, measured.levels);
-    if (of.period_turns > 1) measure_parts(of, true, measured.levels);
-  }
+  measure_lines(x, angle, kinematics, quantities, measured.levels);
   drop_unknown_parts(measured.levels);
   return measured;
 }

@@ -25,9 +25,11 @@ struct ChannelLevels {
 
 /// Measures all quantities of a channel. Parts of a line are the periods of the gear train, without
 /// a window, where it is locked to them; else blocks of block_turns(). Parts of a level are eighths
-/// of the record. Fewer than three parts are none.
+/// of the record. Fewer than three parts are none. A line that strays is read from what the average
+/// over the gear train's periods leaves: lines of the train within its reach are none of it.
 ///
-/// Limits  a record shorter than block_turns() has levels only
+/// Limits  of a line that strays, 1 / periods of the power is taken out with the train's; a record
+///         shorter than block_turns() has levels only
 /// Errors  throws std::invalid_argument: a sample is not finite, no sample
 ChannelLevels measure_channel(const Channel& x, const ShaftAngle& angle,
                               const Kinematics& kinematics,

@@ -122,16 +122,16 @@ void tell_speeds(const MatchedPoint& point, const std::vector<RecordLevels>& a,
                    of_a, of_b)});
 }
 
-std::size_t index_of(const std::string& name, std::vector<std::string>& names) {
-  const auto known = std::ranges::find(names, name);
-  if (known != names.end()) return static_cast<std::size_t>(known - names.begin());
-  names.push_back(name);
-  return names.size() - 1;
+std::size_t index_of(const ChannelInfo& channel, std::vector<ChannelInfo>& all) {
+  const auto known = std::ranges::find(all, channel.name, &ChannelInfo::name);
+  if (known != all.end()) return static_cast<std::size_t>(known - all.begin());
+  all.push_back(channel);
+  return all.size() - 1;
 }
 
 void add_cells(std::size_t point, const ChannelPair& pair, Comparison& comparison,
                std::vector<Cell>& cells) {
-  const std::size_t channel = index_of(pair.name, comparison.channels);
+  const std::size_t channel = index_of(pair.a.front()->info, comparison.channels);
   const bool one_length = has_one_length(pair);
   if (!one_length) {
     const PointRecords& at = comparison.points[point].a;

@@ -48,7 +48,7 @@ struct Change {
 struct Comparison {
   CompareOptions options;
   std::vector<Quantity> quantities;
-  std::vector<std::string> channels;  ///< names of those compared somewhere
+  std::vector<ChannelInfo> channels;  ///< those compared somewhere
   std::vector<MatchedPoint> points;
   std::vector<PointRecords> only_a, only_b;
   std::vector<Change> changes;    ///< by point, channel, quantity

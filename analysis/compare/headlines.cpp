@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "analysis/statistics.hpp"
@@ -56,6 +57,30 @@ std::vector<Headline> headlines(const Comparison& comparison) {
     if (!one.changes_dB.empty()) told.push_back(completed(std::move(one)));
   }
   std::ranges::stable_sort(told, std::greater<>(), weight);
+  return told;
+}
+
+std::vector<FamilyHeadline> family_headlines(const Comparison& comparison) {
+  std::map<std::size_t, FamilyHeadline> families;
+  std::map<std::size_t, std::vector<double>> changes_dB;
+  for (const Change& change : comparison.changes) {
+    for (const std::size_t family : comparison.quantities[change.quantity].families) {
+      FamilyHeadline& headline = families[family];
+      headline.family = family;
+      ++headline.compared;
+      if (!change.is_seen() || change.word != ChangeWord::changed) continue;
+      ++headline.changed;
+      changes_dB[family].push_back(change.change_dB);
+    }
+  }
+  std::vector<FamilyHeadline> told;
+  for (auto& [family, changes] : changes_dB) {
+    told.push_back(families[family]);
+    told.back().median_dB = median(std::move(changes));
+  }
+  std::ranges::stable_sort(told, std::greater<>(), [](const FamilyHeadline& f) {
+    return f.share() * std::abs(f.median_dB);
+  });
   return told;
 }
 

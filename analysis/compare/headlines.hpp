@@ -21,6 +21,20 @@ struct Headline {
 /// Of all quantities that changed somewhere, those with the most of it first: cells times dB.
 std::vector<Headline> headlines(const Comparison& comparison);
 
+/// Lines of one signature of the kinematics, over points and channels.
+struct FamilyHeadline {
+  std::size_t family = 0;        ///< index into Kinematics::signatures
+  std::size_t compared = 0;      ///< cells of its lines, seen or not
+  std::size_t changed = 0;       ///< of these, seen and changed
+  double median_dB = not_known;  ///< of those changed
+
+  double share() const { return static_cast<double>(changed) / static_cast<double>(compared); }
+};
+
+/// Of all signatures that have a line that changed, first the one of whose lines most changed and
+/// most strongly: share times dB. Parts share lines: what the first explains others have as well.
+std::vector<FamilyHeadline> family_headlines(const Comparison& comparison);
+
 /// Cells by their word; lines that neither A nor B shows are counted apart.
 struct ChangeCounts {
   std::size_t changed = 0, not_changed = 0, cannot_tell = 0;

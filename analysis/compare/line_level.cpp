@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 #include "analysis/statistics.hpp"
 
@@ -9,6 +11,7 @@ namespace rvbench::analysis {
 namespace {
 
 constexpr double hann_noise_lines = 1.5;
+constexpr Eigen::Index near_lines = 24, line_width = 3;
 constexpr Eigen::Index lowest_hann = 3;  // clear of what is left of the mean
 
 struct Reach {
@@ -26,6 +29,24 @@ std::optional<Reach> reach_of(const Spectrum& spectrum, double order, double wit
   return reach;
 }
 
+// Noise near a line that was searched for: a resonance may stand within the wider floor, and is no
+// line.
+struct NearNoise {
+  double power, lines;
+};
+
+NearNoise near_noise(const Eigen::VectorXd& power, Eigen::Index line) {
+  std::vector<double> values;
+  const Eigen::Index from = std::max<Eigen::Index>(line - near_lines, lowest_hann);
+  const Eigen::Index to = std::min(line + near_lines, power.size() - 1);
+  for (Eigen::Index i = from; i <= to; ++i) {
+    if (std::abs(i - line) > line_width) values.push_back(power[i]);
+  }
+  // As in line_floor: Hann lines share noise, and a median uses half of what it is given.
+  const double worth = std::max(1.0, static_cast<double>(values.size()) / hann_noise_lines * 0.48);
+  return {values.empty() ? 0 : median(std::move(values)) / std::numbers::ln2, worth};
+}
+
 }  // namespace
 
 std::optional<LineLevel> line_level(const Spectrum& spectrum, const LineFloor& floor, double blocks,
@@ -38,10 +59,15 @@ std::optional<LineLevel> line_level(const Spectrum& spectrum, const LineFloor& f
     level.power = std::max(level.power, floor.power.segment(i - 1, 3).sum() / hann_noise_lines);
     if (floor.power[i] > floor.power[highest]) highest = i;
   }
-  level.above_floor = floor.power[highest] / floor.floor[highest];
+  NearNoise noise{floor.floor[highest], floor.floor_lines[highest]};
+  if (reach->to > reach->from) {
+    const NearNoise near = near_noise(floor.power, highest);
+    if (near.power > noise.power) noise = near;
+  }
+  level.above_floor = floor.power[highest] / noise.power;
   const double searched = static_cast<double>(reach->to - reach->from + 1);
-  level.p_value = std::min(1.0, searched * line_p_value(blocks * level.above_floor, blocks,
-                                                        blocks * floor.floor_lines[highest]));
+  level.p_value = std::min(
+      1.0, searched * line_p_value(blocks * level.above_floor, blocks, blocks * noise.lines));
   return level;
 }
 

@@ -19,6 +19,9 @@ struct LineLevel {
 ///
 ///     P = (A²₋₁ + A²₀ + A²₊₁) / 1.5
 ///
+/// Where more than one line is within reach, the noise is that of the nearest 24 to both sides if
+/// that is more: a resonance is no line.
+///
 /// Shape   of a tone on a line its amplitude², of one between two lines at most 0.4 dB less
 /// @param floor   of the same spectrum
 /// @param blocks  independent ones that the spectrum is the mean of, in power; >= 1

@@ -1,5 +1,7 @@
 #include "analysis/compare/quantities.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,18 +20,23 @@ double stray_of(double order, const Kinematics& kinematics) {
   return stray;
 }
 
-void add(Quantity line, std::vector<Quantity>& lines) {
-  const bool known = std::ranges::any_of(
-      lines, [&](const Quantity& l) { return std::abs(l.order - line.order) < same_order; });
-  if (!known && line.order > same_order) lines.push_back(std::move(line));
+bool is_at(const Quantity& line, double order) { return std::abs(line.order - order) < same_order; }
+
+// @return the line of that order, added or there before; nullptr if there is no such order
+Quantity* add(Quantity line, std::vector<Quantity>& lines) {
+  const auto known =
+      std::ranges::find_if(lines, [&](const Quantity& l) { return is_at(l, line.order); });
+  if (known != lines.end()) return &*known;
+  if (!(line.order > same_order)) return nullptr;
+  return &lines.emplace_back(std::move(line));
 }
 
 // Orders that are one line in a spectrum are one line here, with all of their names.
 std::vector<Quantity> characteristic_lines(const Kinematics& kinematics) {
   std::vector<Quantity> lines;
   for (const CharacteristicOrder& o : kinematics.orders) {
-    const auto same = std::ranges::find_if(
-        lines, [&](const Quantity& l) { return std::abs(l.order - o.order) < same_order; });
+    const auto same =
+        std::ranges::find_if(lines, [&](const Quantity& l) { return is_at(l, o.order); });
     if (same != lines.end()) {
       same->name += ", " + o.name;
     } else {
@@ -41,15 +48,45 @@ std::vector<Quantity> characteristic_lines(const Kinematics& kinematics) {
 
 bool is_mesh(const Quantity& line, const Kinematics& kinematics) {
   return std::ranges::any_of(kinematics.orders, [&](const CharacteristicOrder& o) {
-    return o.mesh && std::abs(o.order - line.order) < same_order;
+    return o.mesh && is_at(line, o.order);
   });
 }
 
 void add_sidebands(const Quantity& mesh, const Quantity& side, std::vector<Quantity>& lines) {
   for (const bool above : {false, true}) {
     const double order = mesh.order + (above ? side.order : -side.order);
-    const double stray = order > 0 ? side.stray * side.order / order : 0;
-    add({mesh.name + (above ? " + " : " - ") + side.name, order, stray, side.component}, lines);
+    add({mesh.name + (above ? " + " : " - ") + side.name, order, 0, side.component}, lines);
+  }
+}
+
+// "carrier", or the order itself where it has no name.
+std::string name_at(double order, const std::vector<Quantity>& characteristic) {
+  const auto named =
+      std::ranges::find_if(characteristic, [&](const Quantity& l) { return is_at(l, order); });
+  return named == characteristic.end() ? fmt::format("{:.4g}", order) : named->name;
+}
+
+std::string spoken(std::string name) {
+  std::ranges::replace(name, '_', ' ');
+  return name;
+}
+
+// Harmonics of a signature, each with its sidebands.
+void add_family(std::size_t index, const Signature& s, const std::vector<Quantity>& characteristic,
+                std::vector<Quantity>& lines) {
+  const auto add_member = [&](const std::string& name, double order, double stray) {
+    Quantity* line = add({name, order, stray, s.component}, lines);
+    if (line != nullptr) line->families.push_back(index);
+  };
+  const double stray = std::max(s.slip, s.tolerance);
+  for (int h = s.first_harmonic; h <= s.harmonics; ++h) {
+    const std::string name = spoken(s.component) + (h > 1 ? fmt::format(" x{}", h) : "");
+    add_member(name, h * s.order, stray);
+    for (const double spacing : s.sidebands) {
+      const std::string side = name_at(spacing, characteristic);
+      add_member(name + " - " + side, h * s.order - spacing, stray);
+      add_member(name + " + " + side, h * s.order + spacing, stray);
+    }
   }
 }
 
@@ -66,8 +103,11 @@ std::vector<Quantity> quantities_to_compare(const Kinematics& kinematics) {
   for (const Quantity& mesh : characteristic) {
     if (!is_mesh(mesh, kinematics)) continue;
     for (const Quantity& side : characteristic) {
-      if (!is_mesh(side, kinematics)) add_sidebands(mesh, side, lines);
+      if (side.stray == 0 && !is_mesh(side, kinematics)) add_sidebands(mesh, side, lines);
     }
+  }
+  for (std::size_t i = 0; i < kinematics.signatures.size(); ++i) {
+    add_family(i, kinematics.signatures[i], characteristic, lines);
   }
   std::ranges::stable_sort(lines, {}, &Quantity::order);
   std::vector<Quantity> all = {{"rms"}, {"peak"}, {"crest factor"}, {"kurtosis"}};

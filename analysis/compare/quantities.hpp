@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct Quantity {
   double order = not_known;    ///< of a line; NaN: a level of the whole signal
   double stray = 0;            ///< relative: how far the line may lie off its order
   std::string component = {};  ///< the part whose line it is
+  std::vector<std::size_t> families = {};  ///< indices into Kinematics::signatures: it is in each
 
   bool is_line() const { return order > 0; }
 };
@@ -23,8 +25,8 @@ enum class LevelIndex : std::size_t { rms, peak, crest_factor, kurtosis };
 
 /// What is compared for a machine, whatever was measured: rms, peak, crest factor and kurtosis; of
 /// each characteristic order the first three harmonics; of each mesh the sidebands at every order
-/// that is no mesh. Lines by rising order; of the same order the simplest name stays, and
-/// characteristic orders share it.
+/// that is locked to a shaft; the lines of each signature. Lines by rising order; of the same order
+/// the first of these names stays, and characteristic orders share it.
 std::vector<Quantity> quantities_to_compare(const Kinematics& kinematics);
 
 }  // namespace rvbench::analysis

@@ -31,6 +31,7 @@ th { background: #eef2f5; font-weight: 600; }
 .cell { display: inline-block; min-width: 44px; margin: 1px; padding: 3px 5px; border: 1px solid #0002;
   border-radius: 3px; font-variant-numeric: tabular-nums; }
 .low { background: #cfead6; } .mid-level { background: #fff0b8; } .high { background: #f3b3ad; font-weight: 700; }
+.fell { background: #b9d6f2; font-weight: 700; }
 .spoiled { background: repeating-linear-gradient(45deg, #ddd 0 4px, #f6f6f6 4px 8px); }
 .absent { background: #fff; color: var(--faint); border-style: dashed; }
 .finding { border: 1px solid var(--line); border-left: 6px solid var(--bad); padding: 6px 14px; margin: 10px 0; }

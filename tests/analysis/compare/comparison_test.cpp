@@ -212,6 +212,50 @@ TEST_CASE("a record that its bench gave up is left out", "[analysis]") {
   CHECK(change_of(c, "mesh")->freedom >= 3);
 }
 
+namespace {
+
+// A small gear beside a bearing whose line may lie a tenth off order 2.5.
+Kinematics gear_with_bearing() {
+  Kinematics k = test::small_gear();
+  k.orders.push_back({"bearing", 2.5, {}, "bearing_outer", ""});
+  Signature spall;
+  spall.component = "bearing_outer";
+  spall.mechanism = "spall";
+  spall.order = 2.5;
+  spall.slip = 0.1;
+  k.signatures = {spall};
+  return k;
+}
+
+// Three records with a line of the gears at 7/3 and one of the bearing at 2.471.
+std::vector<RecordLevels> with_bearing(double gear, double bearing, unsigned seed) {
+  const test::OrderSignals signals{.count = 30000};
+  std::vector<Recording> records = repeats({.count = 30000}, 3, seed);
+  for (Recording& record : records) {
+    record.channels.front().samples +=
+        gear * signals.tone(7.0 / 3, seed) + bearing * signals.tone(2.471, seed);
+  }
+  return test::measured(records, gear_with_bearing());
+}
+
+}  // namespace
+
+TEST_CASE("a bearing's line is found where it strays to, and gears' lines are none", "[analysis]") {
+  const std::vector<Quantity> quantities = quantities_to_compare(gear_with_bearing());
+  const auto change = [&](double gear, double bearing) {
+    return compare(with_bearing(1, 0.2, 1), with_bearing(gear, bearing, 2), quantities);
+  };
+  const Comparison worse = change(1, 0.4);
+  CHECK(change_of(worse, "bearing")->word == ChangeWord::changed);
+  CHECK(change_of(worse, "bearing")->change_dB == Approx(doubled_dB).margin(1));
+  REQUIRE(family_headlines(worse).size() == 1);
+  CHECK(family_headlines(worse).front().share() == 1);
+
+  const Comparison other = change(2, 0.2);  // the gears' line is five to ten times the bearing's
+  CHECK(change_of(other, "bearing")->word == ChangeWord::not_changed);
+  CHECK(family_headlines(other).empty());
+}
+
 TEST_CASE("options that mean nothing are refused", "[analysis]") {
   CHECK_THROWS_WITH(compare({}, {}, {}, {.least_dB = -1}), Contains("least_dB"));
   CHECK_THROWS_WITH(compare({}, {}, {}, {.false_share = 0}), Contains("false_share"));

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "tests/support/signals.hpp"
 
@@ -48,6 +49,19 @@ TEST_CASE("noise shows no line more often than its p-value says", "[analysis]") 
     seen += level.p_value <= 0.05 ? 1 : 0;
   }
   CHECK(seen < 0.05 * draws + 3 * std::sqrt(0.05 * draws));
+}
+
+TEST_CASE("a resonance within reach is no line, a tone on it is", "[analysis]") {
+  // Two poles at order 5, as wide as 24 lines: noise rings there 20 dB above what is around.
+  constexpr double radius = 1 - 24 * std::numbers::pi / (64 * 64) / 2;
+  Eigen::VectorXd x = test::white_noise(count, 1);
+  const double turn = 2 * std::numbers::pi * 5 / rate;
+  for (Eigen::Index i = 2; i < x.size(); ++i) {
+    x[i] += 2 * radius * std::cos(turn) * x[i - 1] - radius * radius * x[i - 2];
+  }
+  CHECK(level_of(x, 4.9, 0.3).p_value > 1e-3);
+  x += 5 * test::rms(x) * test::tone(5.1, count, rate);
+  CHECK(level_of(x, 4.9, 0.3).p_value < 1e-6);
 }
 
 TEST_CASE("where a spectrum does not reach there is no level", "[analysis]") {

@@ -47,6 +47,24 @@ TEST_CASE("orders that are one line of the spectrum are compared once", "[analys
   for (std::size_t i = 5; i < all.size(); ++i) CHECK(all[i].order - all[i - 1].order > 1e-6);
 }
 
+TEST_CASE("lines of a signature know it, also where they have a simpler name", "[analysis]") {
+  const Kinematics k = rv_reducer("RV-20E", {9, 27, 2, 39, 40}, {});
+  const std::vector<Quantity> all = quantities_to_compare(k);
+  const auto is_of = [&](double order, const std::string& component) {
+    const Quantity* line = find(all, order);
+    REQUIRE(line != nullptr);
+    return std::ranges::any_of(line->families, [&](std::size_t family) {
+      return k.signatures[family].component == component;
+    });
+  };
+  CHECK(is_of(1, "input_shaft"));
+  CHECK(is_of(201.0 / 121, "planet_gear"));  // five times 40/121, and 1/121
+  CHECK(find(all, 201.0 / 121)->name == "planet gear x5 + carrier and cycloid disc");
+  CHECK(is_of(959.0 / 121, "planet_gear"));  // 24 times 40/121, less 1/121
+  CHECK(find(all, 959.0 / 121)->name == "sun-planet mesh - input shaft");
+  CHECK_FALSE(is_of(1560.0 / 121, "planet_gear"));
+}
+
 TEST_CASE("the line of a rolling element may stray, that of a shaft not", "[analysis]") {
   GearTrain train;
   train.machine = "motor";

@@ -1,0 +1,216 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+
+#include "analysis/compare/comparison.hpp"
+#include "bench/commands/commands.hpp"
+#include "bench/compare_json.hpp"
+#include "bench/compare_page.hpp"
+#include "bench/compare_side.hpp"
+#include "bench/compare_text.hpp"
+#include "bench/file_kind.hpp"
+#include "bench/kinematics_file.hpp"
+#include "bench/kinematics_files.hpp"
+#include "bench/progress_bar.hpp"
+#include "bench/software_version.hpp"
+#include "bench/text_file.hpp"
+#include "hal/did_you_mean.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+using analysis::Comparison;
+using analysis::RecordLevels;
+
+class CompareCommand final : public Command {
+ public:
+  std::string name() const override { return "compare"; }
+  std::string summary() const override { return "before and after, point by point"; }
+  std::string examples() const override {
+    return "  rvbench compare runs/A17/20260102T030405Z runs/A17/20260202T030405Z\n"
+           "  rvbench compare runs/golden/* runs/A18/* --out compared\n"
+           "  rvbench compare 97.mat 105.mat --kinematics cwru_6205 --rate 12000 --speed 1797\n";
+  }
+  std::vector<Option> options() override {
+    return {
+        {"A", "before: run folder, recording, or folder of recordings", &a_, true},
+        {"B", "after: likewise", &b_, true},
+        {"--kinematics",
+         "machine: " + hal::listed(names_of(kinematics_files())) +
+             ", or a kinematics file; a run folder has its own",
+         &kinematics_file_},
+        {"--speed", "speed of the input shaft [rpm]; default: what the files state", &speed_rpm_},
+        {"--rate", "sample rate [Hz]; default: what the files state", &rate_Hz_},
+        {"--least", "a change that matters [dB]; default: 1", &least_dB_},
+        {"--out", "folder for compare.json and compare.html; default: none are written", &out_},
+        {"--json", "one JSON document on standard output", &json_}};
+  }
+  int run(Console& console) override;
+
+ private:
+  int check_options(Console& console) const;
+  int open_sides(Console& console);
+  int find_kinematics(Console& console);
+  std::optional<std::vector<RecordLevels>> measured(Console& console, CompareSide& side,
+                                                    const std::string& name) const;
+  int tell(Console& console, const Comparison& comparison);
+  void write_out(const Comparison& comparison, const CompareFacts& facts);
+
+  std::string a_, b_;
+  std::string kinematics_file_;
+  std::optional<double> speed_rpm_, rate_Hz_, least_dB_;
+  std::string out_;
+  bool json_ = false;
+  std::vector<CompareSide> sides_;  // A, B
+  analysis::Kinematics kinematics_;
+  analysis::CompareOptions options_;
+};
+
+int CompareCommand::run(Console& console) {
+  options_.least_dB = least_dB_.value_or(options_.least_dB);
+  if (const int refused = check_options(console); refused != exit_codes::done) return refused;
+  if (const int refused = open_sides(console); refused != exit_codes::done) return refused;
+  if (const int refused = find_kinematics(console); refused != exit_codes::done) return refused;
+  const auto a = measured(console, sides_[0], "A");
+  const auto b = a ? measured(console, sides_[1], "B") : std::nullopt;
+  if (!b) return exit_codes::data_refused;
+  return tell(console,
+              analysis::compare(*a, *b, analysis::quantities_to_compare(kinematics_), options_));
+}
+
+// What can be known to be wrong before anything is read.
+int CompareCommand::check_options(Console& console) const {
+  if (!is_positive(console, "--speed", speed_rpm_) || !is_rate(console, rate_Hz_)) {
+    return exit_codes::usage;
+  }
+  if (!(options_.least_dB >= 0 && options_.least_dB < options_.blind_dB)) {
+    return refuse_usage(console, "compare: --least must be 0 or above, and below 6 dB");
+  }
+  if (out_.empty()) return exit_codes::done;
+  const auto refuse = [&](const std::string& why) {
+    return refuse_usage(console, "compare: --out " + out_ + ": " + why);
+  };
+  std::error_code unusable;
+  std::filesystem::create_directories(out_, unusable);
+  if (unusable) return refuse(unusable.message());
+  if (access(out_.c_str(), W_OK | X_OK) != 0) {
+    return refuse(std::generic_category().message(errno));
+  }
+  for (const char* name : {"plan.json", "compare.json", "compare.html"}) {
+    if (std::filesystem::exists(std::filesystem::path(out_) / name)) {
+      return refuse(std::string("holds a ") + name + " already: give another folder");
+    }
+  }
+  return exit_codes::done;
+}
+
+int CompareCommand::open_sides(Console& console) {
+  const hal::RecordingHints hints{.rate_Hz = rate_Hz_.value_or(not_known),
+                                  .speed_rpm = speed_rpm_.value_or(not_known)};
+  for (const std::string& path : {a_, b_}) {
+    auto opened = CompareSide::open(path, hints);
+    if (const auto* refusal = std::get_if<JudgeRefusal>(&opened)) {
+      complain(console, "rvbench: compare: " + refusal->reason);
+      return refusal->exit_code;
+    }
+    sides_.push_back(std::get<0>(std::move(opened)));
+  }
+  return exit_codes::done;
+}
+
+// One machine for both: its lines are what is compared.
+int CompareCommand::find_kinematics(Console& console) {
+  std::vector<std::pair<std::string, analysis::Kinematics>> stated;
+  if (!kinematics_file_.empty()) {
+    auto read = read_kinematics(kinematics_file_);
+    if (read.index() == 1) return refuse_file(console, kinematics_file_, std::get<1>(read));
+    stated.emplace_back("--kinematics", std::get<0>(std::move(read)));
+  }
+  for (const CompareSide& side : sides_) {
+    if (side.kinematics()) {
+      stated.emplace_back(side.path(), *side.kinematics());
+    } else if (kinematics_file_.empty()) {
+      return refuse_usage(console, "compare: " + side.path() +
+                                       " is no run folder: give its machine with --kinematics");
+    }
+  }
+  for (const auto& [who, machine] : stated) {
+    if (is_same_machine(machine, stated.front().second)) continue;
+    return refuse_data(console, "compare: another machine: " + stated.front().first + " is of " +
+                                    stated.front().second.machine + ", " + who + " is of " +
+                                    machine.machine + ", and their lines differ");
+  }
+  kinematics_ = stated.front().second;
+  return exit_codes::done;
+}
+
+// Record by record: a whole run does not fit into memory.
+std::optional<std::vector<RecordLevels>> CompareCommand::measured(Console& console,
+                                                                  CompareSide& side,
+                                                                  const std::string& name) const {
+  ProgressBar bar(console, progress_style(console, json_));
+  const std::vector<analysis::Quantity> quantities = analysis::quantities_to_compare(kinematics_);
+  std::vector<RecordLevels> levels;
+  for (std::size_t i = 0; i < side.size(); ++i) {
+    const Result<Recording> record = side.read(i);
+    if (!record) {
+      bar.clear();
+      refuse_data(console, "compare: " + record.error().where);
+      return std::nullopt;
+    }
+    bar.show("measure " + name, double(i) / double(side.size()), record.value().source);
+    levels.push_back(analysis::measure_levels(record.value(), kinematics_, quantities));
+  }
+  bar.clear();
+  return levels;
+}
+
+int CompareCommand::tell(Console& console, const Comparison& comparison) {
+  CompareFacts facts{a_, b_, kinematics_, software_version(), {}};
+  for (const CompareSide& side : sides_)
+    std::ranges::move(side.hashes(), std::back_inserter(facts.hashes));
+  if (comparison.changes.empty()) {
+    for (const analysis::LeftOut& out : comparison.left_out) {
+      console.err << "rvbench: note: " << out.where << ": " << out.why << '\n';
+    }
+    return refuse_data(console, comparison.points.empty()
+                                    ? "compare: A and B have no point of speed and load in common"
+                                    : "compare: A and B have no channel in common that can be "
+                                      "compared");
+  }
+  try {
+    if (!out_.empty()) write_out(comparison, facts);
+  } catch (const std::system_error& error) {
+    return refuse_usage(console, std::string("compare: --out: ") + error.what());
+  }
+  if (json_) {
+    console.out << comparison_to_json(comparison, facts);
+  } else {
+    print_comparison(console, comparison, kinematics_);
+    if (!out_.empty()) console.out << "\nReport: " << out_ << "/compare.html\n";
+  }
+  return exit_codes::done;
+}
+
+void CompareCommand::write_out(const Comparison& comparison, const CompareFacts& facts) {
+  const std::filesystem::path folder = out_;
+  write_file(folder / "compare.json", comparison_to_json(comparison, facts));
+  const auto spectra = [&](std::size_t point,
+                           const std::string& channel) -> std::optional<SpectrumPair> {
+    const analysis::MatchedPoint& at = comparison.points[point];
+    auto a = sides_[0].mean_spectrum(at.a.records, channel, kinematics_);
+    auto b = sides_[1].mean_spectrum(at.b.records, channel, kinematics_);
+    if (!a || !b) return std::nullopt;
+    return SpectrumPair{std::move(*a), std::move(*b)};
+  };
+  write_file(folder / "compare.html", make_compare_page(comparison, facts, spectra));
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_compare_command() { return std::make_unique<CompareCommand>(); }
+
+}  // namespace rvbench::bench

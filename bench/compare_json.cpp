@@ -1,0 +1,168 @@
+#include "bench/compare_json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "analysis/compare/headlines.hpp"
+#include "bench/compare_text.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+using analysis::Change;
+using analysis::Comparison;
+using nlohmann::ordered_json;
+
+ordered_json number(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+double from_dB(double dB) { return std::pow(10, dB / 20); }
+
+const char* word(analysis::ChangeWord word) {
+  switch (word) {
+    case analysis::ChangeWord::changed: return "changed";
+    case analysis::ChangeWord::not_changed: return "not_changed";
+    case analysis::ChangeWord::cannot_tell: return "cannot_tell";
+  }
+  return "";
+}
+
+const char* scatter(analysis::ScatterSource source) {
+  switch (source) {
+    case analysis::ScatterSource::repeats: return "repeats";
+    case analysis::ScatterSource::parts: return "parts_of_record";
+    case analysis::ScatterSource::none: return "none";
+  }
+  return "";
+}
+
+ordered_json place(const analysis::PointRecords& point) {
+  return {{"speed_rpm", number(point.speed_rpm)}, {"load_pct", number(point.load_pct)}};
+}
+
+ordered_json change_json(const Change& change, const Comparison& comparison) {
+  const analysis::Quantity& quantity = comparison.quantities[change.quantity];
+  ordered_json json{{"channel", comparison.channels[change.channel].name},
+                    {"quantity", quantity.name}};
+  if (quantity.is_line()) {
+    json["order"] = quantity.order;
+    json["component"] = quantity.component;
+    json["seen"] = {{"a", change.seen_a}, {"b", change.seen_b}};
+  }
+  json["a"] = number(from_dB(change.a_dB));
+  json["b"] = number(from_dB(change.b_dB));
+  json["change_dB"] = number(change.change_dB);
+  json["uncertainty95_dB"] = number(change.uncertainty_dB);
+  json["ratio"] = number(from_dB(change.change_dB));
+  json["scatter"] = scatter(change.source);
+  json["freedom"] = number(change.freedom);
+  json["p_value"] = number(change.p_value);
+  json["p_adjusted"] = number(change.adjusted_p);
+  json["detectable_dB"] = number(change.detectable_dB);
+  json["word"] = word(change.word);
+  return json;
+}
+
+ordered_json points_json(const Comparison& comparison) {
+  ordered_json points = ordered_json::array();
+  for (const analysis::MatchedPoint& point : comparison.points) {
+    ordered_json json = place(point.a);
+    json["records"] = {{"a", point.a.records.size()}, {"b", point.b.records.size()}};
+    json["changes"] = ordered_json::array();
+    points.push_back(std::move(json));
+  }
+  for (const Change& change : comparison.changes) {
+    points[change.point]["changes"].push_back(change_json(change, comparison));
+  }
+  return points;
+}
+
+ordered_json headlines_json(const Comparison& comparison) {
+  ordered_json json = ordered_json::array();
+  for (const analysis::Headline& h : analysis::headlines(comparison)) {
+    const analysis::Quantity& quantity = comparison.quantities[h.quantity];
+    const Change& most = comparison.changes[h.strongest];
+    json.push_back({{"quantity", quantity.name},
+                    {"order", number(quantity.order)},
+                    {"component", quantity.component},
+                    {"median_dB", h.median_dB},
+                    {"range_dB", {h.least_dB, h.most_dB}},
+                    {"channels_changed", h.changed},
+                    {"channels_compared", h.compared},
+                    {"points_changed", h.points},
+                    {"strongest",
+                     {{"where", place_text(most, comparison)},
+                      {"change_dB", most.change_dB},
+                      {"uncertainty95_dB", number(most.uncertainty_dB)},
+                      {"p_adjusted", number(most.adjusted_p)}}}});
+  }
+  return json;
+}
+
+ordered_json families_json(const Comparison& comparison, const analysis::Kinematics& kinematics) {
+  ordered_json json = ordered_json::array();
+  for (const analysis::FamilyHeadline& f : analysis::family_headlines(comparison)) {
+    const analysis::Signature& signature = kinematics.signatures.at(f.family);
+    json.push_back({{"component", signature.component},
+                    {"mechanism", signature.mechanism},
+                    {"order", signature.order},
+                    {"share_changed", f.share()},
+                    {"median_dB", f.median_dB}});
+  }
+  return json;
+}
+
+ordered_json only_json(const std::vector<analysis::PointRecords>& points) {
+  ordered_json json = ordered_json::array();
+  for (const analysis::PointRecords& point : points) {
+    ordered_json one = place(point);
+    one["records"] = point.records.size();
+    json.push_back(std::move(one));
+  }
+  return json;
+}
+
+ordered_json method_json(const analysis::CompareOptions& options) {
+  return {{"least_dB", options.least_dB},
+          {"false_share", options.false_share},
+          {"blind_dB", options.blind_dB},
+          {"test",
+           "Student's t of mean levels in dB against least_dB, variance pooled over A and B and "
+           "drawn towards that of cells alike (Smyth 2004)"},
+          {"multiplicity", "Benjamini & Hochberg 1995, over all cells"}};
+}
+
+}  // namespace
+
+std::string comparison_to_json(const Comparison& comparison, const CompareFacts& facts) {
+  const analysis::ChangeCounts counts = analysis::counts_of(comparison);
+  ordered_json json{{"verdict", word(analysis::word_of(counts))},
+                    {"sentence", compare_sentence(comparison, facts.kinematics)},
+                    {"a", facts.a},
+                    {"b", facts.b},
+                    {"machine", facts.kinematics.machine},
+                    {"software", facts.software},
+                    {"method", method_json(comparison.options)},
+                    {"counts",
+                     {{"changed", counts.changed},
+                      {"not_changed", counts.not_changed},
+                      {"cannot_tell", counts.cannot_tell},
+                      {"noise_changed", counts.noise_changed}}},
+                    {"changed", headlines_json(comparison)},
+                    {"families", families_json(comparison, facts.kinematics)},
+                    {"only_in_a", only_json(comparison.only_a)},
+                    {"only_in_b", only_json(comparison.only_b)},
+                    {"left_out", ordered_json::array()},
+                    {"points", points_json(comparison)},
+                    {"data_sha256", ordered_json::array()}};
+  for (const analysis::LeftOut& out : comparison.left_out) {
+    json["left_out"].push_back({{"where", out.where}, {"why", out.why}});
+  }
+  for (const auto& [file, hash] : facts.hashes) {
+    json["data_sha256"].push_back({{"file", file}, {"sha256", hash}});
+  }
+  return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace rvbench::bench

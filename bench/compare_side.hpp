@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "analysis/kinematics.hpp"
+#include "analysis/spectrum.hpp"
+#include "bench/recordings_to_judge.hpp"
+#include "bench/run_recordings.hpp"
+#include "hal/formats/read_recordings.hpp"
+#include "hal/types/recording.hpp"
+#include "hal/types/result.hpp"
+
+namespace rvbench::bench {
+
+/// One side of a comparison: a run folder, a recording of any format that `judge` reads, or a
+/// folder of such recordings. A run folder is read record by record, as often as one is asked for.
+class CompareSide {
+ public:
+  /// @param hints  of plain recordings only
+  /// @return refused: what `judge` refuses; a run folder whose kinematics.json is damaged, that is
+  ///         still at work, or that has no record
+  static std::variant<CompareSide, JudgeRefusal> open(const std::string& path,
+                                                      const hal::RecordingHints& hints);
+
+  const std::string& path() const { return path_; }
+  /// That of a run folder; a plain recording does not know its machine.
+  const std::optional<analysis::Kinematics>& kinematics() const { return kinematics_; }
+  std::size_t size() const { return points_.empty() ? records_.size() : points_.size(); }
+  /// @param index  below size()
+  Result<Recording> read(std::size_t index);
+  /// Order spectrum of a channel, the mean in power over these records.
+  /// @return nothing if none of them has one
+  std::optional<analysis::Spectrum> mean_spectrum(const std::vector<std::size_t>& records,
+                                                  const std::string& channel,
+                                                  const analysis::Kinematics& kinematics);
+  /// Files that were read, each with its SHA-256.
+  std::vector<std::pair<std::string, std::string>> hashes() const;
+
+ private:
+  static std::variant<CompareSide, JudgeRefusal> open_run(const std::filesystem::path& folder);
+  static std::variant<CompareSide, JudgeRefusal> open_files(const std::filesystem::path& path,
+                                                            const hal::RecordingHints& hints);
+
+  std::string path_;
+  std::optional<analysis::Kinematics> kinematics_;
+  std::vector<std::string> files_;
+  std::vector<Recording> records_;  ///< of plain recordings
+  std::vector<int> points_;         ///< of a run: those recorded
+  std::optional<RunRecordings> run_;
+};
+
+/// Whether lines of the one are lines of the other, whatever the machines are called.
+bool is_same_machine(const analysis::Kinematics& a, const analysis::Kinematics& b);
+
+}  // namespace rvbench::bench

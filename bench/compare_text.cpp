@@ -1,0 +1,226 @@
+#include "bench/compare_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/compare/compared_channels.hpp"
+#include "bench/report/html.hpp"
+#include "hal/formats/printable.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+using analysis::Change;
+using analysis::Comparison;
+using analysis::Headline;
+
+constexpr std::size_t most_named = 4;
+constexpr std::size_t most_rows = 12;
+constexpr std::size_t most_families = 3;
+constexpr double worth_naming = 0.25;  // of the lines of a part
+
+std::string counted(std::size_t count, const std::string& what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+std::string named(const Headline& h, const Comparison& comparison) {
+  return fmt::format("{} by {} at {} of {}", comparison.quantities[h.quantity].name,
+                     change_text(h.median_dB), h.points,
+                     counted(comparison.points.size(), "point"));
+}
+
+// Whose lines they are, if enough of a part's have changed.
+std::string family_sentence(const Comparison& comparison, const analysis::Kinematics& kinematics) {
+  const auto families = analysis::family_headlines(comparison);
+  if (families.empty() || families.front().share() < worth_naming) return "";
+  return "Most changed " + family_text(families.front(), kinematics) + ". ";
+}
+
+// "3 lines and 2 levels"
+std::string kinds_text(const std::vector<Headline>& all, const Comparison& comparison) {
+  const auto lines = static_cast<std::size_t>(std::ranges::count_if(
+      all, [&](const Headline& h) { return comparison.quantities[h.quantity].is_line(); }));
+  std::string text = lines > 0 ? counted(lines, "line") : "";
+  if (lines < all.size()) {
+    text += (lines > 0 ? " and " : "") + counted(all.size() - lines, "level");
+  }
+  return text;
+}
+
+std::string changed_sentence(const Comparison& comparison) {
+  const std::vector<Headline> all = analysis::headlines(comparison);
+  std::string names;
+  for (std::size_t i = 0; i < std::min(all.size(), most_named); ++i) {
+    names += (i == 0 ? "" : "; ") + named(all[i], comparison);
+  }
+  const std::string more =
+      all.size() > most_named ? fmt::format("; and {} more", all.size() - most_named) : "";
+  return fmt::format("From A to B {} changed: {}{}. ", kinds_text(all, comparison), names, more);
+}
+
+std::string unchanged_sentence(const analysis::ChangeCounts& counts) {
+  std::string text;
+  if (counts.not_changed > 0) {
+    text = fmt::format(
+        "{} of {} did not change: in half of them a change above {:.1f} dB would have been "
+        "seen. ",
+        counts.not_changed,
+        counted(counts.changed + counts.not_changed + counts.cannot_tell, "value"),
+        counts.median_detectable_dB);
+  }
+  if (counts.cannot_tell > 0) {
+    text += fmt::format("Of {} it cannot be told: too few repeats for their scatter. ",
+                        counts.cannot_tell);
+  }
+  if (counts.noise_changed > 0) {
+    text += fmt::format("The noise changed at {} where neither shows a line. ",
+                        counted(counts.noise_changed, "place"));
+  }
+  return text;
+}
+
+// What the scatter is worth.
+std::string scatter_sentence(const Comparison& comparison) {
+  const auto has = [&](analysis::ScatterSource source) {
+    return std::ranges::any_of(comparison.changes,
+                               [&](const Change& c) { return c.source == source; });
+  };
+  std::string text;
+  if (has(analysis::ScatterSource::parts)) {
+    text =
+        "Where A and B have one record each, the scatter is that of its parts: what differs from "
+        "start to start is not in it. ";
+  }
+  if (has(analysis::ScatterSource::none)) {
+    text += "Where the one record is too short for parts, no scatter is known. ";
+  }
+  return text;
+}
+
+std::string p_text(double p_value) {
+  return p_value < 1e-15 ? "p < 1e-15" : fmt::format("p {:.1e}", p_value);
+}
+
+std::string order_of(const analysis::Quantity& quantity, double period_turns) {
+  return quantity.is_line() ? "order " + report::order_text(quantity.order, period_turns) : "level";
+}
+
+void print_headline(Console& console, const Headline& h, const Comparison& comparison,
+                    double period_turns) {
+  const analysis::Quantity& quantity = comparison.quantities[h.quantity];
+  const Change& most = comparison.changes[h.strongest];
+  console.out << fmt::format(
+      "  {:>9}  {} ({}{})\n             {} to {}, in {} of {}, at {} of {}\n"
+      "             most at {}: {}, {:+.1f} ± {:.2g} dB, {}\n",
+      change_text(h.median_dB), quantity.name, order_of(quantity, period_turns),
+      quantity.component.empty() ? "" : ", " + quantity.component, change_text(h.least_dB),
+      change_text(h.most_dB), h.changed, counted(h.compared, "cell"), h.points,
+      counted(comparison.points.size(), "point"), place_text(most, comparison),
+      levels_text(most, comparison), most.change_dB, most.uncertainty_dB, p_text(most.adjusted_p));
+}
+
+// Whose lines they are; parts share lines, so several.
+void print_families(Console& console, const Comparison& comparison,
+                    const analysis::Kinematics& kinematics) {
+  const auto families = analysis::family_headlines(comparison);
+  if (!families.empty()) console.out << "Whose lines changed, most first:\n";
+  for (std::size_t i = 0; i < std::min(families.size(), most_families); ++i) {
+    console.out << "  " << family_text(families[i], kinematics) << '\n';
+  }
+  if (!families.empty()) console.out << '\n';
+}
+
+void print_points(Console& console, const std::vector<analysis::PointRecords>& points,
+                  const std::string& side) {
+  for (const analysis::PointRecords& point : points) {
+    console.out << fmt::format("  {}: only in {} ({})\n",
+                               analysis::point_text(point.speed_rpm, point.load_pct), side,
+                               counted(point.records.size(), "record"));
+  }
+}
+
+void print_left_out(Console& console, const Comparison& comparison) {
+  if (comparison.only_a.empty() && comparison.only_b.empty() && comparison.left_out.empty()) return;
+  console.out << "\nNot compared, or with a reservation:\n";
+  print_points(console, comparison.only_a, "A");
+  print_points(console, comparison.only_b, "B");
+  for (std::size_t i = 0; i < std::min(comparison.left_out.size(), most_rows); ++i) {
+    const analysis::LeftOut& out = comparison.left_out[i];
+    console.out << "  " << hal::formats::printable(out.where + ": " + out.why) << '\n';
+  }
+  if (comparison.left_out.size() > most_rows) {
+    console.out << "  and " << comparison.left_out.size() - most_rows << " more: see --json\n";
+  }
+}
+
+}  // namespace
+
+std::string spoken_word(analysis::ChangeWord word) {
+  switch (word) {
+    case analysis::ChangeWord::changed: return "CHANGED";
+    case analysis::ChangeWord::not_changed: return "NOT CHANGED";
+    case analysis::ChangeWord::cannot_tell: return "CANNOT TELL";
+  }
+  return "";
+}
+
+std::string family_text(const analysis::FamilyHeadline& family,
+                        const analysis::Kinematics& kinematics) {
+  const analysis::Signature& signature = kinematics.signatures.at(family.family);
+  return report::spoken(signature.component) + " (" + report::spoken(signature.mechanism) +
+         fmt::format("): {:.0f} % of its lines, by {}", 100 * family.share(),
+                     change_text(family.median_dB));
+}
+
+std::string compare_sentence(const Comparison& comparison, const analysis::Kinematics& kinematics) {
+  const analysis::ChangeCounts counts = analysis::counts_of(comparison);
+  std::string text = counts.changed > 0
+                         ? family_sentence(comparison, kinematics) + changed_sentence(comparison)
+                         : fmt::format(
+                               "From A to B nothing is known to have changed by more than "
+                               "{:g} dB. ",
+                               comparison.options.least_dB);
+  text += unchanged_sentence(counts) + scatter_sentence(comparison);
+  text.pop_back();
+  return text;
+}
+
+std::string change_text(double change_dB) {
+  return std::isfinite(change_dB) ? fmt::format("{:+.1f} dB", change_dB) : "–";
+}
+
+std::string levels_text(const Change& change, const Comparison& comparison) {
+  const bool has_unit = comparison.quantities[change.quantity].is_line() || change.quantity < 2;
+  const std::string& unit = comparison.channels[change.channel].unit;
+  return fmt::format("{:.3g} → {:.3g}{}", std::pow(10, change.a_dB / 20),
+                     std::pow(10, change.b_dB / 20), has_unit && !unit.empty() ? " " + unit : "");
+}
+
+std::string place_text(const Change& change, const Comparison& comparison) {
+  const analysis::PointRecords& point = comparison.points[change.point].a;
+  return analysis::point_text(point.speed_rpm, point.load_pct) + ", " +
+         comparison.channels[change.channel].name;
+}
+
+void print_comparison(Console& console, const Comparison& comparison,
+                      const analysis::Kinematics& kinematics) {
+  print_families(console, comparison, kinematics);
+  const std::vector<Headline> all = analysis::headlines(comparison);
+  if (!all.empty()) console.out << "What changed, B against A:\n";
+  for (std::size_t i = 0; i < std::min(all.size(), most_rows); ++i) {
+    print_headline(console, all[i], comparison, kinematics.period_turns);
+  }
+  if (all.size() > most_rows) {
+    console.out << "  and " << all.size() - most_rows << " more: see --json or --out\n";
+  }
+  print_left_out(console, comparison);
+  const analysis::ChangeWord word = analysis::word_of(analysis::counts_of(comparison));
+  const Tone tone = word == analysis::ChangeWord::not_changed ? Tone::good : Tone::strong;
+  console.out << '\n'
+              << paint(console, tone, spoken_word(word)) << "  "
+              << compare_sentence(comparison, kinematics) << '\n';
+}
+
+}  // namespace rvbench::bench

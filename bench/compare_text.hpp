@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+
+#include "analysis/compare/comparison.hpp"
+#include "analysis/compare/headlines.hpp"
+#include "analysis/kinematics.hpp"
+#include "bench/console.hpp"
+
+namespace rvbench::bench {
+
+/// "CHANGED", "NOT CHANGED", "CANNOT TELL"
+std::string spoken_word(analysis::ChangeWord word);
+
+/// What changed from A to B, in a sentence or a few: whose lines, the strongest lines and levels by
+/// name, what would have been seen of the others, and how the scatter is known.
+std::string compare_sentence(const analysis::Comparison& comparison,
+                             const analysis::Kinematics& kinematics);
+
+/// "planet gear (tooth damage): 88 % of its lines, by +19.3 dB"
+std::string family_text(const analysis::FamilyHeadline& family,
+                        const analysis::Kinematics& kinematics);
+
+/// "+6.1 dB"
+std::string change_text(double change_dB);
+
+/// "0.0123 → 0.0363 m/s²": the levels in A and in B.
+std::string levels_text(const analysis::Change& change, const analysis::Comparison& comparison);
+
+/// "1815 rpm, 100 % load, accel_1x"
+std::string place_text(const analysis::Change& change, const analysis::Comparison& comparison);
+
+/// The comparison on standard output.
+void print_comparison(Console& console, const analysis::Comparison& comparison,
+                      const analysis::Kinematics& kinematics);
+
+}  // namespace rvbench::bench
