@@ -139,6 +139,7 @@ std::string comparison_to_json(const Comparison& comparison, const CompareFacts&
   const analysis::ChangeCounts counts = analysis::counts_of(comparison);
   ordered_json json{{"verdict", word(analysis::word_of(counts))},
                     {"sentence", compare_sentence(comparison, facts.kinematics)},
+                    {"reservation", compare_reservation(comparison)},
                     {"a", facts.a},
                     {"b", facts.b},
                     {"machine", facts.kinematics.machine},

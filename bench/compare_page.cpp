@@ -21,48 +21,47 @@ std::string sentence_section(const Comparison& comparison, const CompareFacts& f
   const analysis::ChangeWord word = analysis::word_of(analysis::counts_of(comparison));
   return fmt::format(
       "<h1>Before and after: {}</h1>\n<div class=\"verdict{}\"><div class=\"word\">{}</div>"
-      "<div class=\"reason\">{}</div></div>\n<dl><dt>A</dt><dd>{}</dd><dt>B</dt><dd>{}</dd></dl>\n",
+      "<div class=\"reason\">{}</div><p>{}</p></div>\n"
+      "<dl><dt>A, before</dt><dd>{}</dd><dt>B, after</dt><dd>{}</dd></dl>\n",
       xml_escaped(facts.kinematics.machine),
       word == analysis::ChangeWord::not_changed ? " pass" : "", spoken_word(word),
-      xml_escaped(compare_sentence(comparison, facts.kinematics)), xml_escaped(facts.a),
-      xml_escaped(facts.b));
+      xml_escaped(compare_sentence(comparison, facts.kinematics)),
+      xml_escaped(compare_reservation(comparison)), xml_escaped(facts.a), xml_escaped(facts.b));
 }
 
-std::string families_list(const Comparison& comparison, const analysis::Kinematics& kinematics) {
+std::string families_section(const Comparison& comparison, const analysis::Kinematics& kinematics) {
   std::string items;
   for (const analysis::FamilyHeadline& f : analysis::family_headlines(comparison)) {
     items += "<li>" + family_text(f, kinematics) + "</li>\n";
   }
   if (items.empty()) return "";
-  return report::paragraph(
-             "Whose lines changed, most first; parts share lines, so that what one "
-             "of them did others show as well:") +
-         "<ul>\n" + items + "</ul>\n";
+  return section("Whose lines changed",
+                 report::paragraph("Most first. Parts share lines, so that what one of them did "
+                                   "others show as well.") +
+                     "<ul>\n" + items + "</ul>\n");
 }
 
-std::string headlines_section(const Comparison& comparison,
-                              const analysis::Kinematics& kinematics) {
+std::string headlines_section(const Comparison& comparison, double period_turns) {
   std::vector<std::vector<std::string>> rows;
   for (const analysis::Headline& h : analysis::headlines(comparison)) {
     const analysis::Quantity& quantity = comparison.quantities[h.quantity];
     const analysis::Change& most = comparison.changes[h.strongest];
-    rows.push_back(
-        {xml_escaped(quantity.name),
-         quantity.is_line() ? report::order_text(quantity.order, kinematics.period_turns) : "",
-         report::spoken(quantity.component), "<b>" + change_text(h.median_dB) + "</b>",
-         change_text(h.least_dB) + " to " + change_text(h.most_dB),
-         fmt::format("{} of {}", h.changed, h.compared),
-         fmt::format("{} of {}", h.points, comparison.points.size()),
-         xml_escaped(place_text(most, comparison)), xml_escaped(levels_text(most, comparison)),
-         fmt::format("{:+.1f} ± {:.2g} dB", most.change_dB, most.uncertainty_dB),
-         report::p_value_text(most.adjusted_p)});
+    rows.push_back({xml_escaped(quantity.name),
+                    quantity.is_line() ? report::order_text(quantity.order, period_turns) : "",
+                    report::spoken(quantity.component), fmt::format("<b>{:+.1f}</b>", h.median_dB),
+                    fmt::format("{:+.1f} to {:+.1f}", h.least_dB, h.most_dB),
+                    fmt::format("{} of {}", h.changed, h.compared),
+                    fmt::format("{} of {}", h.points, comparison.points.size()),
+                    xml_escaped(place_text(most, comparison)),
+                    xml_escaped(levels_text(most, comparison)),
+                    fmt::format("{:+.1f} ± {:.2g}", most.change_dB, most.uncertainty_dB),
+                    report::p_value_text(most.adjusted_p)});
   }
   if (rows.empty()) return "";
-  return section("What changed",
-                 families_list(comparison, kinematics) +
-                     table({"line or level", "order", "part", "median change", "range", "cells",
-                            "points", "most at", "A → B", "there (95 %)", "p"},
-                           rows));
+  return section("Each line and level that changed",
+                 table({"line or level", "order", "part", "median [dB]", "range [dB]", "cells",
+                        "points", "most at", "A → B", "by [dB, 95 %]", "p"},
+                       rows));
 }
 
 std::string only_text(const std::vector<analysis::PointRecords>& points, const char* side) {
@@ -115,8 +114,9 @@ std::string make_compare_page(const Comparison& comparison, const CompareFacts& 
          xml_escaped(word + ": " + facts.kinematics.machine) + "</title>\n<style>\n" +
          report::style_sheet() + "</style></head><body><main>\n" +
          sentence_section(comparison, facts) + report::compare_matrix_section(comparison) +
-         headlines_section(comparison, facts.kinematics) +
+         families_section(comparison, facts.kinematics) +
          report::compare_spectra_section(comparison, facts, spectra) +
+         headlines_section(comparison, facts.kinematics.period_turns) +
          left_out_section(comparison) + method_section(comparison, facts) +
          "</main></body></html>\n";
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <tuple>
+#include <utility>
 
 #include "bench/compare_sections.hpp"
 #include "bench/compare_text.hpp"
@@ -19,45 +19,63 @@ using analysis::ChangeWord;
 using analysis::Comparison;
 
 constexpr std::size_t most_pairs = 6;
+constexpr std::size_t most_marks = 5;
 constexpr double fewest_orders = 3;  // shown
 constexpr double beyond = 1.2;       // of the highest line that is to be seen
 
 // One channel of one point, worth a look.
 struct Look {
   std::size_t point = 0, channel = 0;
-  double highest_order = 0;  // of what changed; else of all lines that are seen
-  std::vector<const Change*> changed;
-  double most_dB = 0;
+  std::vector<const Change*> changed;  // what is to be seen of it: the most first
+  double most = 0;                     // of it, in the unit of the channel
+  double highest_order = 0;            // of what changed; of all lines that are seen if none did
 };
+
+// How much of a change a plot of amplitudes shows.
+double to_be_seen(const Change* change) {
+  return std::abs(std::pow(10, change->b_dB / 20) - std::pow(10, change->a_dB / 20));
+}
+
+void add(const Change& change, double order, Look& look) {
+  look.point = change.point;
+  look.channel = change.channel;
+  if (change.word == ChangeWord::changed) {
+    look.changed.push_back(&change);
+  } else {
+    look.highest_order = std::max(look.highest_order, order);
+  }
+}
+
+void complete(const Comparison& comparison, Look& look) {
+  std::ranges::stable_sort(look.changed, std::greater<>(), to_be_seen);
+  if (look.changed.size() > most_marks) look.changed.resize(most_marks);
+  if (look.changed.empty()) return;
+  look.most = to_be_seen(look.changed.front());
+  look.highest_order = 0;
+  for (const Change* change : look.changed) {
+    const double order = comparison.quantities[change->quantity].order;
+    look.highest_order = std::max(look.highest_order, order);
+  }
+}
 
 std::vector<Look> looks_of(const Comparison& comparison) {
   std::map<std::pair<std::size_t, std::size_t>, Look> all;
   for (const Change& change : comparison.changes) {
     const analysis::Quantity& quantity = comparison.quantities[change.quantity];
     if (!quantity.is_line() || !change.is_seen()) continue;
-    Look& look = all[{change.point, change.channel}];
-    look.point = change.point;
-    look.channel = change.channel;
-    if (change.word == ChangeWord::changed) {
-      look.changed.push_back(&change);
-      look.most_dB = std::max(look.most_dB, std::abs(change.change_dB));
-    }
-  }
-  for (const Change& change : comparison.changes) {
-    const auto look = all.find({change.point, change.channel});
-    if (look == all.end() || !change.is_seen()) continue;
-    if (!look->second.changed.empty() && change.word != ChangeWord::changed) continue;
-    const double order = comparison.quantities[change.quantity].order;
-    look->second.highest_order = std::fmax(look->second.highest_order, order);
+    add(change, quantity.order, all[{change.point, change.channel}]);
   }
   std::vector<Look> looks;
-  for (auto& [place, look] : all) looks.push_back(std::move(look));
+  for (auto& [place, look] : all) {
+    complete(comparison, look);
+    looks.push_back(std::move(look));
+  }
   return looks;
 }
 
-// Of each point the channel with the largest change; of points those with the largest.
+// Of each point the channel with most to be seen, of points those with most.
 std::vector<Look> chosen(std::vector<Look> looks) {
-  std::ranges::stable_sort(looks, std::greater<>(), &Look::most_dB);
+  std::ranges::stable_sort(looks, std::greater<>(), &Look::most);
   std::vector<Look> first;
   for (Look& look : looks) {
     const bool known =
@@ -122,7 +140,7 @@ std::string compare_spectra_section(const Comparison& comparison, const CompareF
       "Spectra before and after",
       paragraph("Amplitude over orders of the input shaft of " + facts.kinematics.machine +
                 ", averaged in power over the repeats. Of each point the channel in "
-                "which most changed; marks are lines that did.") +
+                "which most changed; marked are the lines that did, the five strongest.") +
           body);
 }
 

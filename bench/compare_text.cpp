@@ -35,7 +35,7 @@ std::string named(const Headline& h, const Comparison& comparison) {
 std::string family_sentence(const Comparison& comparison, const analysis::Kinematics& kinematics) {
   const auto families = analysis::family_headlines(comparison);
   if (families.empty() || families.front().share() < worth_naming) return "";
-  return "Most changed " + family_text(families.front(), kinematics) + ". ";
+  return "Most changed: " + family_text(families.front(), kinematics) + ". ";
 }
 
 // "3 lines and 2 levels"
@@ -57,7 +57,7 @@ std::string changed_sentence(const Comparison& comparison) {
   }
   const std::string more =
       all.size() > most_named ? fmt::format("; and {} more", all.size() - most_named) : "";
-  return fmt::format("From A to B {} changed: {}{}. ", kinds_text(all, comparison), names, more);
+  return fmt::format("From A to B {} changed: {}{}.", kinds_text(all, comparison), names, more);
 }
 
 std::string unchanged_sentence(const analysis::ChangeCounts& counts) {
@@ -175,14 +175,17 @@ std::string family_text(const analysis::FamilyHeadline& family,
 }
 
 std::string compare_sentence(const Comparison& comparison, const analysis::Kinematics& kinematics) {
-  const analysis::ChangeCounts counts = analysis::counts_of(comparison);
-  std::string text = counts.changed > 0
-                         ? family_sentence(comparison, kinematics) + changed_sentence(comparison)
-                         : fmt::format(
-                               "From A to B nothing is known to have changed by more than "
-                               "{:g} dB. ",
-                               comparison.options.least_dB);
-  text += unchanged_sentence(counts) + scatter_sentence(comparison);
+  if (analysis::counts_of(comparison).changed == 0) {
+    return fmt::format("From A to B nothing is known to have changed by more than {:g} dB.",
+                       comparison.options.least_dB);
+  }
+  return family_sentence(comparison, kinematics) + changed_sentence(comparison);
+}
+
+std::string compare_reservation(const Comparison& comparison) {
+  std::string text =
+      unchanged_sentence(analysis::counts_of(comparison)) + scatter_sentence(comparison);
+  if (text.empty()) return "All that was compared changed.";
   text.pop_back();
   return text;
 }
@@ -220,7 +223,8 @@ void print_comparison(Console& console, const Comparison& comparison,
   const Tone tone = word == analysis::ChangeWord::not_changed ? Tone::good : Tone::strong;
   console.out << '\n'
               << paint(console, tone, spoken_word(word)) << "  "
-              << compare_sentence(comparison, kinematics) << '\n';
+              << compare_sentence(comparison, kinematics) << '\n'
+              << compare_reservation(comparison) << '\n';
 }
 
 }  // namespace rvbench::bench

@@ -12,10 +12,14 @@ namespace rvbench::bench {
 /// "CHANGED", "NOT CHANGED", "CANNOT TELL"
 std::string spoken_word(analysis::ChangeWord word);
 
-/// What changed from A to B, in a sentence or a few: whose lines, the strongest lines and levels by
-/// name, what would have been seen of the others, and how the scatter is known.
+/// What changed from A to B, in a sentence or two: whose lines, and the strongest lines and levels
+/// by name.
 std::string compare_sentence(const analysis::Comparison& comparison,
                              const analysis::Kinematics& kinematics);
+
+/// What is known of the rest: what would have been seen where nothing changed, of how much nothing
+/// can be told, and what the scatter is worth. Never empty.
+std::string compare_reservation(const analysis::Comparison& comparison);
 
 /// "planet gear (tooth damage): 88 % of its lines, by +19.3 dB"
 std::string family_text(const analysis::FamilyHeadline& family,

@@ -11,8 +11,8 @@ namespace rvbench::analysis {
 namespace {
 
 constexpr double hann_noise_lines = 1.5;
-constexpr Eigen::Index near_lines = 24, line_width = 3;
-constexpr Eigen::Index lowest_hann = 3;  // clear of what is left of the mean
+constexpr Eigen::Index near_lines = 60, line_width = 12;  // slip smears a line
+constexpr Eigen::Index lowest_hann = 3;                   // clear of what is left of the mean
 
 struct Reach {
   Eigen::Index from, to;

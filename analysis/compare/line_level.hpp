@@ -19,7 +19,7 @@ struct LineLevel {
 ///
 ///     P = (A²₋₁ + A²₀ + A²₊₁) / 1.5
 ///
-/// Where more than one line is within reach, the noise is that of the nearest 24 to both sides if
+/// Where more than one line is within reach, the noise is that of the nearest 60 to both sides if
 /// that is more: a resonance is no line.
 ///
 /// Shape   of a tone on a line its amplitude², of one between two lines at most 0.4 dB less

@@ -52,16 +52,20 @@ TEST_CASE("noise shows no line more often than its p-value says", "[analysis]") 
 }
 
 TEST_CASE("a resonance within reach is no line, a tone on it is", "[analysis]") {
-  // Two poles at order 5, as wide as 24 lines: noise rings there 20 dB above what is around.
-  constexpr double radius = 1 - 24 * std::numbers::pi / (64 * 64) / 2;
-  Eigen::VectorXd x = test::white_noise(count, 1);
+  // Two poles at order 5, as wide as 96 lines: noise rings there 20 dB above what is around.
+  constexpr double radius = 1 - 96 * std::numbers::pi / (64 * 64);
   const double turn = 2 * std::numbers::pi * 5 / rate;
-  for (Eigen::Index i = 2; i < x.size(); ++i) {
-    x[i] += 2 * radius * std::cos(turn) * x[i - 1] - radius * radius * x[i - 2];
+  int called = 0;
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    Eigen::VectorXd x = test::white_noise(count, seed);
+    for (Eigen::Index i = 2; i < x.size(); ++i) {
+      x[i] += 2 * radius * std::cos(turn) * x[i - 1] - radius * radius * x[i - 2];
+    }
+    called += level_of(x, 4.9, 0.3).p_value <= 1e-4 ? 1 : 0;
+    x += 5 * test::rms(x) * test::tone(5.1, count, rate);
+    REQUIRE(level_of(x, 4.9, 0.3).p_value < 1e-6);
   }
-  CHECK(level_of(x, 4.9, 0.3).p_value > 1e-3);
-  x += 5 * test::rms(x) * test::tone(5.1, count, rate);
-  CHECK(level_of(x, 4.9, 0.3).p_value < 1e-6);
+  CHECK(called <= 3);
 }
 
 TEST_CASE("where a spectrum does not reach there is no level", "[analysis]") {

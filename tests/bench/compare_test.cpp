@@ -1,0 +1,199 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <random>
+
+#include "bench/compare_page.hpp"
+#include "bench/compare_text.hpp"
+#include "bench/text_file.hpp"
+#include "tests/bench/answers.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+// `compare` on recordings of any other program.
+namespace rvbench::bench {
+namespace {
+
+using Catch::Matchers::Contains;
+using rvbench::test::ScratchFolder;
+using test::Answer;
+using test::rvbench;
+
+constexpr double rate_Hz = 2000;
+
+// A motor at 1800 rpm with lines at its order and at the outer race's.
+struct Motor {
+  double shaft = 0.5, outer = 0.1;
+  double length_s = 8;
+  std::string channel = "accel_1x";
+};
+
+void write_csv(const std::filesystem::path& file, const Motor& motor, unsigned seed) {
+  std::mt19937 engine(seed);
+  std::normal_distribution<double> noise(0, 0.1);
+  const auto tone = [](double order, double t_s) {
+    return std::cos(2 * std::numbers::pi * order * 30 * t_s);
+  };
+  std::ofstream out(file);
+  out << motor.channel << '\n';
+  for (int i = 0; i < motor.length_s * rate_Hz; ++i) {
+    out << motor.shaft * tone(1, i / rate_Hz) + motor.outer * tone(3.58, i / rate_Hz) +
+               noise(engine)
+        << '\n';
+  }
+}
+
+// A folder of so many recordings.
+std::string repeats(const ScratchFolder& scratch, const std::string& name, const Motor& motor,
+                    unsigned count, unsigned seed) {
+  const std::filesystem::path folder = scratch.path() / name;
+  std::filesystem::create_directories(folder);
+  for (unsigned i = 0; i < count; ++i) {
+    write_csv(folder / (std::to_string(i) + ".csv"), motor, 100 * seed + i);
+  }
+  return folder.string();
+}
+
+Answer compare(const std::string& a, const std::string& b, std::vector<std::string> more = {}) {
+  std::vector<std::string> words{"compare", a,      b,        "--kinematics", "cwru_6205",
+                                 "--speed", "1800", "--rate", "2000"};
+  words.insert(words.end(), more.begin(), more.end());
+  return rvbench(words);
+}
+
+nlohmann::json told(const Answer& answer) { return nlohmann::json::parse(answer.out); }
+
+}  // namespace
+
+TEST_CASE("compare names the line that changed, and by how much", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string a = repeats(scratch, "a", {}, 3, 1);
+  const std::string b = repeats(scratch, "b", {.outer = 0.2}, 3, 2);
+  const Answer answer = compare(a, b);
+  INFO(answer.err);
+  CHECK(answer.code == 0);
+  CHECK_THAT(answer.out, Contains("CHANGED  Most changed: bearing outer (spall)") &&
+                             Contains("drive end bearing_outer by +6.") &&
+                             Contains("did not change: in half of them a change above"));
+  const auto json = told(compare(a, b, {"--json"}));
+  CHECK(json.at("verdict") == "changed");
+  CHECK(json.at("families").at(0).at("component") == "bearing_outer");
+  const auto& line = json.at("changed").at(0);
+  CHECK(line.at("quantity") == "drive end bearing_outer");
+  CHECK(line.at("median_dB").get<double>() ==
+        Approx(6.02).margin(2 * line.at("strongest").at("uncertainty95_dB").get<double>()));
+  CHECK(json.at("points").at(0).at("records") == nlohmann::json({{"a", 3}, {"b", 3}}));
+  CHECK(json.at("data_sha256").size() == 6);
+}
+
+TEST_CASE("compare of two draws of one motor says that nothing changed", "[bench]") {
+  const ScratchFolder scratch;
+  const Answer answer = compare(repeats(scratch, "a", {}, 3, 1), repeats(scratch, "b", {}, 3, 2));
+  CHECK(answer.code == 0);
+  CHECK_THAT(
+      answer.out,
+      Contains("NOT CHANGED  From A to B nothing is known to have changed by more than 1 dB"));
+}
+
+TEST_CASE("compare of one recording each says what its scatter is worth", "[bench]") {
+  const ScratchFolder scratch;
+  write_csv(scratch.path() / "a.csv", {}, 1);
+  write_csv(scratch.path() / "b.csv", {.shaft = 1}, 2);
+  const Answer answer =
+      compare((scratch.path() / "a.csv").string(), (scratch.path() / "b.csv").string());
+  CHECK(answer.code == 0);
+  CHECK_THAT(answer.out, Contains("motor shaft by +6.0 dB") &&
+                             Contains("what differs from start to start is not in it"));
+}
+
+TEST_CASE("a least change is as large as the user says", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string a = repeats(scratch, "a", {}, 3, 1);
+  const std::string b = repeats(scratch, "b", {.shaft = 0.6}, 3, 2);  // 1.6 dB
+  CHECK_THAT(compare(a, b).out, Contains("motor shaft by +1.6 dB"));
+  CHECK_THAT(compare(a, b, {"--least", "3"}).out, !Contains("motor shaft by"));
+}
+
+TEST_CASE("compare writes a page that stands for itself, and not over an older one", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string a = repeats(scratch, "a", {}, 2, 1);
+  const std::string b = repeats(scratch, "b", {.outer = 0.3}, 2, 2);
+  const std::string out = (scratch.path() / "compared").string();
+  const Answer answer = compare(a, b, {"--out", out});
+  CHECK(answer.code == 0);
+  CHECK_THAT(answer.out, Contains("Report: " + out + "/compare.html"));
+  const std::string page = read_file(out + "/compare.html").value_or("");
+  for (const char* part :
+       {"Before and after: CWRU bearing rig", "CHANGED", "cell high", "A, before: accel_1x",
+        "B, after: accel_1x", "drive end bearing_outer"}) {
+    CAPTURE(part);
+    CHECK((page.find(part) != std::string::npos));
+  }
+  CHECK((page.find("http") == page.find("http://www.w3.org")));  // no link but SVG's namespace
+  CHECK(nlohmann::json::accept(read_file(out + "/compare.json").value_or("")));
+  const Answer again = compare(a, b, {"--out", out});
+  CHECK(again.code == 2);
+  CHECK_THAT(again.err, Contains("holds a compare.json already"));
+}
+
+TEST_CASE("compare refuses what cannot be compared, and says why", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string a = repeats(scratch, "a", {}, 2, 1);
+  SECTION("no channel of the same name") {
+    const Answer answer = compare(a, repeats(scratch, "b", {.channel = "accel_2x"}, 2, 2));
+    CHECK(answer.code == 20);
+    CHECK_THAT(answer.err, Contains("accel_1x: only A has it") &&
+                               Contains("no channel in common that can be compared"));
+  }
+  SECTION("no machine") {
+    const Answer answer = rvbench({"compare", a, a, "--speed", "1800", "--rate", "2000"});
+    CHECK(answer.code == 2);
+    CHECK_THAT(answer.err, Contains("give its machine with --kinematics"));
+  }
+  SECTION("no such file") { CHECK(compare(a, (scratch.path() / "none.csv").string()).code == 20); }
+  SECTION("a folder without recordings") {
+    std::filesystem::create_directories(scratch.path() / "empty");
+    const Answer answer = compare(a, (scratch.path() / "empty").string());
+    CHECK(answer.code == 20);
+    CHECK_THAT(answer.err, Contains("holds no recording"));
+  }
+  SECTION("a file that is none") {
+    write_file(scratch.path() / "b.csv", "\x01\x02 nonsense");
+    CHECK(compare(a, (scratch.path() / "b.csv").string()).code == 20);
+  }
+  SECTION("a kinematics file that is none") {
+    write_file(scratch.path() / "k.json", "{");
+    const Answer answer = rvbench({"compare", a, a, "--speed", "1800", "--rate", "2000",
+                                   "--kinematics", (scratch.path() / "k.json").string()});
+    CHECK(answer.code == 3);
+  }
+  SECTION("a run folder whose machine is damaged") {
+    const std::filesystem::path run = scratch.path() / "run";
+    std::filesystem::create_directories(run);
+    write_file(run / "plan.json", "{}");
+    write_file(run / "kinematics.json", "{");
+    const Answer answer = compare(a, run.string());
+    CHECK(answer.code == 3);
+    CHECK_THAT(answer.err, Contains("kinematics.json"));
+  }
+  SECTION("a least change that would hide all") {
+    CHECK(compare(a, a, {"--least", "7"}).code == 2);
+    CHECK(compare(a, a, {"--least", "-1"}).code == 2);
+  }
+}
+
+TEST_CASE("what was not compared is on the page, and markup in names is text", "[bench]") {
+  analysis::Comparison comparison;
+  comparison.only_b = {{605, 50, {0}}};
+  comparison.left_out = {{"<b>point 3</b>", "dead"}};
+  CompareFacts facts;
+  facts.a = "<script>";
+  const std::string page = make_compare_page(
+      comparison, facts, [](std::size_t, const auto&) { return std::optional<SpectrumPair>(); });
+  CHECK_THAT(page, Contains("605 rpm, 50 % load: only in B") &&
+                       Contains("&lt;b&gt;point 3&lt;/b&gt;") && !Contains("<script>"));
+}
+
+}  // namespace rvbench::bench
