@@ -109,8 +109,15 @@ std::variant<CompareSide, JudgeRefusal> CompareSide::open_files(const std::files
 }
 
 Result<Recording> CompareSide::read(std::size_t index) {
-  if (run_) return run_->read(points_.at(index));
-  return records_.at(index);
+  Result<Recording> record =
+      run_ ? run_->read(points_.at(index)) : Result<Recording>(records_.at(index));
+  if (!record || names_.empty()) return record;
+  Recording renamed = std::move(record).value();
+  for (Channel& channel : renamed.channels) {
+    const auto name = names_.find(channel.info.name);
+    if (name != names_.end()) channel.info.name = name->second;
+  }
+  return renamed;
 }
 
 std::optional<analysis::Spectrum> CompareSide::mean_spectrum(

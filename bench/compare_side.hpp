@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,6 +35,8 @@ class CompareSide {
   std::size_t size() const { return points_.empty() ? records_.size() : points_.size(); }
   /// @param index  below size()
   Result<Recording> read(std::size_t index);
+  /// From now on a channel that the files call `from` is read as `to`.
+  void rename(const std::string& from, const std::string& to) { names_[from] = to; }
   /// Order spectrum of a channel, the mean in power over these records.
   /// @return nothing if none of them has one
   std::optional<analysis::Spectrum> mean_spectrum(const std::vector<std::size_t>& records,
@@ -53,6 +56,7 @@ class CompareSide {
   std::vector<Recording> records_;  ///< of plain recordings
   std::vector<int> points_;         ///< of a run: those recorded
   std::optional<RunRecordings> run_;
+  std::map<std::string, std::string> names_;  ///< as in the files → as they are read
 };
 
 /// Whether lines of the one are lines of the other, whatever the machines are called.

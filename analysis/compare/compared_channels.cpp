@@ -23,6 +23,19 @@ ByName by_name(const PointRecords& point, const std::vector<RecordLevels>& recor
   return all;
 }
 
+// "only A has it", unless the other one has it and it is spoilt.
+std::string why_missing(const std::string& name, const char* one, const char* other,
+                        const PointRecords& point, const std::vector<RecordLevels>& of_other) {
+  for (const std::size_t i : point.records) {
+    for (const LeftOut& out : of_other[i].left_out) {
+      if (out.where == of_other[i].source + ", " + name) {
+        return fmt::format("that of {} cannot be trusted", other);
+      }
+    }
+  }
+  return fmt::format("only {} has it", one);
+}
+
 // A file that does not state it does not contradict.
 bool differ(const std::string& a, const std::string& b) {
   return !a.empty() && !b.empty() && a != b;
@@ -71,7 +84,7 @@ std::vector<ChannelPair> compared_channels(const MatchedPoint& point,
   for (auto& [name, channels] : of_a) {
     const auto other = of_b.find(name);
     if (other == of_b.end()) {
-      left_out.push_back({where + name, "only A has it, or a B that can be trusted is missing"});
+      left_out.push_back({where + name, why_missing(name, "A", "B", point.b, b)});
       continue;
     }
     ChannelPair pair{name, std::move(channels), std::move(other->second)};
@@ -83,7 +96,7 @@ std::vector<ChannelPair> compared_channels(const MatchedPoint& point,
     }
   }
   for (const auto& [name, channels] : of_b) {
-    left_out.push_back({where + name, "only B has it, or an A that can be trusted is missing"});
+    left_out.push_back({where + name, why_missing(name, "B", "A", point.a, a)});
   }
   return pairs;
 }

@@ -10,6 +10,8 @@
 namespace rvbench::analysis {
 namespace {
 
+constexpr double strong_dB = 10;  // ten times the power: more does not say whose line it is
+
 struct Gathered {
   Headline headline;
   std::vector<double> changes_dB;
@@ -79,7 +81,7 @@ std::vector<FamilyHeadline> family_headlines(const Comparison& comparison) {
     told.back().median_dB = median(std::move(changes));
   }
   std::ranges::stable_sort(told, std::greater<>(), [](const FamilyHeadline& f) {
-    return f.share() * std::abs(f.median_dB);
+    return f.share() * std::min(std::abs(f.median_dB), strong_dB);
   });
   return told;
 }

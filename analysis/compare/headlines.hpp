@@ -32,7 +32,8 @@ struct FamilyHeadline {
 };
 
 /// Of all signatures that have a line that changed, first the one of whose lines most changed and
-/// most strongly: share times dB. Parts share lines: what the first explains others have as well.
+/// most strongly: share times dB, up to 10 dB. Parts share lines: what the first explains others
+/// have as well.
 std::vector<FamilyHeadline> family_headlines(const Comparison& comparison);
 
 /// Cells by their word; lines that neither A nor B shows are counted apart.

@@ -25,6 +25,17 @@ namespace {
 using analysis::Comparison;
 using analysis::RecordLevels;
 
+struct TwoNames {
+  std::string a, b;
+};
+
+// "X105_DE_time=X209_DE_time"
+std::optional<TwoNames> split(const std::string& names) {
+  const auto at = names.find('=');
+  if (at == std::string::npos || at == 0 || at + 1 == names.size()) return std::nullopt;
+  return TwoNames{names.substr(0, at), names.substr(at + 1)};
+}
+
 class CompareCommand final : public Command {
  public:
   std::string name() const override { return "compare"; }
@@ -32,7 +43,8 @@ class CompareCommand final : public Command {
   std::string examples() const override {
     return "  rvbench compare runs/A17/20260102T030405Z runs/A17/20260202T030405Z\n"
            "  rvbench compare runs/golden/* runs/A18/* --out compared\n"
-           "  rvbench compare 97.mat 105.mat --kinematics cwru_6205 --rate 12000 --speed 1797\n";
+           "  rvbench compare IR007_0.mat IR021_0.mat --kinematics cwru_6205 --rate 12000 \\\n"
+           "      --same X105_DE_time=X209_DE_time\n";
   }
   std::vector<Option> options() override {
     return {
@@ -44,6 +56,7 @@ class CompareCommand final : public Command {
          &kinematics_file_},
         {"--speed", "speed of the input shaft [rpm]; default: what the files state", &speed_rpm_},
         {"--rate", "sample rate [Hz]; default: what the files state", &rate_Hz_},
+        {"--same", "sensors that B calls by another name: NAME_IN_A=NAME_IN_B", &same_},
         {"--least", "a change that matters [dB]; default: 1", &least_dB_},
         {"--out", "folder for compare.json and compare.html; default: none are written", &out_},
         {"--json", "one JSON document on standard output", &json_}};
@@ -60,6 +73,7 @@ class CompareCommand final : public Command {
   void write_out(const Comparison& comparison, const CompareFacts& facts);
 
   std::string a_, b_;
+  std::vector<std::string> same_;
   std::string kinematics_file_;
   std::optional<double> speed_rpm_, rate_Hz_, least_dB_;
   std::string out_;
@@ -88,6 +102,10 @@ int CompareCommand::check_options(Console& console) const {
   }
   if (!(options_.least_dB >= 0 && options_.least_dB < options_.blind_dB)) {
     return refuse_usage(console, "compare: --least must be 0 or above, and below 6 dB");
+  }
+  for (const std::string& names : same_) {
+    if (split(names)) continue;
+    return refuse_usage(console, "compare: --same " + names + ": give a name in A, =, one in B");
   }
   if (out_.empty()) return exit_codes::done;
   const auto refuse = [&](const std::string& why) {
@@ -118,6 +136,7 @@ int CompareCommand::open_sides(Console& console) {
     }
     sides_.push_back(std::get<0>(std::move(opened)));
   }
+  for (const std::string& names : same_) sides_[1].rename(split(names)->b, split(names)->a);
   return exit_codes::done;
 }
 

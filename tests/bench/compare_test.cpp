@@ -116,6 +116,20 @@ TEST_CASE("a least change is as large as the user says", "[bench]") {
   CHECK_THAT(compare(a, b, {"--least", "3"}).out, !Contains("motor shaft by"));
 }
 
+TEST_CASE("one sensor by two names is one channel if the user says so", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string a = repeats(scratch, "a", {}, 3, 1);
+  const std::string b = repeats(scratch, "b", {.outer = 0.2, .channel = "DE_130"}, 3, 2);
+  const std::string out = (scratch.path() / "compared").string();
+  const Answer answer = compare(a, b, {"--same", "accel_1x=DE_130", "--out", out});
+  CHECK(answer.code == 0);
+  CHECK_THAT(answer.out, Contains("drive end bearing_outer by +6."));
+  CHECK_THAT(read_file(out + "/compare.html").value_or(""), Contains("B, after: accel_1x"));
+  for (const char* wrong : {"accel_1x", "=DE_130", "accel_1x="}) {
+    CHECK(compare(a, b, {"--same", wrong}).code == 2);
+  }
+}
+
 TEST_CASE("compare writes a page that stands for itself, and not over an older one", "[bench]") {
   const ScratchFolder scratch;
   const std::string a = repeats(scratch, "a", {}, 2, 1);

@@ -69,8 +69,8 @@ TEST_CASE("a reducer that was replaced shows the lines of its bad part", "[spec]
                                                 {"crank_bearing", "bearing_inner"}}));
   CAPTURE(preset);
   const test::ScratchFolder scratch;
-  run_unit(scratch.path() / "a", preset, 11);
-  run_unit(scratch.path() / "b", "healthy", 12);
+  run_unit(scratch.path() / "a", preset, 11, plan_with("[100]", 3));
+  run_unit(scratch.path() / "b", "healthy", 12, plan_with("[100]", 3));
   const auto told = compared(scratch);
   CHECK(told.at("verdict") == "changed");
   REQUIRE_FALSE(told.at("families").empty());

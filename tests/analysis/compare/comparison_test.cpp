@@ -201,6 +201,7 @@ TEST_CASE("channels that are not the same are told, not compared", "[analysis]")
     const Comparison c = compared(a, b);
     CHECK(c.changes.empty());
     CHECK(is_told(c, "record 20, accel_1x: "));
+    CHECK(is_told(c, "1200 rpm, 50 % load, accel_1x: that of B cannot be trusted"));
   }
 }
 
