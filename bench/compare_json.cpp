@@ -73,6 +73,7 @@ ordered_json points_json(const Comparison& comparison) {
     points.push_back(std::move(json));
   }
   for (const Change& change : comparison.changes) {
+    if (!change.is_seen() && change.word != analysis::ChangeWord::changed) continue;
     points[change.point]["changes"].push_back(change_json(change, comparison));
   }
   return points;

@@ -17,8 +17,8 @@ struct CompareFacts {
   std::vector<std::pair<std::string, std::string>> hashes;  ///< file, SHA-256
 };
 
-/// The document compare.json. Values that are not known are null; levels are in the unit of their
-/// channel.
+/// The document compare.json. Of lines that neither A nor B shows it lists only places where the
+/// noise changed. Values that are not known are null; levels are in the unit of their channel.
 std::string comparison_to_json(const analysis::Comparison& comparison, const CompareFacts& facts);
 
 }  // namespace rvbench::bench

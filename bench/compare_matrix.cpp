@@ -24,11 +24,11 @@ struct Square {
 };
 
 std::vector<std::vector<Square>> squares_of(const Comparison& comparison) {
-  std::vector<std::vector<Square>> squares(comparison.channels.size(),
-                                           std::vector<Square>(comparison.points.size()));
+  std::vector<std::vector<Square>> squares(comparison.points.size(),
+                                           std::vector<Square>(comparison.channels.size()));
   for (const Change& change : comparison.changes) {
     if (!change.is_seen()) continue;
-    Square& square = squares[change.channel][change.point];
+    Square& square = squares[change.point][change.channel];
     ++square.compared;
     square.not_changed += change.word == ChangeWord::not_changed ? 1 : 0;
     if (change.word != ChangeWord::changed) continue;
@@ -61,18 +61,33 @@ std::string cell_of(const Square& square, const Comparison& comparison) {
               "?");
 }
 
+// The head of its column says what they are: twelve channels want the room.
+std::string row_name(const analysis::PointRecords& point) {
+  const std::string name = analysis::point_text(point.speed_rpm, point.load_pct);
+  return xml_escaped(name.ends_with(" load") ? name.substr(0, name.size() - 5) : name);
+}
+
+// Twelve names side by side: "accel_1x" may take two lines.
+std::string breakable(const std::string& name) {
+  std::string html;
+  for (const char c : xml_escaped(name)) {
+    html += c;
+    if (c == '_') html += "<wbr>";
+  }
+  return html;
+}
+
 }  // namespace
 
 std::string compare_matrix_section(const Comparison& comparison) {
-  std::vector<std::string> head = {"channel"};
-  for (const analysis::MatchedPoint& point : comparison.points) {
-    head.push_back(xml_escaped(analysis::point_text(point.a.speed_rpm, point.a.load_pct)));
-  }
+  std::vector<std::string> head = {"speed, load"};
+  for (const ChannelInfo& channel : comparison.channels) head.push_back(breakable(channel.name));
   std::vector<std::vector<std::string>> rows;
   const auto squares = squares_of(comparison);
-  for (std::size_t channel = 0; channel < squares.size(); ++channel) {
-    std::vector<std::string> row = {xml_escaped(comparison.channels[channel].name)};
-    for (const Square& square : squares[channel]) row.push_back(cell_of(square, comparison));
+  for (std::size_t point = 0; point < squares.size(); ++point) {
+    const analysis::PointRecords& at = comparison.points[point].a;
+    std::vector<std::string> row = {row_name(at)};
+    for (const Square& square : squares[point]) row.push_back(cell_of(square, comparison));
     rows.push_back(std::move(row));
   }
   if (rows.empty()) return "";

@@ -42,11 +42,11 @@ ChangeTest test_change(double change_dB, double values_a, double values_b, const
   return test;
 }
 
-double half_width_dB(const ChangeTest& test) {
+double half_width(const ChangeTest& test) {
   return upper_t(0.025, test.scatter.freedom) * test.error_dB;
 }
 
-double detectable_dB(const ChangeTest& test, double least_dB, double p) {
+double detectable_change(const ChangeTest& test, double least_dB, double p) {
   if (!(test.scatter.freedom > 0)) return infinity;
   const double t = upper_t(p, test.scatter.freedom) + upper_t(0.1, test.scatter.freedom);
   return least_dB + t * test.error_dB;

@@ -23,10 +23,10 @@ struct ChangeTest {
 ChangeTest test_change(double change_dB, double values_a, double values_b, const Scatter& scatter,
                        double least_dB);
 
-/// Half of the interval that holds the change in 95 of 100 cases.
-double half_width_dB(const ChangeTest& test);
+/// Half of the interval [dB] that holds the change in 95 of 100 cases.
+double half_width(const ChangeTest& test);
 
-/// The change that such a test finds in nine of ten cases, if it calls p-values up to `p`.
-double detectable_dB(const ChangeTest& test, double least_dB, double p);
+/// The change [dB] that such a test finds in nine of ten cases, if it calls p-values up to `p`.
+double detectable_change(const ChangeTest& test, double least_dB, double p);
 
 }  // namespace rvbench::analysis

@@ -205,8 +205,8 @@ void judge(const CompareOptions& options, std::vector<Cell>& cells) {
     change.freedom = cells[i].scatter.freedom;
     if (!(change.freedom > 0)) continue;
     const ChangeTest test = test_of(cells[i], options.least_dB);
-    change.uncertainty_dB = half_width_dB(test);
-    change.detectable_dB = detectable_dB(test, options.least_dB, p);
+    change.uncertainty_dB = half_width(test);
+    change.detectable_dB = detectable_change(test, options.least_dB, p);
     change.word = word_of(change, options);
   }
 }

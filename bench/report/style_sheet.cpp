@@ -28,6 +28,7 @@ th, td { border: 1px solid var(--line); padding: 3px 8px; text-align: left; vert
 th { background: #eef2f5; font-weight: 600; }
 .hash { font-family: ui-monospace, "Liberation Mono", monospace; font-size: 0.8rem; overflow-wrap: anywhere; }
 .map td, .map th { text-align: center; } .map td { padding: 4px; }
+.map td:first-child { white-space: nowrap; }
 .cell { display: inline-block; min-width: 44px; margin: 1px; padding: 3px 5px; border: 1px solid #0002;
   border-radius: 3px; font-variant-numeric: tabular-nums; }
 .low { background: #cfead6; } .mid-level { background: #fff0b8; } .high { background: #f3b3ad; font-weight: 700; }

@@ -15,7 +15,7 @@ TEST_CASE("two means are held against each other as Student does", "[analysis][l
   const std::vector<double> second{1.9, 0.8, 1.1, 0.1, -0.1, 4.4, 5.5, 1.6, 4.6, 3.4};
   const ChangeTest test = test_change(1.58, 10, 10, pooled_scatter(first, second), 0);
   CHECK(test.p_value == Approx(0.07919).epsilon(1e-3));
-  CHECK(half_width_dB(test) == Approx((3.363874 + 0.203874) / 2).epsilon(1e-5));
+  CHECK(half_width(test) == Approx((3.363874 + 0.203874) / 2).epsilon(1e-5));
 }
 
 TEST_CASE("a change that nobody minds is no surprise however sure it is", "[analysis]") {
@@ -47,7 +47,7 @@ TEST_CASE("a change said to be detectable is found nine times in ten", "[analysi
   std::mt19937 engine(5);
   std::normal_distribution<double> gaussian;
   const Scatter known{1, 1000};
-  const double change = detectable_dB(test_change(0, 3, 3, known, 1), 1, 0.01);
+  const double change = detectable_change(test_change(0, 3, 3, known, 1), 1, 0.01);
   int found = 0;
   constexpr int draws = 5000;
   for (int i = 0; i < draws; ++i) {
@@ -60,7 +60,7 @@ TEST_CASE("a change said to be detectable is found nine times in ten", "[analysi
 TEST_CASE("without any scatter a change is certain, without freedom nothing is", "[analysis]") {
   CHECK(test_change(2, 3, 3, {0, 4}, 1).p_value == 0);
   CHECK(test_change(0.5, 3, 3, {0, 4}, 1).p_value == 1);
-  CHECK(std::isinf(detectable_dB(test_change(0, 1, 1, {0, 0}, 1), 1, 0.05)));
+  CHECK(std::isinf(detectable_change(test_change(0, 1, 1, {0, 0}, 1), 1, 0.05)));
 }
 
 // The 15 p-values of the thrombolysis study in Benjamini & Hochberg (1995), section 4.1: at 0.05
