@@ -158,7 +158,7 @@ std::string comparison_to_json(const Comparison& comparison, const CompareFacts&
                     {"left_out", ordered_json::array()},
                     {"points", points_json(comparison)},
                     {"data_sha256", ordered_json::array()}};
-  for (const analysis::LeftOut& out : comparison.left_out) {
+  for (const analysis::NotCompared& out : comparison.left_out) {
     json["left_out"].push_back({{"where", out.where}, {"why", out.why}});
   }
   for (const auto& [file, hash] : facts.hashes) {

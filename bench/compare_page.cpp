@@ -77,7 +77,7 @@ std::string only_text(const std::vector<analysis::PointRecords>& points, const c
 std::string left_out_section(const Comparison& comparison) {
   std::string body = only_text(comparison.only_a, "A") + only_text(comparison.only_b, "B");
   std::vector<std::vector<std::string>> rows;
-  for (const analysis::LeftOut& out : comparison.left_out) {
+  for (const analysis::NotCompared& out : comparison.left_out) {
     rows.push_back({xml_escaped(out.where), xml_escaped(out.why)});
   }
   if (!rows.empty()) body += table({"where", "why"}, rows);

@@ -147,7 +147,7 @@ void print_left_out(Console& console, const Comparison& comparison) {
   print_points(console, comparison.only_a, "A");
   print_points(console, comparison.only_b, "B");
   for (std::size_t i = 0; i < std::min(comparison.left_out.size(), most_rows); ++i) {
-    const analysis::LeftOut& out = comparison.left_out[i];
+    const analysis::NotCompared& out = comparison.left_out[i];
     console.out << "  " << hal::formats::printable(out.where + ": " + out.why) << '\n';
   }
   if (comparison.left_out.size() > most_rows) {

@@ -27,7 +27,7 @@ ByName by_name(const PointRecords& point, const std::vector<RecordLevels>& recor
 std::string why_missing(const std::string& name, const char* one, const char* other,
                         const PointRecords& point, const std::vector<RecordLevels>& of_other) {
   for (const std::size_t i : point.records) {
-    for (const LeftOut& out : of_other[i].left_out) {
+    for (const NotCompared& out : of_other[i].left_out) {
       if (out.where == of_other[i].source + ", " + name) {
         return fmt::format("that of {} cannot be trusted", other);
       }
@@ -77,7 +77,7 @@ std::string point_text(double speed_rpm, double load_pct) {
 std::vector<ChannelPair> compared_channels(const MatchedPoint& point,
                                            const std::vector<RecordLevels>& a,
                                            const std::vector<RecordLevels>& b,
-                                           std::vector<LeftOut>& left_out) {
+                                           std::vector<NotCompared>& left_out) {
   ByName of_a = by_name(point.a, a), of_b = by_name(point.b, b);
   const std::string where = point_text(point.a.speed_rpm, point.a.load_pct) + ", ";
   std::vector<ChannelPair> pairs;

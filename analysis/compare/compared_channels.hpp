@@ -18,7 +18,7 @@ struct ChannelPair {
 std::vector<ChannelPair> compared_channels(const MatchedPoint& point,
                                            const std::vector<RecordLevels>& a,
                                            const std::vector<RecordLevels>& b,
-                                           std::vector<LeftOut>& left_out);
+                                           std::vector<NotCompared>& left_out);
 
 /// "1815 rpm, 100 % load"
 std::string point_text(double speed_rpm, double load_pct);

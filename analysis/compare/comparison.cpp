@@ -112,7 +112,7 @@ double measured_speed(const PointRecords& point, const std::vector<RecordLevels>
 
 // Orders follow the speed; resonances do not.
 void tell_speeds(const MatchedPoint& point, const std::vector<RecordLevels>& a,
-                 const std::vector<RecordLevels>& b, std::vector<LeftOut>& left_out) {
+                 const std::vector<RecordLevels>& b, std::vector<NotCompared>& left_out) {
   const double of_a = measured_speed(point.a, a), of_b = measured_speed(point.b, b);
   if (!(std::abs(of_a - of_b) > same_speed * std::abs(of_a))) return;
   left_out.push_back(

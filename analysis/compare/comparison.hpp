@@ -51,8 +51,8 @@ struct Comparison {
   std::vector<ChannelInfo> channels;  ///< those compared somewhere
   std::vector<MatchedPoint> points;
   std::vector<PointRecords> only_a, only_b;
-  std::vector<Change> changes;    ///< by point, channel, quantity
-  std::vector<LeftOut> left_out;  ///< records and channels, A first
+  std::vector<Change> changes;        ///< by point, channel, quantity
+  std::vector<NotCompared> left_out;  ///< records and channels, A first
 };
 
 /// Holds the records of B against those of A, point by point, each channel against that of the same

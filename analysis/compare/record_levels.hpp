@@ -10,7 +10,7 @@
 namespace rvbench::analysis {
 
 /// What is not compared, and why.
-struct LeftOut {
+struct NotCompared {
   std::string where;  ///< "A17/recording.h5#003, accel_2z"
   std::string why;
 };
@@ -22,7 +22,7 @@ struct RecordLevels {
   double measured_rpm = not_known;
   double load_pct = not_known;
   std::vector<ChannelLevels> channels;  ///< those that can be trusted
-  std::vector<LeftOut> left_out;
+  std::vector<NotCompared> left_out;
 };
 
 /// Measures all quantities in the acceleration channels of a record.

@@ -25,12 +25,12 @@ using Evidence = std::vector<MethodEvidence>;  // one per candidate
 struct Task {
   const Eigen::Ref<const Eigen::VectorXd>& x;
   double rate;
-  const std::vector<Candidate>& candidates;
+  const std::vector<CandidateLine>& candidates;
   const ComparisonOptions& options;
 
   double highest() const {
     double most = 0;
-    for (const Candidate& c : candidates) most = std::max(most, c.frequency + c.within);
+    for (const CandidateLine& c : candidates) most = std::max(most, c.frequency + c.within);
     return most;
   }
 };
@@ -63,7 +63,7 @@ Evidence by_emd(const Task& task) {
   const std::vector<Imf> imfs = relevant_imfs(task);
   const double rate = task.options.false_alarm_rate / double(std::max<std::size_t>(imfs.size(), 1));
   Evidence evidence;
-  for (const Candidate& candidate : task.candidates) {
+  for (const CandidateLine& candidate : task.candidates) {
     MethodEvidence best{EnvelopeMethod::emd, {candidate.frequency}, 0, task.rate / 2, 0};
     for (const Imf& imf : imfs) {
       const LineEvidence line =
@@ -81,7 +81,7 @@ Evidence by_emd(const Task& task) {
 Evidence in_spectrum(const Task& task, EnvelopeMethod method, const TestedSpectrum& tested,
                      double from, double to) {
   Evidence evidence;
-  for (const Candidate& candidate : task.candidates) {
+  for (const CandidateLine& candidate : task.candidates) {
     evidence.push_back({method,
                         evidence_near(tested, candidate.frequency, candidate.within,
                                       task.options.false_alarm_rate),
@@ -148,10 +148,10 @@ double MethodComparison::share_of_emd() const {
 }
 
 MethodComparison compare_methods(const Eigen::Ref<const Eigen::VectorXd>& x, double rate,
-                                 const std::vector<Candidate>& candidates,
+                                 const std::vector<CandidateLine>& candidates,
                                  const ComparisonOptions& options) {
   constexpr Require require{"compare_methods"};
-  for (const Candidate& candidate : candidates) {
+  for (const CandidateLine& candidate : candidates) {
     require(candidate.frequency > 0 && candidate.frequency + candidate.within < rate / 4,
             "a candidate must be above 0 and below a quarter of the rate");
   }

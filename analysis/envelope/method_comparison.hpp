@@ -25,7 +25,7 @@ inline constexpr EnvelopeMethod envelope_methods[] = {
 std::string_view name_of(EnvelopeMethod method);
 
 /// A frequency at which a part would show, in Hz; an order if the samples are even in shaft angle.
-struct Candidate {
+struct CandidateLine {
   double frequency = 0;
   double within = 0;  ///< to both sides: how far the part may slip
 };
@@ -77,7 +77,7 @@ struct MethodComparison {
 /// Source  of emd(), fast_kurtogram(), enhanced_envelope_spectrum(), cepstrum_prewhitened(); that
 ///         they are held to one rate of false alarms is ours
 MethodComparison compare_methods(const Eigen::Ref<const Eigen::VectorXd>& x, double rate,
-                                 const std::vector<Candidate>& candidates,
+                                 const std::vector<CandidateLine>& candidates,
                                  const ComparisonOptions& options = {});
 
 }  // namespace rvbench::analysis

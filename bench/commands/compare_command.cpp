@@ -192,7 +192,7 @@ int CompareCommand::tell(Console& console, const Comparison& comparison) {
   for (const CompareSide& side : sides_)
     std::ranges::move(side.hashes(), std::back_inserter(facts.hashes));
   if (comparison.changes.empty()) {
-    for (const analysis::LeftOut& out : comparison.left_out) {
+    for (const analysis::NotCompared& out : comparison.left_out) {
       console.err << "rvbench: note: " << out.where << ": " << out.why << '\n';
     }
     return refuse_data(console, comparison.points.empty()

@@ -18,7 +18,7 @@ using analysis::EnvelopeMethod;
 
 // An order at which parts would show, and what each method came to over all records.
 struct Row {
-  analysis::Candidate candidate;
+  analysis::CandidateLine candidate;
   std::set<std::string> parts;
   std::vector<int> found = std::vector<int>(std::size(analysis::envelope_methods));
   std::vector<double> least_p = std::vector<double>(std::size(analysis::envelope_methods), 1.0);
@@ -58,7 +58,7 @@ bool add_record(const Channel& channel, const Recording& record, double period_t
                 std::vector<Row>& rows) {
   const analysis::OverAngle even = over_angle_of(channel, record, period_turns);
   if (even.samples.size() < 256) return false;
-  std::vector<analysis::Candidate> candidates;
+  std::vector<analysis::CandidateLine> candidates;
   for (const Row& row : rows) {
     if (row.candidate.frequency >= even.samples_per_turn / 4.0) return false;
     candidates.push_back(row.candidate);

@@ -32,8 +32,8 @@ struct GearRecord {
 inline Recording gear_record(const GearRecord& of, unsigned seed,
                              const char* channel = "accel_1x") {
   std::mt19937 engine(seed + 1000);
-  std::normal_distribution<double> scatter(0, of.scatter_dB);
-  const auto drawn = [&] { return of.scatter_dB > 0 ? std::pow(10, scatter(engine) / 20) : 1.0; };
+  std::normal_distribution<double> gaussian;
+  const auto drawn = [&] { return std::pow(10, of.scatter_dB * gaussian(engine) / 20); };
   const OrderSignals signals{.speed_Hz = of.speed_Hz, .count = of.count};
   Recording record = signals.recording(of.shaft * drawn() * signals.tone(1, seed) +
                                        of.mesh * drawn() * signals.tone(8, 2.0 * seed) +

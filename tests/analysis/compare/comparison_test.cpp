@@ -20,7 +20,7 @@ using test::repeats;
 constexpr double doubled_dB = 6.0206;
 
 bool is_told(const Comparison& comparison, const std::string& why) {
-  return std::ranges::any_of(comparison.left_out, [&](const LeftOut& out) {
+  return std::ranges::any_of(comparison.left_out, [&](const NotCompared& out) {
     return (out.where + ": " + out.why).find(why) != std::string::npos;
   });
 }

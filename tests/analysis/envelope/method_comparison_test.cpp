@@ -42,7 +42,7 @@ Found in_recording(const std::filesystem::path& file, double recorded_Hz) {
   const double shaft_Hz = record.speed_rpm / 60;
   const BearingOrders orders = bearing_orders({9, 7.94, 39.04, 0});
   const auto candidate = [&](double order) {
-    return Candidate{order * shaft_Hz, 0.01 * order * shaft_Hz};
+    return CandidateLine{order * shaft_Hz, 0.01 * order * shaft_Hz};
   };
   return {shaft_Hz,
           compare_methods(record.channels[0].samples, recorded_Hz,
