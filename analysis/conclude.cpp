@@ -2,6 +2,9 @@
 #include <cmath>
 
 #include "analysis/diagnosis.hpp"
+#include "analysis/evidence/equal_explanations.hpp"
+#include "analysis/evidence/growth_law.hpp"
+#include "analysis/evidence/severity.hpp"
 #include "analysis/spectral_lines.hpp"
 #include "analysis/statistics.hpp"
 
@@ -15,7 +18,10 @@ constexpr std::size_t families_listed = 12;
 struct Evidence {
   std::vector<const Examination*> shown_by;
   std::vector<const SignatureScore*> scores;  // of shown_by
-  std::vector<double> p_values;               // of all resolvable points
+  std::vector<const SignatureScore*> all;     // of all resolvable points
+
+  // A bad part shows in most of what was measured, not in one record of many.
+  bool shows() const { return !scores.empty() && 2 * scores.size() >= all.size(); }
 };
 
 Evidence gather(const std::vector<Examination>& points, std::size_t signature) {
@@ -23,19 +29,13 @@ Evidence gather(const std::vector<Examination>& points, std::size_t signature) {
   for (const Examination& point : points) {
     if (!point.resolvable) continue;
     const SignatureScore& score = point.scores[signature];
-    evidence.p_values.push_back(score.p_value);
+    evidence.all.push_back(&score);
     if (score.p_value < significant_p && score.depth > 0) {
       evidence.shown_by.push_back(&point);
       evidence.scores.push_back(&score);
     }
   }
   return evidence;
-}
-
-double median_depth(const Evidence& evidence) {
-  std::vector<double> depths;
-  for (const SignatureScore* score : evidence.scores) depths.push_back(score->depth);
-  return median(std::move(depths));
 }
 
 void list_lines(const Evidence& evidence, Finding& finding) {
@@ -54,11 +54,54 @@ void list_lines(const Evidence& evidence, Finding& finding) {
   }
 }
 
-Finding make_finding(const Signature& signature, const Evidence& evidence, double tests) {
+// What explains the finding as well at the point that shows it deepest.
+std::vector<std::string> rivals_of(const Evidence& evidence, const Kinematics& kinematics) {
+  std::size_t deepest = 0;
+  for (std::size_t i = 1; i < evidence.scores.size(); ++i) {
+    if (evidence.scores[i]->depth > evidence.scores[deepest]->depth) deepest = i;
+  }
+  const double turns = evidence.shown_by[deepest]->periods * kinematics.period_turns;
+  std::vector<std::string> rivals;
+  for (const std::size_t s : equal_explanations(*evidence.scores[deepest], kinematics, 1 / turns)) {
+    const Signature& rival = kinematics.signatures[s];
+    rivals.push_back(rival.component + ": " + rival.mechanism);
+  }
+  return rivals;
+}
+
+// Outside its interval and outside what the mechanism allows.
+bool fits(const Growth& load, const Signature& signature) {
+  return !std::isfinite(load.exponent) ||
+         (load.exponent + load.error >= signature.least_load_exponent &&
+          load.exponent - load.error <= signature.most_load_exponent);
+}
+
+// The hypothesis as far as it goes whether or not a point shows it.
+Finding weigh(const Signature& signature, const Evidence& evidence, double tests) {
   Finding f;
   f.component = signature.component;
   f.mechanism = signature.mechanism;
   f.table4_item = signature.table4_item;
+  f.order = signature.order;
+  f.limit = signature.depth_limit;
+  f.advice = signature.advice;
+  std::vector<double> p_values;
+  for (const SignatureScore* score : evidence.all) {
+    p_values.push_back(score->p_value);
+    f.log_likelihood_ratio += score->log_likelihood_ratio;
+  }
+  f.p_value = std::min(1.0, combined_p_value(p_values) * tests);
+  if (evidence.all.empty()) return f;
+  const Severity severity = severity_of(evidence.scores.empty() ? evidence.all : evidence.scores);
+  f.severity = severity.depth;
+  f.severity_low = severity.low;
+  f.severity_high = severity.high;
+  return f;
+}
+
+// Adds where and how the points show it.
+void describe(Finding& f, const Evidence& evidence, const Kinematics& kinematics,
+              std::size_t signature) {
   f.order = evidence.scores.front()->order;
   f.frequency_Hz = f.order * evidence.shown_by.front()->speed_rpm / 60;
   for (const Examination* point : evidence.shown_by) f.points.push_back(point->source);
@@ -66,15 +109,12 @@ Finding make_finding(const Signature& signature, const Evidence& evidence, doubl
     if (std::find(f.imfs.begin(), f.imfs.end(), score->imf) == f.imfs.end()) {
       f.imfs.push_back(score->imf);
     }
-    f.statistic = std::max(f.statistic, score->statistic);
   }
   std::sort(f.imfs.begin(), f.imfs.end());
-  f.p_value = std::min(1.0, combined_p_value(evidence.p_values) * tests);
-  f.severity = median_depth(evidence);
-  f.limit = signature.depth_limit;
-  f.advice = signature.advice;
   list_lines(evidence, f);
-  return f;
+  f.growth = growth_law(evidence.shown_by, signature);
+  f.growth_fits = fits(f.growth.load, kinematics.signatures[signature]);
+  f.cannot_tell_from = rivals_of(evidence, kinematics);
 }
 
 // Severity over its limit; finite where the limit allows nothing at all.
@@ -109,6 +149,16 @@ std::vector<SpectralLine> unexplained_families(const std::vector<Examination>& p
 
 }  // namespace
 
+const Finding* Diagnosis::second() const {
+  if (findings.empty()) return nullptr;
+  for (const auto* hypotheses : {&findings, &below_limit, &not_shown}) {
+    for (const Finding& hypothesis : *hypotheses) {
+      if (hypothesis.component != findings.front().component) return &hypothesis;
+    }
+  }
+  return nullptr;
+}
+
 Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kinematics) {
   Diagnosis d;
   for (const Examination& point : points) {
@@ -118,15 +168,21 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
   const auto tests = static_cast<double>(kinematics.signatures.size());
   for (std::size_t s = 0; s < kinematics.signatures.size(); ++s) {
     const Evidence evidence = gather(points, s);
-    // A bad part shows in most of what was measured, not in one record of many.
-    if (evidence.scores.empty() || 2 * evidence.scores.size() < evidence.p_values.size()) continue;
-    Finding f = make_finding(kinematics.signatures[s], evidence, tests);
-    if (f.p_value >= significant_p) continue;
+    Finding f = weigh(kinematics.signatures[s], evidence, tests);
+    if (!evidence.shows() || f.p_value >= significant_p) {
+      d.not_shown.push_back(std::move(f));
+      continue;
+    }
+    describe(f, evidence, kinematics, s);
     (f.severity > f.limit ? d.findings : d.below_limit).push_back(std::move(f));
   }
-  const auto graver = [](const Finding& a, const Finding& b) { return excess(a) > excess(b); };
+  const auto graver = [](const Finding& a, const Finding& b) {
+    return a.growth_fits != b.growth_fits ? a.growth_fits : excess(a) > excess(b);
+  };
   std::sort(d.findings.begin(), d.findings.end(), graver);
   std::sort(d.below_limit.begin(), d.below_limit.end(), graver);
+  std::sort(d.not_shown.begin(), d.not_shown.end(),
+            [](const Finding& a, const Finding& b) { return a.p_value < b.p_value; });
   double total = 0;
   for (const Finding& f : d.findings) total += excess(f);
   for (Finding& f : d.findings) f.confidence = excess(f) / total;

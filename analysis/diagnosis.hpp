@@ -18,18 +18,20 @@ struct QualityNote {
   bool invalidates = false;
 };
 
-/// How much of a characteristic family of lines one record shows.
+/// How much of a signature one record shows.
 struct SignatureScore {
-  int signature = 0;     ///< index into Kinematics::signatures
-  double order = 0;      ///< where it was found; off the nominal one only within slip or tolerance
-  double depth = 0;      ///< modulation depth: rms of the family's envelope lines over the mean
-                         ///< envelope, noise floor taken out; 1 = fully modulated
-  double statistic = 0;  ///< line power over the local noise floor, summed over the family
-  double p_value = 1;    ///< of `statistic`, for all lines, IMFs and channels searched
-  int imf = 0;           ///< 1-based: where the depth was read
-  int channel = 0;       ///< index into Examination::channels
-  std::vector<double> line_orders;  ///< the lines of the family, and
-  std::vector<double> line_depths;  ///< the modulation depth of each
+  int signature = 0;  ///< index into Kinematics::signatures
+  double order = 0;   ///< where it was found; off the nominal one only within slip or tolerance
+  double depth = 0;   ///< modulation depth: rms of the signature's envelope lines over the mean
+                      ///< envelope, noise floor taken out; 1 = fully modulated
+  double depth2_variance = 0;          ///< of the squared depth, by the record's noise
+  double log_likelihood_ratio = 0;     ///< signature against noise, over lines, IMFs and channels
+  double p_value = 1;                  ///< of the ratio, for all orders searched
+  int imf = 0;                         ///< 1-based: where the channel shows it most
+  int channel = 0;                     ///< index into Examination::channels: where it is deepest
+  std::vector<double> line_orders;     ///< the lines of the signature, and
+  std::vector<double> line_depths;     ///< the modulation depth of each
+  std::vector<double> channel_depths;  ///< depth in each channel
 };
 
 /// A line of the order spectrum of the signal itself, well above its surroundings.
@@ -60,11 +62,23 @@ struct Examination {
   double periods = 0;       ///< output turns (or input turns) that the record spans
   bool resolvable = false;  ///< long enough to part the orders that the kinematics asks for
   std::vector<ChannelExamination> channels;
-  std::vector<SignatureScore> scores;  ///< one per signature, best channel and IMF
+  std::vector<SignatureScore> scores;  ///< one per signature
   std::vector<QualityNote> quality;
 };
 
-/// One part that is not as it should be.
+/// Exponent with which something grows; NaN if it is not known.
+struct Growth {
+  double exponent = not_known;
+  double error = not_known;  ///< half of the 95 % interval
+};
+
+/// How what a part modulates grows over the matrix.
+struct GrowthLaw {
+  Growth load;
+  Growth speed;  ///< the path to the sensors is in it
+};
+
+/// One hypothesis, a part that may not be as it should be, weighed by all points.
 struct Finding {
   std::string component;
   std::string mechanism;
@@ -73,22 +87,31 @@ struct Finding {
   double frequency_Hz = 0;          ///< at the first point that shows it
   std::vector<std::string> points;  ///< sources of the records that show it
   std::vector<int> imfs;
-  double statistic = 0;
-  double p_value = 1;     ///< over all points, for everything searched
-  double severity = 0;    ///< modulation depth, median over the points that show it
+  double log_likelihood_ratio = 0;  ///< against noise, summed over all points
+  double p_value = 1;               ///< over all points, for everything searched
+  double severity = 0;      ///< modulation depth, median over the points that show it, or over all
+  double severity_low = 0;  ///< of its 95 % interval
+  double severity_high = 0;
   double limit = 0;       ///< of severity
   double confidence = 0;  ///< 0..1: share of severity over its limit among all findings
   std::string advice;
   std::vector<double> line_orders;  ///< evidence: the envelope lines, strongest first
   std::vector<double> line_depths;
+  GrowthLaw growth;
+  bool growth_fits = true;  ///< false: it contradicts what the mechanism makes grow
+  std::vector<std::string> cannot_tell_from;  ///< "component: mechanism" that explain it as well
 };
 
 struct Diagnosis {
   std::vector<Finding> findings;          ///< above their limit, gravest first
   std::vector<Finding> below_limit;       ///< significant, but within limits
+  std::vector<Finding> not_shown;         ///< all other hypotheses, likeliest first
   std::vector<SpectralLine> unexplained;  ///< families of lines no kinematics accounts for
   std::vector<QualityNote> quality;
   bool resolvable = false;  ///< at least one record could be judged
+
+  /// The likeliest hypothesis of another part than the first finding's; null without a finding.
+  const Finding* second() const;
 };
 
 struct ExamineOptions {

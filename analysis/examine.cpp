@@ -3,13 +3,13 @@
 
 #include "analysis/diagnosis.hpp"
 #include "analysis/emd/emd.hpp"
-#include "analysis/envelope_lines.hpp"
+#include "analysis/envelope_spectra.hpp"
+#include "analysis/evidence/record_evidence.hpp"
 #include "analysis/indicators/signal_levels.hpp"
 #include "analysis/order/resolution.hpp"
 #include "analysis/quality.hpp"
 #include "analysis/quality/record_quality.hpp"
 #include "analysis/shaft_angle.hpp"
-#include "analysis/signature_lines.hpp"
 #include "analysis/spectral_lines.hpp"
 #include "analysis/statistics.hpp"
 #include "hal/types/parallel_for.hpp"
@@ -23,7 +23,8 @@ constexpr double relevant_correlation = 0.1;      // an IMF below it says nothin
 // What one channel came to.
 struct ChannelResult {
   ChannelExamination examination;
-  std::vector<SignatureScore> scores;  // one per signature
+  std::vector<SignatureComb> combs;       // empty where no period of the gear train fits
+  std::vector<ChannelEvidence> evidence;  // one per comb
   std::vector<QualityNote> quality;
   double periods = 0;
 };
@@ -44,54 +45,29 @@ void describe_signal(const Channel& channel, ChannelExamination& e) {
 }
 
 // Depths of the IMFs are weighed by the share of the signal that each carries, so that a strong
-// modulation of a mode that hardly is there does not count; the p-value is the best IMF's.
-void weigh(SignatureScore& total, const FamilyScore& score, int imf, double share) {
-  if (total.line_depths.empty()) total.line_depths.assign(score.line_depths.size(), 0.0);
-  for (std::size_t i = 0; i < score.line_depths.size(); ++i) {
-    total.line_depths[i] += share * score.line_depths[i] * score.line_depths[i];
-  }
-  total.depth += share * score.depth * score.depth;
-  if (total.imf == 0 || score.p_value < total.p_value ||
-      (score.p_value == total.p_value && score.statistic > total.statistic)) {
-    total.imf = imf;
-    total.order = score.order;
-    total.statistic = score.statistic;
-    total.p_value = score.p_value;
-  }
-}
-
-void score_imfs(const Channel& channel, const Emd& modes, const Task& task, ChannelResult& out) {
+// modulation of a mode that hardly is there does not count.
+void read_imfs(const Channel& channel, const Emd& modes, const Task& task, ChannelResult& out) {
   const std::vector<double>& correlations = out.examination.imf_correlation;
-  std::vector<int> relevant;
+  std::vector<std::size_t> relevant;
   double total_share = 0;
-  for (int k = 0; k < static_cast<int>(correlations.size()); ++k) {
-    const double c = correlations[static_cast<std::size_t>(k)];
-    if (c < relevant_correlation) continue;
+  for (std::size_t k = 0; k < correlations.size(); ++k) {
+    if (correlations[k] < relevant_correlation) continue;
     relevant.push_back(k);
-    total_share += c * c;
+    total_share += correlations[k] * correlations[k];
   }
-  std::vector<std::vector<SignatureLine>> lines;
-  for (const int k : relevant) {
+  for (const std::size_t k : relevant) {
     const EnvelopeSpectra envelope =
-        envelope_spectra(modes.imfs.col(k), channel.rate_Hz, channel.start_s, task.angle,
-                         task.kinematics.period_turns);
+        envelope_spectra(modes.imfs.col(static_cast<Eigen::Index>(k)), channel.rate_Hz,
+                         channel.start_s, task.angle, task.kinematics.period_turns);
     if (!(envelope.mean > 0)) return;
-    if (lines.empty()) lines = signature_lines(task.kinematics, envelope.whole.resolution);
-    const double c = correlations[static_cast<std::size_t>(k)];
-    const std::vector<FamilyScore> scores =
-        score_families(envelope, task.kinematics.signatures, lines);
-    for (std::size_t s = 0; s < scores.size(); ++s) {
-      weigh(out.scores[s], scores[s], k + 1, c * c / total_share);
+    if (out.combs.empty()) {
+      out.combs = signature_combs(task.kinematics, envelope.whole.resolution);
+      out.evidence.resize(out.combs.size());
     }
-  }
-  for (std::size_t s = 0; s < out.scores.size(); ++s) {
-    SignatureScore& score = out.scores[s];
-    score.depth = std::sqrt(score.depth);
-    const auto searched = std::max<std::size_t>(relevant.size(), 1);
-    score.p_value = std::min(1.0, score.p_value * static_cast<double>(searched));
-    for (double& depth : score.line_depths) depth = std::sqrt(depth);
-    if (lines.empty()) continue;
-    for (const SignatureLine& line : lines[s]) score.line_orders.push_back(line.order);
+    const double share = correlations[k] * correlations[k] / total_share;
+    for (std::size_t s = 0; s < out.combs.size(); ++s) {
+      out.evidence[s].add(comb_evidence(envelope, out.combs[s]), static_cast<int>(k) + 1, share);
+    }
   }
 }
 
@@ -101,7 +77,6 @@ ChannelResult examine_channel(const Channel& channel, std::vector<QualityNote> q
   out.quality = std::move(quality);
   out.examination.name = channel.info.name;
   out.examination.unit = channel.info.unit;
-  out.scores.resize(task.kinematics.signatures.size());
   if (!out.quality.empty()) return out;
 
   describe_signal(channel, out.examination);
@@ -111,34 +86,40 @@ ChannelResult examine_channel(const Channel& channel, std::vector<QualityNote> q
   }
   out.periods = task.angle.whole_periods(channel.samples.size(), channel.rate_Hz, channel.start_s,
                                          task.kinematics.period_turns);
-  score_imfs(channel, modes, task, out);
+  read_imfs(channel, modes, task, out);
   out.examination.lines = spectral_lines(channel, task.angle, task.kinematics);
   return out;
 }
 
-// The channel where a signature is deepest speaks for it; its p-value pays for the choice.
-void keep_best(std::vector<SignatureScore>& best, const ChannelResult& result, int channel) {
-  for (std::size_t s = 0; s < best.size(); ++s) {
-    best[s].signature = static_cast<int>(s);
-    if (channel > 0 && !(result.scores[s].depth > best[s].depth)) continue;
-    best[s] = result.scores[s];
-    best[s].signature = static_cast<int>(s);
-    best[s].channel = channel;
+// Evidence of the channels that span the most periods: only theirs lies on the same lines.
+void score(std::vector<ChannelResult>& results, Examination& e) {
+  const ChannelResult* longest = nullptr;
+  for (const ChannelResult& result : results) {
+    if (!result.combs.empty() && (longest == nullptr || result.periods > longest->periods)) {
+      longest = &result;
+    }
   }
+  if (longest == nullptr) return;
+  const std::vector<SignatureComb> combs = longest->combs;
+  const double resolution = combs.empty() ? 0 : combs.front().resolution;
+  std::vector<std::vector<ChannelEvidence>> evidence;
+  for (ChannelResult& result : results) {
+    const bool alike = !result.combs.empty() && result.combs.front().resolution == resolution;
+    evidence.push_back(alike ? std::move(result.evidence)
+                             : std::vector<ChannelEvidence>(combs.size()));
+  }
+  e.scores = score_signatures(evidence, combs);
 }
 
 void gather(std::vector<ChannelResult> results, Examination& e) {
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    keep_best(e.scores, results[i], static_cast<int>(i));
-    e.periods = std::max(e.periods, results[i].periods);
-    for (QualityNote& note : results[i].quality) {
+  score(results, e);
+  for (ChannelResult& result : results) {
+    e.periods = std::max(e.periods, result.periods);
+    for (QualityNote& note : result.quality) {
       note.where = e.source + ", " + note.where;
       e.quality.push_back(std::move(note));
     }
-    e.channels.push_back(std::move(results[i].examination));
-  }
-  for (SignatureScore& score : e.scores) {
-    score.p_value = std::min(1.0, score.p_value * static_cast<double>(results.size()));
+    e.channels.push_back(std::move(result.examination));
   }
 }
 

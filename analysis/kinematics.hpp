@@ -30,6 +30,11 @@ struct Signature {
   double depth_limit = 0;         ///< modulation depth above which the part counts as bad
   std::string limit_why;
   std::string advice;
+
+  /// Exponents of the load with which its modulated vibration may grow: from an error of shape that
+  /// shakes alike whatever the load, 0, to a blow that the load drives, 1, and some room.
+  double least_load_exponent = -0.25;
+  double most_load_exponent = 1.5;
 };
 
 /// A machine as the diagnosis sees it.

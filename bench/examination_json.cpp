@@ -1,11 +1,14 @@
 #include "bench/examination_json.hpp"
 
+#include <cmath>
+
 namespace rvbench::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
 using analysis::ChannelExamination;
 using analysis::Finding;
+using analysis::Growth;
 using analysis::QualityNote;
 using analysis::SignatureScore;
 using analysis::SpectralLine;
@@ -50,6 +53,16 @@ SpectralLine line_from(const Json& json) {
           json.at("meaning")};
 }
 
+Json json_of_growth(const Growth& growth) {
+  if (!std::isfinite(growth.exponent)) return nullptr;
+  return {{"exponent", growth.exponent}, {"error", growth.error}};
+}
+
+Growth growth_from(const Json& json) {
+  if (json.is_null()) return {};
+  return {number_or_nan(json.at("exponent")), number_or_nan(json.at("error"))};
+}
+
 Json json_of_finding(const Finding& finding) {
   Json json = {{"component", finding.component},
                {"mechanism", finding.mechanism},
@@ -58,14 +71,19 @@ Json json_of_finding(const Finding& finding) {
                {"frequency_Hz", finding.frequency_Hz},
                {"points", finding.points},
                {"imfs", finding.imfs},
-               {"statistic", finding.statistic},
+               {"statistic", finding.log_likelihood_ratio},
                {"p_value", finding.p_value},
                {"severity", finding.severity},
+               {"severity_interval", {finding.severity_low, finding.severity_high}},
                {"confidence", finding.confidence},
                {"advice", finding.advice},
                {"limit", finding.limit},
                {"line_orders", finding.line_orders},
-               {"line_depths", finding.line_depths}};
+               {"line_depths", finding.line_depths},
+               {"growth_with_load", json_of_growth(finding.growth.load)},
+               {"growth_with_speed", json_of_growth(finding.growth.speed)},
+               {"growth_fits", finding.growth_fits},
+               {"cannot_tell_from", finding.cannot_tell_from}};
   if (!finding.table4_item.empty()) json["table4_item"] = finding.table4_item;
   return json;
 }
@@ -79,14 +97,20 @@ Finding finding_from(const Json& json) {
   finding.frequency_Hz = number_or_nan(json.at("frequency_Hz"));
   json.at("points").get_to(finding.points);
   json.at("imfs").get_to(finding.imfs);
-  finding.statistic = number_or_nan(json.at("statistic"));
+  finding.log_likelihood_ratio = number_or_nan(json.at("statistic"));
   finding.p_value = number_or_nan(json.at("p_value"));
   finding.severity = number_or_nan(json.at("severity"));
+  finding.severity_low = number_or_nan(json.at("severity_interval").at(0));
+  finding.severity_high = number_or_nan(json.at("severity_interval").at(1));
   finding.confidence = number_or_nan(json.at("confidence"));
   json.at("advice").get_to(finding.advice);
   finding.limit = number_or_nan(json.at("limit"));
   finding.line_orders = numbers_from(json.at("line_orders"));
   finding.line_depths = numbers_from(json.at("line_depths"));
+  finding.growth.load = growth_from(json.at("growth_with_load"));
+  finding.growth.speed = growth_from(json.at("growth_with_speed"));
+  json.at("growth_fits").get_to(finding.growth_fits);
+  json.at("cannot_tell_from").get_to(finding.cannot_tell_from);
   return finding;
 }
 
@@ -94,12 +118,14 @@ Json json_of_score(const SignatureScore& score) {
   return {{"signature", score.signature},
           {"order", score.order},
           {"depth", score.depth},
-          {"statistic", score.statistic},
+          {"depth2_variance", score.depth2_variance},
+          {"log_likelihood_ratio", score.log_likelihood_ratio},
           {"p_value", score.p_value},
           {"imf", score.imf},
           {"channel", score.channel},
           {"line_orders", score.line_orders},
-          {"line_depths", score.line_depths}};
+          {"line_depths", score.line_depths},
+          {"channel_depths", score.channel_depths}};
 }
 
 SignatureScore score_from(const Json& json) {
@@ -107,12 +133,14 @@ SignatureScore score_from(const Json& json) {
   json.at("signature").get_to(score.signature);
   score.order = number_or_nan(json.at("order"));
   score.depth = number_or_nan(json.at("depth"));
-  score.statistic = number_or_nan(json.at("statistic"));
+  score.depth2_variance = number_or_nan(json.at("depth2_variance"));
+  score.log_likelihood_ratio = number_or_nan(json.at("log_likelihood_ratio"));
   score.p_value = number_or_nan(json.at("p_value"));
   json.at("imf").get_to(score.imf);
   json.at("channel").get_to(score.channel);
   score.line_orders = numbers_from(json.at("line_orders"));
   score.line_depths = numbers_from(json.at("line_depths"));
+  score.channel_depths = numbers_from(json.at("channel_depths"));
   return score;
 }
 
@@ -147,6 +175,7 @@ Json json_of(const analysis::Diagnosis& diagnosis) {
           {"quality", list_of(diagnosis.quality, json_of_note)},
           {"resolvable", diagnosis.resolvable},
           {"below_limit", list_of(diagnosis.below_limit, json_of_finding)},
+          {"not_shown", list_of(diagnosis.not_shown, json_of_finding)},
           {"unexplained", list_of(diagnosis.unexplained, json_of_line)}};
 }
 
@@ -165,7 +194,9 @@ Json json_of(const analysis::Examination& examination) {
 analysis::Diagnosis diagnosis_from_json(const Json& json) {
   return {list_from(json.at("findings"), finding_from),
           list_from(json.at("below_limit"), finding_from),
-          list_from(json.at("unexplained"), line_from), list_from(json.at("quality"), note_from),
+          list_from(json.at("not_shown"), finding_from),
+          list_from(json.at("unexplained"), line_from),
+          list_from(json.at("quality"), note_from),
           json.at("resolvable")};
 }
 

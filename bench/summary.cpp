@@ -7,6 +7,7 @@
 #include <map>
 
 #include "analysis/spectral_lines.hpp"
+#include "bench/report/finding_text.hpp"
 #include "bench/report/html.hpp"
 #include "bench/twin_check.hpp"
 
@@ -31,8 +32,8 @@ void print_finding(Console& console, const analysis::Finding& finding, double pe
       "  {}: {}{}\n", finding.component, finding.mechanism,
       finding.table4_item.empty() ? "" : " (Table 4: " + finding.table4_item + ")");
   console.out << fmt::format(
-      "    depth {:.3f}, limit {:.3f}; order {}, {}; p {:.1e}", finding.severity, finding.limit,
-      report::order_text(finding.order, period_turns),
+      "    depth {}, limit {:.3f}; order {}, {}; p {:.1e}", report::severity_text(finding),
+      finding.limit, report::order_text(finding.order, period_turns),
       report::frequency_text(finding.frequency_Hz, finding.order), finding.p_value);
   if (finding.confidence > 0) {
     console.out << fmt::format("; confidence {:.0f} %", 100 * finding.confidence);
@@ -41,6 +42,10 @@ void print_finding(Console& console, const analysis::Finding& finding, double pe
   console.out << "    seen in " << finding.points.size()
               << (finding.points.size() == 1 ? " point" : " points")
               << "; envelope lines (order depth): " << evidence_of(finding, period_turns) << '\n';
+  const std::string growth = report::growth_text(finding);
+  if (!growth.empty()) console.out << "    " << growth << '\n';
+  const std::string rivals = report::rivals_text(finding);
+  if (!rivals.empty()) console.out << "    " << rivals << '\n';
 }
 
 // "  171.56 Hz at 1815 rpm  order   5.6714"
@@ -145,6 +150,11 @@ void print_findings(Console& console, const analysis::Diagnosis& diagnosis, doub
     print_finding(console, finding, period_turns);
     console.out << "    advice: " << finding.advice << '\n';
   }
+  const analysis::Finding* second = diagnosis.second();
+  if (second == nullptr) return;
+  console.out << fmt::format("\nSecond hypothesis: {}: {}, depth {}, limit {:.3f}, p {:.1e}\n",
+                             second->component, second->mechanism, report::severity_text(*second),
+                             second->limit, second->p_value);
 }
 
 // What the teardown of a bench at fault came to; nothing if it has nothing to say.

@@ -1,5 +1,5 @@
 #include "analysis/emd/emd.hpp"
-#include "analysis/envelope_lines.hpp"
+#include "analysis/envelope_spectra.hpp"
 #include "analysis/examples/examples.hpp"
 #include "analysis/examples/signals.hpp"
 #include "analysis/hilbert.hpp"
@@ -48,7 +48,7 @@ Example envelope_order_spectrum_example() {
           "angle, spectrum. A resonance at 900 Hz is driven once per turn by 30 % and twice per "
           "turn by 15 %, while the speed wanders by 2 %. Over frequency both lines smear; over "
           "orders they stand where they belong, and read the depth of the modulation.",
-          {"envelope_lines.hpp", "hilbert.hpp", "shaft_angle.hpp"},
+          {"envelope_spectra.hpp", "hilbert.hpp", "shaft_angle.hpp"},
           {{"output turns that were used", "4", rounded(found.periods, 0)},
            {"depth at order 1", "0.300", rounded(depth_at(1), 3)},
            {"depth at order 2", "0.150", rounded(depth_at(2), 3)},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bench/report/finding_text.hpp"
 #include "bench/report/html.hpp"
 #include "bench/report/sections.hpp"
 #include "bench/xml_text.hpp"
@@ -32,8 +33,10 @@ std::string block_of(const Finding& finding, const ReportInput& input, bool abov
   std::string html =
       fmt::format("<div class=\"finding{}\"><h3>{}: {}</h3>\n<dl>", above ? "" : " within",
                   spoken(finding.component), spoken(finding.mechanism));
-  html += fmt::format("<dt>Severity</dt><dd>modulation depth {:.3f}, limit {:.3f} ({})</dd>",
-                      finding.severity, finding.limit, above ? "above" : "within");
+  html += fmt::format("<dt>Severity</dt><dd>modulation depth {}, limit {:.3f} ({})</dd>",
+                      severity_text(finding), finding.limit, above ? "above" : "within");
+  const std::string rivals = rivals_text(finding);
+  if (!rivals.empty()) html += "<dt>Certainty</dt><dd>" + xml_escaped(rivals) + "</dd>";
   html += fmt::format("<dt>Order</dt><dd>{}, {}, the first point that shows it</dd>",
                       order_text(finding.order, input.kinematics.period_turns),
                       frequency_text(finding.frequency_Hz, finding.order));
@@ -43,8 +46,12 @@ std::string block_of(const Finding& finding, const ReportInput& input, bool abov
   html += "<dt>Evidence</dt><dd>" + evidence_of(finding, input.kinematics.period_turns) + "</dd>";
   html += fmt::format("<dt>Seen in</dt><dd>{} of {} points, IMF {}</dd>", finding.points.size(),
                       input.judgement.points.size(), imfs_of(finding));
-  html += fmt::format("<dt>Statistic</dt><dd>{} times the local noise floor, p {}</dd>",
-                      number(finding.statistic, 4), p_value_text(finding.p_value));
+  html += fmt::format(
+      "<dt>Likelihood</dt><dd>logarithm of the ratio against noise {}, over all points, channels, "
+      "IMFs and lines; p {}</dd>",
+      number(finding.log_likelihood_ratio, 4), p_value_text(finding.p_value));
+  const std::string growth = growth_text(finding);
+  if (!growth.empty()) html += "<dt>Growth</dt><dd>" + xml_escaped(growth) + "</dd>";
   if (above) {
     html += fmt::format(
         "<dt>Confidence</dt><dd>{:.0f} %: this part's share of severity over limit, among all "
@@ -53,6 +60,27 @@ std::string block_of(const Finding& finding, const ReportInput& input, bool abov
   }
   if (above) html += "<dt>Advice</dt><dd>" + xml_escaped(finding.advice) + "</dd>";
   return html + "</dl></div>\n";
+}
+
+// Every hypothesis beside the others, so that the second is seen as well as the first.
+std::string hypotheses_table(const analysis::Diagnosis& diagnosis) {
+  std::vector<std::vector<std::string>> rows;
+  const auto add = [&](const std::vector<Finding>& hypotheses, const char* state) {
+    for (const Finding& h : hypotheses) {
+      rows.push_back({spoken(h.component) + ": " + spoken(h.mechanism), state, severity_text(h),
+                      fmt::format("{:.3f}", h.limit), number(h.log_likelihood_ratio, 4),
+                      p_value_text(h.p_value)});
+    }
+  };
+  add(diagnosis.findings, "above its limit");
+  add(diagnosis.below_limit, "within its limit");
+  add(diagnosis.not_shown, "not shown");
+  if (rows.empty()) return "";
+  return "<h3>All hypotheses</h3>\n" +
+         paragraph(
+             "Severity is the modulation depth, its 95 % interval behind it. What noise and "
+             "steady meshes alone give a p below 0.001 once in a thousand units at the most.") +
+         table({"part", "state", "severity", "limit", "ln likelihood ratio", "p"}, rows);
 }
 
 std::string unexplained_table(const std::vector<SpectralLine>& lines, double period_turns) {
@@ -79,6 +107,7 @@ std::string findings_section(const ReportInput& input) {
   }
   if (!diagnosis.below_limit.empty()) html += "<h3>Significant, but within limits</h3>\n";
   for (const Finding& finding : diagnosis.below_limit) html += block_of(finding, input, false);
+  html += hypotheses_table(diagnosis);
   html += unexplained_table(diagnosis.unexplained, input.kinematics.period_turns);
   return section("Findings", html);
 }

@@ -18,7 +18,8 @@ Kinematics two_parts() {
     Signature s;
     s.component = component;
     s.mechanism = "wear";
-    s.order = 2;
+    s.order = component == std::string("shaft") ? 2 : 2.5;
+    s.harmonics = 2;
     s.depth_limit = 0.2;
     s.advice = "look at the " + s.component;
     k.signatures.push_back(s);
@@ -35,17 +36,21 @@ Examination point(const std::string& source, Shown shaft, Shown gear) {
   e.source = source;
   e.speed_rpm = 600;
   e.resolvable = true;
+  e.periods = 8;
   int i = 0;
   for (const Shown& shown : {shaft, gear}) {
     analysis::SignatureScore score;
-    score.signature = i++;
-    score.order = 2;
+    score.signature = i;
+    score.order = two_parts().signatures[static_cast<std::size_t>(i)].order;
     score.depth = shown.depth;
     score.p_value = shown.p_value;
     score.imf = 1;
-    score.line_orders = {2, 4};
+    score.line_orders = {score.order, 2 * score.order};
     score.line_depths = {0.6 * shown.depth, 0.8 * shown.depth};
+    score.channel_depths = {shown.depth};
+    score.log_likelihood_ratio = -std::log(shown.p_value);
     e.scores.push_back(score);
+    ++i;
   }
   return e;
 }
@@ -152,4 +157,53 @@ TEST_CASE("a line that no part explains is listed once, at its strongest", "[ana
   CHECK(d.unexplained[0].order == Approx(7.701));
   CHECK(d.unexplained[0].amplitude == 0.4);
   CHECK(d.unexplained[1].order == 5.03);
+}
+
+TEST_CASE("every part that is not shown is weighed all the same", "[analysis][conclude]") {
+  const Diagnosis d = conclude({point("a", {0.5, 1e-12}, nothing)}, two_parts());
+  REQUIRE(d.not_shown.size() == 1);
+  CHECK(d.not_shown[0].component == "gear");
+  CHECK(d.not_shown[0].p_value == 1);  // 0.5, times two parts
+  CHECK(d.not_shown[0].severity == 0.01);
+  CHECK(d.not_shown[0].points.empty());
+  REQUIRE(d.second() != nullptr);
+  CHECK(d.second()->component == "gear");
+  CHECK(conclude({point("a", nothing, nothing)}, two_parts()).second() == nullptr);
+}
+
+TEST_CASE("likelihood ratios add over the points", "[analysis][conclude]") {
+  const Diagnosis d =
+      conclude({point("a", {0.3, 1e-5}, nothing), point("b", {0.5, 1e-4}, nothing)}, two_parts());
+  REQUIRE(d.findings.size() == 1);
+  CHECK(d.findings[0].log_likelihood_ratio == Approx(9 * std::log(10)));
+}
+
+TEST_CASE("two parts with the same lines cannot be told apart", "[analysis][conclude]") {
+  Kinematics k = two_parts();
+  k.signatures[1].order = 2;
+  const Diagnosis d = conclude({point("a", {0.5, 1e-12}, nothing)}, k);
+  REQUIRE(d.findings.size() == 1);
+  CHECK(d.findings[0].cannot_tell_from == std::vector<std::string>{"gear: wear"});
+  CHECK(conclude({point("a", {0.5, 1e-12}, nothing)}, two_parts())
+            .findings.front()
+            .cannot_tell_from.empty());
+}
+
+TEST_CASE("a part whose vibration falls with load is behind one whose does not",
+          "[analysis][conclude]") {
+  std::vector<Examination> points;
+  for (const double load_pct : {25.0, 50.0, 100.0, 150.0}) {
+    // The shaft is deeper, but its depth halves with every doubling of load.
+    Examination e = point("p", {90 / load_pct, 1e-12}, {0.4, 1e-12});
+    e.load_pct = load_pct;
+    e.channels.resize(1);
+    e.channels[0].rms = 1;
+    points.push_back(e);
+  }
+  const Diagnosis d = conclude(points, two_parts());
+  REQUIRE(d.findings.size() == 2);
+  CHECK(d.findings[0].component == "gear");
+  CHECK(d.findings[0].growth_fits);
+  CHECK(d.findings[1].growth.load.exponent == Approx(-1));
+  CHECK_FALSE(d.findings[1].growth_fits);
 }

@@ -13,14 +13,31 @@ inline analysis::Finding misaligned_shaft() {
   finding.frequency_Hz = 10.08;
   finding.points = {"recording.h5#000"};
   finding.imfs = {1, 2};
-  finding.statistic = 812.5;
+  finding.log_likelihood_ratio = 812.5;
   finding.p_value = 1e-12;
   finding.severity = 0.6;
+  finding.severity_low = 0.55;
+  finding.severity_high = 0.64;
   finding.limit = 0.2;
   finding.confidence = 0.75;
   finding.advice = "Stiffen, shorten or support the input shaft.";
   finding.line_orders = {1, 2, 39.0 / 121};
   finding.line_depths = {0.5, 0.3, 0.05};
+  finding.growth.load = {0.9, 0.1};
+  return finding;
+}
+
+inline analysis::Finding silent_sun() {
+  analysis::Finding finding;
+  finding.component = "sun_gear";
+  finding.mechanism = "profile_error";
+  finding.order = 120.0 / 121;
+  finding.log_likelihood_ratio = 17.5;
+  finding.p_value = 0.4;
+  finding.severity = 0.01;
+  finding.severity_low = 0;
+  finding.severity_high = 0.02;
+  finding.limit = 0.1;
   return finding;
 }
 
@@ -41,7 +58,7 @@ inline JudgedPoint recorded_point() {
                                     3.1,
                                     {0.8, 0.4, 0.2, 0.1, 0.08, 0.01, 0.0, 0.0, 0.0},
                                     {{1, 10.08, 0.2, 1e-9, "input shaft"}}}};
-  recorded.examination.scores = {{0, 1, 0.6, 812.5, 1e-12, 1, 0, {1, 2}, {0.5, 0.3}}};
+  recorded.examination.scores = {{0, 1, 0.6, 1e-4, 812.5, 1e-12, 1, 0, {1, 2}, {0.5, 0.3}, {0.6}}};
   return recorded;
 }
 
@@ -60,6 +77,7 @@ inline Judgement failed_run() {
   judgement.facts.duration_s = 123.5;
   judgement.facts.events = {{1.5, "armed"}};
   judgement.diagnosis.findings = {misaligned_shaft()};
+  judgement.diagnosis.not_shown = {silent_sun()};
   judgement.diagnosis.unexplained = {{5.147, 171.56, 0.2, 1e-9, ""}};
   judgement.diagnosis.quality = {{"point 000, accel_1x", "3 samples lost", false}};
   judgement.diagnosis.resolvable = true;

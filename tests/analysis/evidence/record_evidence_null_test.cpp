@@ -1,5 +1,5 @@
-#include "analysis/envelope_lines.hpp"
 #include "analysis/rv_reducer.hpp"
+#include "tests/analysis/evidence/scored.hpp"
 #include "tests/analysis/null_rates.hpp"
 #include "tests/analysis/order_signals.hpp"
 
@@ -26,12 +26,10 @@ std::vector<NullDraws> draws_of(int draws, Noise noise) {
   const Kinematics k = rv20e();
   const analysis::ShaftAngle angle = turning.angle();
   std::vector<NullDraws> results(k.signatures.size());
-  std::vector<std::vector<analysis::SignatureLine>> lines;
   for (int seed = 1; seed <= draws; ++seed) {
     const EnvelopeSpectra envelope = envelope_spectra(noise(static_cast<unsigned>(seed)),
                                                       turning.rate_Hz, 0, angle, k.period_turns);
-    if (lines.empty()) lines = signature_lines(k, envelope.whole.resolution);
-    const auto scores = score_families(envelope, k.signatures, lines);
+    const auto scores = test::scored({envelope}, k);
     for (std::size_t i = 0; i < scores.size(); ++i) {
       results[i].p_values.push_back(scores[i].p_value);
     }
@@ -50,7 +48,7 @@ void check_no_false_alarms(const std::vector<NullDraws>& draws) {
 }  // namespace
 
 TEST_CASE("in white noise no signature is significant oftener than stated",
-          "[analysis][envelope][null]") {
+          "[analysis][evidence][null]") {
   const auto draws = draws_of(400, [](unsigned seed) { return turning.noise(seed); });
   check_no_false_alarms(draws);
   // Where no other part's lines are set off against it the p-value is exact.
@@ -63,7 +61,7 @@ TEST_CASE("in white noise no signature is significant oftener than stated",
   }
 }
 
-TEST_CASE("nor is it in coloured noise", "[analysis][envelope][null]") {
+TEST_CASE("nor is it in coloured noise", "[analysis][evidence][null]") {
   SECTION("that falls from order 1 on") {
     check_no_false_alarms(
         draws_of(100, [](unsigned seed) { return reddened(turning.noise(seed), 0.9); }));
@@ -78,7 +76,7 @@ TEST_CASE("nor is it in coloured noise", "[analysis][envelope][null]") {
   }
 }
 
-TEST_CASE("nor is it beside a mesh line without sidebands", "[analysis][envelope][null]") {
+TEST_CASE("nor is it beside a mesh line without sidebands", "[analysis][evidence][null]") {
   check_no_false_alarms(draws_of(100, [](unsigned seed) {
     return Eigen::VectorXd(5 * turning.tone(1080.0 / 121) + turning.noise(seed));
   }));

@@ -1,17 +1,14 @@
-#include "analysis/envelope_lines.hpp"
-
 #include <catch2/catch.hpp>
 
 #include "analysis/rv_reducer.hpp"
+#include "tests/analysis/evidence/scored.hpp"
 #include "tests/analysis/order_signals.hpp"
-#include "tests/support/spectrum_matchers.hpp"
 
 using namespace rvbench;
 using analysis::EnvelopeSpectra;
-using analysis::FamilyScore;
 using analysis::Kinematics;
+using analysis::SignatureScore;
 using test::OrderSignals;
-using test::PeaksAt;
 
 namespace {
 
@@ -28,11 +25,9 @@ EnvelopeSpectra spectra_of(const Eigen::VectorXd& x) {
   return envelope_spectra(x, turning.rate_Hz, 0, turning.angle(), period_turns);
 }
 
-FamilyScore score_of(const std::string& component, const Eigen::VectorXd& x) {
+SignatureScore score_of(const std::string& component, const Eigen::VectorXd& x) {
   const Kinematics k = small_reducer();
-  const EnvelopeSpectra envelope = spectra_of(x);
-  const auto lines = signature_lines(k, envelope.whole.resolution);
-  const auto scores = score_families(envelope, k.signatures, lines);
+  const auto scores = test::scored({spectra_of(x)}, k);
   for (std::size_t i = 0; i < scores.size(); ++i) {
     if (k.signatures[i].component == component) return scores[i];
   }
@@ -56,40 +51,12 @@ double depth_in_noise(double m, double v) {
 
 }  // namespace
 
-SCENARIO("the envelope spectrum reads order and depth of a modulation", "[analysis][envelope]") {
-  GIVEN("a carrier of order 30 whose amplitude of 1 swings by 0.4 at order 1") {
-    const EnvelopeSpectra envelope = spectra_of(turning.modulated(carrier, 1, 0.4));
-    THEN("the mean is 1, the line of order 1 is 0.4 high, and the highest") {
-      CHECK(envelope.mean == Approx(1).epsilon(1e-3));
-      CHECK(envelope.periods == 8);
-      CHECK(envelope.whole.resolution == Approx(1.0 / (8 * period_turns)));
-      CHECK_THAT(envelope.whole, PeaksAt(1));
-      CHECK(envelope.whole.amplitude.maxCoeff() == Approx(0.4).epsilon(1e-3));
-      CHECK(envelope.highest_order == Approx(carrier / 2).epsilon(0.01));
-    }
-  }
-  GIVEN("a modulation that does not repeat with the gear train") {
-    const EnvelopeSpectra envelope = spectra_of(turning.modulated(carrier, 2.3125, 0.4));
-    THEN("taking the gear train out leaves it; of what is locked nothing is left") {
-      const auto line = std::lround(2.3125 / envelope.whole.resolution);
-      CHECK(envelope.unlocked.power[line] == Approx(envelope.lines.power[line]).epsilon(1e-3));
-      const EnvelopeSpectra locked = spectra_of(turning.modulated(carrier, 1, 0.4));
-      const auto shaft = std::lround(1 / locked.whole.resolution);
-      CHECK(locked.unlocked.power[shaft] < 1e-6 * locked.lines.power[shaft]);
-    }
-  }
-  GIVEN("a record shorter than a period") {
-    const Eigen::VectorXd x = turning.modulated(carrier, 1, 0.4).head(2000);
-    THEN("there is no envelope") { CHECK(spectra_of(x).mean == 0); }
-  }
-}
-
-TEST_CASE("a family's depth is the modulation's, in noise, too", "[analysis][envelope]") {
+TEST_CASE("a family's depth is the modulation's, in noise, too", "[analysis][evidence]") {
   const double depth = GENERATE(0.1, 0.3, 0.7);
   const double noise = GENERATE(0.0, 0.1);
   CAPTURE(depth, noise);
   const Eigen::VectorXd x = turning.modulated(carrier, 1, depth) + noise * turning.noise(1);
-  const FamilyScore shaft = score_of("input_shaft", x);
+  const SignatureScore shaft = score_of("input_shaft", x);
   // Noise of 0.1 moves a line by 0.1·√(6/n) = 0.002, in either direction.
   const double expected = depth_in_noise(depth, noise * noise);
   CHECK(shaft.depth == Approx(expected).margin(0.006));
@@ -101,18 +68,18 @@ TEST_CASE("a family's depth is the modulation's, in noise, too", "[analysis][env
   CHECK(score_of("planet_gear", x).depth < 0.02);
 }
 
-TEST_CASE("lines of one family add by power", "[analysis][envelope]") {
+TEST_CASE("lines of one family add by power", "[analysis][evidence]") {
   const Eigen::VectorXd envelope =
       1 + 0.3 * turning.tone(1, 0.2).array() + 0.4 * turning.tone(2, 1.1).array();
   const Eigen::VectorXd x = envelope.cwiseProduct(turning.tone(carrier));
-  const FamilyScore shaft = score_of("input_shaft", x);
+  const SignatureScore shaft = score_of("input_shaft", x);
   CHECK(shaft.depth == Approx(0.5).epsilon(0.01));
   REQUIRE(shaft.line_depths.size() == 2);
   CHECK(shaft.line_depths[0] == Approx(0.3).epsilon(0.01));
   CHECK(shaft.line_depths[1] == Approx(0.4).epsilon(0.01));
 }
 
-TEST_CASE("a steady carrier is silent", "[analysis][envelope]") {
+TEST_CASE("a steady carrier is silent", "[analysis][evidence]") {
   const Eigen::VectorXd x = turning.tone(carrier) + 0.1 * turning.noise(2);
   for (const auto& signature : small_reducer().signatures) {
     CAPTURE(signature.component);
@@ -121,7 +88,7 @@ TEST_CASE("a steady carrier is silent", "[analysis][envelope]") {
   }
 }
 
-TEST_CASE("a rolling part is found within its slip, and not beyond it", "[analysis][envelope]") {
+TEST_CASE("a rolling part is found within its slip, and not beyond it", "[analysis][evidence]") {
   const double nominal = order_of("bearing_outer");
   const auto modulated_at = [&](double slip) {
     return Eigen::VectorXd(turning.modulated(carrier, nominal * (1 + slip), 0.5) +
@@ -130,7 +97,7 @@ TEST_CASE("a rolling part is found within its slip, and not beyond it", "[analys
   // None within two lines of a multiple of 1/21, where taking the gear train out takes some of it.
   for (const double slip : {-0.015, 0.0, 0.006}) {
     CAPTURE(slip);
-    const FamilyScore outer = score_of("bearing_outer", modulated_at(slip));
+    const SignatureScore outer = score_of("bearing_outer", modulated_at(slip));
     CHECK(outer.p_value < 1e-9);
     // To half a line, and read up to 1.42 dB low between lines.
     CHECK(outer.order == Approx(nominal * (1 + slip)).margin(0.5 / (8 * period_turns)));
@@ -141,7 +108,7 @@ TEST_CASE("a rolling part is found within its slip, and not beyond it", "[analys
 }
 
 TEST_CASE("what repeats with the gear train is not taken for a rolling part",
-          "[analysis][envelope]") {
+          "[analysis][evidence]") {
   const double nominal = order_of("bearing_inner");
   const double locked = std::round(nominal * period_turns) / period_turns;
   REQUIRE(std::abs(locked / nominal - 1) < 0.02);
@@ -149,10 +116,50 @@ TEST_CASE("what repeats with the gear train is not taken for a rolling part",
   CHECK(score_of("bearing_inner", x).p_value > 1e-3);
 }
 
-TEST_CASE("depth does not depend on the unit", "[analysis][envelope]") {
+TEST_CASE("depth does not depend on the unit", "[analysis][evidence]") {
   const Eigen::VectorXd x = turning.modulated(carrier, 1, 0.3) + 0.1 * turning.noise(5);
-  const FamilyScore in_m_s2 = score_of("input_shaft", x);
-  const FamilyScore in_m_us2 = score_of("input_shaft", 1e-6 * x);
+  const SignatureScore in_m_s2 = score_of("input_shaft", x);
+  const SignatureScore in_m_us2 = score_of("input_shaft", 1e-6 * x);
   CHECK(in_m_us2.depth == Approx(in_m_s2.depth));
-  CHECK(in_m_us2.statistic == Approx(in_m_s2.statistic));
+  CHECK(in_m_us2.log_likelihood_ratio == Approx(in_m_s2.log_likelihood_ratio));
+}
+
+TEST_CASE("channels add their evidence, and pay for the noise that they share",
+          "[analysis][evidence]") {
+  const Kinematics k = small_reducer();
+  REQUIRE(k.signatures.front().component == "input_shaft");
+  const auto heard = [&](unsigned seed) {
+    return spectra_of(turning.modulated(carrier, 1, 0.05) + 0.5 * turning.noise(seed));
+  };
+  double alone = 0, same = 0, both = 0;  // mean log10 of p
+  constexpr unsigned draws = 20;
+  for (unsigned seed = 1; seed <= draws; ++seed) {
+    const auto x = heard(seed), y = heard(100 + seed);
+    alone += std::log10(test::scored({x}, k).front().p_value) / draws;
+    same += std::log10(test::scored({x, x}, k).front().p_value) / draws;
+    both += std::log10(test::scored({x, y}, k).front().p_value) / draws;
+  }
+  CHECK(same == Approx(alone).margin(0.5));
+  CHECK(both < same - 1);
+}
+
+TEST_CASE("a part that slips does so by one order in all channels", "[analysis][evidence]") {
+  const double nominal = order_of("bearing_outer");
+  const Kinematics k = small_reducer();
+  const Eigen::VectorXd x = turning.modulated(carrier, 1.006 * nominal, 0.5);
+  const Eigen::VectorXd y = turning.modulated(1.5 * carrier, 1.006 * nominal, 0.3);
+  const auto scores =
+      test::scored({spectra_of(x + 0.1 * turning.noise(8)), spectra_of(y + 0.1 * turning.noise(9)),
+                    spectra_of(turning.noise(10))},
+                   k);
+  const auto outer = std::find_if(scores.begin(), scores.end(), [&](const SignatureScore& score) {
+    return k.signatures[static_cast<std::size_t>(score.signature)].component == "bearing_outer";
+  });
+  REQUIRE(outer != scores.end());
+  CHECK(outer->order == Approx(1.006 * nominal).margin(1.0 / (8 * period_turns)));
+  CHECK(outer->channel == 0);
+  REQUIRE(outer->channel_depths.size() == 3);
+  CHECK(outer->channel_depths[0] == Approx(0.5).epsilon(0.05));
+  CHECK(outer->channel_depths[1] == Approx(0.3).epsilon(0.05));
+  CHECK(outer->channel_depths[2] < 0.06);
 }

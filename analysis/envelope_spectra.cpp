@@ -1,0 +1,46 @@
+#include "analysis/envelope_spectra.hpp"
+
+#include <cmath>
+
+#include "analysis/hilbert.hpp"
+#include "analysis/order/synchronous_average.hpp"
+
+namespace rvbench::analysis {
+namespace {
+
+// Even angle steps fine enough for all the envelope's bandwidth, rate/4 at the most.
+int samples_per_turn(double rate_Hz, double speed_Hz) {
+  int samples = 32;
+  while (samples < 1024 && samples * speed_Hz < rate_Hz / 2) samples *= 2;
+  return samples;
+}
+
+}  // namespace
+
+EnvelopeSpectra envelope_spectra(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz,
+                                 double start_s, const ShaftAngle& angle, double period_turns) {
+  EnvelopeSpectra result;
+  const int per_turn = samples_per_turn(rate_Hz, angle.mean_speed_Hz());
+  const Eigen::VectorXd over_angle =
+      angle.resample(envelope(x), rate_Hz, start_s, period_turns, per_turn);
+  if (over_angle.size() < 16) return result;
+
+  result.mean = over_angle.mean();
+  result.highest_order = 0.5 * crossing_frequency(x, rate_Hz) / angle.mean_speed_Hz();
+  result.periods = std::round(static_cast<double>(over_angle.size()) / per_turn / period_turns);
+  const auto periods = static_cast<Eigen::Index>(result.periods);
+  const Eigen::VectorXd swing = over_angle.array() - result.mean;
+  result.whole = amplitude_spectrum(swing, per_turn, Window::hann);
+  result.lines = line_floor(result.whole, periods);
+  if (periods >= 2 && over_angle.size() % periods == 0) {
+    result.unlocked =
+        line_floor(amplitude_spectrum(without_average(over_angle, over_angle.size() / periods),
+                                      per_turn, Window::hann),
+                   periods);
+  } else {
+    result.unlocked = result.lines;
+  }
+  return result;
+}
+
+}  // namespace rvbench::analysis

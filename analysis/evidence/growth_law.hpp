@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/diagnosis.hpp"
+
+namespace rvbench::analysis {
+
+/// Fits how what a signature modulates grows over the points of a matrix:
+///
+///     ln(depth·rms) = a + p·ln(load) + q·ln(speed),   averaged over the channels
+///
+/// Load or speed is left out where it does not vary by a factor of 1.5; points without load are, as
+/// they have no logarithm. The speed's exponent holds the path from the part to the sensors as
+/// well, which no one knows: it tells less than the load's, for which the path stays the same.
+///
+/// @param points     that show the signature, same channels in each
+/// @param signature  index into their scores
+/// @return exponents that are not known are NaN: fewer than 2 points more than unknowns
+/// Units   exponents; their errors are half of 95 % intervals
+/// Errors  none thrown
+/// Source  Draper & Smith, Applied Regression Analysis (3rd ed., 1998), ch. 5
+GrowthLaw growth_law(const std::vector<const Examination*>& points, std::size_t signature);
+
+}  // namespace rvbench::analysis

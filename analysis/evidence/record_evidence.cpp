@@ -1,0 +1,184 @@
+#include "analysis/evidence/record_evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "analysis/evidence/decoy_p_value.hpp"
+
+namespace rvbench::analysis {
+namespace {
+
+using Mask = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
+
+constexpr int beside = 2;         // a line takes its neighbours with it, and
+constexpr double smear = 0.02;    // relative: as far as slip has smeared it,
+constexpr double is_smeared = 2;  // where the mean log ratio is above noise's of 1
+
+// One signature in all channels of a record.
+class RecordEvidence {
+ public:
+  RecordEvidence(const std::vector<std::vector<ChannelEvidence>>& channels, std::size_t signature,
+                 const SignatureComb& comb)
+      : comb_(comb) {
+    log_ratio_.setZero(comb.bins.rows(), comb.bins.cols());
+    for (const std::vector<ChannelEvidence>& channel : channels) {
+      if (signature >= channel.size()) {
+        throw std::invalid_argument("score_signatures: a channel lacks evidence of a signature");
+      }
+      const ChannelEvidence& evidence = channel[signature];
+      channels_.push_back(&evidence);
+      if (evidence.imfs.empty()) continue;
+      log_ratio_ += evidence.sum.log_ratio;
+      decoys_ = decoys_.size() == 0 ? evidence.sum.decoys : (decoys_ + evidence.sum.decoys).eval();
+      envelopes_ += evidence.imfs.size();
+    }
+    open_ = Mask::Constant(comb.bins.rows(), comb.bins.cols(), true);
+  }
+
+  // Leaves out what another part explains.
+  void leave_out(const std::set<int>& taken, const std::set<int>& smeared) {
+    for (Eigen::Index t = 0; t < open_.cols(); ++t) {
+      for (Eigen::Index i = 0; i < open_.rows(); ++i) {
+        const int bin = comb_.bins(i, t);
+        const bool strong = log_ratio_(i, t) > is_smeared * static_cast<double>(envelopes_);
+        if (taken.contains(bin) || (strong && smeared.contains(bin))) open_(i, t) = false;
+      }
+    }
+  }
+
+  SignatureScore score(int signature) const {
+    SignatureScore score;
+    score.signature = signature;
+    score.line_depths.assign(comb_.lines.size(), 0.0);
+    for (const SignatureLine& line : comb_.lines) score.line_orders.push_back(line.order);
+    score.channel_depths.assign(channels_.size(), 0.0);
+    score.order = comb_.order;
+    if (envelopes_ == 0 || comb_.lines.empty()) return score;
+
+    const Eigen::VectorXd sums =
+        open_.select(log_ratio_.array(), 0.0).matrix().colwise().sum().transpose();
+    Eigen::Index best = comb_.nominal;
+    for (Eigen::Index t = 0; t < sums.size(); ++t) {
+      if (sums[t] > sums[best]) best = t;
+    }
+    score.order = comb_.order * comb_.stretches[best];
+    score.log_likelihood_ratio = sums[best];
+    score.p_value =
+        std::min(1.0, decoy_p_value(sums[best], decoys_) * static_cast<double>(sums.size()));
+    read_depths(best, score);
+    return score;
+  }
+
+ private:
+  // The channel where the signature is deepest speaks for its depth.
+  void read_depths(Eigen::Index stretch, SignatureScore& score) const {
+    double deepest2 = -1;
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+      const ChannelEvidence& evidence = *channels_[c];
+      if (evidence.imfs.empty()) continue;
+      const auto open = open_.col(stretch);
+      const Eigen::ArrayXd depth2 = open.select(evidence.sum.depth2.col(stretch).array(), 0.0);
+      const double sum = std::max(depth2.sum(), 0.0);
+      score.channel_depths[c] = std::sqrt(sum);
+      if (sum <= deepest2) continue;
+      deepest2 = sum;
+      score.channel = static_cast<int>(c);
+      score.depth = std::sqrt(sum);
+      score.depth2_variance = open.select(evidence.sum.variance.col(stretch).array(), 0.0).sum();
+      for (std::size_t i = 0; i < score.line_depths.size(); ++i) {
+        score.line_depths[i] = std::sqrt(std::max(depth2[static_cast<Eigen::Index>(i)], 0.0));
+      }
+      score.imf = evidence.imfs[strongest_imf(evidence, stretch)];
+    }
+  }
+
+  static std::size_t strongest_imf(const ChannelEvidence& evidence, Eigen::Index stretch) {
+    std::size_t strongest = 0;
+    for (std::size_t k = 1; k < evidence.by_stretch.size(); ++k) {
+      if (evidence.by_stretch[k][stretch] > evidence.by_stretch[strongest][stretch]) strongest = k;
+    }
+    return strongest;
+  }
+
+  const SignatureComb& comb_;
+  std::vector<const ChannelEvidence*> channels_;
+  Eigen::MatrixXd log_ratio_;
+  Eigen::VectorXd decoys_;
+  std::size_t envelopes_ = 0;
+  Mask open_;
+};
+
+// Lines of the spectrum that a part explains, once its order is found: those of its comb and all
+// higher harmonics.
+struct Explained {
+  std::set<int> taken;
+  std::set<int> smeared;
+
+  void add(const SignatureComb& comb, double order, int highest_bin) {
+    const double stretch = order / comb.order;
+    for (const SignatureLine& line : comb.lines) add_line(comb.bin_of(line.order * stretch));
+    for (int h = 1; comb.bin_of(h * order) <= highest_bin; ++h) add_line(comb.bin_of(h * order));
+  }
+
+ private:
+  void add_line(Eigen::Index line) {
+    const int at = static_cast<int>(line);
+    const int reach = std::max(beside, static_cast<int>(smear * at));
+    for (int bin = at - reach; bin <= at + reach; ++bin) smeared.insert(bin);
+    for (int bin = at - beside; bin <= at + beside; ++bin) taken.insert(bin);
+  }
+};
+
+int highest_bin(const std::vector<SignatureComb>& combs) {
+  int highest = 0;
+  for (const SignatureComb& comb : combs) {
+    if (comb.bins.size() > 0) highest = std::max(highest, comb.bins.maxCoeff());
+  }
+  return highest;
+}
+
+}  // namespace
+
+void ChannelEvidence::add(const CombEvidence& evidence, int imf, double share) {
+  if (imfs.empty()) {
+    sum.log_ratio = sum.depth2 = sum.variance =
+        Eigen::MatrixXd::Zero(evidence.log_ratio.rows(), evidence.log_ratio.cols());
+    sum.decoys = Eigen::VectorXd::Zero(evidence.decoys.size());
+  }
+  sum.log_ratio += evidence.log_ratio;
+  sum.depth2 += share * evidence.depth2;
+  sum.variance += share * share * evidence.variance;
+  sum.decoys += evidence.decoys;
+  imfs.push_back(imf);
+  by_stretch.push_back(evidence.log_ratio.colwise().sum().transpose());
+}
+
+std::vector<SignatureScore> score_signatures(
+    const std::vector<std::vector<ChannelEvidence>>& channels,
+    const std::vector<SignatureComb>& combs) {
+  std::vector<RecordEvidence> records;
+  std::vector<SignatureScore> scores;
+  std::vector<std::size_t> waiting;  // those that roll, and have not explained their lines yet
+  for (std::size_t s = 0; s < combs.size(); ++s) {
+    records.emplace_back(channels, s, combs[s]);
+    scores.push_back(records.back().score(static_cast<int>(s)));
+    if (combs[s].rolls) waiting.push_back(s);
+  }
+  Explained explained;
+  while (waiting.size() > 1) {
+    const auto deepest = std::max_element(
+        waiting.begin(), waiting.end(),
+        [&](std::size_t a, std::size_t b) { return scores[a].depth < scores[b].depth; });
+    explained.add(combs[*deepest], scores[*deepest].order, highest_bin(combs));
+    waiting.erase(deepest);
+    for (const std::size_t s : waiting) {
+      records[s].leave_out(explained.taken, explained.smeared);
+      scores[s] = records[s].score(static_cast<int>(s));
+    }
+  }
+  return scores;
+}
+
+}  // namespace rvbench::analysis

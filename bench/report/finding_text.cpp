@@ -1,0 +1,39 @@
+#include "bench/report/finding_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+namespace rvbench::bench::report {
+namespace {
+
+std::string power_of(const char* what, const analysis::Growth& growth) {
+  return fmt::format("{}^{:.2f} (± {:.2f})", what, growth.exponent, growth.error);
+}
+
+}  // namespace
+
+std::string severity_text(const analysis::Finding& finding) {
+  return fmt::format("{:.3f} ({:.3f} to {:.3f})", finding.severity, finding.severity_low,
+                     finding.severity_high);
+}
+
+std::string growth_text(const analysis::Finding& finding) {
+  std::string text;
+  if (std::isfinite(finding.growth.load.exponent)) text = power_of("load", finding.growth.load);
+  if (std::isfinite(finding.growth.speed.exponent)) {
+    text += (text.empty() ? "" : " and ") + power_of("speed", finding.growth.speed);
+  }
+  if (text.empty()) return "";
+  return "its vibration grows with " + text +
+         (finding.growth_fits ? "" : ", which this mechanism does not: look for another cause");
+}
+
+std::string rivals_text(const analysis::Finding& finding) {
+  if (finding.cannot_tell_from.empty()) return "";
+  return fmt::format("cannot be told from {}: the same lines, as likely",
+                     fmt::join(finding.cannot_tell_from, " or "));
+}
+
+}  // namespace rvbench::bench::report

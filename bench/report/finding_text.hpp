@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "analysis/diagnosis.hpp"
+
+namespace rvbench::bench::report {
+
+/// "0.412 (0.398 to 0.431)": modulation depth and its 95 % interval.
+std::string severity_text(const analysis::Finding& finding);
+
+/// How it grows over the matrix, and whether that is as the mechanism has it; empty if not known.
+std::string growth_text(const analysis::Finding& finding);
+
+/// "cannot be told from bearing_2: spall"; empty where the finding stands alone.
+std::string rivals_text(const analysis::Finding& finding);
+
+}  // namespace rvbench::bench::report

@@ -1,0 +1,82 @@
+#include "analysis/evidence/growth_law.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+using namespace rvbench;
+using analysis::Examination;
+using analysis::growth_law;
+using analysis::GrowthLaw;
+
+namespace {
+
+// Points of the matrix, vibrating by load^p·speed^q, and a scatter in the logarithm.
+class Matrix {
+ public:
+  Matrix(double p, double q, double scatter = 0, unsigned seed = 1) {
+    std::mt19937 engine(seed);
+    std::normal_distribution<double> noise;
+    for (const double speed_rpm : {605.0, 1210.0, 1815.0}) {
+      for (const double load_pct : {0.0, 25.0, 50.0, 75.0, 100.0, 125.0, 150.0}) {
+        Examination e;
+        e.speed_rpm = speed_rpm;
+        e.load_pct = load_pct;
+        e.channels.resize(2);
+        e.scores.resize(1);
+        for (std::size_t c = 0; c < 2; ++c) {
+          e.channels[c].rms = (c == 0 ? 3 : 7) * std::pow(speed_rpm, q);
+          e.scores[0].channel_depths.push_back(1e-3 * std::pow(load_pct, p) *
+                                               std::exp(scatter * noise(engine)));
+        }
+        points_.push_back(e);
+      }
+    }
+  }
+  std::vector<const Examination*> where(bool (*wanted)(const Examination&)) const {
+    std::vector<const Examination*> list;
+    for (const Examination& e : points_) {
+      if (wanted(e)) list.push_back(&e);
+    }
+    return list;
+  }
+  GrowthLaw law() const {
+    return growth_law(where([](const Examination&) { return true; }), 0);
+  }
+
+ private:
+  std::vector<Examination> points_;
+};
+
+}  // namespace
+
+TEST_CASE("exponents of load and speed are those that it grows by", "[analysis][evidence]") {
+  for (const auto& [p, q] : {std::pair{1.0, 2.0}, {0.0, 2.0}, {0.33, 0.0}, {-1.0, 1.0}}) {
+    const GrowthLaw law = Matrix(p, q).law();
+    CHECK(law.load.exponent == Approx(p).margin(1e-9));
+    CHECK(law.speed.exponent == Approx(q).margin(1e-9));
+    CHECK(law.load.error < 1e-6);
+  }
+}
+
+TEST_CASE("95 of 100 intervals hold the exponent", "[analysis][evidence][null]") {
+  constexpr int matrices = 400;
+  int held = 0;
+  for (unsigned seed = 1; seed <= matrices; ++seed) {
+    const GrowthLaw law = Matrix(1, 2, 0.2, seed).law();
+    held += std::abs(law.load.exponent - 1) <= law.load.error ? 1 : 0;
+  }
+  CHECK(held == Approx(0.95 * matrices).margin(4 * std::sqrt(0.95 * 0.05 * matrices)));
+}
+
+TEST_CASE("what does not vary has no exponent", "[analysis][evidence]") {
+  const Matrix matrix(1, 2, 0.1);
+  const GrowthLaw one_load =
+      growth_law(matrix.where([](const Examination& e) { return e.load_pct == 100; }), 0);
+  CHECK(std::isnan(one_load.load.exponent));
+  const GrowthLaw one_speed =
+      growth_law(matrix.where([](const Examination& e) { return e.speed_rpm == 605; }), 0);
+  CHECK(std::isnan(one_speed.speed.exponent));
+  CHECK(one_speed.load.exponent == Approx(1).margin(one_speed.load.error));
+  CHECK(std::isnan(growth_law({}, 0).load.exponent));
+}

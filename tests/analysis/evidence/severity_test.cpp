@@ -1,0 +1,59 @@
+#include "analysis/evidence/severity.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+using namespace rvbench;
+using analysis::Severity;
+using analysis::severity_of;
+using analysis::SignatureScore;
+
+namespace {
+
+SignatureScore score(double depth, double depth2_sd = 0) {
+  SignatureScore s;
+  s.depth = depth;
+  s.depth2_variance = depth2_sd * depth2_sd;
+  return s;
+}
+
+Severity severity(const std::vector<SignatureScore>& scores) {
+  std::vector<const SignatureScore*> all;
+  for (const SignatureScore& s : scores) all.push_back(&s);
+  return severity_of(all);
+}
+
+}  // namespace
+
+TEST_CASE("severity is the median depth; without noise or scatter it is certain",
+          "[analysis][evidence]") {
+  const Severity one = severity({score(0.3)});
+  CHECK(one.depth == 0.3);
+  CHECK(one.low == Approx(0.3));
+  CHECK(one.high == Approx(0.3));
+  CHECK(severity({score(0.1), score(0.9), score(0.2)}).depth == 0.2);
+  CHECK_THROWS_AS(severity({}), std::invalid_argument);
+}
+
+TEST_CASE("of one point the interval is its noise", "[analysis][evidence]") {
+  // 95 % of a Gaussian are within 1.96 deviations: of the square, 0.16 ± 0.0196.
+  const Severity s = severity({score(0.4, 0.01)});
+  CHECK(s.low == Approx(std::sqrt(0.16 - 0.0196)).epsilon(0.01));
+  CHECK(s.high == Approx(std::sqrt(0.16 + 0.0196)).epsilon(0.01));
+}
+
+TEST_CASE("in 95 of 100 matrices the interval holds the severity", "[analysis][evidence][null]") {
+  std::mt19937 engine(1);
+  std::normal_distribution<double> noise;
+  constexpr int matrices = 400;
+  int held = 0;
+  for (int matrix = 0; matrix < matrices; ++matrix) {
+    std::vector<SignatureScore> points;
+    for (int point = 0; point < 21; ++point) points.push_back(score(0.3 + 0.05 * noise(engine)));
+    const Severity s = severity(points);
+    held += s.low <= 0.3 && 0.3 <= s.high ? 1 : 0;
+  }
+  // 4 binomial deviations of 0.95, and the percentile's known shortfall of some percent.
+  CHECK(held >= 0.88 * matrices);
+}

@@ -1,0 +1,68 @@
+#include "analysis/evidence/signature_comb.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <set>
+
+#include "analysis/rv_reducer.hpp"
+
+using namespace rvbench;
+using analysis::decoy_shifts;
+using analysis::signature_combs;
+using analysis::SignatureComb;
+
+namespace {
+
+constexpr int periods = 4;
+constexpr double resolution = 1.0 / (121 * periods);
+
+analysis::Kinematics rv20e() {
+  return analysis::rv_reducer("RV-20E", {9, 27, 2, 39, 40}, {11, 5, 26, 0});
+}
+
+}  // namespace
+
+TEST_CASE("a comb of gears is looked for at one place, of what rolls within its slip",
+          "[analysis][evidence]") {
+  const analysis::Kinematics k = rv20e();
+  const auto combs = signature_combs(k, resolution);
+  REQUIRE(combs.size() == k.signatures.size());
+  for (std::size_t s = 0; s < combs.size(); ++s) {
+    const SignatureComb& comb = combs[s];
+    CAPTURE(k.signatures[s].component);
+    CHECK(comb.stretches[comb.nominal] == Approx(1));
+    CHECK(comb.rolls == (k.signatures[s].slip > 0));
+    if (!comb.rolls) {
+      CHECK(comb.stretches.size() == 1);
+      continue;
+    }
+    CHECK(comb.stretches.minCoeff() == Approx(1 - k.signatures[s].slip));
+    CHECK(comb.stretches.maxCoeff() == Approx(1 + k.signatures[s].slip));
+    // No line is stepped over.
+    for (Eigen::Index i = 0; i < comb.bins.rows(); ++i) {
+      for (Eigen::Index t = 1; t < comb.bins.cols(); ++t) {
+        CHECK(comb.bins(i, t) - comb.bins(i, t - 1) <= 1);
+      }
+    }
+  }
+}
+
+TEST_CASE("decoys lie between the gear train's lines, and beyond the comb's own search",
+          "[analysis][evidence]") {
+  for (const SignatureComb& comb : signature_combs(rv20e(), resolution)) {
+    const auto shifts = decoy_shifts(comb, periods);
+    CHECK(shifts.size() == std::size_t{analysis::decoys});
+    CHECK(std::set<Eigen::Index>(shifts.begin(), shifts.end()).size() == shifts.size());
+    Eigen::Index down = 0;
+    for (const Eigen::Index shift : shifts) {
+      CHECK(std::abs(shift) % periods == 2);
+      if (comb.rolls) CHECK(double(std::abs(shift)) * resolution > 0.02 * comb.order);
+      down += shift < 0 ? 1 : 0;
+    }
+    CHECK(down == analysis::decoys / 2);
+  }
+}
+
+TEST_CASE("a spectrum without resolution has no combs", "[analysis][evidence]") {
+  CHECK_THROWS_AS(signature_combs(rv20e(), 0), std::invalid_argument);
+}
