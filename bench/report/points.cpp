@@ -43,8 +43,8 @@ std::vector<std::size_t> representative_points(const Judgement& judgement) {
 }
 
 std::size_t shown_channel(const analysis::Examination& examination) {
-  const auto strongest =
-      std::ranges::max_element(examination.scores, {}, &analysis::SignatureScore::log_likelihood_ratio);
+  const auto strongest = std::ranges::max_element(examination.scores, {},
+                                                  &analysis::SignatureScore::log_likelihood_ratio);
   if (strongest != examination.scores.end() && strongest->p_value < analysis::significant_p) {
     const auto channel = static_cast<std::size_t>(std::max(0, strongest->channel));
     if (channel < examination.channels.size()) return channel;

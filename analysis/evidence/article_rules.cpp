@@ -1,0 +1,125 @@
+#include "analysis/evidence/article_rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace rvbench::analysis {
+namespace {
+
+constexpr int mesh_harmonics = 3;
+constexpr int multiples = 2;
+constexpr double same_line = 0.6;  // of a record's resolution
+
+bool has_line(const Examination& point, double order, double near) {
+  return std::ranges::any_of(point.channels, [&](const ChannelExamination& channel) {
+    return std::ranges::any_of(channel.lines, [&](const SpectralLine& line) {
+      return std::abs(line.order - order) <= near;
+    });
+  });
+}
+
+bool has_sidebands(const Examination& point, double spacing, double near,
+                   const Kinematics& kinematics) {
+  for (const CharacteristicOrder& mesh : kinematics.orders) {
+    if (!mesh.mesh) continue;
+    for (int h = 1; h <= mesh_harmonics; ++h) {
+      for (int k = 1; k <= multiples; ++k) {
+        if (!has_line(point, h * mesh.order, near)) continue;
+        if (has_line(point, h * mesh.order - k * spacing, near) ||
+            has_line(point, h * mesh.order + k * spacing, near)) {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+ArticleRule stationary(const std::vector<Examination>& points, const Finding& finding,
+                       const Kinematics& kinematics) {
+  int judged = 0, with_sidebands = 0, with_rotation = 0;
+  for (const Examination& point : points) {
+    if (!point.resolvable) continue;
+    ++judged;
+    const double near = same_line / (point.periods * kinematics.period_turns);
+    with_sidebands += has_sidebands(point, finding.order, near, kinematics) ? 1 : 0;
+    bool rotation = false;
+    for (int k = 1; k <= multiples; ++k) {
+      rotation = rotation || has_line(point, k * finding.order, near);
+    }
+    with_rotation += rotation ? 1 : 0;
+  }
+  const bool sidebands = 2 * with_sidebands > judged;
+  const bool rotation = 2 * with_rotation > judged;
+  return {"stationary fault?", sidebands && rotation ? "yes" : "no",
+          fmt::format("mesh lines carry sidebands {:.4g} orders away in {} of {} points, and the "
+                      "rotation itself or its double is a line in {}{}",
+                      finding.order, with_sidebands, judged, with_rotation,
+                      sidebands && rotation
+                          ? ": profile error, even wear, or faulty design or installation"
+                          : "")};
+}
+
+ArticleRule extent(const Finding& finding) {
+  double total = 0, low = 0;
+  for (std::size_t i = 0; i < finding.line_orders.size(); ++i) {
+    const double squared = finding.line_depths[i] * finding.line_depths[i];
+    total += squared;
+    if (finding.line_orders[i] < 2.5 * finding.order) low += squared;
+  }
+  if (!(total > 0)) return {"distributed or local?", "cannot tell", "no line carries it"};
+  const double share = low / total;
+  return {"distributed or local?", share > 0.5 ? "distributed" : "local",
+          fmt::format("the first two harmonics and what lies around them hold {:.0f} % of the "
+                      "squared depth",
+                      100 * share)};
+}
+
+const Finding* hypothesis_of(const Diagnosis& diagnosis, const char* component) {
+  for (const auto* list : {&diagnosis.findings, &diagnosis.below_limit, &diagnosis.not_shown}) {
+    for (const Finding& f : *list) {
+      if (f.component == component) return &f;
+    }
+  }
+  return nullptr;
+}
+
+std::optional<ArticleRule> shaft_or_sun(const Diagnosis& diagnosis) {
+  const Finding* shaft = hypothesis_of(diagnosis, "input_shaft");
+  const Finding* sun = hypothesis_of(diagnosis, "sun_gear");
+  if (shaft == nullptr || sun == nullptr) return {};
+  const auto is_found = [&](const Finding* f) {
+    return std::ranges::any_of(diagnosis.findings,
+                               [&](const Finding& found) { return &found == f; });
+  };
+  const char* answer = "neither";
+  if (is_found(shaft) && is_found(sun)) {
+    answer = "both";
+  } else if (is_found(shaft)) {
+    answer = "input shaft";
+  } else if (is_found(sun)) {
+    answer = "sun gear";
+  }
+  return ArticleRule{
+      "input-shaft misalignment or sun profile error?", answer,
+      fmt::format("order {:.4g}: depth {:.3f}, limit {:.3f}; order {:.4g}: depth {:.3f}, limit "
+                  "{:.3f}",
+                  shaft->order, shaft->severity, shaft->limit, sun->order, sun->severity,
+                  sun->limit)};
+}
+
+}  // namespace
+
+std::vector<ArticleRule> article_rules(const std::vector<Examination>& points,
+                                       const Diagnosis& diagnosis, const Kinematics& kinematics) {
+  if (diagnosis.findings.empty()) return {};
+  const Finding& first = diagnosis.findings.front();
+  std::vector<ArticleRule> rules{stationary(points, first, kinematics), extent(first)};
+  if (auto rule = shaft_or_sun(diagnosis)) rules.push_back(std::move(*rule));
+  return rules;
+}
+
+}  // namespace rvbench::analysis

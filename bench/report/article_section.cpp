@@ -1,0 +1,22 @@
+#include "analysis/evidence/article_rules.hpp"
+#include "bench/report/html.hpp"
+#include "bench/report/sections.hpp"
+#include "bench/xml_text.hpp"
+
+namespace rvbench::bench::report {
+
+std::string article_section(const ReportInput& input) {
+  std::vector<analysis::Examination> points;
+  for (const JudgedPoint& point : input.judgement.points) {
+    if (point.status == "ok") points.push_back(point.examination);
+  }
+  std::vector<std::vector<std::string>> rows;
+  for (const analysis::ArticleRule& rule :
+       analysis::article_rules(points, input.judgement.diagnosis, input.kinematics)) {
+    rows.push_back({xml_escaped(rule.question), xml_escaped(rule.answer), xml_escaped(rule.why)});
+  }
+  if (rows.empty()) return "";
+  return section("As the article reasons", table({"question", "answer", "why"}, rows));
+}
+
+}  // namespace rvbench::bench::report
