@@ -15,6 +15,16 @@ int samples_per_turn(double rate_Hz, double speed_Hz) {
   return samples;
 }
 
+// Power and floor as far as the envelope reaches, and some lines more for the last floor.
+LineFloor floor_up_to(Spectrum spectrum, double highest_order, Eigen::Index locked_every) {
+  constexpr double beyond = 200;
+  const double lines = highest_order / spectrum.resolution + beyond;
+  if (lines < static_cast<double>(spectrum.amplitude.size())) {
+    spectrum.amplitude.conservativeResize(static_cast<Eigen::Index>(lines));
+  }
+  return line_floor(spectrum, locked_every);
+}
+
 }  // namespace
 
 EnvelopeSpectra envelope_spectra(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz,
@@ -31,12 +41,12 @@ EnvelopeSpectra envelope_spectra(const Eigen::Ref<const Eigen::VectorXd>& x, dou
   const auto periods = static_cast<Eigen::Index>(result.periods);
   const Eigen::VectorXd swing = over_angle.array() - result.mean;
   result.whole = amplitude_spectrum(swing, per_turn, Window::hann);
-  result.lines = line_floor(result.whole, periods);
+  result.lines = floor_up_to(result.whole, result.highest_order, periods);
   if (periods >= 2 && over_angle.size() % periods == 0) {
     result.unlocked =
-        line_floor(amplitude_spectrum(without_average(over_angle, over_angle.size() / periods),
-                                      per_turn, Window::hann),
-                   periods);
+        floor_up_to(amplitude_spectrum(without_average(over_angle, over_angle.size() / periods),
+                                       per_turn, Window::hann),
+                    result.highest_order, periods);
   } else {
     result.unlocked = result.lines;
   }

@@ -14,7 +14,7 @@ struct EnvelopeSpectra {
   double periods = 0;        ///< whole periods spanned
   double highest_order = 0;  ///< half the carrier's mean order: an envelope holds no more than that
   Spectrum whole;            ///< over orders; Hann window
-  LineFloor lines;           ///< of `whole`
+  LineFloor lines;           ///< of `whole`, a little further than highest_order
   LineFloor unlocked;  ///< of the envelope minus its average over periods: what rolls or slips
 };
 

@@ -1,17 +1,14 @@
 #include "analysis/emd/emd.hpp"
 
 #include <benchmark/benchmark.h>
-#include <fftw3.h>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <ctime>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "analysis/emd/ensemble_emd.hpp"
 #include "analysis/emd/live_emd.hpp"
+#include "bench/benchmarks/bare_fftw.hpp"
 #include "bench/benchmarks/gear_signal.hpp"
 #include "hal/types/parallel_for.hpp"
 
@@ -22,49 +19,15 @@ using namespace rvbench;
 constexpr std::size_t channels = 12;
 constexpr unsigned cores = 2;
 
-double cpu_s() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
-
-// The least of several tries: what others do on the computer only adds.
-template <typename Work>
-double least_cpu_s(int tries, const Work& work) {
-  double least_s = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < tries; ++i) {
-    const double start_s = cpu_s();
-    work();
-    least_s = std::min(least_s, cpu_s() - start_s);
-  }
-  return least_s;
-}
-
 void decompose(const Eigen::VectorXd& x) {
   benchmark::DoNotOptimize(analysis::emd(x, {.imfs = 9, .sifts = 10}));
-}
-
-// There and back by FFTW, planned as for a length that comes once.
-double fftw_pair_s(Eigen::Index samples) {
-  const int n = static_cast<int>(samples);
-  std::vector<double> time(std::size_t(n), 1);
-  std::vector<fftw_complex> lines(std::size_t(n) / 2 + 1);
-  const fftw_plan there = fftw_plan_dft_r2c_1d(n, time.data(), lines.data(), FFTW_ESTIMATE);
-  const fftw_plan back = fftw_plan_dft_c2r_1d(n, lines.data(), time.data(), FFTW_ESTIMATE);
-  const double least_s = least_cpu_s(20, [&] {
-    std::fill(time.begin(), time.end(), 1);
-    fftw_execute(there);
-    fftw_execute(back);
-  });
-  fftw_destroy_plan(there);
-  fftw_destroy_plan(back);
-  return least_s;
 }
 
 void emd_of_one_minute(benchmark::State& state) {
   const Eigen::VectorXd x = bench::gear_signal(60);
   for ([[maybe_unused]] auto _ : state) decompose(x);
-  const double pairs = least_cpu_s(5, [&] { decompose(x); }) / fftw_pair_s(x.size());
+  const bench::BareFftw fftw(int(x.size()));
+  const double pairs = bench::least_cpu_s(5, [&] { decompose(x); }) / (fftw.there_s + fftw.back_s);
   state.SetLabel(
       fmt::format("60 s at 4960 Hz, 9 IMFs x 10 sifts; as {:.1f} pairs of FFTs by FFTW "
                   "of that length, limit 25",
@@ -76,8 +39,8 @@ void emd_of_ten_minutes(benchmark::State& state) {
   const Eigen::VectorXd x = bench::gear_signal(600);
   const Eigen::VectorXd start = x.head(x.size() / 60);
   for ([[maybe_unused]] auto _ : state) decompose(x);
-  const double whole_s = least_cpu_s(2, [&] { decompose(x); }) / double(x.size());
-  const double start_s = least_cpu_s(10, [&] { decompose(start); }) / double(start.size());
+  const double whole_s = bench::least_cpu_s(2, [&] { decompose(x); }) / double(x.size());
+  const double start_s = bench::least_cpu_s(10, [&] { decompose(start); }) / double(start.size());
   state.SetLabel(
       fmt::format("600 s: each sample costs {:.2f} times what one of 10 s does, limit "
                   "1.3",
