@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/indicators/indicator.hpp"
 #include "analysis/kinematics.hpp"
 #include "hal/types/recording.hpp"
 
@@ -51,6 +52,7 @@ struct ChannelExamination {
   double kurtosis = 0;
   std::vector<double> imf_correlation;  ///< with the signal, IMF 1..K (the article's Table 5)
   std::vector<SpectralLine> lines;      ///< strongest first
+  std::vector<Indicator> indicators = {};
 };
 
 /// One record, examined.
@@ -64,6 +66,7 @@ struct Examination {
   std::vector<ChannelExamination> channels;
   std::vector<SignatureScore> scores;  ///< one per signature
   std::vector<QualityNote> quality;
+  std::vector<Indicator> indicators = {};  ///< of torques and angles
 };
 
 /// Exponent with which something grows; NaN if it is not known.

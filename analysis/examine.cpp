@@ -5,6 +5,8 @@
 #include "analysis/emd/emd.hpp"
 #include "analysis/envelope_spectra.hpp"
 #include "analysis/evidence/record_evidence.hpp"
+#include "analysis/indicators/channel_indicators.hpp"
+#include "analysis/indicators/shaft_indicators.hpp"
 #include "analysis/indicators/signal_levels.hpp"
 #include "analysis/order/resolution.hpp"
 #include "analysis/quality.hpp"
@@ -87,7 +89,10 @@ ChannelResult examine_channel(const Channel& channel, std::vector<QualityNote> q
   out.periods = task.angle.whole_periods(channel.samples.size(), channel.rate_Hz, channel.start_s,
                                          task.kinematics.period_turns);
   read_imfs(channel, modes, task, out);
-  out.examination.lines = spectral_lines(channel, task.angle, task.kinematics);
+  const OrderLines lines(channel, task.angle, task.kinematics.period_turns);
+  out.examination.lines = spectral_lines(lines, task.kinematics);
+  out.examination.indicators =
+      channel_indicators(channel, lines, task.kinematics, out.examination.lines);
   return out;
 }
 
@@ -153,6 +158,7 @@ Examination examine(const Recording& record, const Kinematics& kinematics,
     results[i] = examine_channel(*channels[i], std::move(quality[i]), task);
   });
   gather(std::move(results), e);
+  e.indicators = shaft_indicators(record, *angle, kinematics);
   e.resolvable = e.periods >= fewest_periods;
   if (!e.resolvable) {
     e.quality.push_back({record.source,

@@ -32,7 +32,8 @@ class Plans {
   }
 
  private:
-  static constexpr std::size_t most_lengths = 8;
+  // More than one channel of a judgement asks for: it would plan each length anew per channel.
+  static constexpr std::size_t most_lengths = 24;
   std::map<Eigen::Index, Plan> plans_;
 };
 

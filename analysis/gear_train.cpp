@@ -52,6 +52,18 @@ Signature gear_signature(const std::string& component, double order) {
           .advice = "look at the teeth of the " + component};
 }
 
+GearMesh mesh_of(const GearTrain::Mesh& m, const GearTrain& train,
+                 const std::vector<double>& orders) {
+  const auto gear = [&](int shaft, int teeth) {
+    const auto index = static_cast<std::size_t>(shaft);
+    return MeshingGear{train.shafts[index].name, orders[index], teeth};
+  };
+  GearMesh mesh{m.name, m.driver_teeth * orders[static_cast<std::size_t>(m.driver)], {}};
+  mesh.gears.push_back(gear(m.driver, m.driver_teeth));
+  if (m.driven >= 0) mesh.gears.push_back(gear(m.driven, m.driven_teeth));
+  return mesh;
+}
+
 }  // namespace
 
 std::vector<double> shaft_orders(const GearTrain& train) {
@@ -83,6 +95,7 @@ Kinematics gear_train(const GearTrain& train) {
   for (const GearTrain::Mesh& m : train.meshes) {
     const double driver = orders[static_cast<std::size_t>(m.driver)];
     k.orders.push_back({m.name, m.driver_teeth * driver, {}, m.driver_component, "", true});
+    k.meshes.push_back(mesh_of(m, train, orders));
     k.signatures.push_back(gear_signature(m.driver_component, driver));
     if (m.driven >= 0) {
       k.signatures.push_back(

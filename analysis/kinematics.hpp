@@ -15,6 +15,20 @@ struct CharacteristicOrder {
   bool mesh = false;        ///< teeth or lobes passing, not a part going round
 };
 
+/// A gear of a mesh, as it turns against what carries the mesh: its teeth pass at the mesh's order.
+struct MeshingGear {
+  std::string shaft;  ///< "sun against carrier"
+  double order = 0;   ///< turns per turn of the input shaft, against the carrier of the mesh
+  int teeth = 0;      ///< or lobes, or pins
+};
+
+/// Gears that roll on each other. Teeth times order of each gear is the mesh's order.
+struct GearMesh {
+  std::string name;  ///< that of its characteristic order
+  double order = 0;
+  std::vector<MeshingGear> gears;
+};
+
 /// One way a part can be bad, and the family of envelope lines that it leaves: harmonics
 /// first_harmonic..harmonics of `order`, each with its sidebands.
 struct Signature {
@@ -43,6 +57,7 @@ struct Kinematics {
   double period_turns = 1;  ///< input turns after which the gear train repeats; 121 for RV-20E
   std::vector<CharacteristicOrder> orders;
   std::vector<Signature> signatures;
+  std::vector<GearMesh> meshes = {};  ///< whose gears are known
 };
 
 /// Tooth counts of a two-stage RV reducer: sun drives the planets, each planet turns a crank, the

@@ -51,6 +51,7 @@ bool is_locked(const Finding& finding, const Kinematics& kinematics) {
 std::vector<const Channel*> acceleration_channels(const Recording& record) {
   std::vector<const Channel*> channels;
   for (const Channel& c : record.channels) {
+    if (is_of_shaft(c.info)) continue;
     if (c.info.unit.empty() || c.info.unit == "m/s²" || c.info.unit == "g") channels.push_back(&c);
   }
   return channels;

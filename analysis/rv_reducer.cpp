@@ -68,6 +68,17 @@ std::vector<CharacteristicOrder> order_table(const RvGeometry& g, const Rates& r
   return orders;
 }
 
+// The pins see the cranks go round in the housing, the discs' lobes see them turn in the carrier.
+std::vector<GearMesh> meshes(const RvGeometry& g, const Rates& r) {
+  return {{"sun-planet mesh",
+           g.sun_teeth * r.sun,
+           {{"sun against carrier", r.sun, g.sun_teeth},
+            {"planet against carrier", r.crank, g.planet_teeth}}},
+          {"pin-lobe pass",
+           g.pins * r.orbit,
+           {{"pins against crank", r.orbit, g.pins}, {"lobes against crank", r.crank, g.lobes}}}};
+}
+
 // A bad input shaft or sun: what turns with the motor, or with it against the carrier.
 std::vector<Signature> input_signatures(const Rates& r) {
   return {
@@ -141,6 +152,7 @@ Kinematics rv_reducer(const std::string& machine, const RvGeometry& geometry,
   k.machine = machine;
   k.period_turns = i;
   k.orders = order_table(geometry, rates);
+  k.meshes = meshes(geometry, rates);
   k.signatures = input_signatures(rates);
   for (Signature& s : carried_signatures(rates)) k.signatures.push_back(std::move(s));
   if (crank_bearing.rolling_elements > 0) {

@@ -134,28 +134,27 @@ std::string meaning_of(double order, double near, const Kinematics& kinematics) 
 
 std::vector<SpectralLine> spectral_lines(const Channel& x, const ShaftAngle& angle,
                                          const Kinematics& kinematics, std::size_t most) {
-  const double speed_Hz = angle.mean_speed_Hz();
-  int per_turn = 32;
-  while (per_turn < 8192 && per_turn * speed_Hz < x.rate_Hz) per_turn *= 2;
-  const Eigen::VectorXd over_angle =
-      angle.resample(x.samples, x.rate_Hz, x.start_s, kinematics.period_turns, per_turn);
-  if (over_angle.size() < 64) return {};
-  const Eigen::VectorXd swing = over_angle.array() - over_angle.mean();
-  const Spectrum spectrum = amplitude_spectrum(swing, per_turn, Window::hann);
+  return spectral_lines(OrderLines(x, angle, kinematics.period_turns), kinematics, most);
+}
+
+std::vector<SpectralLine> spectral_lines(const OrderLines& x, const Kinematics& kinematics,
+                                         std::size_t most) {
+  if (x.samples() < 64) return {};
+  Spectrum spectrum = x.spectrum();
+  spectrum.amplitude[0] = 0;  // the mean is no line, and no floor of any
   const auto locked =
       static_cast<Eigen::Index>(std::lround(1 / (spectrum.resolution * kinematics.period_turns)));
   const LineFloor floor = line_floor(spectrum, locked);
 
-  const auto last =
-      std::min(spectrum.amplitude.size() - 2,
-               static_cast<Eigen::Index>(0.4 * x.rate_Hz / speed_Hz / spectrum.resolution));
+  const auto last = std::min(spectrum.amplitude.size() - 2,
+                             static_cast<Eigen::Index>(x.top_order() / spectrum.resolution));
   const double alpha = 1e-3 / static_cast<double>(std::max<Eigen::Index>(last, 1));
   std::vector<SpectralLine> lines;
   for (const StandingLine& line : standing_lines(spectrum, floor, last, alpha)) {
     const double order = line.place * spectrum.resolution;
-    const double near =
-        std::max(same_line * spectrum.resolution, angle.is_measured() ? 0.0 : speed_error * order);
-    lines.push_back({order, order * speed_Hz, line.amplitude, line.p_value,
+    const double near = std::max(same_line * spectrum.resolution,
+                                 x.angle_is_measured() ? 0.0 : speed_error * order);
+    lines.push_back({order, order * x.mean_speed_Hz(), line.amplitude, line.p_value,
                      meaning_of(order, near, kinematics)});
   }
   const auto rest = lines.begin() + static_cast<std::ptrdiff_t>(std::min(most, lines.size()));

@@ -4,6 +4,7 @@
 
 #include "analysis/diagnosis.hpp"
 #include "analysis/kinematics.hpp"
+#include "analysis/order/order_lines.hpp"
 #include "analysis/shaft_angle.hpp"
 
 namespace rvbench::analysis {
@@ -22,6 +23,10 @@ namespace rvbench::analysis {
 /// Source  standing_lines() for the lines; what they are called is ours
 std::vector<SpectralLine> spectral_lines(const Channel& x, const ShaftAngle& angle,
                                          const Kinematics& kinematics, std::size_t most = 40);
+
+/// The same of a channel that was transformed already.
+std::vector<SpectralLine> spectral_lines(const OrderLines& x, const Kinematics& kinematics,
+                                         std::size_t most = 40);
 
 /// Whether the line lies on a characteristic order itself, not on a harmonic or a sideband: told by
 /// its meaning. Nothing is thrown.

@@ -53,13 +53,17 @@ struct Recording {
 
 /// Names that analysis looks for. Accelerations are all channels in m/s² (or of unknown unit).
 namespace channel_names {
-inline constexpr std::string_view input_angle = "input_angle";    ///< rad, unwrapped
-inline constexpr std::string_view input_torque = "input_torque";  ///< N·m
+inline constexpr std::string_view input_angle = "input_angle";      ///< rad, unwrapped
+inline constexpr std::string_view input_torque = "input_torque";    ///< N·m
+inline constexpr std::string_view output_angle = "output_angle";    ///< rad, unwrapped
+inline constexpr std::string_view output_torque = "output_torque";  ///< N·m
 }  // namespace channel_names
 
-/// Whether it is angle or torque of the input shaft: they have a clock of their own.
+/// Whether it is angle or torque of a shaft: they have a clock of their own.
 inline bool is_of_shaft(const ChannelInfo& channel) {
-  return channel.name == channel_names::input_angle || channel.name == channel_names::input_torque;
+  using namespace channel_names;
+  return channel.name == input_angle || channel.name == input_torque ||
+         channel.name == output_angle || channel.name == output_torque;
 }
 
 }  // namespace rvbench

@@ -83,6 +83,20 @@ TEST_CASE("a mesh whose wheel is not known still has its line", "[analysis][kine
   CHECK(order_of(gear_train(train), "pinion mesh") == 23);
 }
 
+TEST_CASE("each mesh knows its gears, as far as they are known", "[analysis][kinematics]") {
+  const Kinematics k = gear_train(two_stages());
+  REQUIRE(k.meshes.size() == 2);
+  CHECK(k.meshes[1].order == Approx(5));  // 15 teeth at a third of the input's speed
+  REQUIRE(k.meshes[1].gears.size() == 2);
+  CHECK(k.meshes[1].gears[0].shaft == "middle");
+  CHECK(k.meshes[1].gears[1].order == Approx(1.0 / 9));
+  CHECK(k.meshes[1].gears[1].teeth == 45);
+  GearTrain pinion;
+  pinion.shafts = {{"pinion shaft", "pinion"}};
+  pinion.meshes = {{"pinion mesh", 0, 23, -1, 0, "pinion", ""}};
+  CHECK(gear_train(pinion).meshes.at(0).gears.size() == 1);
+}
+
 TEST_CASE("a gear train that cannot turn is refused by name", "[analysis][kinematics][errors]") {
   using Catch::Matchers::Contains;
   GearTrain train = two_stages();

@@ -167,3 +167,18 @@ TEST_CASE("Table 4 as a catalogue gives back its own Hz at the printed speed",
     CHECK(s.slip == 0);  // none of its rows is of a part that rolls
   }
 }
+
+TEST_CASE("teeth of each gear of a mesh pass at the mesh's order", "[analysis][kinematics]") {
+  const Kinematics k = rv_reducer("RV-20E", rv20e, {});
+  REQUIRE(k.meshes.size() == 2);
+  for (const GearMesh& mesh : k.meshes) {
+    CAPTURE(mesh.name);
+    CHECK(mesh.order == Approx(order_of(k, mesh.name)));
+    REQUIRE(mesh.gears.size() == 2);
+    for (const MeshingGear& gear : mesh.gears) {
+      CAPTURE(gear.shaft);
+      CHECK(gear.teeth * gear.order == Approx(mesh.order));
+    }
+  }
+  CHECK(k.meshes[0].gears[1].order == Approx(40.0 / 121));  // the planet, against the carrier
+}

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/diagnosis.hpp"
+#include "analysis/indicators/indicator.hpp"
+#include "analysis/kinematics.hpp"
+#include "analysis/order/order_lines.hpp"
+#include "hal/types/recording.hpp"
+
+namespace rvbench::analysis {
+
+/// All indicators of one channel of vibration: levels of the whole and of order_bands(), levels at
+/// locked_orders(), sideband ratio of each mesh, FM0 and FM4 of each gear.
+///
+/// What cannot be computed is not in the list: orders above 0.4 of the sample rate, or fewer than
+/// lines_to_part from the mean or the mesh; a gear that made fewer than four turns; FM0 and
+/// sideband ratio of a mesh that is not heard, for a ratio to noise says nothing of a gear; all but
+/// the levels of the whole where the record holds no period of the gear train.
+///
+/// @param lines  of the channel, over periods of the kinematics
+/// @param heard  the channel's spectral_lines(), which say what meshes are heard
+/// Shape    N samples → any number of indicators, those of one measure side by side
+/// Units    levels in the unit of the channel, all others without
+/// Limits   harmonics of all meshes, and the first sidebands of its own, are no fault of a gear to
+///          FM4; at order_level and in a sideband, other lines of the same order count as well
+/// Errors   throws std::invalid_argument: no sample, a sample is not finite
+/// Source   signal_levels(), level_at_order(), sideband_ratio(), fm0(), fm4()
+std::vector<Indicator> channel_indicators(const Channel& x, const OrderLines& lines,
+                                          const Kinematics& kinematics,
+                                          const std::vector<SpectralLine>& heard);
+
+}  // namespace rvbench::analysis

@@ -1,0 +1,76 @@
+#include "analysis/indicators/indicator_places.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/indicators/order_bands.hpp"
+#include "hal/types/measure.hpp"
+#include "hal/types/recording.hpp"
+
+namespace rvbench::analysis {
+namespace {
+
+constexpr double same_order = 1e-6;
+
+bool slips(const CharacteristicOrder& o, const Kinematics& kinematics) {
+  return std::ranges::any_of(kinematics.signatures, [&](const Signature& s) {
+    return s.slip > 0 && std::abs(s.order - o.order) < same_order;
+  });
+}
+
+template <typename Place>
+std::vector<std::string> names_of(const std::vector<Place>& places) {
+  std::vector<std::string> names;
+  for (const Place& place : places) names.push_back(place.name);
+  return names;
+}
+
+}  // namespace
+
+std::vector<CharacteristicOrder> locked_orders(const Kinematics& kinematics) {
+  std::vector<CharacteristicOrder> locked;
+  for (const CharacteristicOrder& o : kinematics.orders) {
+    if (!slips(o, kinematics)) locked.push_back(o);
+  }
+  return locked;
+}
+
+std::vector<SidebandPlace> sideband_places(const Kinematics& kinematics) {
+  std::vector<SidebandPlace> places;
+  const std::vector<CharacteristicOrder> locked = locked_orders(kinematics);
+  for (const CharacteristicOrder& mesh : locked) {
+    if (!mesh.mesh) continue;
+    std::vector<double> taken;
+    for (const CharacteristicOrder& side : locked) {
+      const auto same = [&](double order) { return std::abs(order - side.order) < same_order; };
+      if (side.mesh || std::ranges::any_of(taken, same)) continue;
+      taken.push_back(side.order);
+      places.push_back({mesh.name + " at " + side.name, mesh, side.order});
+    }
+  }
+  return places;
+}
+
+std::vector<GearPlace> gear_places(const Kinematics& kinematics) {
+  std::vector<GearPlace> places;
+  for (const GearMesh& mesh : kinematics.meshes) {
+    for (const MeshingGear& gear : mesh.gears) {
+      places.push_back({mesh.name + ", " + gear.shaft, mesh.name, gear});
+    }
+  }
+  return places;
+}
+
+std::vector<std::string> places_of(std::string_view measure, const Kinematics& kinematics) {
+  using namespace measure_names;
+  if (measure.starts_with("band_")) return names_of(order_bands(kinematics));
+  if (measure == order_level) return names_of(locked_orders(kinematics));
+  if (measure == sideband_ratio) return names_of(sideband_places(kinematics));
+  if (measure == fm0 || measure == fm4) return names_of(gear_places(kinematics));
+  if (measure == torque_ripple) {
+    return {std::string(channel_names::input_torque), std::string(channel_names::output_torque)};
+  }
+  return {};
+}
+
+}  // namespace rvbench::analysis
