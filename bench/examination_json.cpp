@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "bench/indicators_json.hpp"
+
 namespace rvbench::bench {
 namespace {
 
@@ -151,7 +153,8 @@ Json json_of_channel(const ChannelExamination& channel) {
           {"peak", channel.peak},
           {"kurtosis", channel.kurtosis},
           {"imf_correlation", channel.imf_correlation},
-          {"lines", list_of(channel.lines, json_of_line)}};
+          {"lines", list_of(channel.lines, json_of_line)},
+          {"indicators", indicators_to_json(channel.indicators)}};
 }
 
 ChannelExamination channel_from(const Json& json) {
@@ -163,6 +166,7 @@ ChannelExamination channel_from(const Json& json) {
   channel.kurtosis = number_or_nan(json.at("kurtosis"));
   channel.imf_correlation = numbers_from(json.at("imf_correlation"));
   channel.lines = list_from(json.at("lines"), line_from);
+  channel.indicators = indicators_from_json(json);
   return channel;
 }
 
@@ -188,7 +192,8 @@ Json json_of(const analysis::Examination& examination) {
           {"resolvable", examination.resolvable},
           {"quality", list_of(examination.quality, json_of_note)},
           {"scores", list_of(examination.scores, json_of_score)},
-          {"channels", list_of(examination.channels, json_of_channel)}};
+          {"channels", list_of(examination.channels, json_of_channel)},
+          {"indicators", indicators_to_json(examination.indicators)}};
 }
 
 analysis::Diagnosis diagnosis_from_json(const Json& json) {
@@ -211,6 +216,7 @@ analysis::Examination examination_from_json(const Json& json) {
   examination.quality = list_from(json.at("quality"), note_from);
   examination.scores = list_from(json.at("scores"), score_from);
   examination.channels = list_from(json.at("channels"), channel_from);
+  examination.indicators = indicators_from_json(json);
   return examination;
 }
 

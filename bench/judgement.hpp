@@ -26,11 +26,13 @@ struct LimitCheck {
   std::string measure;
   std::string component;  ///< empty: any
   std::string unit;
-  double max = 0;
+  double max = 0;               ///< NaN: it is a limit from below
   double measured = not_known;  ///< the worst; NaN if nothing could be measured
   std::string where;            ///< the point and channel of the worst
   bool passed = false;
   std::string why;
+  std::string of = {};     ///< the band, order or mesh it is narrowed to; empty: any
+  double min = not_known;  ///< NaN: it is a limit from above
 };
 
 /// Circumstances of a run; of a stored recording only `software` and `started_utc` are known.

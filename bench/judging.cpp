@@ -5,63 +5,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/indicators/indicator_places.hpp"
 #include "analysis/quality.hpp"
+#include "bench/limit_checks.hpp"
 #include "hal/did_you_mean.hpp"
-#include "hal/types/units.hpp"
+#include "hal/types/measure.hpp"
 
 namespace rvbench::bench {
 namespace {
 
-constexpr const char* modulation_depth = "modulation_depth";
+using measure_names::modulation_depth;
 
 bool is_about(const sequences::Limit& limit, const std::string& component) {
   return limit.component.empty() || limit.component == component;
-}
-
-void check_findings(LimitCheck& check, const sequences::Limit& limit,
-                    const std::vector<analysis::Finding>& findings) {
-  for (const analysis::Finding& finding : findings) {
-    if (!is_about(limit, finding.component)) continue;
-    if (std::isnan(check.measured) || finding.severity > check.measured) {
-      check.measured = finding.severity;
-      check.where = finding.component + ": " + finding.mechanism;
-    }
-  }
-}
-
-// The value of "acceleration_peak" or "acceleration_rms" in the limit's unit; NaN if the channel
-// is in another one.
-double acceleration_of(const analysis::ChannelExamination& channel, const sequences::Limit& limit) {
-  if (channel.unit != "m/s²") return not_known;
-  const double m_s2 = limit.measure == "acceleration_peak" ? channel.peak : channel.rms;
-  return limit.unit == "g" ? units::g_from_m_s2(m_s2) : m_s2;
-}
-
-void check_accelerations(LimitCheck& check, const sequences::Limit& limit,
-                         const std::vector<JudgedPoint>& points) {
-  for (const JudgedPoint& point : points) {
-    for (const analysis::ChannelExamination& channel : point.examination.channels) {
-      const double value = acceleration_of(channel, limit);
-      if (std::isnan(value) || value <= check.measured) continue;
-      check.measured = value;
-      check.where = point.examination.source + ", " + channel.name;
-    }
-  }
-}
-
-LimitCheck check_of(const sequences::Limit& limit, const Judgement& judgement) {
-  LimitCheck check{limit.measure, limit.component, limit.unit, limit.max, not_known, "",
-                   false,         limit.why};
-  if (limit.measure == modulation_depth) {
-    // Without a finding there is nothing above the noise: a depth of zero, if anything was judged.
-    if (judgement.diagnosis.resolvable) check.measured = 0;
-    check_findings(check, limit, judgement.diagnosis.findings);
-    check_findings(check, limit, judgement.diagnosis.below_limit);
-  } else {
-    check_accelerations(check, limit, judgement.points);
-  }
-  check.passed = check.measured <= check.max;
-  return check;
 }
 
 Ending invalid(std::string reason) {
@@ -104,12 +60,14 @@ Ending weighed(const Judgement& judgement) {
   }
   for (const LimitCheck& check : judgement.limits) {
     if (std::isnan(check.measured)) {
-      return invalid(check.measure + " could not be measured in " + check.unit);
+      return invalid(name_of(check) + " could not be measured" +
+                     (check.unit == "1" ? "" : " in " + check.unit));
     }
     if (!check.passed) {
       return {Outcome::fail, ErrorKind::none,
-              fmt::format("{} {:.3g} {} above its limit {:.3g} {} at {}", check.measure,
-                          check.measured, check.unit, check.max, check.unit, check.where)};
+              fmt::format("{} {} {} its limit {} at {}", check.measure,
+                          with_unit(check.measured, check.unit), beyond(check),
+                          with_unit(bound_of(check), check.unit), check.where)};
     }
   }
   return {Outcome::pass, ErrorKind::none, "no finding above its limit"};
@@ -139,12 +97,17 @@ std::vector<hal::ConfigFault> limits_on_unknown_parts(const std::vector<sequence
     parts.push_back(signature.component);
   }
   std::vector<hal::ConfigFault> faults;
+  const auto look_up = [&](std::size_t limit, const char* key, const std::string& named,
+                           const std::vector<std::string>& known, const std::string& what) {
+    if (named.empty() || std::ranges::find(known, named) != known.end()) return;
+    faults.push_back({0, fmt::format("/limits/{}/{}", limit, key),
+                      fmt::format("{} has no {}{}{}", kinematics.machine, what,
+                                  hal::in_quotes(named), hal::did_you_mean(named, known))});
+  };
   for (std::size_t i = 0; i < limits.size(); ++i) {
-    const std::string& part = limits[i].component;
-    if (part.empty() || std::ranges::find(parts, part) != parts.end()) continue;
-    faults.push_back({0, fmt::format("/limits/{}/component", i),
-                      fmt::format("{} has no {}{}", kinematics.machine, hal::in_quotes(part),
-                                  hal::did_you_mean(part, parts))});
+    const std::string& measure = limits[i].measure;
+    look_up(i, "component", limits[i].component, parts, "");
+    look_up(i, "of", limits[i].of, analysis::places_of(measure, kinematics), measure + " of ");
   }
   return faults;
 }

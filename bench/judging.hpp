@@ -15,8 +15,8 @@ namespace rvbench::bench {
 analysis::Kinematics with_limits(analysis::Kinematics kinematics,
                                  const std::vector<sequences::Limit>& limits);
 
-/// Limits on parts that the machine does not have, as faults of the plan: never found, such a part
-/// would always be within its limit.
+/// Limits on parts, bands, orders or meshes that the machine does not have, as faults of the plan:
+/// never found, such a part would always be within its limit.
 std::vector<hal::ConfigFault> limits_on_unknown_parts(const std::vector<sequences::Limit>& limits,
                                                       const analysis::Kinematics& kinematics);
 

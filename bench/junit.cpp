@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/limit_checks.hpp"
 #include "bench/xml_text.hpp"
 
 namespace rvbench::bench {
@@ -51,13 +52,13 @@ TestCase case_of(const JudgedPoint& point) {
 }
 
 TestCase case_of(const LimitCheck& check) {
-  TestCase test{"limits", check.measure, Result::passed, ""};
-  if (!check.component.empty()) test.name += " of " + check.component;
+  TestCase test{"limits", name_of(check), Result::passed, ""};
   if (std::isnan(check.measured)) return {test.group, test.name, Result::skipped, "not measured"};
   if (!check.passed) {
     test.result = Result::failure;
-    test.message = fmt::format("{:.3g} {} is above {:.3g} {} ({}; {})", check.measured, check.unit,
-                               check.max, check.unit, check.where, check.why);
+    test.message =
+        fmt::format("{} is {} {} ({}; {})", with_unit(check.measured, check.unit), beyond(check),
+                    with_unit(bound_of(check), check.unit), check.where, check.why);
   }
   return test;
 }

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "analysis/spectral_lines.hpp"
+#include "bench/limit_checks.hpp"
 #include "bench/report/finding_text.hpp"
 #include "bench/report/html.hpp"
 #include "bench/twin_check.hpp"
@@ -132,11 +133,14 @@ void print_quality(Console& console, const std::vector<analysis::QualityNote>& n
 void print_limits(Console& console, const std::vector<LimitCheck>& limits) {
   if (!limits.empty()) console.out << "\nLimits:\n";
   for (const LimitCheck& check : limits) {
-    const bool known = std::isfinite(check.measured);
-    console.out << fmt::format("  {} {}: {} {} (limit {} {})\n",
-                               known ? (check.passed ? "within" : "ABOVE ") : "no value",
-                               check.measure, report::number(check.measured), check.unit,
-                               report::number(check.max), check.unit);
+    const std::string limit = with_unit(bound_of(check), check.unit);
+    if (std::isnan(check.measured)) {
+      console.out << fmt::format("  no value {} (limit {})\n", name_of(check), limit);
+      continue;
+    }
+    const char* state = check.passed ? "within" : std::isfinite(check.min) ? "BELOW " : "ABOVE ";
+    console.out << fmt::format("  {} {}: {} (limit {}) at {}\n", state, name_of(check),
+                               with_unit(check.measured, check.unit), limit, check.where);
   }
 }
 

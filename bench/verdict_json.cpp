@@ -48,10 +48,16 @@ RunFacts facts_from_json(const nlohmann::ordered_json& json) {
 }
 
 nlohmann::ordered_json to_json(const LimitCheck& check) {
-  return {{"measure", check.measure},   {"component", check.component},
-          {"unit", check.unit},         {"max", check.max},
-          {"measured", check.measured}, {"where", check.where},
-          {"passed", check.passed},     {"why", check.why}};
+  return {{"measure", check.measure},
+          {"component", check.component},
+          {"unit", check.unit},
+          {"max", check.max},
+          {"measured", check.measured},
+          {"where", check.where},
+          {"passed", check.passed},
+          {"why", check.why},
+          {"of", check.of},
+          {"min", check.min}};
 }
 
 LimitCheck limit_from_json(const nlohmann::ordered_json& json) {
@@ -64,6 +70,8 @@ LimitCheck limit_from_json(const nlohmann::ordered_json& json) {
   json.at("where").get_to(check.where);
   json.at("passed").get_to(check.passed);
   json.at("why").get_to(check.why);
+  check.of = json.value("of", "");  // not stated by an rvbench that limited accelerations only
+  check.min = number_or_nan(json.value("min", nlohmann::ordered_json()));
   return check;
 }
 

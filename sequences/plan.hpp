@@ -8,6 +8,7 @@
 
 #include "hal/config_reader.hpp"
 #include "hal/recording_file.hpp"
+#include "hal/types/recording.hpp"
 #include "sequences/phase.hpp"
 
 namespace rvbench::sequences {
@@ -28,13 +29,16 @@ struct Interlocks {
   double stale_after_s = 0;  ///< a value older than this is a lost device
 };
 
-/// A limit on something the diagnosis measures; declared before it is measured.
+/// A limit on something the diagnosis measures; declared before it is measured. It holds for the
+/// worst of all points and channels.
 struct Limit {
-  std::string measure;    ///< "modulation_depth", "acceleration_rms", "acceleration_peak"
+  std::string measure;    ///< a name of measures()
   std::string component;  ///< for modulation_depth: which finding it bounds; empty = every one
-  std::string unit;
-  double max = 0;
+  std::string unit;       ///< one of the measure's
+  double max = 0;         ///< NaN: it is a limit from below
   std::string why;
+  std::string of = {};     ///< for others: which band, order or mesh it bounds; empty = every one
+  double min = not_known;  ///< NaN: it is a limit from above
 };
 
 struct Teardown {

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "hal/did_you_mean.hpp"
+#include "hal/types/measure.hpp"
 #include "sequences/phase_registry.hpp"
 #include "sequences/plan.hpp"
 #include "sequences/timeline.hpp"
@@ -56,21 +59,62 @@ Teardown parse_teardown(hal::ConfigReader& root) {
   return teardown;
 }
 
+std::string parse_unit(const Measure& measure, hal::ConfigReader& json) {
+  if (measure.units.front() != "1") return json.choice("unit", measure.units);
+  const std::string unit = json.text("unit", "1");
+  if (unit != "1" && !unit.empty()) {
+    json.fault("unit", fmt::format("{} is a pure number: its unit is \"1\", not {}", measure.name,
+                                   hal::in_quotes(unit)));
+  }
+  return "1";
+}
+
+// A value is bounded from one side: two sides are two limits, each with a reason of its own.
+void parse_bound(Limit& limit, hal::ConfigReader& json) {
+  constexpr hal::Bounds any{0, 1e9};
+  if (!json.has("min")) {
+    limit.max = json.number("max", any);
+    return;
+  }
+  limit.min = json.number("min", any);
+  limit.max = not_known;
+  if (json.has("max")) json.fault("max", "beside \"min\": make it a limit of its own");
+}
+
+Limit parse_limit(const Measure& measure, hal::ConfigReader& json) {
+  Limit limit;
+  limit.measure = measure.name;
+  limit.component = json.text("component", "");
+  limit.of = json.text("of", "");
+  limit.unit = parse_unit(measure, json);
+  parse_bound(limit, json);
+  limit.why = json.text("why");
+  const bool is_depth = limit.measure == measure_names::modulation_depth;
+  if (is_depth && !limit.of.empty()) json.fault("of", "a depth is narrowed by \"component\"");
+  if (is_depth && std::isfinite(limit.min)) json.fault("min", "no depth is too small");
+  if (!is_depth && !limit.component.empty()) {
+    json.fault("component", fmt::format("only modulation_depth is of a part, {} is narrowed by "
+                                        "\"of\"",
+                                        limit.measure));
+  }
+  return limit;
+}
+
 std::vector<Limit> parse_limits(hal::ConfigReader& root) {
+  std::vector<std::string> names;
+  for (const Measure& measure : measures()) names.emplace_back(measure.name);
   std::vector<Limit> limits;
   for (hal::ConfigReader& json : root.objects("limits", false)) {
-    Limit limit;
-    limit.measure =
-        json.choice("measure", {"modulation_depth", "acceleration_rms", "acceleration_peak"});
-    limit.component = json.text("component", "");
-    if (limit.measure == "modulation_depth") {
-      limit.unit = json.text("unit", "");
-    } else {
-      limit.unit = json.choice("unit", {"g", "m/s²"});
+    const std::string name = json.text("measure");
+    if (const Measure* measure = find_measure(name)) {
+      limits.push_back(parse_limit(*measure, json));
+      continue;
     }
-    limit.max = json.number("max", {0, 1e9});
-    limit.why = json.text("why");
-    limits.push_back(limit);
+    if (!name.empty()) {
+      json.fault("measure",
+                 hal::in_quotes(name) + " is not measured" + hal::what_there_is(name, names));
+    }
+    json.disregard();
   }
   return limits;
 }
@@ -104,10 +148,12 @@ nlohmann::ordered_json phases_json(const std::vector<std::unique_ptr<Phase>>& ph
 nlohmann::ordered_json limits_json(const std::vector<Limit>& limits) {
   auto json = nlohmann::ordered_json::array();
   for (const Limit& limit : limits) {
+    const bool from_below = std::isfinite(limit.min);
     json.push_back({{"measure", limit.measure},
                     {"component", limit.component},
+                    {"of", limit.of},
                     {"unit", limit.unit},
-                    {"max", limit.max},
+                    {from_below ? "min" : "max", from_below ? limit.min : limit.max},
                     {"why", limit.why}});
   }
   return json;

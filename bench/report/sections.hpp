@@ -17,6 +17,7 @@ std::string signal_section(const ReportInput& input);   ///< time, spectra, IMFs
 std::string methods_section(const ReportInput& input);  ///< what each envelope method found
 std::string correlation_section(const ReportInput& input);
 std::string limits_section(const ReportInput& input);
+std::string indicators_section(const ReportInput& input);  ///< the worst of each, and its limit
 std::string settings_section(const ReportInput& input);
 std::string signature_section(const ReportInput& input);
 std::string style_sheet();
@@ -27,6 +28,9 @@ std::vector<std::size_t> representative_points(const Judgement& judgement);
 
 /// Index of the channel to show: where the strongest signature was read, else the loudest.
 std::size_t shown_channel(const analysis::Examination& examination);
+
+/// HTML: "within", or in bold "above", "below" or "not measured".
+std::string state_of(const LimitCheck& check);
 
 /// "605 rpm, 100 % load, repeat 1", or the name of the file.
 std::string caption_of(const JudgedPoint& point);

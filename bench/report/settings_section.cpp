@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "bench/limit_checks.hpp"
 #include "bench/report/html.hpp"
 #include "bench/report/sections.hpp"
 #include "bench/xml_text.hpp"
@@ -20,7 +21,7 @@ std::string document(const char* name, const std::string& json) {
 std::string readable_place(const Judgement& judgement, const std::string& where) {
   for (const JudgedPoint& point : judgement.points) {
     const std::string& source = point.examination.source;
-    if (!source.empty() && where.starts_with(source + ", "))
+    if (!source.empty() && (where == source || where.starts_with(source + ", ")))
       return caption_of(point) + where.substr(source.size());
   }
   return where;
@@ -72,23 +73,31 @@ std::string bench_facts(const Judgement& judgement) {
       worst_ms(judgement, &JudgedPoint::torque_time_uncertainty_s));
 }
 
+std::string narrowed_to(const LimitCheck& check) {
+  if (!check.component.empty()) return check.component;
+  return check.of.empty() ? "any" : check.of;
+}
+
 }  // namespace
+
+std::string state_of(const LimitCheck& check) {
+  if (check.passed) return "within";
+  if (std::isnan(check.measured)) return "<b>not measured</b>";
+  return fmt::format("<b>{}</b>", beyond(check));
+}
 
 std::string limits_section(const ReportInput& input) {
   std::string html;
   std::vector<std::vector<std::string>> rows;
   for (const LimitCheck& check : input.judgement.limits) {
-    rows.push_back(
-        {xml_escaped(check.measure), xml_escaped(check.component.empty() ? "any" : check.component),
-         number(check.measured), number(check.max), xml_escaped(check.unit),
-         check.passed                    ? "within"
-         : std::isfinite(check.measured) ? "<b>above</b>"
-                                         : "<b>not measured</b>",
-         xml_escaped(readable_place(input.judgement, check.where)), xml_escaped(check.why)});
+    rows.push_back({xml_escaped(check.measure), xml_escaped(narrowed_to(check)),
+                    number(check.measured), number(bound_of(check)), xml_escaped(check.unit),
+                    state_of(check), xml_escaped(readable_place(input.judgement, check.where)),
+                    xml_escaped(check.why)});
   }
   if (!rows.empty()) {
     html += "<h3>Limits of the plan</h3>\n" +
-            table({"measure", "part", "measured", "limit", "unit", "", "worst at", "why"}, rows);
+            table({"measure", "of", "measured", "limit", "unit", "", "worst at", "why"}, rows);
   }
   std::vector<std::vector<std::string>> notes;
   for (const analysis::QualityNote& note : input.judgement.diagnosis.quality) {

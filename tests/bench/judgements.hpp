@@ -57,7 +57,11 @@ inline JudgedPoint recorded_point() {
                                     18.6,
                                     3.1,
                                     {0.8, 0.4, 0.2, 0.1, 0.08, 0.01, 0.0, 0.0, 0.0},
-                                    {{1, 10.08, 0.2, 1e-9, "input shaft"}}}};
+                                    {{1, 10.08, 0.2, 1e-9, "input shaft"}},
+                                    {{"kurtosis", "", 3.1, "1"},
+                                     {"band_rms", "below the meshes", 0.4, "m/s²"},
+                                     {"band_rms", "sun-planet mesh", 1.5, "m/s²"}}}};
+  recorded.examination.indicators = {{"torque_ripple", "input_torque", 0.12, "1"}};
   recorded.examination.scores = {{0, 1, 0.6, 1e-4, 812.5, 1e-12, 1, 0, {1, 2}, {0.5, 0.3}, {0.6}}};
   return recorded;
 }

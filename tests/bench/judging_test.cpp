@@ -16,8 +16,34 @@ JudgedPoint point_with_peak(double peak_m_s2) {
   JudgedPoint point;
   point.examination.source = "recording.h5#000";
   point.examination.resolvable = true;
-  point.examination.channels = {{"accel_1x", "m/s²", 0.1, peak_m_s2, 3, {}, {}}};
+  point.examination.channels = {{"accel_1x",
+                                 "m/s²",
+                                 0.1,
+                                 peak_m_s2,
+                                 3,
+                                 {},
+                                 {},
+                                 {{"acceleration_peak", "", peak_m_s2, "m/s²"}}}};
   return point;
+}
+
+// Of two gears in two channels.
+JudgedPoint point_with_fm4(double sun, double planet) {
+  JudgedPoint point = point_with_peak(0.1);
+  point.examination.channels.resize(2, point.examination.channels.front());
+  point.examination.channels[0].indicators = {{"fm4", "mesh, sun", 3, "1"},
+                                              {"fm4", "mesh, planet", planet, "1"}};
+  point.examination.channels[1].name = "accel_1y";
+  point.examination.channels[1].indicators = {{"fm4", "mesh, sun", sun, "1"}};
+  return point;
+}
+
+Limit limit_on(const std::string& measure, double max, const std::string& of = "") {
+  return {measure, "", "1", max, "ten healthy units, mean + 4 sigma", of};
+}
+
+Limit least(const std::string& measure, double min) {
+  return {measure, "", "1", not_known, "the maker says so", "", min};
 }
 
 Judgement concluded(std::vector<JudgedPoint> points, const std::vector<Limit>& limits,
@@ -40,8 +66,57 @@ TEST_CASE("a limit in g is held against m/s²", "[bench]") {
 
 TEST_CASE("a limit on something that was not measured is no pass", "[bench]") {
   JudgedPoint volts = point_with_peak(0.1);
-  volts.examination.channels.front().unit = "V";
+  volts.examination.channels.front().indicators.front().unit = "V";
   CHECK(concluded({volts}, {peak_in_g}).ending.outcome == Outcome::invalid);
+}
+
+TEST_CASE("the worst of all points, channels and places counts, and the check says where",
+          "[bench]") {
+  const std::vector<JudgedPoint> points{point_with_fm4(4, 5), point_with_fm4(9, 6)};
+  const Judgement judgement = concluded(points, {limit_on("fm4", 8)});
+  CHECK(judgement.ending.outcome == Outcome::fail);
+  CHECK(judgement.limits.at(0).measured == 9);
+  CHECK(judgement.limits.at(0).where == "recording.h5#000, accel_1y, mesh, sun");
+  CHECK(judgement.ending.reason ==
+        "fm4 9 above its limit 8 at recording.h5#000, accel_1y, mesh, sun");
+  CHECK(concluded(points, {limit_on("fm4", 9)}).ending.outcome == Outcome::pass);
+}
+
+TEST_CASE("a limit that is narrowed to a gear is deaf to others", "[bench]") {
+  const Judgement judgement =
+      concluded({point_with_fm4(9, 6)}, {limit_on("fm4", 7, "mesh, planet")});
+  CHECK(judgement.ending.outcome == Outcome::pass);
+  CHECK(judgement.limits.at(0).measured == 6);
+}
+
+TEST_CASE("an indicator that is in no record is no pass", "[bench]") {
+  const Judgement judgement = concluded({point_with_fm4(3, 3)}, {limit_on("fm0", 1e9)});
+  CHECK(judgement.ending.outcome == Outcome::invalid);
+  CHECK(judgement.ending.reason == "fm0 could not be measured");
+  CHECK(std::isnan(judgement.limits.at(0).measured));
+  CHECK(concluded({point_with_fm4(3, 3)}, {limit_on("fm4", 1e9, "mesh, wheel")}).ending.reason ==
+        "fm4 of mesh, wheel could not be measured");
+}
+
+TEST_CASE("of a limit from below the least value counts", "[bench]") {
+  JudgedPoint good = point_with_peak(0.1), poor = point_with_peak(0.1);
+  good.examination.indicators = {{"efficiency", "", 0.9, "1"}};
+  poor.examination.indicators = {{"efficiency", "", 0.7, "1"}};
+  const Judgement judgement = concluded({good, poor}, {least("efficiency", 0.8)});
+  CHECK(judgement.ending.reason == "efficiency 0.7 below its limit 0.8 at recording.h5#000");
+  CHECK(judgement.ending.outcome == Outcome::fail);
+  CHECK(concluded({good}, {least("efficiency", 0.8)}).ending.outcome == Outcome::pass);
+  CHECK(concluded({point_with_peak(0.1)}, {least("efficiency", 0.8)}).ending.outcome ==
+        Outcome::invalid);
+}
+
+TEST_CASE("an angle in rad is held against a limit in arcsec", "[bench]") {
+  JudgedPoint point = point_with_peak(0.1);
+  point.examination.indicators = {{"transmission_error", "", 3e-4, "rad"}};  // 62 arcsec
+  Limit limit = limit_on("transmission_error", 60);
+  limit.unit = "arcsec";
+  CHECK(concluded({point}, {limit}).limits.at(0).measured == Approx(61.88).epsilon(1e-3));
+  CHECK(concluded({point}, {limit}).ending.outcome == Outcome::fail);
 }
 
 TEST_CASE("nothing judged is no pass", "[bench]") {
@@ -96,6 +171,26 @@ TEST_CASE("a limit on a part that the machine does not have is a fault of the pl
   REQUIRE(faults.size() == 1);
   CHECK(faults[0].pointer == "/limits/1/component");
   CHECK_THAT(faults[0].message, Contains("did you mean \"sun_gear\"?"));
+}
+
+TEST_CASE("a limit on a band or gear that the machine does not have is a fault of the plan",
+          "[bench]") {
+  analysis::Kinematics machine;
+  machine.machine = "gear rig";
+  machine.orders = {{"pinion shaft", 1, "", "shaft", ""},
+                    {"pinion mesh", 23, "", "pinion", "", true}};
+  CHECK(limits_on_unknown_parts(
+            {limit_on("band_rms", 1, "pinion mesh"), limit_on("order_level", 1, "pinion shaft"),
+             limit_on("sideband_ratio", 1, "pinion mesh at pinion shaft")},
+            machine)
+            .empty());
+  const auto faults = limits_on_unknown_parts(
+      {limit_on("band_rms", 1, "pinion mush"), limit_on("kurtosis", 4, "pinion mesh")}, machine);
+  REQUIRE(faults.size() == 2);
+  CHECK(faults[0].pointer == "/limits/0/of");
+  CHECK_THAT(faults[0].message, Contains("gear rig has no band_rms of \"pinion mush\"") &&
+                                    Contains("did you mean \"pinion mesh\"?"));
+  CHECK_THAT(faults[1].message, Contains("no kurtosis of"));  // it is of the whole signal
 }
 
 TEST_CASE("the plan's limits on modulation depth replace those of the kinematics", "[bench]") {

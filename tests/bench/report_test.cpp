@@ -82,6 +82,25 @@ TEST_CASE("without angle and speed there are no orders", "[bench]") {
                   std::invalid_argument);
 }
 
+TEST_CASE("the report tells the worst of each indicator, where, and what the plan allows",
+          "[bench]") {
+  ReportInput input = failed_input();
+  input.judgement.limits.push_back({"band_rms", "", "m/s²", 1, 1.5, "", false, "", "pin pass"});
+  const std::string html = make_report(input);
+  CHECK_THAT(html, Contains("<h2>Indicators</h2>"));
+  const std::string table = html.substr(html.find("<h2>Indicators</h2>"));
+  const std::string row = table.substr(table.find("<td>band_rms"), 400);
+  CHECK_THAT(row, Contains("<td>1.5</td>") && Contains("accel_1x; sun-planet mesh") &&
+                      Contains("≤ 1 m/s² for pin pass: <b>above</b>"));
+  CHECK_THAT(table.substr(table.find("<td>torque_ripple"), 300), Contains("<td>–</td>"));
+  for (auto& point : input.judgement.points) {
+    point.examination.indicators.clear();
+    for (auto& channel : point.examination.channels) channel.indicators.clear();
+  }
+  input.judgement.limits.clear();
+  CHECK_THAT(make_report(input), !Contains("<h2>Indicators</h2>"));
+}
+
 TEST_CASE("the report says first what the verdict is", "[bench]") {
   const std::string html = make_report(failed_input());
   CHECK(html.find("FAIL") < html.find("input_shaft: misalignment"));

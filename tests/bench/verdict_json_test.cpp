@@ -24,6 +24,33 @@ TEST_CASE("verdict.json has the keys that other tools rely on", "[bench]") {
   CHECK(finding.at("table4_item") == "drive shaft");
 }
 
+TEST_CASE("indicators are told per point and channel, one entry per measure", "[bench]") {
+  const auto json = nlohmann::json::parse(judgement_to_json(test::failed_run()));
+  const auto& point = json.at("points").at(0);
+  const auto& bands = point.at("channels").at(0).at("indicators").at(1);
+  CHECK(bands.at("name") == "band_rms");
+  CHECK(bands.at("unit") == "m/s²");
+  CHECK(bands.at("values").at("sun-planet mesh") == 1.5);
+  CHECK(point.at("channels").at(0).at("indicators").at(0).at("values").at("whole") == 3.1);
+  CHECK(point.at("indicators").at(0).at("values").at("input_torque") == 0.12);
+}
+
+TEST_CASE("a verdict from before there were indicators is still read", "[bench]") {
+  auto json = nlohmann::ordered_json::parse(judgement_to_json(test::failed_run()));
+  for (auto& point : json["points"]) {
+    point.erase("indicators");
+    for (auto& channel : point["channels"]) channel.erase("indicators");
+  }
+  for (auto& limit : json["limits"]) {
+    limit.erase("of");
+    limit.erase("min");
+  }
+  const auto again = judgement_from_json(json.dump());
+  REQUIRE(again);
+  CHECK(again->points.at(0).examination.channels.at(0).indicators.empty());
+  CHECK(std::isnan(again->limits.at(0).min));
+}
+
 TEST_CASE("what is not known is null, not zero", "[bench]") {
   Judgement judgement = test::failed_run();
   judgement.facts.duration_s = not_known;

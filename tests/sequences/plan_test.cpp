@@ -1,8 +1,10 @@
 #include "sequences/plan.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <set>
 
+#include "hal/types/measure.hpp"
 #include "sequences/timeline.hpp"
 #include "tests/sequences/run_fixture.hpp"
 
@@ -143,4 +145,59 @@ TEST_CASE("a plan that contradicts itself is refused", "[sequences][plan]") {
   CHECK_THAT(faults_of(small_with("\"loads_pct\": [100]",
                                   "\"loads_pct\": " + many + "], \"repeats\": 1000")),
              Catch::Contains("201000 points are more than 10000"));
+}
+
+namespace {
+
+std::string small_with_limit(const std::string& limit) {
+  return small_with("\"setup\": [", "\"limits\": [{" + limit + "}], \"setup\": [");
+}
+
+std::string faults_of_limit(const std::string& limit) { return faults_of(small_with_limit(limit)); }
+
+}  // namespace
+
+TEST_CASE("every measure can be limited in each of its units", "[sequences][plan]") {
+  for (const Measure& measure : measures()) {
+    for (const std::string_view unit : measure.units) {
+      const std::string limit = "\"measure\": \"" + std::string(measure.name) + "\", \"unit\": \"" +
+                                std::string(unit) + "\", \"max\": 3, \"why\": \"ten units\"";
+      CAPTURE(limit);
+      const TestPlan plan = test::plan_of(small_with_limit(limit));
+      REQUIRE(plan.limits.size() == 1);
+      CHECK(plan.limits[0].measure == measure.name);
+      CHECK(plan_to_json(test::plan_of(plan_to_json(plan))) == plan_to_json(plan));
+    }
+  }
+}
+
+TEST_CASE("a limit on what is not measured, or in a wrong unit, is a fault of the plan",
+          "[sequences][plan]") {
+  using Catch::Contains;
+  CHECK_THAT(faults_of_limit(R"("measure": "kurtosi", "max": 4, "why": "x")"),
+             Contains("/limits/0/measure: \"kurtosi\" is not measured") &&
+                 Contains("did you mean \"kurtosis\"?"));
+  CHECK_THAT(faults_of_limit(R"("measure": "kurtosis", "unit": "g", "max": 4, "why": "x")"),
+             Contains("kurtosis is a pure number: its unit is \"1\", not \"g\""));
+  CHECK_THAT(faults_of_limit(R"("measure": "band_rms", "unit": "mm", "max": 4, "why": "x")"),
+             Contains("/limits/0/unit: expected one of \"m/s²\", \"g\"; found \"mm\""));
+  CHECK_THAT(faults_of_limit(R"("measure": "fm4", "max": 4)"),
+             Contains("/limits/0/why: this key is missing"));
+  CHECK_THAT(faults_of_limit(R"("measure": "fm4", "component": "crank", "max": 4, "why": "x")"),
+             Contains("fm4 is narrowed by \"of\""));
+}
+
+TEST_CASE("a limit bounds from one side", "[sequences][plan]") {
+  using Catch::Contains;
+  const TestPlan plan = test::plan_of(
+      small_with_limit(R"("measure": "efficiency", "min": 0.8, "why": "the maker says so")"));
+  CHECK(plan.limits.at(0).min == 0.8);
+  CHECK(std::isnan(plan.limits.at(0).max));
+  CHECK(plan_to_json(test::plan_of(plan_to_json(plan))) == plan_to_json(plan));
+  CHECK_THAT(faults_of_limit(R"("measure": "fm0", "min": 1, "max": 4, "why": "x")"),
+             Contains("/limits/0/max: beside \"min\""));
+  CHECK_THAT(faults_of_limit(R"("measure": "modulation_depth", "min": 1, "why": "x")"),
+             Contains("/limits/0/min: no depth is too small"));
+  CHECK_THAT(faults_of_limit(R"("measure": "fm0", "why": "x")"),
+             Contains("/limits/0/max: this key is missing"));
 }
