@@ -21,16 +21,22 @@ bool has_line(const Examination& point, double order, double near) {
   });
 }
 
+// Of a mesh harmonic itself, or of what the output's turn makes of it: equal planets may cancel the
+// harmonic and leave its neighbours.
 bool has_sidebands(const Examination& point, double spacing, double near,
                    const Kinematics& kinematics) {
+  const double output = 1 / kinematics.period_turns;
   for (const CharacteristicOrder& mesh : kinematics.orders) {
     if (!mesh.mesh) continue;
     for (int h = 1; h <= mesh_harmonics; ++h) {
-      for (int k = 1; k <= multiples; ++k) {
-        if (!has_line(point, h * mesh.order, near)) continue;
-        if (has_line(point, h * mesh.order - k * spacing, near) ||
-            has_line(point, h * mesh.order + k * spacing, near)) {
-          return true;
+      for (const double carrier : {-2 * output, -output, 0.0, output, 2 * output}) {
+        const double line = h * mesh.order + carrier;
+        if (!has_line(point, line, near)) continue;
+        for (int k = 1; k <= multiples; ++k) {
+          if (has_line(point, line - k * spacing, near) ||
+              has_line(point, line + k * spacing, near)) {
+            return true;
+          }
         }
       }
     }
@@ -55,8 +61,8 @@ ArticleRule stationary(const std::vector<Examination>& points, const Finding& fi
   const bool sidebands = 2 * with_sidebands > judged;
   const bool rotation = 2 * with_rotation > judged;
   return {"stationary fault?", sidebands && rotation ? "yes" : "no",
-          fmt::format("mesh lines carry sidebands {:.4g} orders away in {} of {} points, and the "
-                      "rotation itself or its double is a line in {}{}",
+          fmt::format("mesh lines carry sidebands at a spacing of order {:.4g} in {} of {} points, "
+                      "and the rotation itself or its double is a line in {}{}",
                       finding.order, with_sidebands, judged, with_rotation,
                       sidebands && rotation
                           ? ": profile error, even wear, or faulty design or installation"

@@ -78,8 +78,8 @@ std::string hypotheses_table(const analysis::Diagnosis& diagnosis) {
   if (rows.empty()) return "";
   return "<h3>All hypotheses</h3>\n" +
          paragraph(
-             "Severity is the modulation depth, its 95 % interval behind it. What noise and "
-             "steady meshes alone give a p below 0.001 once in a thousand units at the most.") +
+             "Severity is the modulation depth, its 95 % interval behind it. Noise and steady "
+             "meshes alone give a p below 0.001 in one unit of a thousand at most.") +
          table({"part", "state", "severity", "limit", "ln likelihood ratio", "p"}, rows);
 }
 
