@@ -21,22 +21,17 @@ bool has_line(const Examination& point, double order, double near) {
   });
 }
 
-// Of a mesh harmonic itself, or of what the output's turn makes of it: equal planets may cancel the
-// harmonic and leave its neighbours.
+// Around a mesh harmonic, whether or not it is heard: equal planets, or discs half a turn apart,
+// cancel it and leave its sidebands.
 bool has_sidebands(const Examination& point, double spacing, double near,
                    const Kinematics& kinematics) {
-  const double output = 1 / kinematics.period_turns;
   for (const CharacteristicOrder& mesh : kinematics.orders) {
     if (!mesh.mesh) continue;
     for (int h = 1; h <= mesh_harmonics; ++h) {
-      for (const double carrier : {-2 * output, -output, 0.0, output, 2 * output}) {
-        const double line = h * mesh.order + carrier;
-        if (!has_line(point, line, near)) continue;
-        for (int k = 1; k <= multiples; ++k) {
-          if (has_line(point, line - k * spacing, near) ||
-              has_line(point, line + k * spacing, near)) {
-            return true;
-          }
+      for (int k = 1; k <= multiples; ++k) {
+        if (has_line(point, h * mesh.order - k * spacing, near) ||
+            has_line(point, h * mesh.order + k * spacing, near)) {
+          return true;
         }
       }
     }
