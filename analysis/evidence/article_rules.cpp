@@ -64,16 +64,26 @@ ArticleRule stationary(const std::vector<Examination>& points, const Finding& fi
                           : "")};
 }
 
-ArticleRule extent(const Finding& finding) {
+bool rolls(const Finding& finding, const Kinematics& kinematics) {
+  return std::ranges::any_of(kinematics.signatures, [&](const Signature& s) {
+    return s.component == finding.component && s.mechanism == finding.mechanism && s.slip > 0;
+  });
+}
+
+ArticleRule extent(const Finding& finding, const Kinematics& kinematics) {
+  const char* question = "distributed or local?";
+  if (rolls(finding, kinematics)) {
+    return {question, "cannot tell", "slip smears the higher harmonics of a part that rolls"};
+  }
   double total = 0, low = 0;
   for (std::size_t i = 0; i < finding.line_orders.size(); ++i) {
     const double squared = finding.line_depths[i] * finding.line_depths[i];
     total += squared;
     if (finding.line_orders[i] < 2.5 * finding.order) low += squared;
   }
-  if (!(total > 0)) return {"distributed or local?", "cannot tell", "no line carries it"};
+  if (!(total > 0)) return {question, "cannot tell", "no line carries it"};
   const double share = low / total;
-  return {"distributed or local?", share > 0.5 ? "distributed" : "local",
+  return {question, share > 0.5 ? "distributed" : "local",
           fmt::format("the first two harmonics and what lies around them hold {:.0f} % of the "
                       "squared depth",
                       100 * share)};
@@ -118,7 +128,7 @@ std::vector<ArticleRule> article_rules(const std::vector<Examination>& points,
                                        const Diagnosis& diagnosis, const Kinematics& kinematics) {
   if (diagnosis.findings.empty()) return {};
   const Finding& first = diagnosis.findings.front();
-  std::vector<ArticleRule> rules{stationary(points, first, kinematics), extent(first)};
+  std::vector<ArticleRule> rules{stationary(points, first, kinematics), extent(first, kinematics)};
   if (auto rule = shaft_or_sun(diagnosis)) rules.push_back(std::move(*rule));
   return rules;
 }

@@ -14,7 +14,9 @@ namespace {
 
 constexpr double mesh = 1080.0 / 121;
 
-analysis::Kinematics rv20e() { return analysis::rv_reducer("RV-20E", {9, 27, 2, 39, 40}, {}); }
+analysis::Kinematics rv20e() {
+  return analysis::rv_reducer("RV-20E", {9, 27, 2, 39, 40}, {11, 5, 26, 0});
+}
 
 Examination point(const std::vector<double>& orders) {
   Examination e;
@@ -82,6 +84,9 @@ TEST_CASE("a fault is distributed if it modulates smoothly, local if it strikes"
   d.findings = {part("planet_gear", 0.33, {0.66, 0.99, 1.32, 1.65, 1.98}, {1, 1, 1, 1, 1})};
   CHECK(answer(asked, {}, d) == "local");
   d.findings.front().line_depths.assign(5, 0.0);
+  CHECK(answer(asked, {}, d) == "cannot tell");
+  d.findings = {part("bearing_inner", 2.16, {2.16}, {1})};
+  d.findings.front().mechanism = "spall";
   CHECK(answer(asked, {}, d) == "cannot tell");
 }
 
