@@ -71,7 +71,7 @@ std::vector<std::string> rivals_of(const Evidence& evidence, const Kinematics& k
 
 // Outside its interval and outside what the mechanism allows.
 bool fits(const Growth& load, const Signature& signature) {
-  return !std::isfinite(load.exponent) ||
+  return !std::isfinite(load.exponent) || !std::isfinite(load.error) ||
          (load.exponent + load.error >= signature.least_load_exponent &&
           load.exponent - load.error <= signature.most_load_exponent);
 }
@@ -176,9 +176,7 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
     describe(f, evidence, kinematics, s);
     (f.severity > f.limit ? d.findings : d.below_limit).push_back(std::move(f));
   }
-  const auto graver = [](const Finding& a, const Finding& b) {
-    return a.growth_fits != b.growth_fits ? a.growth_fits : excess(a) > excess(b);
-  };
+  const auto graver = [](const Finding& a, const Finding& b) { return excess(a) > excess(b); };
   std::sort(d.findings.begin(), d.findings.end(), graver);
   std::sort(d.below_limit.begin(), d.below_limit.end(), graver);
   std::sort(d.not_shown.begin(), d.not_shown.end(),

@@ -26,7 +26,8 @@ struct SignatureScore {
   double depth = 0;   ///< modulation depth: rms of the signature's envelope lines over the mean
                       ///< envelope, noise floor taken out; 1 = fully modulated
   double depth2_variance = 0;          ///< of the squared depth, by the record's noise
-  double log_likelihood_ratio = 0;     ///< signature against noise, over lines, IMFs and channels
+  double log_likelihood_ratio = 0;     ///< against noise, over lines, IMFs and channels,
+                                       ///< less what its decoys have
   double p_value = 1;                  ///< of the ratio, for all orders searched
   int imf = 0;                         ///< 1-based: where the channel shows it most
   int channel = 0;                     ///< index into Examination::channels: where it is deepest

@@ -96,7 +96,16 @@ ChannelResult examine_channel(const Channel& channel, std::vector<QualityNote> q
   return out;
 }
 
-// Evidence of the channels that span the most periods: only theirs lies on the same lines.
+// Whether lines of two channels' envelopes lie at the same orders.
+bool alike(const ChannelResult& a, const ChannelResult& b) {
+  const auto resolution = [](const ChannelResult& r) {
+    return r.combs.empty() ? 0 : r.combs.front().resolution;
+  };
+  return a.combs.size() == b.combs.size() &&
+         std::abs(resolution(a) - resolution(b)) < 1e-6 * resolution(b);
+}
+
+// Evidence of the channels that span the most periods: only theirs can be added.
 void score(std::vector<ChannelResult>& results, Examination& e) {
   const ChannelResult* longest = nullptr;
   for (const ChannelResult& result : results) {
@@ -105,21 +114,23 @@ void score(std::vector<ChannelResult>& results, Examination& e) {
     }
   }
   if (longest == nullptr) return;
-  const std::vector<SignatureComb> combs = longest->combs;
-  const double resolution = combs.empty() ? 0 : combs.front().resolution;
+  e.periods = longest->periods;
   std::vector<std::vector<ChannelEvidence>> evidence;
   for (ChannelResult& result : results) {
-    const bool alike = !result.combs.empty() && result.combs.front().resolution == resolution;
-    evidence.push_back(alike ? std::move(result.evidence)
-                             : std::vector<ChannelEvidence>(combs.size()));
+    const bool counts = alike(result, *longest);
+    if (!counts && result.quality.empty()) {
+      result.quality.push_back(
+          {result.examination.name, "shorter than the longest channel: not weighed", false});
+    }
+    evidence.push_back(counts ? result.evidence
+                              : std::vector<ChannelEvidence>(longest->combs.size()));
   }
-  e.scores = score_signatures(evidence, combs);
+  e.scores = score_signatures(evidence, longest->combs);
 }
 
 void gather(std::vector<ChannelResult> results, Examination& e) {
   score(results, e);
   for (ChannelResult& result : results) {
-    e.periods = std::max(e.periods, result.periods);
     for (QualityNote& note : result.quality) {
       note.where = e.source + ", " + note.where;
       e.quality.push_back(std::move(note));
@@ -137,7 +148,11 @@ Examination examine(const Recording& record, const Kinematics& kinematics,
   e.speed_rpm = record.speed_rpm;
   e.load_pct = record.load_pct;
   e.repeat = record.repeat;
-  e.scores.resize(kinematics.signatures.size());
+  for (const Signature& signature : kinematics.signatures) {
+    SignatureScore& score = e.scores.emplace_back();
+    score.signature = static_cast<int>(e.scores.size()) - 1;
+    score.order = signature.order;
+  }
   const std::vector<const Channel*> channels = acceleration_channels(record);
   if (channels.empty()) {
     e.quality.push_back({record.source, "no acceleration channel", true});

@@ -102,17 +102,19 @@ Finding finding_from(const Json& json) {
   finding.log_likelihood_ratio = number_or_nan(json.at("statistic"));
   finding.p_value = number_or_nan(json.at("p_value"));
   finding.severity = number_or_nan(json.at("severity"));
-  finding.severity_low = number_or_nan(json.at("severity_interval").at(0));
-  finding.severity_high = number_or_nan(json.at("severity_interval").at(1));
+  // Not stated by an rvbench that judged each IMF by itself, like all that follows with a default.
+  const Json interval = json.value("severity_interval", Json::array({nullptr, nullptr}));
+  finding.severity_low = number_or_nan(interval.at(0));
+  finding.severity_high = number_or_nan(interval.at(1));
   finding.confidence = number_or_nan(json.at("confidence"));
   json.at("advice").get_to(finding.advice);
   finding.limit = number_or_nan(json.at("limit"));
   finding.line_orders = numbers_from(json.at("line_orders"));
   finding.line_depths = numbers_from(json.at("line_depths"));
-  finding.growth.load = growth_from(json.at("growth_with_load"));
-  finding.growth.speed = growth_from(json.at("growth_with_speed"));
-  json.at("growth_fits").get_to(finding.growth_fits);
-  json.at("cannot_tell_from").get_to(finding.cannot_tell_from);
+  finding.growth.load = growth_from(json.value("growth_with_load", Json()));
+  finding.growth.speed = growth_from(json.value("growth_with_speed", Json()));
+  finding.growth_fits = json.value("growth_fits", true);
+  finding.cannot_tell_from = json.value("cannot_tell_from", std::vector<std::string>());
   return finding;
 }
 
@@ -121,7 +123,7 @@ Json json_of_score(const SignatureScore& score) {
           {"order", score.order},
           {"depth", score.depth},
           {"depth2_variance", score.depth2_variance},
-          {"log_likelihood_ratio", score.log_likelihood_ratio},
+          {"statistic", score.log_likelihood_ratio},
           {"p_value", score.p_value},
           {"imf", score.imf},
           {"channel", score.channel},
@@ -135,14 +137,14 @@ SignatureScore score_from(const Json& json) {
   json.at("signature").get_to(score.signature);
   score.order = number_or_nan(json.at("order"));
   score.depth = number_or_nan(json.at("depth"));
-  score.depth2_variance = number_or_nan(json.at("depth2_variance"));
-  score.log_likelihood_ratio = number_or_nan(json.at("log_likelihood_ratio"));
+  score.depth2_variance = number_or_nan(json.value("depth2_variance", Json()));
+  score.log_likelihood_ratio = number_or_nan(json.at("statistic"));
   score.p_value = number_or_nan(json.at("p_value"));
   json.at("imf").get_to(score.imf);
   json.at("channel").get_to(score.channel);
   score.line_orders = numbers_from(json.at("line_orders"));
   score.line_depths = numbers_from(json.at("line_depths"));
-  score.channel_depths = numbers_from(json.at("channel_depths"));
+  score.channel_depths = numbers_from(json.value("channel_depths", Json::array()));
   return score;
 }
 
@@ -199,7 +201,7 @@ Json json_of(const analysis::Examination& examination) {
 analysis::Diagnosis diagnosis_from_json(const Json& json) {
   return {list_from(json.at("findings"), finding_from),
           list_from(json.at("below_limit"), finding_from),
-          list_from(json.at("not_shown"), finding_from),
+          list_from(json.value("not_shown", Json::array()), finding_from),
           list_from(json.at("unexplained"), line_from),
           list_from(json.at("quality"), note_from),
           json.at("resolvable")};

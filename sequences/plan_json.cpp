@@ -149,12 +149,12 @@ nlohmann::ordered_json limits_json(const std::vector<Limit>& limits) {
   auto json = nlohmann::ordered_json::array();
   for (const Limit& limit : limits) {
     const bool from_below = std::isfinite(limit.min);
-    json.push_back({{"measure", limit.measure},
-                    {"component", limit.component},
-                    {"of", limit.of},
-                    {"unit", limit.unit},
-                    {from_below ? "min" : "max", from_below ? limit.min : limit.max},
-                    {"why", limit.why}});
+    nlohmann::ordered_json item = {{"measure", limit.measure}, {"component", limit.component}};
+    if (!limit.of.empty()) item["of"] = limit.of;
+    item["unit"] = limit.unit;
+    item[from_below ? "min" : "max"] = from_below ? limit.min : limit.max;
+    item["why"] = limit.why;
+    json.push_back(std::move(item));
   }
   return json;
 }

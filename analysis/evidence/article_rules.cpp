@@ -64,16 +64,20 @@ ArticleRule stationary(const std::vector<Examination>& points, const Finding& fi
                           : "")};
 }
 
-bool rolls(const Finding& finding, const Kinematics& kinematics) {
+// Whether the signature could show either: it has lines beyond the second harmonic, and slip does
+// not smear them.
+bool tells_extent(const Finding& finding, const Kinematics& kinematics) {
   return std::ranges::any_of(kinematics.signatures, [&](const Signature& s) {
-    return s.component == finding.component && s.mechanism == finding.mechanism && s.slip > 0;
+    return s.component == finding.component && s.mechanism == finding.mechanism && s.slip == 0 &&
+           s.harmonics > 2;
   });
 }
 
 ArticleRule extent(const Finding& finding, const Kinematics& kinematics) {
   const char* question = "distributed or local?";
-  if (rolls(finding, kinematics)) {
-    return {question, "cannot tell", "slip smears the higher harmonics of a part that rolls"};
+  if (!tells_extent(finding, kinematics)) {
+    return {question, "cannot tell",
+            "no harmonic beyond the second is looked at, or slip smears it"};
   }
   double total = 0, low = 0;
   for (std::size_t i = 0; i < finding.line_orders.size(); ++i) {
@@ -84,8 +88,8 @@ ArticleRule extent(const Finding& finding, const Kinematics& kinematics) {
   if (!(total > 0)) return {question, "cannot tell", "no line carries it"};
   const double share = low / total;
   return {question, share > 0.5 ? "distributed" : "local",
-          fmt::format("the first two harmonics and what lies around them hold {:.0f} % of the "
-                      "squared depth",
+          fmt::format("the first two harmonics and what lies around them hold {:.0f} % of what its "
+                      "deepest lines do",
                       100 * share)};
 }
 

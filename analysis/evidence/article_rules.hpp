@@ -18,8 +18,9 @@ struct ArticleRule {
 ///
 ///     stationary   sidebands of the part's rotation around mesh harmonics in most of the points,
 ///                  and its rotation and multiples themselves as low-frequency lines
-///     extent       a distributed fault modulates smoothly: most of its squared depth in the first
-///                  two harmonics; a local one strikes, and spreads it over many
+///     extent       a distributed fault modulates smoothly, most of the squared depth of its
+///     deepest
+///                  lines is in the first two harmonics; a local one strikes, and spreads it
 ///     shaft or sun input-shaft misalignment at order 1, profile error of the sun at the rate that
 ///                  it passes the carrier with, which is the only other one that turns with it
 ///

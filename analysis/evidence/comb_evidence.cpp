@@ -26,30 +26,41 @@ class Reader {
     const double m = floor_.floor_lines[bin];
     reading.log_ratio = m * std::log1p(power / (m * base));
     reading.excess = comb_.rolls ? lobe_above_floor(bin) : power - base;
-    // |a + n|² of a line a in complex noise of mean power F varies by F² + 2·F·|a|².
-    reading.variance = base * base + 2 * base * std::max(reading.excess, 0.0);
+    // |a + n|² of a line a in complex noise of mean power F varies by F² + 2·F·|a|². Hann lines
+    // share noise: neighbours by 2/3, the next but one by 1/6 in amplitude; the three of a lobe
+    // over 3/2 have 2.14 times the first term and 1.30 times the second.
+    const double floor = floor_.floor[bin];
+    const double strength = std::max(reading.excess, 0.0);
+    reading.variance = comb_.rolls ? 2.14 * floor * floor + 1.30 * 2 * floor * strength
+                                   : floor * floor + 2 * floor * strength;
     return reading;
   }
 
-  // Inside the spectrum and below half the carrier; for what rolls, off the gear train's lines.
-  bool holds(Eigen::Index bin) const {
-    const bool inside = bin >= 2 && bin < floor_.power.size() - 1 &&
-                        double(bin) * comb_.resolution < envelope_.highest_order;
-    return inside && !(comb_.rolls && floor_.is_locked(bin));
+  // Inside the spectrum and below half the carrier.
+  bool reaches(Eigen::Index bin) const {
+    return bin >= 2 && bin < floor_.power.size() - 1 &&
+           double(bin) * comb_.resolution < envelope_.highest_order;
   }
 
-  double decoy(Eigen::Index shift) const {
-    double sum = 0;
-    std::vector<double> ratios(comb_.lines.size());
-    for (std::size_t i = 0; i < ratios.size(); ++i) {
-      const Eigen::Index bin = comb_.bins(static_cast<Eigen::Index>(i), comb_.nominal);
-      if (!holds(bin)) continue;
+  // And for what rolls, off the gear train's lines.
+  bool holds(Eigen::Index bin) const {
+    return reaches(bin) && !(comb_.rolls && floor_.is_locked(bin));
+  }
+
+  // Every line that the envelope reaches has decoys, even where its own nominal place is the gear
+  // train's: slip may take it to where it counts.
+  Eigen::VectorXd decoy(Eigen::Index shift) const {
+    Eigen::VectorXd ratios = Eigen::VectorXd::Zero(comb_.bins.rows());
+    for (Eigen::Index i = 0; i < ratios.size(); ++i) {
+      const auto line = static_cast<std::size_t>(i);
+      const Eigen::Index bin = comb_.bins(i, comb_.nominal);
+      if (!reaches(bin)) continue;
       const Eigen::Index moved = holds(bin + shift) ? shift : -shift;
-      ratios[i] = holds(bin + moved) ? read(i, bin + moved, moved).log_ratio : 1;  // its mean
-      if (is_capped(i)) ratios[i] = std::min(ratios[i], ratios[harmonic_of(i)]);
-      sum += ratios[i];
+      ratios[i] = holds(bin + moved) ? read(line, bin + moved, moved).log_ratio : 1;  // its mean
+      if (!is_capped(line)) continue;
+      ratios[i] = std::min(ratios[i], ratios[static_cast<Eigen::Index>(harmonic_of(line))]);
     }
-    return sum;
+    return ratios;
   }
 
   bool is_capped(std::size_t line) const {
@@ -106,9 +117,9 @@ CombEvidence comb_evidence(const EnvelopeSpectra& envelope, const SignatureComb&
     }
   }
   const std::vector<Eigen::Index> shifts = decoy_shifts(comb, envelope.lines.locked_every);
-  e.decoys.resize(static_cast<Eigen::Index>(shifts.size()));
-  for (Eigen::Index d = 0; d < e.decoys.size(); ++d) {
-    e.decoys[d] = reader.decoy(shifts[static_cast<std::size_t>(d)]);
+  e.decoys.resize(comb.bins.rows(), static_cast<Eigen::Index>(shifts.size()));
+  for (Eigen::Index d = 0; d < e.decoys.cols(); ++d) {
+    e.decoys.col(d) = reader.decoy(shifts[static_cast<std::size_t>(d)]);
   }
   return e;
 }

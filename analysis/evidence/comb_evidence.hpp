@@ -10,19 +10,23 @@ namespace rvbench::analysis {
 /// What the lines of one comb hold in one envelope spectrum, or in several together.
 struct CombEvidence {
   /// Lines × stretches: logarithm of the likelihood ratio, line of free amplitude and phase against
-  /// noise alone. Of noise exponentially distributed with mean 1, however few lines gave the floor.
+  /// noise alone. Of noise exponentially distributed with mean 1, however few lines gave the floor;
+  /// where a rival counts as well, at most so.
   Eigen::MatrixXd log_ratio;
   Eigen::MatrixXd depth2;    ///< lines × stretches: squared modulation depth, noise taken out
   Eigen::MatrixXd variance;  ///< lines × stretches: of depth2, by noise
-  Eigen::VectorXd decoys;    ///< Σ log_ratio over the lines, at each shift of decoy_shifts()
+  Eigen::MatrixXd decoys;    ///< lines × shifts of decoy_shifts(): log_ratio
 };
 
 /// Reads the lines of a comb off one envelope.
 ///
 /// With X the power of a line and F its floor, worth m independent noise lines, the likelihood of a
-/// line with free amplitude over that of noise alone is
+/// line with free amplitude over that of noise alone is ln Λ = (m + 1)·ln(1 + X/(m·F)). Of it
+/// stands here the share
 ///
-///     ln Λ = m·ln(1 + X/(m·F))  →  X/F   for a floor that is known well.
+///     m·ln(1 + X/(m·F))  →  X/F   for a floor that is known well,
+///
+/// which is also -ln p of the line: X/F of noise is F-distributed with 2 and 2m degrees of freedom.
 ///
 /// A line that lies on the gear train's counts nothing for what rolls. A sideband of a part that
 /// rolls counts up to its harmonic: blows that a load modulates, which is never negative, have no

@@ -1,9 +1,9 @@
 #include "analysis/evidence/growth_law.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "analysis/statistics.hpp"
 
@@ -16,18 +16,40 @@ struct Row {
   double load, speed, amplitude;  // logarithms
 };
 
-std::optional<Row> row_of(const Examination& point, std::size_t signature) {
+double amplitude(const Examination& point, std::size_t signature, std::size_t channel) {
   const std::vector<double>& depths = point.scores[signature].channel_depths;
-  double sum = 0;
-  int channels = 0;
-  for (std::size_t c = 0; c < std::min(depths.size(), point.channels.size()); ++c) {
-    const double amplitude = depths[c] * point.channels[c].rms;
-    if (!(amplitude > 0)) continue;
-    sum += std::log(amplitude);
-    ++channels;
+  if (channel >= std::min(depths.size(), point.channels.size())) return 0;
+  return depths[channel] * point.channels[channel].rms;
+}
+
+bool counts(const Examination& point) {
+  return point.load_pct > 0 && std::abs(point.speed_rpm) > 0;
+}
+
+// Channels that show it at every point: sensors of unlike level must not come and go.
+std::vector<std::size_t> common_channels(const std::vector<const Examination*>& points,
+                                         std::size_t signature) {
+  std::vector<std::size_t> channels;
+  for (std::size_t c = 0; !points.empty() && c < points.front()->channels.size(); ++c) {
+    const bool everywhere = std::ranges::all_of(points, [&](const Examination* point) {
+      return !counts(*point) || amplitude(*point, signature, c) > 0;
+    });
+    if (everywhere) channels.push_back(c);
   }
-  if (channels == 0 || !(point.load_pct > 0) || !(std::abs(point.speed_rpm) > 0)) return {};
-  return Row{std::log(point.load_pct), std::log(std::abs(point.speed_rpm)), sum / channels};
+  return channels;
+}
+
+std::vector<Row> rows_of(const std::vector<const Examination*>& points, std::size_t signature) {
+  const std::vector<std::size_t> channels = common_channels(points, signature);
+  std::vector<Row> rows;
+  for (const Examination* point : points) {
+    if (channels.empty() || !counts(*point)) continue;
+    double sum = 0;
+    for (const std::size_t c : channels) sum += std::log(amplitude(*point, signature, c));
+    rows.push_back({std::log(point->load_pct), std::log(std::abs(point->speed_rpm)),
+                    sum / static_cast<double>(channels.size())});
+  }
+  return rows;
 }
 
 bool varies(const std::vector<Row>& rows, double Row::*what) {
@@ -39,10 +61,7 @@ bool varies(const std::vector<Row>& rows, double Row::*what) {
 }  // namespace
 
 GrowthLaw growth_law(const std::vector<const Examination*>& points, std::size_t signature) {
-  std::vector<Row> rows;
-  for (const Examination* point : points) {
-    if (const std::optional<Row> row = row_of(*point, signature)) rows.push_back(*row);
-  }
+  const std::vector<Row> rows = rows_of(points, signature);
   GrowthLaw law;
   if (rows.empty()) return law;
   struct Term {
@@ -65,6 +84,7 @@ GrowthLaw growth_law(const std::vector<const Examination*>& points, std::size_t 
       a(i, static_cast<Eigen::Index>(k) + 1) = row.*terms[k].what;
     }
   }
+  if (Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(a).rank() < unknowns) return law;
   const Eigen::MatrixXd inverse =
       (a.transpose() * a).ldlt().solve(Eigen::MatrixXd::Identity(unknowns, unknowns));
   const Eigen::VectorXd x = inverse * (a.transpose() * y);

@@ -14,9 +14,13 @@ namespace rvbench::analysis {
 /// they have no logarithm. The speed's exponent holds the path from the part to the sensors as
 /// well, which no one knows: it tells less than the load's, for which the path stays the same.
 ///
+/// Limits  points too weak to show it are not among them, which pulls exponents to 0; the rms is
+///         that of the whole channel, so what else grows in it counts; channels that miss it at one
+///         point are left out at all
 /// @param points     that show the signature, same channels in each
 /// @param signature  index into their scores
-/// @return exponents that are not known are NaN: fewer than 2 points more than unknowns
+/// @return exponents that are not known are NaN: fewer than 2 points more than unknowns, or speed
+///         and load that went together
 /// Units   exponents; their errors are half of 95 % intervals
 /// Errors  none thrown
 /// Source  Draper & Smith, Applied Regression Analysis (3rd ed., 1998), ch. 5

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "analysis/evidence/decoy_p_value.hpp"
+#include "analysis/statistics.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -64,14 +65,20 @@ class RecordEvidence {
       if (sums[t] > sums[best]) best = t;
     }
     score.order = comb_.order * comb_.stretches[best];
-    score.log_likelihood_ratio = sums[best];
+    const Eigen::VectorXd decoys = decoys_of_open_lines(best);
+    score.log_likelihood_ratio = sums[best] - median({decoys.begin(), decoys.end()});
     score.p_value =
-        std::min(1.0, decoy_p_value(sums[best], decoys_) * static_cast<double>(sums.size()));
+        std::min(1.0, decoy_p_value(sums[best], decoys) * static_cast<double>(sums.size()));
     read_depths(best, score);
     return score;
   }
 
  private:
+  // As many lines as the sum has.
+  Eigen::VectorXd decoys_of_open_lines(Eigen::Index stretch) const {
+    return decoys_.transpose() * open_.col(stretch).cast<double>().matrix();
+  }
+
   // The channel where the signature is deepest speaks for its depth.
   void read_depths(Eigen::Index stretch, SignatureScore& score) const {
     double deepest2 = -1;
@@ -105,7 +112,7 @@ class RecordEvidence {
   const SignatureComb& comb_;
   std::vector<const ChannelEvidence*> channels_;
   Eigen::MatrixXd log_ratio_;
-  Eigen::VectorXd decoys_;
+  Eigen::MatrixXd decoys_;
   std::size_t envelopes_ = 0;
   Mask open_;
 };
@@ -145,11 +152,13 @@ void ChannelEvidence::add(const CombEvidence& evidence, int imf, double share) {
   if (imfs.empty()) {
     sum.log_ratio = sum.depth2 = sum.variance =
         Eigen::MatrixXd::Zero(evidence.log_ratio.rows(), evidence.log_ratio.cols());
-    sum.decoys = Eigen::VectorXd::Zero(evidence.decoys.size());
+    sum.decoys = Eigen::MatrixXd::Zero(evidence.decoys.rows(), evidence.decoys.cols());
   }
   sum.log_ratio += evidence.log_ratio;
   sum.depth2 += share * evidence.depth2;
-  sum.variance += share * share * evidence.variance;
+  // IMFs of one channel may share all their noise: deviations add, not variances.
+  sum.variance =
+      (sum.variance.cwiseSqrt() + share * evidence.variance.cwiseSqrt()).cwiseAbs2().eval();
   sum.decoys += evidence.decoys;
   imfs.push_back(imf);
   by_stretch.push_back(evidence.log_ratio.colwise().sum().transpose());

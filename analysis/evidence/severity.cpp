@@ -28,8 +28,9 @@ Severity severity_of(const std::vector<const SignatureScore*>& scores) {
     std::vector<double> drawn;
     for (std::size_t i = 0; i < scores.size(); ++i) {
       const SignatureScore& score = *scores[any(engine)];
-      const double moved =
-          score.depth * score.depth + std::sqrt(score.depth2_variance) * noise(engine);
+      // The scatter between points holds their noise already.
+      const double deviation = scores.size() == 1 ? std::sqrt(score.depth2_variance) : 0;
+      const double moved = score.depth * score.depth + deviation * noise(engine);
       drawn.push_back(std::sqrt(std::max(moved, 0.0)));
     }
     medians.push_back(median(std::move(drawn)));

@@ -8,7 +8,7 @@ namespace rvbench::analysis {
 namespace {
 
 constexpr Eigen::Index beside = 2;  // a Hann line does not reach further
-constexpr Eigen::Index stride = 3;  // so that two decoys share no noise
+constexpr Eigen::Index stride = 3;  // so that two decoys of one line share no noise
 
 Eigen::VectorXd stretches_of(double reach, Eigen::Index tries) {
   if (tries == 0) return Eigen::VectorXd::Ones(1);

@@ -75,11 +75,8 @@ std::vector<Indicator> shaft_indicators(const Recording& record, const ShaftAngl
         efficiency(power_W(input_Nm, input_rad, rate_Hz), power_W(output_Nm, output_rad, rate_Hz)),
         "1");
   }
-  const Channel &input = *record.find(input_angle), &output = *record.find(output_angle);
-  if (input.samples.allFinite() && output.samples.allFinite()) {
-    const auto error_rad = transmission_error(input.samples, output.samples, units::two_pi);
-    if (error_rad) add(names::transmission_error, "", units::arcsec_from_rad(*error_rad), "arcsec");
-  }
+  const auto error_rad = transmission_error(input_rad, output_rad, units::two_pi);
+  if (error_rad) add(names::transmission_error, "", units::arcsec_from_rad(*error_rad), "arcsec");
   return list;
 }
 

@@ -15,6 +15,7 @@ std::string power_of(const char* what, const analysis::Growth& growth) {
 }  // namespace
 
 std::string severity_text(const analysis::Finding& finding) {
+  if (!std::isfinite(finding.severity_low)) return fmt::format("{:.3f}", finding.severity);
   return fmt::format("{:.3f} ({:.3f} to {:.3f})", finding.severity, finding.severity_low,
                      finding.severity_high);
 }
@@ -26,13 +27,13 @@ std::string growth_text(const analysis::Finding& finding) {
     text += (text.empty() ? "" : " and ") + power_of("speed", finding.growth.speed);
   }
   if (text.empty()) return "";
-  return "its vibration grows with " + text +
-         (finding.growth_fits ? "" : ", which this mechanism does not: look for another cause");
+  return "its vibration goes as " + text +
+         (finding.growth_fits ? "" : ": not what this mechanism makes, look for another cause");
 }
 
 std::string rivals_text(const analysis::Finding& finding) {
   if (finding.cannot_tell_from.empty()) return "";
-  return fmt::format("cannot be told from {}: the same lines, as likely",
+  return fmt::format("cannot be told from {}: it has lines at the same orders",
                      fmt::join(finding.cannot_tell_from, " or "));
 }
 

@@ -78,8 +78,9 @@ std::string hypotheses_table(const analysis::Diagnosis& diagnosis) {
   if (rows.empty()) return "";
   return "<h3>All hypotheses</h3>\n" +
          paragraph(
-             "Severity is the modulation depth, its 95 % interval behind it. Noise and steady "
-             "meshes alone give a p below 0.001 in one unit of a thousand at most.") +
+             "Severity is the modulation depth, its 95 % interval behind it. The likelihood ratio "
+             "is "
+             "against noise; p is how likely noise alone would give as much.") +
          table({"part", "state", "severity", "limit", "ln likelihood ratio", "p"}, rows);
 }
 

@@ -13,7 +13,7 @@ struct Measure {
   bool worst_is_least = false;  ///< the smallest value is the one to worry about
 };
 
-/// All there are. Not one of them is anywhere else: what is not here cannot be limited.
+/// All there are. A measure that is not listed here cannot be limited.
 const std::vector<Measure>& measures();
 
 /// The measure of that name; nullptr if there is none.

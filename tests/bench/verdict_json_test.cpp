@@ -35,6 +35,27 @@ TEST_CASE("indicators are told per point and channel, one entry per measure", "[
   CHECK(point.at("indicators").at(0).at("values").at("input_torque") == 0.12);
 }
 
+TEST_CASE("a verdict from before each hypothesis was weighed is still read", "[bench]") {
+  auto json = nlohmann::ordered_json::parse(judgement_to_json(test::failed_run()));
+  json.erase("not_shown");
+  for (const char* key : {"severity_interval", "growth_with_load", "growth_with_speed",
+                          "growth_fits", "cannot_tell_from"}) {
+    json["findings"][0].erase(key);
+  }
+  for (auto& point : json["points"]) {
+    for (auto& score : point["scores"]) {
+      score.erase("depth2_variance");
+      score.erase("channel_depths");
+    }
+  }
+  const auto again = judgement_from_json(json.dump());
+  REQUIRE(again);
+  CHECK(again->diagnosis.findings.at(0).severity == 0.6);
+  CHECK(std::isnan(again->diagnosis.findings.at(0).severity_low));
+  CHECK(again->diagnosis.findings.at(0).growth_fits);
+  CHECK(again->diagnosis.not_shown.empty());
+}
+
 TEST_CASE("a verdict from before there were indicators is still read", "[bench]") {
   auto json = nlohmann::ordered_json::parse(judgement_to_json(test::failed_run()));
   for (auto& point : json["points"]) {

@@ -1,7 +1,9 @@
 #include "analysis/evidence/comb_evidence.hpp"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <random>
 
@@ -104,4 +106,40 @@ TEST_CASE("nothing speaks beyond half the carrier", "[analysis][evidence]") {
   CHECK(read.log_ratio(0, 0) > 0);
   CHECK(read.log_ratio(1, 0) == 0);
   CHECK(read.depth2(1, 0) == 0);
+}
+
+TEST_CASE("squared depths scatter in noise by the variance that is stated",
+          "[analysis][evidence]") {
+  // A line of known amplitude in complex white noise, under a Hann window: line k of the spectrum
+  // is that of the noise less half of each neighbour.
+  const bool rolls = GENERATE(false, true);
+  const double amplitude = GENERATE(0.0, 20.0);
+  CAPTURE(rolls, amplitude);
+  std::mt19937 engine(2);
+  std::normal_distribution<double> normal;
+  constexpr int draws = 4000;
+  double sum = 0, sum2 = 0, stated = 0;
+  for (int draw = 0; draw < draws; ++draw) {
+    std::array<std::complex<double>, 5> noise;
+    for (auto& n : noise) n = std::complex<double>(normal(engine), normal(engine)) / std::sqrt(3);
+    noise[2] += amplitude;
+    Eigen::VectorXd power = Eigen::VectorXd::Ones(2000);
+    for (std::size_t k = 1; k < 4; ++k) {
+      power[98 + Eigen::Index(k)] = std::norm(noise[k] - 0.5 * (noise[k - 1] + noise[k + 1]));
+    }
+    const CombEvidence e = comb_evidence(envelope_of(power, 1e6), comb_of(1, rolls));
+    sum += e.depth2(0, 0) / draws;
+    sum2 += e.depth2(0, 0) * e.depth2(0, 0) / draws;
+    stated += e.variance(0, 0) / draws;
+  }
+  // A variance is known to 4·√(2/draws) of itself. Without a line what noise lifts is taken for
+  // one, which errs to the safe side: by 2/e, the mean that noise has above its floor, for one
+  // line.
+  const double scatter = sum2 - sum * sum;
+  if (amplitude > 0) {
+    CHECK(scatter == Approx(stated).epsilon(4 * std::sqrt(2.0 / draws)));
+  } else {
+    CHECK(scatter < stated);
+    CHECK(stated < 2 * scatter);
+  }
 }

@@ -80,3 +80,23 @@ TEST_CASE("what does not vary has no exponent", "[analysis][evidence]") {
   CHECK(one_speed.load.exponent == Approx(1).margin(one_speed.load.error));
   CHECK(std::isnan(growth_law({}, 0).load.exponent));
 }
+
+TEST_CASE("speed and load that went together are not told apart", "[analysis][evidence]") {
+  const Matrix matrix(1, 2, 0.1);
+  auto points = matrix.where([](const Examination& e) {
+    return (e.speed_rpm == 605 && e.load_pct == 50) || (e.speed_rpm == 1210 && e.load_pct == 100) ||
+           (e.speed_rpm == 1815 && e.load_pct == 150);
+  });
+  REQUIRE(points.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) points.push_back(points[i]);  // enough of them
+  CHECK(std::isnan(growth_law(points, 0).load.exponent));
+}
+
+TEST_CASE("a channel that misses it once does not move the exponent", "[analysis][evidence]") {
+  const Matrix matrix(1, 2);
+  auto points = matrix.where([](const Examination& e) { return e.speed_rpm == 605; });
+  Examination deaf = *points.back();
+  deaf.scores[0].channel_depths[1] = 0;
+  points.back() = &deaf;
+  CHECK(growth_law(points, 0).load.exponent == Approx(1).margin(1e-9));
+}

@@ -43,6 +43,13 @@ TEST_CASE("of one point the interval is its noise", "[analysis][evidence]") {
   CHECK(s.high == Approx(std::sqrt(0.16 + 0.0196)).epsilon(0.01));
 }
 
+TEST_CASE("of several points the interval is their scatter, noise and all",
+          "[analysis][evidence]") {
+  const Severity s = severity({score(0.2, 0.3), score(0.3, 0.3), score(0.4, 0.3)});
+  CHECK(s.low == 0.2);
+  CHECK(s.high == 0.4);
+}
+
 TEST_CASE("in 95 of 100 matrices the interval holds the severity", "[analysis][evidence][null]") {
   std::mt19937 engine(1);
   std::normal_distribution<double> noise;
@@ -54,6 +61,8 @@ TEST_CASE("in 95 of 100 matrices the interval holds the severity", "[analysis][e
     const Severity s = severity(points);
     held += s.low <= 0.3 && 0.3 <= s.high ? 1 : 0;
   }
-  // 4 binomial deviations of 0.95, and the percentile's known shortfall of some percent.
-  CHECK(held >= 0.88 * matrices);
+  // The interval runs about from the 6th to the 16th of 21 values: binomial, 97 %; what resampling
+  // takes off, and 4 binomial deviations.
+  CHECK(held >= 0.9 * matrices);
+  CHECK(held <= 0.99 * matrices);
 }
