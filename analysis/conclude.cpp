@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -64,7 +66,8 @@ std::vector<std::string> rivals_of(const Evidence& evidence, const Kinematics& k
   std::vector<std::string> rivals;
   for (const std::size_t s : equal_explanations(*evidence.scores[deepest], kinematics, 1 / turns)) {
     const Signature& rival = kinematics.signatures[s];
-    rivals.push_back(rival.component + ": " + rival.mechanism);
+    rivals.push_back(
+        fmt::format("{}: {} at order {:.4g}", rival.component, rival.mechanism, rival.order));
   }
   return rivals;
 }
@@ -91,6 +94,7 @@ Finding weigh(const Signature& signature, const Evidence& evidence, double tests
     f.log_likelihood_ratio += score->log_likelihood_ratio;
   }
   f.p_value = std::min(1.0, combined_p_value(p_values) * tests);
+  for (const Examination* point : evidence.shown_by) f.points.push_back(point->source);
   if (evidence.all.empty()) return f;
   const Severity severity = severity_of(evidence.scores.empty() ? evidence.all : evidence.scores);
   f.severity = severity.depth;
@@ -104,7 +108,6 @@ void describe(Finding& f, const Evidence& evidence, const Kinematics& kinematics
               std::size_t signature) {
   f.order = evidence.scores.front()->order;
   f.frequency_Hz = f.order * evidence.shown_by.front()->speed_rpm / 60;
-  for (const Examination* point : evidence.shown_by) f.points.push_back(point->source);
   for (const SignatureScore* score : evidence.scores) {
     if (std::find(f.imfs.begin(), f.imfs.end(), score->imf) == f.imfs.end()) {
       f.imfs.push_back(score->imf);

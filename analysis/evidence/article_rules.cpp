@@ -64,20 +64,21 @@ ArticleRule stationary(const std::vector<Examination>& points, const Finding& fi
                           : "")};
 }
 
-// Whether the signature could show either: it has lines beyond the second harmonic, and slip does
-// not smear them.
-bool tells_extent(const Finding& finding, const Kinematics& kinematics) {
-  return std::ranges::any_of(kinematics.signatures, [&](const Signature& s) {
-    return s.component == finding.component && s.mechanism == finding.mechanism && s.slip == 0 &&
-           s.harmonics > 2;
+const Signature* signature_of(const Finding& finding, const Kinematics& kinematics) {
+  const auto found = std::ranges::find_if(kinematics.signatures, [&](const Signature& s) {
+    return s.component == finding.component && s.mechanism == finding.mechanism;
   });
+  return found == kinematics.signatures.end() ? nullptr : &*found;
 }
 
 ArticleRule extent(const Finding& finding, const Kinematics& kinematics) {
   const char* question = "distributed or local?";
-  if (!tells_extent(finding, kinematics)) {
-    return {question, "cannot tell",
-            "no harmonic beyond the second is looked at, or slip smears it"};
+  const Signature* signature = signature_of(finding, kinematics);
+  if (signature != nullptr && signature->slip > 0) {
+    return {question, "cannot tell", "slip smears the higher harmonics of a part that rolls"};
+  }
+  if (signature == nullptr || signature->harmonics < 3) {
+    return {question, "cannot tell", "no harmonic beyond the second is looked at"};
   }
   double total = 0, low = 0;
   for (std::size_t i = 0; i < finding.line_orders.size(); ++i) {
@@ -103,6 +104,8 @@ const Finding* hypothesis_of(const Diagnosis& diagnosis, const char* component) 
 }
 
 std::optional<ArticleRule> shaft_or_sun(const Diagnosis& diagnosis) {
+  const std::string& first = diagnosis.findings.front().component;
+  if (first != "input_shaft" && first != "sun_gear") return {};
   const Finding* shaft = hypothesis_of(diagnosis, "input_shaft");
   const Finding* sun = hypothesis_of(diagnosis, "sun_gear");
   if (shaft == nullptr || sun == nullptr) return {};
@@ -110,14 +113,9 @@ std::optional<ArticleRule> shaft_or_sun(const Diagnosis& diagnosis) {
     return std::ranges::any_of(diagnosis.findings,
                                [&](const Finding& found) { return &found == f; });
   };
-  const char* answer = "neither";
-  if (is_found(shaft) && is_found(sun)) {
-    answer = "both";
-  } else if (is_found(shaft)) {
-    answer = "input shaft";
-  } else if (is_found(sun)) {
-    answer = "sun gear";
-  }
+  const char* answer = "both";
+  if (!is_found(sun)) answer = "input shaft";
+  if (!is_found(shaft)) answer = "sun gear";
   return ArticleRule{
       "input-shaft misalignment or sun profile error?", answer,
       fmt::format("order {:.4g}: depth {:.3f}, limit {:.3f}; order {:.4g}: depth {:.3f}, limit "
@@ -132,7 +130,11 @@ std::vector<ArticleRule> article_rules(const std::vector<Examination>& points,
                                        const Diagnosis& diagnosis, const Kinematics& kinematics) {
   if (diagnosis.findings.empty()) return {};
   const Finding& first = diagnosis.findings.front();
-  std::vector<ArticleRule> rules{stationary(points, first, kinematics), extent(first, kinematics)};
+  std::vector<ArticleRule> rules;
+  if (std::ranges::any_of(kinematics.orders, &CharacteristicOrder::mesh)) {
+    rules.push_back(stationary(points, first, kinematics));
+  }
+  rules.push_back(extent(first, kinematics));
   if (auto rule = shaft_or_sun(diagnosis)) rules.push_back(std::move(*rule));
   return rules;
 }

@@ -25,7 +25,9 @@ struct ArticleRule {
 ///                  it passes the carrier with, which is the only other one that turns with it
 ///
 /// @param points  that the diagnosis was drawn from
-/// @return empty without a finding; the last rule only where the machine has both parts
+/// @return empty without a finding; the first rule only of a machine with meshes, the last only
+/// where
+///         shaft or sun leads
 /// Units   orders of the input shaft, depths over the mean envelope
 /// Errors  none thrown
 /// Source  the article, sec. 5.1, after its reference 23; half of the points and half of the

@@ -64,7 +64,7 @@ std::vector<std::size_t> equal_explanations(const SignatureScore& score,
   if (found.empty()) return equal;
   for (std::size_t s = 0; s < kinematics.signatures.size(); ++s) {
     const Signature& other = kinematics.signatures[s];
-    if (other.component == kinematics.signatures[own].component) continue;
+    if (s == own) continue;
     const double first = other.first_harmonic * other.order;
     const double reach = std::max({other.slip, other.tolerance, 0.0});
     const bool explains = std::any_of(found.begin(), found.end(), [&](double order) {

@@ -6,7 +6,7 @@
 
 namespace rvbench::analysis {
 
-/// Signatures of other parts that explain what was found as well as the one that it was given to:
+/// Other signatures that explain what was found as well as the one that it was given to:
 /// their comb holds every line that carries the evidence, their own first line is among these, and
 /// no line of theirs is stretched beyond slip or tolerance. Two equal bearings on one shaft are the
 /// plainest case.

@@ -9,7 +9,7 @@ namespace rvbench::bench::report {
 namespace {
 
 std::string power_of(const char* what, const analysis::Growth& growth) {
-  return fmt::format("{}^{:.2f} (± {:.2f})", what, growth.exponent, growth.error);
+  return fmt::format("{}^{:.2f} (± {:.2f} at 95 %)", what, growth.exponent, growth.error);
 }
 
 }  // namespace

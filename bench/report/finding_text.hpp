@@ -9,7 +9,8 @@ namespace rvbench::bench::report {
 /// "0.412 (0.398 to 0.431)": modulation depth and its 95 % interval, if it is known.
 std::string severity_text(const analysis::Finding& finding);
 
-/// "its vibration goes as load^0.90 (± 0.10)": how it grows over the matrix, and whether that is as the mechanism has it; empty if not known.
+/// "its vibration goes as load^0.90 (± 0.10 at 95 %)": how it grows over the matrix, and whether
+/// that is as the mechanism has it; empty if not known.
 std::string growth_text(const analysis::Finding& finding);
 
 /// "cannot be told from bearing_2: spall"; empty where the finding stands alone.

@@ -29,12 +29,24 @@ std::string imfs_of(const Finding& finding) {
   return text.empty() ? "–" : text;
 }
 
+// Whether the limit lies in the severity's interval.
+bool is_close(const Finding& finding) {
+  return finding.severity_low < finding.limit && finding.limit < finding.severity_high;
+}
+
+// What a hypothesis that is none of the findings was shown by.
+std::string shown_in(const Finding& hypothesis, std::size_t points) {
+  if (hypothesis.p_value >= analysis::significant_p) return "not shown";
+  return fmt::format("in {} of {} points: too few", hypothesis.points.size(), points);
+}
+
 std::string block_of(const Finding& finding, const ReportInput& input, bool above) {
   std::string html =
       fmt::format("<div class=\"finding{}\"><h3>{}: {}</h3>\n<dl>", above ? "" : " within",
                   spoken(finding.component), spoken(finding.mechanism));
-  html += fmt::format("<dt>Severity</dt><dd>modulation depth {}, limit {:.3f} ({})</dd>",
-                      severity_text(finding), finding.limit, above ? "above" : "within");
+  html += fmt::format("<dt>Severity</dt><dd>modulation depth {}, limit {:.3f} ({}{})</dd>",
+                      severity_text(finding), finding.limit, above ? "above" : "within",
+                      is_close(finding) ? ", but its interval reaches across" : "");
   const std::string rivals = rivals_text(finding);
   if (!rivals.empty()) html += "<dt>Certainty</dt><dd>" + xml_escaped(rivals) + "</dd>";
   html += fmt::format("<dt>Order</dt><dd>{}, {}, the first point that shows it</dd>",
@@ -63,18 +75,19 @@ std::string block_of(const Finding& finding, const ReportInput& input, bool abov
 }
 
 // Every hypothesis beside the others, so that the second is seen as well as the first.
-std::string hypotheses_table(const analysis::Diagnosis& diagnosis) {
+std::string hypotheses_table(const analysis::Diagnosis& diagnosis, std::size_t points) {
   std::vector<std::vector<std::string>> rows;
-  const auto add = [&](const std::vector<Finding>& hypotheses, const char* state) {
+  const auto add = [&](const std::vector<Finding>& hypotheses, const std::string& state) {
     for (const Finding& h : hypotheses) {
-      rows.push_back({spoken(h.component) + ": " + spoken(h.mechanism), state, severity_text(h),
+      rows.push_back({spoken(h.component) + ": " + spoken(h.mechanism),
+                      state.empty() ? shown_in(h, points) : state, severity_text(h),
                       fmt::format("{:.3f}", h.limit), number(h.log_likelihood_ratio, 4),
                       p_value_text(h.p_value)});
     }
   };
   add(diagnosis.findings, "above its limit");
   add(diagnosis.below_limit, "within its limit");
-  add(diagnosis.not_shown, "not shown");
+  add(diagnosis.not_shown, "");
   if (rows.empty()) return "";
   return "<h3>All hypotheses</h3>\n" +
          paragraph(
@@ -108,7 +121,7 @@ std::string findings_section(const ReportInput& input) {
   }
   if (!diagnosis.below_limit.empty()) html += "<h3>Significant, but within limits</h3>\n";
   for (const Finding& finding : diagnosis.below_limit) html += block_of(finding, input, false);
-  html += hypotheses_table(diagnosis);
+  html += hypotheses_table(diagnosis, input.judgement.points.size());
   html += unexplained_table(diagnosis.unexplained, input.kinematics.period_turns);
   return section("Findings", html);
 }

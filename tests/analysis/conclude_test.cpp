@@ -183,7 +183,7 @@ TEST_CASE("two parts with the same lines cannot be told apart", "[analysis][conc
   k.signatures[1].order = 2;
   const Diagnosis d = conclude({point("a", {0.5, 1e-12}, nothing)}, k);
   REQUIRE(d.findings.size() == 1);
-  CHECK(d.findings[0].cannot_tell_from == std::vector<std::string>{"gear: wear"});
+  CHECK(d.findings[0].cannot_tell_from == std::vector<std::string>{"gear: wear at order 2"});
   CHECK(conclude({point("a", {0.5, 1e-12}, nothing)}, two_parts())
             .findings.front()
             .cannot_tell_from.empty());
