@@ -6,6 +6,7 @@
 #include "analysis/diagnosis.hpp"
 #include "analysis/evidence/equal_explanations.hpp"
 #include "analysis/evidence/growth_law.hpp"
+#include "analysis/evidence/lines_by_depth.hpp"
 #include "analysis/evidence/severity.hpp"
 #include "analysis/spectral_lines.hpp"
 #include "analysis/statistics.hpp"
@@ -24,6 +25,12 @@ struct Evidence {
 
   // A bad part shows in most of what was measured, not in one record of many.
   bool shows() const { return !scores.empty() && 2 * scores.size() >= all.size(); }
+
+  // Index of the point that shows it deepest.
+  std::size_t deepest() const {
+    const auto depth = [](const SignatureScore* score) { return score->depth; };
+    return static_cast<std::size_t>(std::ranges::max_element(scores, {}, depth) - scores.begin());
+  }
 };
 
 Evidence gather(const std::vector<Examination>& points, std::size_t signature) {
@@ -41,27 +48,17 @@ Evidence gather(const std::vector<Examination>& points, std::size_t signature) {
 }
 
 void list_lines(const Evidence& evidence, Finding& finding) {
-  const SignatureScore* deepest = *std::max_element(
-      evidence.scores.begin(), evidence.scores.end(),
-      [](const SignatureScore* a, const SignatureScore* b) { return a->depth < b->depth; });
-  std::vector<std::size_t> by_depth(deepest->line_orders.size());
-  for (std::size_t i = 0; i < by_depth.size(); ++i) by_depth[i] = i;
-  std::stable_sort(by_depth.begin(), by_depth.end(), [&](std::size_t a, std::size_t b) {
-    return deepest->line_depths[a] > deepest->line_depths[b];
-  });
-  for (const std::size_t i : by_depth) {
-    if (finding.line_orders.size() == lines_listed || deepest->line_depths[i] == 0) break;
-    finding.line_orders.push_back(deepest->line_orders[i]);
-    finding.line_depths.push_back(deepest->line_depths[i]);
+  const SignatureScore& deepest = *evidence.scores[evidence.deepest()];
+  for (const std::size_t i : lines_by_depth(deepest)) {
+    if (finding.line_orders.size() == lines_listed || deepest.line_depths[i] == 0) break;
+    finding.line_orders.push_back(deepest.line_orders[i]);
+    finding.line_depths.push_back(deepest.line_depths[i]);
   }
 }
 
 // What explains the finding as well at the point that shows it deepest.
 std::vector<std::string> rivals_of(const Evidence& evidence, const Kinematics& kinematics) {
-  std::size_t deepest = 0;
-  for (std::size_t i = 1; i < evidence.scores.size(); ++i) {
-    if (evidence.scores[i]->depth > evidence.scores[deepest]->depth) deepest = i;
-  }
+  const std::size_t deepest = evidence.deepest();
   const double turns = evidence.shown_by[deepest]->periods * kinematics.period_turns;
   std::vector<std::string> rivals;
   for (const std::size_t s : equal_explanations(*evidence.scores[deepest], kinematics, 1 / turns)) {

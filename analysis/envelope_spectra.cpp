@@ -1,5 +1,6 @@
 #include "analysis/envelope_spectra.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "analysis/hilbert.hpp"
@@ -16,13 +17,13 @@ int samples_per_turn(double rate_Hz, double speed_Hz) {
 }
 
 // Power and floor as far as the envelope reaches, and some lines more for the last floor.
-LineFloor floor_up_to(Spectrum spectrum, double highest_order, Eigen::Index locked_every) {
+LineFloor floor_up_to(const Spectrum& spectrum, double highest_order, Eigen::Index locked_every) {
   constexpr double beyond = 200;
-  const double lines = highest_order / spectrum.resolution + beyond;
-  if (lines < static_cast<double>(spectrum.amplitude.size())) {
-    spectrum.amplitude.conservativeResize(static_cast<Eigen::Index>(lines));
-  }
-  return line_floor(spectrum, locked_every);
+  const auto lines = std::min(static_cast<double>(spectrum.amplitude.size()),
+                              highest_order / spectrum.resolution + beyond);
+  return line_floor(
+      {spectrum.resolution, spectrum.amplitude.head(static_cast<Eigen::Index>(lines))},
+      locked_every);
 }
 
 }  // namespace

@@ -122,7 +122,7 @@ void score(std::vector<ChannelResult>& results, Examination& e) {
       result.quality.push_back(
           {result.examination.name, "shorter than the longest channel: not weighed", false});
     }
-    evidence.push_back(counts ? result.evidence
+    evidence.push_back(counts ? std::move(result.evidence)
                               : std::vector<ChannelEvidence>(longest->combs.size()));
   }
   e.scores = score_signatures(evidence, longest->combs);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "analysis/line_floor.hpp"
+#include "analysis/order/resolution.hpp"
 #include "analysis/order/standing_lines.hpp"
 #include "analysis/spectrum.hpp"
 
@@ -18,7 +19,6 @@ constexpr int most_harmonics = 12;
 constexpr int most_sidebands = 3;
 constexpr double same_line = 0.6;     // of the resolution
 constexpr double same_family = 5e-4;  // relative: what one line of an estimate may be off
-constexpr double speed_error = 3e-4;  // relative: what a stated mean speed may be off
 
 bool same(double a, double b, double near) { return std::abs(a - b) <= near; }
 
@@ -153,7 +153,7 @@ std::vector<SpectralLine> spectral_lines(const OrderLines& x, const Kinematics& 
   for (const StandingLine& line : standing_lines(spectrum, floor, last, alpha)) {
     const double order = line.place * spectrum.resolution;
     const double near = std::max(same_line * spectrum.resolution,
-                                 x.angle_is_measured() ? 0.0 : speed_error * order);
+                                 x.angle_is_measured() ? 0.0 : stated_speed_error * order);
     lines.push_back({order, order * x.mean_speed_Hz(), line.amplitude, line.p_value,
                      meaning_of(order, near, kinematics)});
   }

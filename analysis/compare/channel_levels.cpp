@@ -6,6 +6,7 @@
 #include "analysis/compare/block_spectrum.hpp"
 #include "analysis/compare/line_level.hpp"
 #include "analysis/indicators/signal_levels.hpp"
+#include "analysis/order/resolution.hpp"
 #include "analysis/order/synchronous_average.hpp"
 
 namespace rvbench::analysis {
@@ -14,7 +15,6 @@ namespace {
 constexpr Eigen::Index parts_of_levels = 8;
 constexpr Eigen::Index fewest_parts = 3;
 constexpr Eigen::Index fewest_samples = 64;  // in a part: 8 would do for a level, not for a peak
-constexpr double speed_error = 3e-4;         // relative: what a stated mean speed may be off
 constexpr double seen_p = 1e-4;
 constexpr double held_band = 0.4;  // of the rate: as over_angle() has it
 
@@ -52,7 +52,7 @@ struct LinesOf {
   bool locked;          // to the period: else those that stray from it, or all where there is none
 
   double within(const Quantity& q) const {
-    return (q.stray + (angle.is_measured() ? 0 : speed_error)) * q.order;
+    return (q.stray + (angle.is_measured() ? 0 : stated_speed_error)) * q.order;
   }
   bool holds(const Quantity& q) const {
     const bool is_of_kind = period_turns == 1 || locked == (q.stray == 0);

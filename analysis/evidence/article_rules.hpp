@@ -19,20 +19,17 @@ struct ArticleRule {
 ///     stationary   sidebands of the part's rotation around mesh harmonics in most of the points,
 ///                  and its rotation and multiples themselves as low-frequency lines
 ///     extent       a distributed fault modulates smoothly, most of the squared depth of its
-///     deepest
-///                  lines is in the first two harmonics; a local one strikes, and spreads it
+///                  deepest lines is in the first two harmonics; a local one strikes
 ///     shaft or sun input-shaft misalignment at order 1, profile error of the sun at the rate that
 ///                  it passes the carrier with, which is the only other one that turns with it
 ///
 /// @param points  that the diagnosis was drawn from
 /// @return empty without a finding; the first rule only of a machine with meshes, the last only
-/// where
-///         shaft or sun leads
+///         where shaft or sun leads
 /// Units   orders of the input shaft, depths over the mean envelope
 /// Errors  none thrown
 /// Source  the article, sec. 5.1, after its reference 23; half of the points and half of the
-/// squared
-///         depth are ours
+///         squared depth are ours
 std::vector<ArticleRule> article_rules(const std::vector<Examination>& points,
                                        const Diagnosis& diagnosis, const Kinematics& kinematics);
 

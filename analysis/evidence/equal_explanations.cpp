@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/evidence/lines_by_depth.hpp"
+
 namespace rvbench::analysis {
 namespace {
 
@@ -11,18 +13,11 @@ constexpr double carried = 0.9;  // of the signature's power, by its deepest lin
 
 // Orders, as found, of the deepest lines that together carry the evidence.
 std::vector<double> carrying_lines(const SignatureScore& score, double nominal_order) {
-  std::vector<std::size_t> by_depth;
   double total = 0;
-  for (std::size_t i = 0; i < score.line_depths.size(); ++i) {
-    by_depth.push_back(i);
-    total += score.line_depths[i] * score.line_depths[i];
-  }
-  std::stable_sort(by_depth.begin(), by_depth.end(), [&](std::size_t a, std::size_t b) {
-    return score.line_depths[a] > score.line_depths[b];
-  });
+  for (const double depth : score.line_depths) total += depth * depth;
   std::vector<double> orders;
   double sum = 0;
-  for (const std::size_t i : by_depth) {
+  for (const std::size_t i : lines_by_depth(score)) {
     if (sum >= carried * total) break;
     sum += score.line_depths[i] * score.line_depths[i];
     orders.push_back(score.line_orders[i] * score.order / nominal_order);

@@ -22,9 +22,8 @@ namespace names = measure_names;
 
 constexpr Eigen::Index fewest_samples = 16;  // of a band: its moments mean nothing below
 constexpr int sidebands = 3;
-constexpr int most_harmonics = 4;     // of the mesh, in FM0
-constexpr double speed_error = 3e-4;  // relative: what a stated mean speed may be off
-constexpr double rounding = 1e-9;     // relative: what is left of an average that is all mesh
+constexpr int most_harmonics = 4;  // of the mesh, in FM0
+constexpr double rounding = 1e-9;  // relative: what is left of an average that is all mesh
 
 class List {
  public:
@@ -148,7 +147,7 @@ std::vector<Indicator> channel_indicators(const Channel& x, const OrderLines& li
   if (lines.empty()) return list.sorted();
   const Spectrum spectrum = lines.spectrum();
   add_bands(lines, kinematics, list);
-  add_orders(lines, spectrum, lines.angle_is_measured() ? 0 : speed_error, kinematics, list);
+  add_orders(lines, spectrum, lines.angle_is_measured() ? 0 : stated_speed_error, kinematics, list);
   add_sidebands(lines, spectrum, kinematics, heard, list);
   add_gears(lines, kinematics, heard, list);
   return list.sorted();

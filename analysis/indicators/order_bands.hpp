@@ -23,8 +23,8 @@ struct OrderBand {
 /// Shape   m meshes of different orders → m + 2, or 2; none for a machine without orders
 /// Units   orders of the input shaft
 /// Errors  none thrown
-/// Source  ours; as many sidebands as sideband_ratio() counts, and harmonics as bearings'
-/// signatures
+/// Source  ours; as many sidebands as sideband_ratio() counts, and harmonics as the signatures of
+///         bearings
 std::vector<OrderBand> order_bands(const Kinematics& kinematics);
 
 }  // namespace rvbench::analysis

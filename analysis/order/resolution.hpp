@@ -7,6 +7,10 @@ namespace rvbench::analysis {
 /// Source  Harris, Proc. IEEE 66(1), 51-83 (1978), table 1: 4 lines from null to null
 inline constexpr double lines_to_part = 4;
 
+/// Relative: what orders may be off where a mean speed was stated, and no angle measured.
+/// Source  ours: 0.2 rpm of 605
+inline constexpr double stated_speed_error = 3e-4;
+
 /// Turns of the reference shaft that a record must span to part two orders: 4 / |a − b|. Orders
 /// 120/121 and 1 take 484 input turns, four of the output.
 ///

@@ -28,11 +28,9 @@ struct SynchronousAverage {
 /// Shape    P · samples_per_period samples → one period, and samples_per_period / 2 + 1 lines
 /// Units    those of x
 /// Errors   throws std::invalid_argument: x is not at least two whole periods of at least 2
-/// samples,
-///          a sample is not finite
+///          samples, a sample is not finite
 /// Limits   a line that no period shares is damped by |sin(πPf)/(P·sin πf)|, f cycles per period:
-/// to
-///          1/P at the worst, 0 if f·P is whole. Its errors take noise for alike in all periods
+///          to 1/P at the worst, 0 if f·P is whole. Its errors take noise for alike in all periods
 /// Source   McFadden, Mech. Syst. Signal Process. 1(1), 83-95 (1987): the average as a comb filter
 SynchronousAverage synchronous_average(const Eigen::Ref<const Eigen::VectorXd>& x,
                                        Eigen::Index samples_per_period);
