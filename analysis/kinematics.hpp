@@ -79,7 +79,7 @@ struct BearingGeometry {
 };
 
 /// Defect orders of a bearing per revolution of its inner race against its outer race.
-/// Source  Harris, Rolling Bearing Analysis, ch. 25: no slip, rigid races
+/// Source  Harris, Rolling Bearing Analysis (4th ed., 2001): no slip, rigid races
 struct BearingOrders {
   double cage = 0;   ///< FTF
   double outer = 0;  ///< BPFO

@@ -25,11 +25,12 @@ std::vector<SpectralLine> spectral_lines(const Channel& x, const ShaftAngle& ang
                                          const Kinematics& kinematics, std::size_t most = 40);
 
 /// The same of a channel that was transformed already.
+/// Shape, units, source  as above. Errors  none thrown: OrderLines has seen the samples
 std::vector<SpectralLine> spectral_lines(const OrderLines& x, const Kinematics& kinematics,
                                          std::size_t most = 40);
 
 /// Whether the line lies on a characteristic order itself, not on a harmonic or a sideband: told by
-/// its meaning. Nothing is thrown.
+/// its meaning. Nothing is thrown. Source  meaning_of()
 bool is_characteristic(const SpectralLine& line, const Kinematics& kinematics);
 
 /// What the kinematics calls this order; empty if it has no word for it.

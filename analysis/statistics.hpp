@@ -6,11 +6,11 @@
 namespace rvbench::analysis {
 
 /// Middle value; the mean of the two middle ones if their number is even.
-/// Units  those of the values. @throws std::invalid_argument if there is none
+/// Units  those of the values. @throws std::invalid_argument if there is none. Source  definition
 double median(std::vector<double> values);
 
 /// Pearson correlation of two signals of one length; 0 if either is constant.
-/// Errors  none thrown. Source  Pearson, Proc. R. Soc. 58, 240-242 (1895)
+/// Units   none, -1 to 1. Errors  none thrown. Source  Pearson, Proc. R. Soc. 58, 240-242 (1895)
 double correlation(const Eigen::Ref<const Eigen::VectorXd>& a,
                    const Eigen::Ref<const Eigen::VectorXd>& b);
 
@@ -24,7 +24,7 @@ double kurtosis(const Eigen::Ref<const Eigen::VectorXd>& x);
 ///
 /// Each line's power is exponentially distributed, so statistic/lines is F(2·lines, 2·floor_lines).
 /// Errors  none thrown; a statistic not above 0 has p-value 1
-/// Source  Percival & Walden, Spectral Analysis for Physical Applications (1993), §10.9
+/// Source  Percival & Walden, Spectral Analysis for Physical Applications (1993), ch. 10
 double line_p_value(double statistic, double lines, double floor_lines);
 
 /// Probability that |t| is this large or larger by chance, in Student's distribution.

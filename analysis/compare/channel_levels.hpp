@@ -28,9 +28,12 @@ struct ChannelLevels {
 /// of the record. Fewer than three parts are none. A line that strays is read from what the average
 /// over the gear train's periods leaves: lines of the train within its reach are none of it.
 ///
+/// Shape   N samples → one level per quantity, in their order
+/// Units   dB re 1 unit of the channel, re 1 for what has none; of a line its amplitude
 /// Limits  of a line that strays, 1 / periods of the power is taken out with the train's; a record
 ///         shorter than block_turns() has levels only
 /// Errors  throws std::invalid_argument: a sample is not finite, no sample
+/// Source  signal_levels(), line_level(), without_average()
 ChannelLevels measure_channel(const Channel& x, const ShaftAngle& angle,
                               const Kinematics& kinematics,
                               const std::vector<Quantity>& quantities);

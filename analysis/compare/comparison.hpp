@@ -60,11 +60,15 @@ struct Comparison {
 ///
 ///     Δ = mean of B's levels − mean of A's levels, in dB
 ///
+/// Shape    any number of records → changes by point, channel and quantity; each record has one
+///          level per quantity
+/// Units    dB
 /// Scatter  of the repeats, pooled over A and B, where either has two; else of the parts of the one
 ///          record. Cells whose quantity is of one kind learn from each other, see
 ///          drawn_together(): a level everywhere; lines that stand equally high above their noise
 /// Test     test_change() against least_dB; called by adjusted_p_values() up to false_share
 /// Errors   throws std::invalid_argument: options out of range
+/// Source   of each of these; what is held against what, and when nothing is told, is ours
 Comparison compare(const std::vector<RecordLevels>& a, const std::vector<RecordLevels>& b,
                    const std::vector<Quantity>& quantities, const CompareOptions& options = {});
 

@@ -19,6 +19,7 @@ struct Headline {
 };
 
 /// Of all quantities that changed somewhere, those with the most of it first: cells times dB.
+/// Shape   at most one per quantity. Units  dB. Errors  none thrown. Source  ours
 std::vector<Headline> headlines(const Comparison& comparison);
 
 /// Lines of one signature of the kinematics, over points and channels.
@@ -34,6 +35,7 @@ struct FamilyHeadline {
 /// Of all signatures that have a line that changed, first the one of whose lines most changed and
 /// most strongly: share times dB, up to 10 dB. Parts share lines: what the first explains others
 /// have as well.
+/// Shape   at most one per signature. Units  dB. Errors  none thrown. Source  ours
 std::vector<FamilyHeadline> family_headlines(const Comparison& comparison);
 
 /// Cells by their word; lines that neither A nor B shows are counted apart.
@@ -43,9 +45,11 @@ struct ChangeCounts {
   double median_detectable_dB = not_known;  ///< of those not changed
 };
 
+/// Units  dB. Errors  none thrown. Source  ours
 ChangeCounts counts_of(const Comparison& comparison);
 
 /// Changed if a cell is; else not changed if that can be told of half of the cells at least.
+/// Errors  none thrown. Source  ours
 ChangeWord word_of(const ChangeCounts& counts);
 
 }  // namespace rvbench::analysis

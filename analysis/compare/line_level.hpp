@@ -23,16 +23,19 @@ struct LineLevel {
 /// that is more: a resonance is no line.
 ///
 /// Shape   of a tone on a line its amplitude², of one between two lines at most 0.4 dB less
+/// Units   orders; amplitude of the spectrum squared
 /// @param floor   of the same spectrum
 /// @param blocks  independent ones that the spectrum is the mean of, in power; >= 1
 /// @param within  orders to both sides
 /// @return empty where the spectrum does not reach, or too near to order 0
+/// Errors  none thrown
 /// Source  1.5 lines is the noise bandwidth of the Hann window: Harris, Proc. IEEE 66(1), 51-83
 ///         (1978), table 1
 std::optional<LineLevel> line_level(const Spectrum& spectrum, const LineFloor& floor, double blocks,
                                     double order, double within);
 
 /// Power of the strongest single line within reach, of a spectrum without a window; empty as above.
+/// Units, errors  of line_level(). Source  ours: a line that is locked to the record has one line
 std::optional<double> single_line_power(const Spectrum& spectrum, double order, double within);
 
 }  // namespace rvbench::analysis

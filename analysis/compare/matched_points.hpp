@@ -14,6 +14,7 @@ struct PointRecords {
 };
 
 /// The matrix that records form, whatever their order: by rising speed, then load.
+/// Shape   each record in one point. Units  rpm, %. Errors  none thrown. Source  match_points()
 std::vector<PointRecords> points_of(const std::vector<RecordLevels>& records);
 
 /// One point in both.
@@ -28,6 +29,8 @@ struct MatchedPoints {
 
 /// Pairs points whose speeds agree within 1 % and whose loads agree within one percentage point, or
 /// are both unknown.
+/// Shape   each record in one point of one list. Units  rpm, %. Errors  none thrown
+/// Source  ours: a planned speed may leave out the motor's slip
 MatchedPoints match_points(const std::vector<RecordLevels>& a, const std::vector<RecordLevels>& b);
 
 }  // namespace rvbench::analysis

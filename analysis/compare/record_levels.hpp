@@ -27,7 +27,10 @@ struct RecordLevels {
 
 /// Measures all quantities in the acceleration channels of a record.
 ///
+/// Shape   channels in the order of the record, one level per quantity in each
+/// Units   those of measure_channel(); rpm, %
 /// Errors  never throws for what was measured: what cannot be compared is left out, with the reason
+/// Source  measure_channel(); what is not to be trusted: record_quality()
 RecordLevels measure_levels(const Recording& record, const Kinematics& kinematics,
                             const std::vector<Quantity>& quantities);
 

@@ -11,6 +11,8 @@ struct Scatter {
 };
 
 /// Pooled over both groups; of no freedom if neither has two values.
+/// Shape   any number in each. Units  those of the values, squared. Errors  none thrown
+/// Source  Student, Biometrika 6(1), 1-25 (1908): the sums of squares over their freedom
 Scatter pooled_scatter(const std::vector<double>& a, const std::vector<double>& b);
 
 /// Estimates of one kind, each drawn towards what all of them say: their true variances are taken
@@ -21,6 +23,7 @@ Scatter pooled_scatter(const std::vector<double>& a, const std::vector<double>& 
 /// Where the estimates differ by no more than chance d₀ is large, where they are of many kinds it
 /// is next to 0 and each stays itself.
 ///
+/// Shape   one for each, in their order. Units  one, for all. Errors  none thrown
 /// Limits  fewer than 10 that are above 0 and have freedom: all stay as they are. A sum is never
 ///         worth more freedom than all estimates have together
 /// Source  Smyth, Stat. Appl. Genet. Mol. Biol. 3(1), article 3 (2004), section 6.2

@@ -9,8 +9,8 @@
 namespace rvbench::analysis {
 
 /// How a signal is decomposed. A fixed count of sifts is the only way to stop whose modes do not
-/// depend on the length of the record; ten are those of Wu & Huang, Proc. R. Soc. A 460, 1597-1611
-/// (2004).
+/// depend on the length of the record; ten are those of Wu & Huang, Adv. Adapt. Data Anal. 1, 1-41
+/// (2009).
 struct EmdOptions {
   int imfs = 9;    ///< at most; fewer if the residue runs out of extrema
   int sifts = 10;  ///< per IMF; with a rule, at most

@@ -17,6 +17,7 @@ struct MarginalSpectrum {
 /// is spread over the bins that it passes.
 ///
 /// Shape    N x K IMFs, as emd() has them → `bins` bins from 0 to rate_Hz / 2
+/// Units    Hz; that of the signal, squared
 /// Errors   throws std::invalid_argument: N < 4, sample not finite, rate_Hz or bins not positive
 /// Source   Huang et al., Proc. R. Soc. A 454, 903-995 (1998), sec. 7
 MarginalSpectrum marginal_spectrum(const Eigen::Ref<const Eigen::MatrixXd>& imfs, double rate_Hz,

@@ -10,7 +10,7 @@ namespace rvbench::analysis {
 ///
 /// Shape   N x K, samples by IMFs → one, dimensionless; 0 for K < 2, and where nothing swings
 /// Errors  none thrown
-/// Source  Huang et al., Proc. R. Soc. A 454, 903-995 (1998), eq. 6.5
+/// Source  Huang et al., Proc. R. Soc. A 454, 903-995 (1998), sec. 6
 double orthogonality_index(const Eigen::Ref<const Eigen::MatrixXd>& imfs);
 
 /// How much of the same frequencies each IMF and the next one have: the power that their spectra

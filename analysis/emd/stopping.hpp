@@ -41,7 +41,7 @@ std::unique_ptr<Stopping> begin_stopping() {
 /// "s_number": numbers of extrema and of zero crossings differ by at most one, and have stayed the
 /// same for four sifts.
 ///
-/// Source  Huang et al., Proc. R. Soc. A 459, 2317-2345 (2003): S from 3 to 5
+/// Source  Huang et al., Proc. R. Soc. A 459, 2317-2345 (2003), which has several such S
 const StoppingRule& s_number_stopping();
 
 /// "energy": the mean of the envelopes is 50 dB below the signal.

@@ -21,7 +21,7 @@ inline constexpr EnvelopeMethod envelope_methods[] = {
     EnvelopeMethod::prewhitened};
 
 /// "EMD", "kurtogram", "spectral coherence", "cepstrum pre-whitening": for reports.
-/// Errors  none thrown
+/// Errors  none thrown. Source  ours
 std::string_view name_of(EnvelopeMethod method);
 
 /// A frequency at which a part would show, in Hz; an order if the samples are even in shaft angle.

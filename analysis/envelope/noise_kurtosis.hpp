@@ -23,7 +23,8 @@ double complex_kurtosis(const Eigen::Ref<const Eigen::VectorXcd>& z);
 /// Limits  exact within a tenth from 1000 samples on, from 1e-4 up; with fewer it errs to the safe
 ///         side: at 100 and 1e-5 by a factor of 2, at 32 and 1e-3 by 4. Never below 1e-13.
 /// Errors  throws std::invalid_argument: kurtosis not finite, samples below 2 or not finite
-/// Source  Greenwood, J. R. Stat. Soc. 109(2), 85-110 (1946); Moran, J. R. Stat. Soc. B 9 (1947)
+/// Source  Greenwood, J. R. Stat. Soc. 109(2), 85-110 (1946); Moran, J. R. Stat. Soc. B 9,
+///         92-98 (1947)
 double noise_kurtosis_p_value(double kurtosis, double samples);
 
 /// How many independent samples of noise scatter their kurtosis like so many that are correlated,

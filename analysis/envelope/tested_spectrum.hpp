@@ -17,7 +17,7 @@ namespace rvbench::analysis {
 /// Units   those of the axis and of the amplitude
 /// Errors  threshold() throws std::invalid_argument: rate not in (0, 1); that a line is
 ///         there is up to the caller
-/// Source  Percival & Walden, Spectral Analysis for Physical Applications (1993), §10.9, for F;
+/// Source  Percival & Walden, Spectral Analysis for Physical Applications (1993), ch. 10, for F;
 ///         Šidák, J. Am. Stat. Assoc. 62, 626-633 (1967), for the share
 struct TestedSpectrum {
   Spectrum spectrum;      ///< over Hz; over orders if the samples are even in shaft angle

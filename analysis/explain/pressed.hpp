@@ -6,7 +6,7 @@ namespace rvbench::analysis {
 /// are a hundred standard errors off, and must not bend the numbers that the others tell.
 /// @param believable  b: what is farther off counts for little more
 /// Units   standard errors. Errors  none thrown
-/// Source  Holland & Welsch, Commun. Stat. A 6(9), 813-827 (1977): Cauchy's loss
+/// Source  Holland & Welsch, Commun. Stat. Theory Methods 6(9), 813-827 (1977): Cauchy's loss
 double pressed(double standard_errors, double believable);
 
 /// What pressed() makes this of.

@@ -46,6 +46,7 @@ std::optional<LinePhase> line_phase(const Eigen::Ref<const Eigen::VectorXd>& x, 
 ///
 /// @param start_s  of the first sample  @param order  of the line, events per turn, above 0
 /// @return empty if the line's phase turned back
+/// Units    turns of the shaft. Source  of line_phase()
 /// Limits   the line must be one where the sensor is: the mesh of a sun with planets that go round,
 ///          1080/121, is 1079/121 and 1081/121 in the housing, and following either for the middle
 ///          is 1/1080 off; 1521/121 and 1599/121 each stand alone

@@ -16,6 +16,7 @@ inline constexpr double stated_speed_error = 3e-4;
 ///
 /// Units   orders in events per turn of the reference shaft → turns of that shaft
 /// Errors  throws std::invalid_argument: an order not finite, or both the same
+/// Source  lines_to_part; lines of a record of T turns lie 1/T apart
 double turns_to_part(double order_a, double order_b);
 
 /// Whether a record of so many turns parts two orders: to be asked before either is named.
@@ -23,7 +24,9 @@ double turns_to_part(double order_a, double order_b);
 /// @param speed_error  relative: how far the speed may be off that orders were made with; what is
 ///                     uncertain by it cannot be parted by any record. 0 where an angle was
 ///                     measured
+/// Units   orders in events per turn of the reference shaft, turns of that shaft
 /// Errors  throws std::invalid_argument: an order not finite, turns or speed_error below 0
+/// Source  of turns_to_part()
 bool are_parted(double order_a, double order_b, double turns, double speed_error = 0);
 
 }  // namespace rvbench::analysis

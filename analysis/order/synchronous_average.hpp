@@ -37,7 +37,7 @@ SynchronousAverage synchronous_average(const Eigen::Ref<const Eigen::VectorXd>& 
 
 /// What is left of x when the average period is taken out of each: all that no period shares.
 ///
-/// Shape, units, errors  of synchronous_average(); one period is enough, and leaves nothing
+/// Shape, units, errors, source  of synchronous_average(); one period is enough, and leaves nothing
 Eigen::VectorXd without_average(const Eigen::Ref<const Eigen::VectorXd>& x,
                                 Eigen::Index samples_per_period);
 
