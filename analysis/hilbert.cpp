@@ -27,16 +27,12 @@ Eigen::VectorXd quadrature(const char* whose, const Eigen::Ref<const Eigen::Vect
   return inverse_fft(std::move(lines), n);
 }
 
-}  // namespace
-
-Eigen::VectorXd envelope(const Eigen::Ref<const Eigen::VectorXd>& x) {
-  return (x.array().square() + quadrature("envelope", x).array().square()).sqrt();
+Eigen::VectorXd magnitude(const Eigen::Ref<const Eigen::VectorXd>& x, const Eigen::VectorXd& y) {
+  return (x.array().square() + y.array().square()).sqrt();
 }
 
-Eigen::VectorXd instantaneous_frequency_Hz(const Eigen::Ref<const Eigen::VectorXd>& x,
-                                           double rate_Hz) {
-  require_positive(rate_Hz, "instantaneous_frequency_Hz", "rate_Hz");
-  const Eigen::VectorXd y = quadrature("instantaneous_frequency_Hz", x);
+Eigen::VectorXd phase_rate_Hz(const Eigen::Ref<const Eigen::VectorXd>& x, const Eigen::VectorXd& y,
+                              double rate_Hz) {
   const Eigen::Index n = x.size();
   Eigen::VectorXd steps(n - 1);  // of the phase, in turns
   for (Eigen::Index i = 0; i + 1 < n; ++i) {
@@ -48,6 +44,24 @@ Eigen::VectorXd instantaneous_frequency_Hz(const Eigen::Ref<const Eigen::VectorX
   frequency_Hz.segment(1, n - 2) = 0.5 * (steps.head(n - 2) + steps.tail(n - 2));
   frequency_Hz[n - 1] = steps[n - 2];
   return frequency_Hz * rate_Hz;
+}
+
+}  // namespace
+
+Eigen::VectorXd envelope(const Eigen::Ref<const Eigen::VectorXd>& x) {
+  return magnitude(x, quadrature("envelope", x));
+}
+
+Eigen::VectorXd instantaneous_frequency_Hz(const Eigen::Ref<const Eigen::VectorXd>& x,
+                                           double rate_Hz) {
+  require_positive(rate_Hz, "instantaneous_frequency_Hz", "rate_Hz");
+  return phase_rate_Hz(x, quadrature("instantaneous_frequency_Hz", x), rate_Hz);
+}
+
+AnalyticSignal analytic_signal(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz) {
+  require_positive(rate_Hz, "analytic_signal", "rate_Hz");
+  const Eigen::VectorXd y = quadrature("analytic_signal", x);
+  return {magnitude(x, y), phase_rate_Hz(x, y, rate_Hz)};
 }
 
 double crossing_frequency(const Eigen::Ref<const Eigen::VectorXd>& x, double rate) {

@@ -23,6 +23,17 @@ Eigen::VectorXd envelope(const Eigen::Ref<const Eigen::VectorXd>& x);
 Eigen::VectorXd instantaneous_frequency_Hz(const Eigen::Ref<const Eigen::VectorXd>& x,
                                            double rate_Hz);
 
+/// An analytic signal, told by its magnitude and the rate of its phase.
+struct AnalyticSignal {
+  Eigen::VectorXd envelope;      ///< in the unit of the signal
+  Eigen::VectorXd frequency_Hz;  ///< instantaneous
+};
+
+/// envelope() and instantaneous_frequency_Hz() of x, to the bit, for the price of one.
+///
+/// Shape, units, limits, errors, source  of these
+AnalyticSignal analytic_signal(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz);
+
 /// Mean frequency of x by half of its zero crossings: the carrier of a narrow band or an IMF.
 ///
 /// Shape  N → one; 0 for N < 2

@@ -16,14 +16,14 @@ MarginalSpectrum marginal_spectrum(const Eigen::Ref<const Eigen::MatrixXd>& imfs
   spectrum.resolution_Hz = rate_Hz / 2 / static_cast<double>(bins);
   spectrum.power = Eigen::VectorXd::Zero(bins);
   for (const auto& imf : imfs.colwise()) {
-    const Eigen::VectorXd power = 0.5 * envelope(imf).array().square() / double(imf.size());
-    const Eigen::VectorXd frequency_Hz = instantaneous_frequency_Hz(imf, rate_Hz);
+    const AnalyticSignal swing = analytic_signal(imf, rate_Hz);
+    const Eigen::VectorXd power = 0.5 * swing.envelope.array().square() / double(imf.size());
     for (Eigen::Index i = 0; i < power.size(); ++i) {
-      if (frequency_Hz[i] <= 0) {  // exactly 0 where nothing swings
+      if (swing.frequency_Hz[i] <= 0) {  // exactly 0 where nothing swings
         spectrum.unplaced += power[i];
         continue;
       }
-      const auto bin = static_cast<Eigen::Index>(frequency_Hz[i] / spectrum.resolution_Hz);
+      const auto bin = static_cast<Eigen::Index>(swing.frequency_Hz[i] / spectrum.resolution_Hz);
       spectrum.power[std::min(bin, bins - 1)] += power[i];
     }
   }

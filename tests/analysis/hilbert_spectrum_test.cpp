@@ -38,6 +38,15 @@ TEST_CASE("a swing whose frequency changes has that of each instant", "[analysis
   CHECK(error_Hz.segment(1, n - 2).cwiseAbs().maxCoeff() < 3e-4);
 }
 
+TEST_CASE("one transform tells what two do, to the bit", "[analysis][hilbert]") {
+  const Eigen::VectorXd x = test::white_noise(n, 3);
+  const auto signal = analysis::analytic_signal(x, rate_Hz);
+  CHECK(signal.envelope == analysis::envelope(x));
+  CHECK(signal.frequency_Hz == instantaneous_frequency_Hz(x, rate_Hz));
+  CHECK_THROWS_WITH(analysis::analytic_signal(x.head(3), rate_Hz), Catch::Contains("at least 4"));
+  CHECK_THROWS_AS(analysis::analytic_signal(x, 0), std::invalid_argument);
+}
+
 TEST_CASE("the marginal spectrum holds each tone's power in its bin", "[analysis][hilbert][law]") {
   Eigen::MatrixXd imfs(n, 2);
   imfs.col(0) = 2 * test::tone(205, n, rate_Hz, 0.2);
