@@ -22,6 +22,7 @@ Spectrum order_spectrum(const OverAngle& x);
 /// The same of x, taken at rate_Hz from start_s on, over as many whole turns as fit, with as many
 /// samples as there were in time: its band keeps its room.
 ///
+/// Shape, units, limits, source  as above
 /// Errors   throws std::invalid_argument: x holds no whole turn, or as over_angle() has them
 Spectrum order_spectrum(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz, double start_s,
                         const ShaftAngle& angle);

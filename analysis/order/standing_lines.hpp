@@ -17,6 +17,7 @@ struct StandingLine {
 
 /// What a tone under a Hann window leaves, at the most, so many lines away from it: a share of its
 /// amplitude. 1 within its own peak, two lines to each side.
+/// Units   lines, of either sign → none, 0 to 1. Errors  none thrown
 /// Source  Harris, Proc. IEEE 66(1), 51-83 (1978): 18 dB per octave
 double hann_leakage(double lines_away);
 
