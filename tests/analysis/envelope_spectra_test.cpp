@@ -2,23 +2,19 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/analysis/order_signals.hpp"
+#include "tests/analysis/eight_periods.hpp"
 #include "tests/support/spectrum_matchers.hpp"
 
 using namespace rvbench;
 using analysis::EnvelopeSpectra;
-using test::OrderSignals;
 using test::PeaksAt;
+using test::period_turns;
+using test::spectra_of;
+using test::turning;
 
 namespace {
 
-constexpr double period_turns = 21;
 constexpr double carrier = 30;
-const OrderSignals turning{.speed_Hz = 20, .rate_Hz = 2000, .count = 16801};  // 8 periods
-
-EnvelopeSpectra spectra_of(const Eigen::VectorXd& x) {
-  return envelope_spectra(x, turning.rate_Hz, 0, turning.angle(), period_turns);
-}
 
 }  // namespace
 

@@ -114,34 +114,24 @@ TEST_CASE("no candidate, no evidence; one out of range throws", "[analysis][enve
   CHECK_THROWS_AS(compare_methods(x, rate_Hz, {{0, 0}}), std::invalid_argument);
 }
 
-TEST_CASE("a spall of an inner race of the CWRU rig is found at its order, and no other",
+TEST_CASE("a spall of a race of the CWRU rig is found at its order, and no other",
           "[analysis][envelope][data]") {
   const auto folder = test::data_folder();
   if (!folder) return;
-  for (const char* file : {"cwru/IR007_0.mat", "cwru/IR021_0.mat"}) {
-    CAPTURE(file);
-    const Found found = in_recording(*folder / file, 12000);
-    for (const EnvelopeMethod method : envelope_methods) {
-      const LineEvidence& inner = evidence_of(found.comparison, 0, method).line;
-      CAPTURE(name_of(method), inner.p_value, inner.frequency / found.shaft_Hz);
-      CHECK(found.comparison.found(0, method));
-      CHECK_FALSE(found.comparison.found(4, method));
-    }
-  }
-}
-
-TEST_CASE("a spall of an outer race is, too", "[analysis][envelope][data]") {
-  const auto folder = test::data_folder();
-  if (!folder) return;
-  for (const char* file : {"cwru/OR007@6_0.mat", "cwru/OR021@6_0.mat"}) {
-    CAPTURE(file);
-    const Found found = in_recording(*folder / file, 12000);
-    for (const EnvelopeMethod method : envelope_methods) {
-      const LineEvidence& outer = evidence_of(found.comparison, 1, method).line;
-      CAPTURE(name_of(method), outer.p_value, outer.frequency / found.shaft_Hz);
-      CHECK(found.comparison.found(1, method));
-      CHECK_FALSE(found.comparison.found(4, method));
-    }
+  static constexpr std::size_t inner = 0, outer = 1, nothing = 4;
+  const auto [file, race] = GENERATE(table<const char*, std::size_t>({
+      {"cwru/IR007_0.mat", inner},
+      {"cwru/IR021_0.mat", inner},
+      {"cwru/OR007@6_0.mat", outer},
+      {"cwru/OR021@6_0.mat", outer},
+  }));
+  CAPTURE(file);
+  const Found found = in_recording(*folder / file, 12000);
+  for (const EnvelopeMethod method : envelope_methods) {
+    const LineEvidence& line = evidence_of(found.comparison, race, method).line;
+    CAPTURE(name_of(method), line.p_value, line.frequency / found.shaft_Hz);
+    CHECK(found.comparison.found(race, method));
+    CHECK_FALSE(found.comparison.found(nothing, method));
   }
 }
 
