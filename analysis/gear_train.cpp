@@ -105,7 +105,9 @@ Kinematics gear_train(const GearTrain& train) {
   for (const GearTrain::Bearing& b : train.bearings) {
     const double shaft = orders[static_cast<std::size_t>(b.shaft)];
     for (Signature& s : bearing_signatures(b.geometry, shaft, b.slip)) {
-      k.orders.push_back({b.name + " " + s.component, s.order, {}, s.component, ""});
+      const std::string name = b.name + " " + s.component;
+      if (train.bearings.size() > 1) s.component = name;  // whose inner race?
+      k.orders.push_back({name, s.order, {}, s.component, ""});
       k.signatures.push_back(std::move(s));
     }
   }

@@ -43,7 +43,9 @@ struct GearTrain {
 /// Source  Randall, Vibration-based Condition Monitoring (2011), ch. 2
 std::vector<double> shaft_orders(const GearTrain& train);
 
-/// Characteristic orders and signatures of such a machine.
+/// Characteristic orders and signatures of such a machine. Races, rolling elements and cage of one
+/// bearing are the components "bearing_inner" and so on; of several, each under its bearing's name:
+/// "drive end bearing_inner".
 /// @throws std::invalid_argument as shaft_orders() does, or naming a shaft that no mesh leads to
 /// Shape, units  every shaft, mesh and bearing; orders of the first shaft
 /// Source  Randall, Vibration-based Condition Monitoring (2011), ch. 2; limits and advice are ours

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "analysis/gear_train.hpp"
 #include "analysis/rv_reducer.hpp"
@@ -59,36 +60,58 @@ analysis::Kinematics read_rv_reducer(const std::string& machine, hal::ConfigRead
                                : analysis::Kinematics{};
 }
 
-// Names of shafts to their places in the list; a name that is not there is a fault.
-class ShaftNames {
+// Names of one kind of part: findings, limits and other parts point at a part by its name, so no
+// two may have the same.
+class Names {
  public:
-  void add(hal::ConfigReader& at, const std::string& name) {
+  explicit Names(const char* kind) : kind_(kind) {}
+  void add(hal::ConfigReader& at, const char* key, const std::string& name) {
+    if (name.empty()) return;  // a fault already
     if (!index_.emplace(name, static_cast<int>(index_.size())).second) {
-      at.fault("name", "there is already a shaft \"" + name + "\"");
+      at.fault(key, "there is already a " + kind_ + " \"" + name + "\"");
     }
   }
+  // The place in the list of the part that `key` names; a name that is not there is a fault.
   int find(hal::ConfigReader& at, const char* key) const {
     const std::string name = at.text(key);
     const auto found = index_.find(name);
     if (found != index_.end()) return found->second;
-    at.fault(key, "no shaft is called \"" + name + "\"");
+    at.fault(key, "no " + kind_ + " is called \"" + name + "\"");
     return 0;
   }
 
  private:
+  std::string kind_;
   std::map<std::string, int> index_;
 };
 
-analysis::GearTrain::Mesh read_mesh(hal::ConfigReader& m, const ShaftNames& shafts) {
+// What findings call gears. An idler is the same gear in two meshes.
+class Gears {
+ public:
+  void add(hal::ConfigReader& at, const char* key, const std::string& component, int shaft,
+           int count) {
+    const auto [known, is_new] = gears_.try_emplace(component, shaft, count);
+    if (!is_new && known->second != std::pair(shaft, count)) {
+      at.fault(key, "there is already a gear \"" + component + "\", of other teeth or shaft");
+    }
+  }
+
+ private:
+  std::map<std::string, std::pair<int, int>> gears_;
+};
+
+analysis::GearTrain::Mesh read_mesh(hal::ConfigReader& m, const Names& shafts, Gears& gears) {
   analysis::GearTrain::Mesh mesh;
   mesh.name = m.text("name");
   mesh.driver = shafts.find(m, "driver");
   mesh.driver_teeth = m.integer("driver_teeth", teeth);
   mesh.driver_component = m.text("driver_component", mesh.name + " driver");
+  gears.add(m, "driver_component", mesh.driver_component, mesh.driver, mesh.driver_teeth);
   if (m.has("driven")) {
     mesh.driven = shafts.find(m, "driven");
     mesh.driven_teeth = m.integer("driven_teeth", teeth);
     mesh.driven_component = m.text("driven_component", mesh.name + " driven");
+    gears.add(m, "driven_component", mesh.driven_component, mesh.driven, mesh.driven_teeth);
   }
   return mesh;
 }
@@ -96,19 +119,24 @@ analysis::GearTrain::Mesh read_mesh(hal::ConfigReader& m, const ShaftNames& shaf
 analysis::Kinematics read_gear_train(const std::string& machine, hal::ConfigReader& root) {
   analysis::GearTrain train;
   train.machine = machine;
-  ShaftNames names;
+  Names shafts("shaft"), shaft_components("shaft of component"), meshes("mesh"),
+      bearings("bearing");
   for (hal::ConfigReader& s : root.objects("shafts")) {
     const std::string name = s.text("name");
-    names.add(s, name);
+    shafts.add(s, "name", name);
     train.shafts.push_back({name, s.text("component", name)});
+    if (s.has("component")) shaft_components.add(s, "component", train.shafts.back().component);
   }
+  Gears gears;
   for (hal::ConfigReader& m : root.objects("meshes", false)) {
-    train.meshes.push_back(read_mesh(m, names));
+    train.meshes.push_back(read_mesh(m, shafts, gears));
+    meshes.add(m, "name", train.meshes.back().name);
   }
   for (hal::ConfigReader& b : root.objects("bearings", false)) {
     analysis::GearTrain::Bearing bearing;
     bearing.name = b.text("name");
-    bearing.shaft = names.find(b, "shaft");
+    bearings.add(b, "name", bearing.name);
+    bearing.shaft = shafts.find(b, "shaft");
     bearing.slip = b.number("slip", {0, 0.1}, bearing.slip);
     bearing.geometry = read_bearing(b);
     train.bearings.push_back(std::move(bearing));

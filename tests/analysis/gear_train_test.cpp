@@ -76,6 +76,26 @@ TEST_CASE("each gear of a train has a signature at its own shaft's order",
   }
 }
 
+TEST_CASE("of several bearings, findings say which one", "[analysis][kinematics]") {
+  GearTrain train = two_stages();
+  const auto components = [&] {
+    std::vector<std::string> names;
+    for (const Signature& s : gear_train(train).signatures) {
+      if (s.slip > 0) names.push_back(s.component);
+    }
+    return names;
+  };
+  CHECK(components() ==
+        std::vector<std::string>{"bearing_inner", "bearing_outer", "bearing_ball", "bearing_cage"});
+  train.bearings.push_back({"output bearing", 2, {9, 7.94, 39.04, 0}, 0.01});
+  const auto names = components();
+  REQUIRE(names.size() == 8);
+  CHECK(names[0] == "middle bearing bearing_inner");
+  CHECK(names[5] == "output bearing bearing_outer");
+  CHECK(order_of(gear_train(train), "output bearing bearing_outer") ==
+        Approx(3.5848 / 9).margin(1e-4));
+}
+
 TEST_CASE("a mesh whose wheel is not known still has its line", "[analysis][kinematics]") {
   GearTrain train;
   train.shafts = {{"pinion shaft", "input_shaft"}};

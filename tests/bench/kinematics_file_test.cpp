@@ -90,6 +90,39 @@ TEST_CASE("a shaft that no mesh leads to is a fault", "[bench]") {
   CHECK(places == std::vector<std::string>{"/shafts"});
 }
 
+TEST_CASE("no two parts of a machine have one name", "[bench]") {
+  const auto file = read(R"({"machine": "twins",
+"shafts": [{"name": "in", "component": "axle"}, {"name": "out", "component": "axle"}],
+"meshes": [
+{"name": "pair", "driver": "in", "driver_teeth": 20, "driver_component": "wheel",
+ "driven": "out", "driven_teeth": 60,
+ "driven_component": "wheel"},
+{"name": "pair", "driver": "in", "driver_teeth": 20}],
+"bearings": [
+{"name": "front", "shaft": "in", "rolling_elements": 9, "ball_diameter_mm": 8, "pitch_diameter_mm": 40},
+{"name": "front", "shaft": "out", "rolling_elements": 9, "ball_diameter_mm": 8, "pitch_diameter_mm": 40}]})");
+  REQUIRE(file.index() == 1);
+  std::vector<std::string> told;
+  for (const auto& fault : std::get<1>(file)) told.push_back(describe("twins.json", fault));
+  CHECK(
+      told ==
+      std::vector<std::string>{
+          R"(twins.json:2: /shafts/1/component: there is already a shaft of component "axle")",
+          R"(twins.json:6: /meshes/0/driven_component: there is already a gear "wheel", of other teeth or shaft)",
+          R"(twins.json:7: /meshes/1/name: there is already a mesh "pair")",
+          R"(twins.json:10: /bearings/1/name: there is already a bearing "front")"});
+}
+
+TEST_CASE("an idler is one gear in two meshes", "[bench]") {
+  const analysis::Kinematics machine = machine_of(R"({"machine": "train",
+"shafts": [{"name": "in"}, {"name": "middle"}, {"name": "out"}],
+"meshes": [{"name": "first", "driver": "in", "driver_teeth": 20,
+            "driven": "middle", "driven_teeth": 30, "driven_component": "idler"},
+           {"name": "second", "driver": "middle", "driver_teeth": 30, "driver_component": "idler",
+            "driven": "out", "driven_teeth": 40}]})");
+  CHECK(has_order(machine, 0.5));
+}
+
 TEST_CASE("every fault of a machine is reported at once", "[bench]") {
   const auto places = places_of(R"({"machine": "",
 "shafts": [{"name": "in"}, {"nam": "out"}],
