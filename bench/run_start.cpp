@@ -14,6 +14,11 @@ namespace {
 // Somebody works in the folder while this is locked.
 std::filesystem::path log_of(const std::filesystem::path& folder) { return folder / "log.jsonl"; }
 
+// However they are laid out, and in whatever order their keys are.
+bool say_the_same(const nlohmann::json& a, const std::string& b) {
+  return a == nlohmann::json::parse(b, nullptr, false);
+}
+
 }  // namespace
 
 bool is_at_work(const std::filesystem::path& folder) {
@@ -52,9 +57,11 @@ std::variant<RunPlace, std::string> resume_run(const std::filesystem::path& root
   for (const auto& [name, text] : resolved) {
     const auto there = read_file(place.folder / name);
     if (there == text) continue;
-    if (!there || !nlohmann::json::accept(*there)) {
+    const auto said = nlohmann::json::parse(there.value_or(""), nullptr, false);
+    if (said.is_discarded()) {
       return (place.folder / name).string() + " is damaged: nobody knows what the run was";
     }
+    if (say_the_same(said, text)) continue;
     return (place.folder / name).string() + " says something else; resume with what it says";
   }
   return place;

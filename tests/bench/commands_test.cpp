@@ -107,6 +107,29 @@ TEST_CASE("a run is resumed on the machine that it began with, whatever its file
   CHECK_THAT(answer.err, Contains("kinematics.json says something else"));
 }
 
+TEST_CASE("a run is resumed by what its files mean, not by how they are laid out", "[bench]") {
+  const ScratchFolder root;
+  const ResolvedFiles resolved{{"kinematics.json", R"({"machine": "m", "shafts": []})"},
+                               {"plan.json", R"({"name": "p", "speeds_rpm": [605, 1210.0]})"}};
+  const auto folder = begin_run(root.path(), "A17", resolved).folder;
+  const auto resume = [&](const std::string& plan) {
+    return resume_run(root.path(), "A17",
+                      {{"kinematics.json", "{\n  \"shafts\": [],\n  \"machine\": \"m\"\n}\n"},
+                       {"plan.json", plan}});
+  };
+  {
+    const auto place = resume("{\"speeds_rpm\":[605.0,1210],\"name\":\"p\"}");
+    REQUIRE(place.index() == 0);
+    CHECK(std::get<0>(place).folder == folder);
+  }
+  for (const char* other : {R"({"name": "p", "speeds_rpm": [1210, 605]})",
+                            R"({"name": "p", "speeds_rpm": [605, 1210], "repeats": 3})"}) {
+    const auto place = resume(other);
+    REQUIRE(place.index() == 1);
+    CHECK_THAT(std::get<1>(place), Contains("plan.json says something else"));
+  }
+}
+
 TEST_CASE("a report is rebuilt for the machine that was run, whatever its file says now",
           "[bench]") {
   const ScratchFolder run;
