@@ -65,9 +65,10 @@ analysis::Spectrum spectrum_of(const Recording& record, const std::string& name,
 }  // namespace
 
 std::variant<CompareSide, JudgeRefusal> CompareSide::open(const std::string& path,
-                                                          const hal::RecordingHints& hints) {
+                                                          const hal::RecordingHints& hints,
+                                                          const std::stop_token& stop) {
   const std::filesystem::path at = path;
-  auto opened = is_absent(at / "plan.json") ? open_files(at, hints) : open_run(at);
+  auto opened = is_absent(at / "plan.json") ? open_files(at, hints, stop) : open_run(at);
   if (auto* side = std::get_if<CompareSide>(&opened)) side->path_ = path;
   return opened;
 }
@@ -96,13 +97,15 @@ std::variant<CompareSide, JudgeRefusal> CompareSide::open_run(const std::filesys
 }
 
 std::variant<CompareSide, JudgeRefusal> CompareSide::open_files(const std::filesystem::path& path,
-                                                                const hal::RecordingHints& hints) {
+                                                                const hal::RecordingHints& hints,
+                                                                const std::stop_token& stop) {
   CompareSide side;
   side.files_ = files_in(path);
   if (side.files_.empty()) {
     return JudgeRefusal{exit_codes::data_refused, path.string() + " holds no recording"};
   }
-  auto read = recordings_to_judge({.files = side.files_, .hints = hints, .channel = ""});
+  auto read =
+      recordings_to_judge({.files = side.files_, .hints = hints, .channel = "", .stop = stop});
   if (read.index() == 1) return std::get<1>(std::move(read));
   side.records_ = std::get<0>(std::move(read));
   return side;

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <variant>
@@ -26,8 +27,10 @@ class CompareSide {
   /// @param hints  of plain recordings only
   /// @return refused: what `judge` refuses; a run folder whose kinematics.json is damaged, that is
   ///         still at work, or that has no record
+  /// @throws Interrupted between two plain recordings, if `stop` is requested
   static std::variant<CompareSide, JudgeRefusal> open(const std::string& path,
-                                                      const hal::RecordingHints& hints);
+                                                      const hal::RecordingHints& hints,
+                                                      const std::stop_token& stop = {});
 
   const std::string& path() const { return path_; }
   /// That of a run folder; a plain recording does not know its machine.
@@ -48,7 +51,8 @@ class CompareSide {
  private:
   static std::variant<CompareSide, JudgeRefusal> open_run(const std::filesystem::path& folder);
   static std::variant<CompareSide, JudgeRefusal> open_files(const std::filesystem::path& path,
-                                                            const hal::RecordingHints& hints);
+                                                            const hal::RecordingHints& hints,
+                                                            const std::stop_token& stop);
 
   std::string path_;
   std::optional<analysis::Kinematics> kinematics_;

@@ -11,6 +11,7 @@
 #include "analysis/shaft_angle.hpp"
 #include "bench/command.hpp"
 #include "bench/rising_channels.hpp"
+#include "bench/stop_on_signal.hpp"
 #include "hal/did_you_mean.hpp"
 #include "hal/types/units.hpp"
 
@@ -108,6 +109,7 @@ std::variant<std::vector<Recording>, JudgeRefusal> recordings_to_judge(const Jud
   std::vector<Recording> records;
   std::vector<std::string> channels;
   for (const std::string& file : input.files) {
+    end_if_stopped(input.stop);
     Result<std::vector<Recording>> read = hal::read_recordings(file, input.hints);
     if (!read) return JudgeRefusal{exit_codes::data_refused, read.error().where};
     for (Recording& record : std::move(read).value()) {

@@ -7,6 +7,15 @@
 
 namespace rvbench::bench {
 
+/// What ends a job between two of its steps. It is no std::exception: who makes do without a step
+/// that failed must not take this for one.
+struct Interrupted {};
+
+/// @throws Interrupted if a stop has been requested
+inline void end_if_stopped(const std::stop_token& stop) {
+  if (stop.stop_requested()) throw Interrupted();
+}
+
 /// While it lives, SIGINT, SIGTERM, SIGHUP (the terminal is gone), SIGQUIT (Ctrl-\) and whatever
 /// else others may send to end a process request a stop instead of killing it. Further ones change
 /// nothing: the teardown that stops the shaft cannot be skipped from the keyboard. A SIGHUP that

@@ -75,6 +75,11 @@ bool is_rate(Console& console, std::optional<double> rate_Hz) {
   return false;
 }
 
+int tell_interrupted(Console& console, const std::string& command) {
+  complain(console, "rvbench: " + command + ": interrupted; nothing was written");
+  return exit_codes::aborted;
+}
+
 int refuse_data(Console& console, const std::string& message) {
   complain(console, "rvbench: " + message);
   return exit_codes::data_refused;

@@ -50,6 +50,9 @@ std::optional<BenchLock> lock_devices(Console& console, const std::string& comma
                                       const std::vector<std::string>& devices,
                                       const std::filesystem::path& folder);
 
+/// Prints that a signal ended the command before anything was written. @return exit_codes::aborted
+int tell_interrupted(Console& console, const std::string& command);
+
 /// Prints why a recording cannot be used. @return exit_codes::data_refused
 int refuse_data(Console& console, const std::string& message);
 

@@ -1,7 +1,4 @@
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <filesystem>
 #include <system_error>
 
@@ -14,8 +11,10 @@
 #include "bench/file_kind.hpp"
 #include "bench/kinematics_file.hpp"
 #include "bench/kinematics_files.hpp"
+#include "bench/out_folder.hpp"
 #include "bench/progress_bar.hpp"
 #include "bench/software_version.hpp"
+#include "bench/stop_on_signal.hpp"
 #include "bench/text_file.hpp"
 #include "hal/did_you_mean.hpp"
 
@@ -64,13 +63,19 @@ class CompareCommand final : public Command {
   int run(Console& console) override;
 
  private:
-  int check_options(Console& console) const;
+  struct Answer {
+    Comparison comparison;
+    CompareFacts facts;
+  };
+  std::variant<Answer, int> compared(Console& console);
+  std::variant<Answer, int> held_against(Console& console);
+  int check_options(Console& console);
   int open_sides(Console& console);
   int find_kinematics(Console& console);
   std::optional<std::vector<RecordLevels>> measured(Console& console, CompareSide& side,
                                                     const std::string& name) const;
-  int tell(Console& console, const Comparison& comparison);
-  void write_out(const Comparison& comparison, const CompareFacts& facts);
+  int refuse_nothing_in_common(Console& console, const Comparison& comparison) const;
+  void write_out(const Answer& answer);
 
   std::string a_, b_;
   std::vector<std::string> same_;
@@ -81,22 +86,61 @@ class CompareCommand final : public Command {
   std::vector<CompareSide> sides_;  // A, B
   analysis::Kinematics kinematics_;
   analysis::CompareOptions options_;
+  OutFolder out_folder_;
+  std::stop_token stop_;
 };
 
 int CompareCommand::run(Console& console) {
   options_.least_dB = least_dB_.value_or(options_.least_dB);
+  const auto found = compared(console);
+  if (const int* refused = std::get_if<int>(&found)) return *refused;
+  const auto& [comparison, facts] = std::get<Answer>(found);
+  if (json_) {
+    console.out << comparison_to_json(comparison, facts);
+  } else {
+    print_comparison(console, comparison, kinematics_);
+    if (!out_.empty()) console.out << "\nReport: " << out_ << "/compare.html\n";
+  }
+  return exit_codes::done;
+}
+
+// Compared, and written where it is to be; or the exit code that says why not. Signals wait for the
+// next step only until then: who reads the answer may go away.
+std::variant<CompareCommand::Answer, int> CompareCommand::compared(Console& console) {
+  const StopOnSignal signals;
+  stop_ = signals.token();
+  try {
+    return held_against(console);
+  } catch (const Interrupted&) {
+    return tell_interrupted(console, name());
+  }
+}
+
+std::variant<CompareCommand::Answer, int> CompareCommand::held_against(Console& console) {
   if (const int refused = check_options(console); refused != exit_codes::done) return refused;
   if (const int refused = open_sides(console); refused != exit_codes::done) return refused;
   if (const int refused = find_kinematics(console); refused != exit_codes::done) return refused;
   const auto a = measured(console, sides_[0], "A");
   const auto b = a ? measured(console, sides_[1], "B") : std::nullopt;
   if (!b) return exit_codes::data_refused;
-  return tell(console,
-              analysis::compare(*a, *b, analysis::quantities_to_compare(kinematics_), options_));
+  Answer answer{analysis::compare(*a, *b, analysis::quantities_to_compare(kinematics_), options_),
+                {a_, b_, kinematics_, software_version(), {}}};
+  for (const CompareSide& side : sides_) {
+    std::ranges::move(side.hashes(), std::back_inserter(answer.facts.hashes));
+  }
+  if (answer.comparison.changes.empty()) {
+    return refuse_nothing_in_common(console, answer.comparison);
+  }
+  try {
+    if (!out_.empty()) write_out(answer);
+  } catch (const std::system_error& error) {
+    return refuse_usage(console, std::string("compare: --out: ") + error.what());
+  }
+  return answer;
 }
 
 // What can be known to be wrong before anything is read.
-int CompareCommand::check_options(Console& console) const {
+int CompareCommand::check_options(Console& console) {
   if (!is_positive(console, "--speed", speed_rpm_) || !is_rate(console, rate_Hz_)) {
     return exit_codes::usage;
   }
@@ -108,28 +152,16 @@ int CompareCommand::check_options(Console& console) const {
     return refuse_usage(console, "compare: --same " + names + ": give a name in A, =, one in B");
   }
   if (out_.empty()) return exit_codes::done;
-  const auto refuse = [&](const std::string& why) {
-    return refuse_usage(console, "compare: --out " + out_ + ": " + why);
-  };
-  std::error_code unusable;
-  std::filesystem::create_directories(out_, unusable);
-  if (unusable) return refuse(unusable.message());
-  if (access(out_.c_str(), W_OK | X_OK) != 0) {
-    return refuse(std::generic_category().message(errno));
-  }
-  for (const char* name : {"plan.json", "compare.json", "compare.html"}) {
-    if (std::filesystem::exists(std::filesystem::path(out_) / name)) {
-      return refuse(std::string("holds a ") + name + " already: give another folder");
-    }
-  }
-  return exit_codes::done;
+  const std::string why = out_folder_.make(out_, {"plan.json", "compare.json", "compare.html"});
+  return why.empty() ? exit_codes::done
+                     : refuse_usage(console, "compare: --out " + out_ + ": " + why);
 }
 
 int CompareCommand::open_sides(Console& console) {
   const hal::RecordingHints hints{.rate_Hz = rate_Hz_.value_or(not_known),
                                   .speed_rpm = speed_rpm_.value_or(not_known)};
   for (const std::string& path : {a_, b_}) {
-    auto opened = CompareSide::open(path, hints);
+    auto opened = CompareSide::open(path, hints, stop_);
     if (const auto* refusal = std::get_if<JudgeRefusal>(&opened)) {
       complain(console, "rvbench: compare: " + refusal->reason);
       return refusal->exit_code;
@@ -174,6 +206,7 @@ std::optional<std::vector<RecordLevels>> CompareCommand::measured(Console& conso
   const std::vector<analysis::Quantity> quantities = analysis::quantities_to_compare(kinematics_);
   std::vector<RecordLevels> levels;
   for (std::size_t i = 0; i < side.size(); ++i) {
+    end_if_stopped(stop_);
     const Result<Recording> record = side.read(i);
     if (!record) {
       bar.clear();
@@ -187,45 +220,32 @@ std::optional<std::vector<RecordLevels>> CompareCommand::measured(Console& conso
   return levels;
 }
 
-int CompareCommand::tell(Console& console, const Comparison& comparison) {
-  CompareFacts facts{a_, b_, kinematics_, software_version(), {}};
-  for (const CompareSide& side : sides_)
-    std::ranges::move(side.hashes(), std::back_inserter(facts.hashes));
-  if (comparison.changes.empty()) {
-    for (const analysis::NotCompared& out : comparison.left_out) {
-      console.err << "rvbench: note: " << out.where << ": " << out.why << '\n';
-    }
-    return refuse_data(console, comparison.points.empty()
-                                    ? "compare: A and B have no point of speed and load in common"
-                                    : "compare: A and B have no channel in common that can be "
-                                      "compared");
+int CompareCommand::refuse_nothing_in_common(Console& console, const Comparison& comparison) const {
+  for (const analysis::NotCompared& out : comparison.left_out) {
+    console.err << "rvbench: note: " << out.where << ": " << out.why << '\n';
   }
-  try {
-    if (!out_.empty()) write_out(comparison, facts);
-  } catch (const std::system_error& error) {
-    return refuse_usage(console, std::string("compare: --out: ") + error.what());
-  }
-  if (json_) {
-    console.out << comparison_to_json(comparison, facts);
-  } else {
-    print_comparison(console, comparison, kinematics_);
-    if (!out_.empty()) console.out << "\nReport: " << out_ << "/compare.html\n";
-  }
-  return exit_codes::done;
+  return refuse_data(console, comparison.points.empty()
+                                  ? "compare: A and B have no point of speed and load in common"
+                                  : "compare: A and B have no channel in common that can be "
+                                    "compared");
 }
 
-void CompareCommand::write_out(const Comparison& comparison, const CompareFacts& facts) {
-  const std::filesystem::path folder = out_;
-  write_file(folder / "compare.json", comparison_to_json(comparison, facts));
+// The page asks for more of the records and may be stopped: nothing is written before it is whole.
+void CompareCommand::write_out(const Answer& answer) {
+  const auto& [comparison, facts] = answer;
   const auto spectra = [&](std::size_t point,
                            const std::string& channel) -> std::optional<SpectrumPair> {
-    const analysis::MatchedPoint& at = comparison.points[point];
+    end_if_stopped(stop_);
+    const analysis::MatchedPoint& at = answer.comparison.points[point];
     auto a = sides_[0].mean_spectrum(at.a.records, channel, kinematics_);
     auto b = sides_[1].mean_spectrum(at.b.records, channel, kinematics_);
     if (!a || !b) return std::nullopt;
     return SpectrumPair{std::move(*a), std::move(*b)};
   };
-  write_file(folder / "compare.html", make_compare_page(comparison, facts, spectra));
+  const std::string page = make_compare_page(comparison, facts, spectra);
+  const std::filesystem::path folder = out_;
+  write_file(folder / "compare.json", comparison_to_json(comparison, facts));
+  write_file(folder / "compare.html", page);
 }
 
 }  // namespace

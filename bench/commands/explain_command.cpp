@@ -1,7 +1,5 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <filesystem>
 #include <iterator>
 #include <mutex>
@@ -13,6 +11,7 @@
 #include "bench/explanation_json.hpp"
 #include "bench/explanation_text.hpp"
 #include "bench/file_kind.hpp"
+#include "bench/out_folder.hpp"
 #include "bench/planned_inputs.hpp"
 #include "bench/progress_bar.hpp"
 #include "bench/report/explanation_page.hpp"
@@ -68,7 +67,7 @@ class ExplainCommand final : public Command {
     return files_.size() == 1 && std::filesystem::path(files_[0]).extension() == ".json";
   }
   std::string usage_fault() const;
-  std::string make_out(bool& made_folder) const;
+  std::string make_out(OutFolder& folder) const;
   int look_into_run(Console& console);
   CampaignOrRefusal campaign(const sim::PlantSpec& plant) const;
   analysis::Explanation explained(Console& console, Twin& twin) const;
@@ -187,14 +186,9 @@ CampaignOrRefusal ExplainCommand::campaign(const sim::PlantSpec& plant) const {
 }
 
 // @return why --out cannot be used; empty if it can
-std::string ExplainCommand::make_out(bool& made_folder) const {
+std::string ExplainCommand::make_out(OutFolder& folder) const {
   if (out_.empty()) return "";
-  std::error_code unusable;
-  made_folder = std::filesystem::create_directories(out_, unusable);
-  if (!unusable && access(out_.c_str(), W_OK) != 0) {
-    unusable.assign(errno, std::generic_category());
-  }
-  if (unusable) return unusable.message();
+  if (std::string why = folder.make(out_, {}); !why.empty()) return why;
   const std::filesystem::path updated = std::filesystem::path(out_) / "plant_updated.json";
   std::error_code none;
   const bool replaces = std::filesystem::equivalent(updated, plant_, none);
@@ -227,17 +221,14 @@ int ExplainCommand::run(Console& console) {
     return exit_codes::data_refused;
   }
   Twin& twin = *std::get<0>(made);
-  bool made_folder = false;
-  if (const std::string fault = make_out(made_folder); !fault.empty()) {
+  OutFolder folder;
+  if (const std::string fault = make_out(folder); !fault.empty()) {
     return refuse_usage(console, "explain: --out " + out_ + ": " + fault);
   }
   try {
     return tell(console, campaign, twin, explained(console, twin));
   } catch (const Twin::Interrupted&) {
-    std::error_code holds_others;
-    if (made_folder) std::filesystem::remove(out_, holds_others);
-    complain(console, "rvbench: explain: interrupted; nothing was written");
-    return exit_codes::aborted;
+    return tell_interrupted(console, name());
   }
 }
 

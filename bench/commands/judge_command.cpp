@@ -1,10 +1,8 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
 #include <set>
-#include <system_error>
 
 #include "analysis/table4.hpp"
 #include "bench/commands/commands.hpp"
@@ -12,6 +10,7 @@
 #include "bench/judging.hpp"
 #include "bench/kinematics_file.hpp"
 #include "bench/kinematics_files.hpp"
+#include "bench/out_folder.hpp"
 #include "bench/progress_bar.hpp"
 #include "bench/published_catalogue.hpp"
 #include "bench/recordings_to_judge.hpp"
@@ -20,6 +19,7 @@
 #include "bench/run_results.hpp"
 #include "bench/sha256.hpp"
 #include "bench/software_version.hpp"
+#include "bench/stop_on_signal.hpp"
 #include "bench/summary.hpp"
 #include "bench/text_file.hpp"
 #include "bench/verdict_json.hpp"
@@ -58,15 +58,20 @@ class JudgeCommand final : public Command {
   int run(Console& console) override;
 
  private:
-  int check_options(Console& console) const;
+  int read_machine(Console& console);
+  int check_options(Console& console);
   int load(Console& console);
   void tell_notes(Console& console) const;
+  std::variant<Judgement, int> judged(Console& console);
   bool is_published() const { return catalogue_ == "published"; }
   analysis::Kinematics published_for(const Recording& record) const;
   Judgement judge(Console& console, bool published) const;
   Judgement judge_by_catalogue(Console& console) const;
-  std::vector<std::string> write_out(const Judgement& judgement,
-                                     const analysis::Kinematics& used) const;
+  // The machine by whose lines it was judged.
+  analysis::Kinematics used() const {
+    return is_published() ? published_for(records_.front()) : derived_;
+  }
+  std::vector<std::string> write_out(const Judgement& judgement) const;
 
   std::vector<std::string> files_;
   std::string kinematics_;
@@ -78,10 +83,43 @@ class JudgeCommand final : public Command {
   bool json_ = false;
   analysis::Kinematics derived_;
   std::vector<Recording> records_;
+  OutFolder out_folder_;
+  std::stop_token stop_;
 };
 
 int JudgeCommand::run(Console& console) {
-  if (const int refused = check_options(console); refused != exit_codes::done) return refused;
+  const auto answer = judged(console);
+  if (const int* refused = std::get_if<int>(&answer)) return *refused;
+  const auto& judgement = std::get<Judgement>(answer);
+  print_unwritten(console, judgement);
+  if (json_) {
+    console.out << judgement_to_json(judgement);
+  } else {
+    print_summary(console, judgement, used(), out_);
+  }
+  return exit_code(judgement.ending);
+}
+
+// Judged, and written where it is to be; or the exit code that says why not. Signals wait for the
+// next step only until then: who reads the answer may go away.
+std::variant<Judgement, int> JudgeCommand::judged(Console& console) {
+  const StopOnSignal signals;
+  stop_ = signals.token();
+  try {
+    if (const int refused = check_options(console); refused != exit_codes::done) return refused;
+    if (const int refused = read_machine(console); refused != exit_codes::done) return refused;
+    if (const int refused = load(console); refused != exit_codes::done) return refused;
+    Judgement judgement = judge_by_catalogue(console);
+    if (!out_.empty()) {
+      tell_in_files(judgement, [this](const Judgement& told) { return write_out(told); });
+    }
+    return judgement;
+  } catch (const Interrupted&) {
+    return tell_interrupted(console, name());
+  }
+}
+
+int JudgeCommand::read_machine(Console& console) {
   auto kinematics = read_kinematics(kinematics_);
   if (kinematics.index() == 1) return refuse_file(console, kinematics_, std::get<1>(kinematics));
   derived_ = std::get<0>(std::move(kinematics));
@@ -89,42 +127,18 @@ int JudgeCommand::run(Console& console) {
     return refuse_usage(console, "judge: --catalogue published is Table 4 of the RV-20E, and " +
                                      derived_.machine + " is none");
   }
-  if (const int refused = load(console); refused != exit_codes::done) return refused;
-  Judgement judgement = judge_by_catalogue(console);
-  const analysis::Kinematics used = is_published() ? published_for(records_.front()) : derived_;
-  if (!out_.empty()) {
-    tell_in_files(judgement, [&](const Judgement& told) { return write_out(told, used); });
-  }
-  print_unwritten(console, judgement);
-  if (json_) {
-    console.out << judgement_to_json(judgement);
-  } else {
-    print_summary(console, judgement, used, out_);
-  }
-  return exit_code(judgement.ending);
+  return exit_codes::done;
 }
 
-// What can be known to be wrong before anything is read. An older verdict is not written over.
-int JudgeCommand::check_options(Console& console) const {
+// What can be known to be wrong before anything is read.
+int JudgeCommand::check_options(Console& console) {
   if (!is_positive(console, "--speed", speed_rpm_) || !is_rate(console, rate_Hz_)) {
     return exit_codes::usage;
   }
   if (out_.empty()) return exit_codes::done;
-  const auto refuse = [&](const std::string& why) {
-    return refuse_usage(console, "judge: --out " + out_ + ": " + why);
-  };
-  std::error_code unusable;
-  std::filesystem::create_directories(out_, unusable);
-  if (unusable) return refuse(unusable.message());
-  if (access(out_.c_str(), W_OK | X_OK) != 0) {
-    return refuse(std::generic_category().message(errno));
-  }
-  for (const char* name : {"verdict.json", "report.html"}) {
-    if (std::filesystem::exists(std::filesystem::path(out_) / name)) {
-      return refuse(std::string("holds a ") + name + " already: give another folder");
-    }
-  }
-  return exit_codes::done;
+  const std::string why = out_folder_.make(out_, {"verdict.json", "report.html"});
+  return why.empty() ? exit_codes::done
+                     : refuse_usage(console, "judge: --out " + out_ + ": " + why);
 }
 
 // Reads every file, and tells what was not obvious about them. @return why not, or done
@@ -132,7 +146,8 @@ int JudgeCommand::load(Console& console) {
   auto read = recordings_to_judge({.files = files_,
                                    .hints = {.rate_Hz = rate_Hz_.value_or(not_known),
                                              .speed_rpm = speed_rpm_.value_or(not_known)},
-                                   .channel = channel_});
+                                   .channel = channel_,
+                                   .stop = stop_});
   if (const auto* refusal = std::get_if<JudgeRefusal>(&read)) {
     return refusal->exit_code == exit_codes::usage ? refuse_usage(console, refusal->reason)
                                                    : refuse_data(console, refusal->reason);
@@ -175,6 +190,7 @@ Judgement JudgeCommand::judge(Console& console, bool published) const {
   judgement.facts.software = software_version();
   judgement.facts.started_utc = utc_now();
   for (std::size_t i = 0; i < records_.size(); ++i) {
+    end_if_stopped(stop_);
     const Recording& record = records_[i];
     bar.show("judge", double(i) / double(records_.size()), record.source);
     JudgedPoint point = judge_point(record, published ? published_for(record) : derived_, {});
@@ -198,13 +214,16 @@ Judgement JudgeCommand::judge_by_catalogue(Console& console) const {
   return published;
 }
 
-std::vector<std::string> JudgeCommand::write_out(const Judgement& judgement,
-                                                 const analysis::Kinematics& used) const {
+// The verdict comes last: a folder that has one is whole.
+std::vector<std::string> JudgeCommand::write_out(const Judgement& judgement) const {
   const std::filesystem::path folder = out_;
   ReportInput input;
   input.judgement = judgement;
-  input.kinematics = used;
-  input.load = [this](std::size_t point) { return std::optional<Recording>(records_.at(point)); };
+  input.kinematics = used();
+  input.load = [this](std::size_t point) {
+    end_if_stopped(stop_);
+    return std::optional<Recording>(records_.at(point));
+  };
   for (const std::string& file : files_) {
     const std::optional<std::string> hash = sha256_of_file(file);
     if (hash) input.hashes.emplace_back(file, *hash);
@@ -212,8 +231,8 @@ std::vector<std::string> JudgeCommand::write_out(const Judgement& judgement,
   const auto verdict = folder / "verdict.json";
   const auto report = folder / "report.html";
   return unwritten_files(
-      folder, {{"verdict.json", [&] { write_file(verdict, judgement_to_json(judgement)); }},
-               {"report.html", [&] { write_file(report, make_report(input)); }}});
+      folder, {{"report.html", [&] { write_file(report, make_report(input)); }},
+               {"verdict.json", [&] { write_file(verdict, judgement_to_json(judgement)); }}});
 }
 
 }  // namespace

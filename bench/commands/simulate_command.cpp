@@ -243,10 +243,7 @@ std::variant<Run, int> SimulateCommand::simulated(Console& console, const sim::P
     }
   });
   bar.clear();
-  if (signals.token().stop_requested()) {
-    complain(console, "rvbench: simulate: interrupted; nothing was written");
-    return exit_codes::aborted;
-  }
+  if (signals.token().stop_requested()) return tell_interrupted(console, name());
   for (const auto& fault : faults) {
     if (!fault) continue;
     refuse_file(console, plant_, {*fault});

@@ -1,7 +1,11 @@
 #include <signal.h>
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <random>
 
 #include "bench/sha256.hpp"
 #include "bench/text_file.hpp"
@@ -41,6 +45,18 @@ std::filesystem::path only_run(const ScratchFolder& scratch) {
 
 nlohmann::json verdict_of(const std::filesystem::path& folder) {
   return nlohmann::json::parse(bench::read_file(folder / "verdict.json").value_or("null"));
+}
+
+// Ten seconds of a shaft at 1800 rpm, in noise.
+void write_recording(const std::filesystem::path& file) {
+  constexpr double rate_Hz = 2000;
+  std::mt19937 generator(1);
+  std::normal_distribution<double> noise(0, 0.1);
+  std::ofstream out(file);
+  out << "accel_1x\n";
+  for (int i = 0; i < 10 * rate_Hz; ++i) {
+    out << std::sin(2 * std::numbers::pi * 30 * i / rate_Hz) + noise(generator) << '\n';
+  }
 }
 
 }  // namespace
@@ -83,6 +99,41 @@ TEST_CASE("a signal ends a run ABORTED, with the shaft stopped and the folder wh
       }
     }
   }
+}
+
+TEST_CASE("a signal ends an answer before it is there, and leaves no folder that looks like one",
+          "[spec]") {
+  const ScratchFolder scratch;
+  for (const char* side : {"a", "b"}) {
+    std::filesystem::create_directory(scratch.path() / side);
+    for (int i = 0; i < 40; ++i) {
+      write_recording(scratch.path() / side / (std::to_string(i) + ".csv"));
+    }
+  }
+  const std::vector<std::string> said{"--kinematics", "cwru_6205", "--rate", "2000",
+                                      "--speed",      "1800",      "--out",  "made/out"};
+  const auto stopped = [&](std::vector<std::string> words, const char* moment, int signal) {
+    words.insert(words.begin(), test::rvbench_path());
+    words.insert(words.end(), said.begin(), said.end());
+    Program program(scratch.path(), words);
+    REQUIRE(program.says(moment));
+    program.send(signal);
+    return program.wait();
+  };
+  std::vector<std::string> judge{"judge"};
+  for (int i = 0; i < 40; ++i) judge.push_back("a/" + std::to_string(i) + ".csv");
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const Answer judged = stopped(judge, "judge: 10 %", signal);
+    CHECK(judged.code == 50);
+    CHECK_THAT(judged.err, Contains("judge: interrupted; nothing was written"));
+    CHECK(judged.out.empty());
+    CHECK_FALSE(std::filesystem::exists(scratch.path() / "made"));
+  }
+  const Answer compared = stopped({"compare", "a", "b"}, "measure A: 10 %", SIGINT);
+  CHECK(compared.code == 50);
+  CHECK_THAT(compared.err, Contains("compare: interrupted; nothing was written"));
+  CHECK(compared.out.empty());
+  CHECK_FALSE(std::filesystem::exists(scratch.path() / "made"));
 }
 
 TEST_CASE("a run that was started to outlive its terminal does", "[spec]") {
