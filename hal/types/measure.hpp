@@ -11,6 +11,12 @@ struct Measure {
   std::vector<std::string_view> units;  ///< a limit may be in; the first is as it is measured
   std::string_view meaning;
   bool worst_is_least = false;  ///< the smallest value is the one to worry about
+  double least = 0;             ///< there can be; of a pure number
+  double most = 1e9;            ///< likewise
+  /// Of the shafts that it is made of, at the least; empty: it is of an acceleration channel.
+  std::vector<std::string_view> shaft_channels = {};
+  /// A sound record may lack it, as one in which no mesh is heard lacks a ratio to that mesh.
+  bool only_where_shown = false;
 };
 
 /// All there are. A measure that is not listed here cannot be limited.
