@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "analysis/diagnosis.hpp"
 #include "analysis/emd/emd.hpp"
@@ -91,8 +92,10 @@ ChannelResult examine_channel(const Channel& channel, std::vector<QualityNote> q
   read_imfs(channel, modes, task, out);
   const OrderLines lines(channel, task.angle, task.kinematics.period_turns);
   out.examination.lines = spectral_lines(lines, task.kinematics);
-  out.examination.indicators =
+  ChannelIndicators indicators =
       channel_indicators(channel, lines, task.kinematics, out.examination.lines);
+  out.examination.indicators = std::move(indicators.list);
+  out.examination.residuals = std::move(indicators.residuals);
   return out;
 }
 

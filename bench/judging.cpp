@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/indicators/earlier_records.hpp"
 #include "analysis/indicators/indicator_places.hpp"
 #include "analysis/quality.hpp"
 #include "bench/limit_checks.hpp"
@@ -80,6 +81,20 @@ Ending weighed(const Judgement& judgement) {
   return {Outcome::pass, ErrorKind::none, "no finding above its limit"};
 }
 
+// The earlier repeats of a point, at its speed and load, are to NA4 the history of its gears.
+void hold_against_earlier(std::vector<JudgedPoint>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::vector<const analysis::Examination*> earlier;
+    for (std::size_t j = 0; j < i; ++j) {
+      if (points[j].planned_speed_rpm == points[i].planned_speed_rpm &&
+          points[j].examination.load_pct == points[i].examination.load_pct) {
+        earlier.push_back(&points[j].examination);
+      }
+    }
+    analysis::add_na4(points[i].examination, earlier);
+  }
+}
+
 }  // namespace
 
 analysis::Kinematics with_limits(analysis::Kinematics kinematics,
@@ -150,6 +165,7 @@ JudgedPoint judge_point(const Recording& record, const analysis::Kinematics& kin
 
 void conclude(Judgement& judgement, const analysis::Kinematics& kinematics,
               const std::vector<sequences::Limit>& limits, const Ending& measured) {
+  hold_against_earlier(judgement.points);
   std::vector<analysis::Examination> examined;
   for (const JudgedPoint& point : judgement.points) {
     if (point.status == "ok") examined.push_back(point.examination);

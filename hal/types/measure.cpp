@@ -41,6 +41,11 @@ const std::vector<Measure>& measures() {
        .units = number,
        .meaning = "kurtosis of what a gear's average turn has beside its mesh; 3 for noise",
        .least = 1},
+      {.name = na4,
+       .units = number,
+       .meaning = "fourth moment of what a gear's average turn has beside its mesh harmonics, over "
+                  "the squared mean variance of this and earlier repeats of the point; 3 for noise",
+       .only_where_shown = true},
       {.name = torque_ripple,
        .units = number,
        .meaning = "range of a torque over its mean",

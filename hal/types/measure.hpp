@@ -43,6 +43,7 @@ inline constexpr std::string_view order_level = "order_level";
 inline constexpr std::string_view sideband_ratio = "sideband_ratio";
 inline constexpr std::string_view fm0 = "fm0";
 inline constexpr std::string_view fm4 = "fm4";
+inline constexpr std::string_view na4 = "na4";
 inline constexpr std::string_view torque_ripple = "torque_ripple";
 inline constexpr std::string_view efficiency = "efficiency";
 inline constexpr std::string_view transmission_error = "transmission_error";

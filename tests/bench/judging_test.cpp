@@ -162,6 +162,35 @@ TEST_CASE("of data that cannot be trusted it is said why, not what is missing fo
   CHECK(concluded({clipped}, {peak_in_g}).ending.reason == "recording.h5#000, accel_1x: clipped");
 }
 
+TEST_CASE("a gear is held against the earlier repeats of the same speed and load", "[bench]") {
+  const auto point = [](double speed_rpm, double load_pct, double variance) {
+    JudgedPoint p = point_with_peak(0.1);
+    p.planned_speed_rpm = speed_rpm;
+    p.examination.load_pct = load_pct;
+    p.examination.channels.front().residuals = {{"mesh, sun", {variance, 3 * variance * variance}}};
+    return p;
+  };
+  const auto na4_at = [](const JudgedPoint& p) {
+    for (const auto& i : p.examination.channels.front().indicators) {
+      if (i.measure == "na4") return i.value;
+    }
+    return not_known;
+  };
+  const std::vector<JudgedPoint> points{point(605, 50, 1), point(605, 100, 9), point(605, 50, 4),
+                                        point(1210, 50, 9), point(605, 50, 1)};
+  const Judgement judgement = concluded(points, {limit_on("na4", 8)});
+  CHECK(std::isnan(na4_at(judgement.points[0])));
+  CHECK(std::isnan(na4_at(judgement.points[1])));
+  CHECK(na4_at(judgement.points[2]) == Approx(7.68));  // 3·16 over (5/2)²
+  CHECK(std::isnan(na4_at(judgement.points[3])));
+  CHECK(na4_at(judgement.points[4]) == Approx(0.75));  // 3 over (6/3)²
+  CHECK(judgement.ending.outcome == Outcome::pass);
+  CHECK(coverage_of(judgement.limits.at(0)) == "measured at 2 of 5 points");
+  // Recordings of which no speed was planned are nobody's repeats.
+  const Judgement stored = concluded({point(not_known, 50, 1), point(not_known, 50, 4)}, {});
+  CHECK(std::isnan(na4_at(stored.points[1])));
+}
+
 TEST_CASE("of a limit from below the least value counts", "[bench]") {
   JudgedPoint good = point_with_peak(0.1), poor = point_with_peak(0.1);
   good.examination.indicators = {{"efficiency", "", 0.9, "1"}};
