@@ -40,6 +40,7 @@ inline constexpr std::string_view band_peak = "band_peak";
 inline constexpr std::string_view band_crest_factor = "band_crest_factor";
 inline constexpr std::string_view band_kurtosis = "band_kurtosis";
 inline constexpr std::string_view order_level = "order_level";
+inline constexpr std::string_view envelope_order_level = "envelope_order_level";
 inline constexpr std::string_view sideband_ratio = "sideband_ratio";
 inline constexpr std::string_view fm0 = "fm0";
 inline constexpr std::string_view fm4 = "fm4";
