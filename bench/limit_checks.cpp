@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 #include "bench/worst_indicator.hpp"
@@ -12,6 +13,11 @@ namespace rvbench::bench {
 namespace {
 
 bool is_from_below(const LimitCheck& check) { return std::isfinite(check.min); }
+
+std::string_view absent_when(const LimitCheck& check) {
+  const Measure* measure = find_measure(check.measure);
+  return measure == nullptr ? "" : measure->absent_when;
+}
 
 void check_findings(LimitCheck& check, const std::vector<analysis::Finding>& findings) {
   for (const analysis::Finding& finding : findings) {
@@ -52,8 +58,7 @@ LimitCheck check_of(const sequences::Limit& limit, const Judgement& judgement) {
 
 bool is_measured(const LimitCheck& check) {
   if (std::isnan(check.measured)) return false;
-  const Measure* measure = find_measure(check.measure);
-  return check.lacking.empty() || (measure != nullptr && measure->only_where_shown);
+  return check.lacking.empty() || !absent_when(check).empty();
 }
 
 bool is_beyond(const LimitCheck& check) {
@@ -89,6 +94,9 @@ std::string coverage_of(const LimitCheck& check) {
 std::string why_unmeasured(const LimitCheck& check) {
   std::string text = "could not be measured";
   if (check.unit != "1") text += " in " + check.unit;
+  if (std::isnan(check.measured) && !absent_when(check).empty()) {
+    text += fmt::format(": {}", absent_when(check));
+  }
   if (std::isnan(check.measured) || check.lacking.empty()) return text;
   return text + fmt::format(" at {} of {} points", check.lacking.size(), check.points);
 }

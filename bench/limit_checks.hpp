@@ -36,7 +36,8 @@ std::string name_of(const LimitCheck& check);
 /// "measured at 12 of 21 points"; empty if it was at all of them.
 std::string coverage_of(const LimitCheck& check);
 
-/// "could not be measured in g at 2 of 21 points"; "could not be measured in g" of none at all.
+/// "could not be measured in g at 2 of 21 points"; "could not be measured in g" of none at
+/// all, and when that is so of a sound unit.
 std::string why_unmeasured(const LimitCheck& check);
 
 /// ", first recording.h5#003, accel_1x", where that was so at some points and not at others.

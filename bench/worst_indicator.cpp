@@ -51,7 +51,7 @@ std::string lacks(const std::vector<Source>& sources, const std::set<std::string
   std::string first;
   for (const Source& source : sources) {
     const std::set<std::string> has = places_in(source, asked);
-    if (asked.measure.only_where_shown && !has.empty()) return "";
+    if (!asked.measure.absent_when.empty() && !has.empty()) return "";
     const auto missing =
         std::ranges::find_if(wanted, [&](const std::string& of) { return !has.contains(of); });
     if (first.empty() && missing != wanted.end()) first = place(source.where, *missing);

@@ -24,7 +24,7 @@ struct WorstIndicator {
   std::size_t points = 0;    ///< that were examined
   /// Those of them without it, each by the first place that lacks it. A point has it when each of
   /// its channels has it of everything that any record shows it of; where a sound record may lack
-  /// it (Measure::only_where_shown), when one channel has it.
+  /// it (Measure::absent_when), when one channel has it.
   std::vector<std::string> lacking;
 };
 

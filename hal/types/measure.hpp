@@ -15,8 +15,8 @@ struct Measure {
   double most = 1e9;            ///< likewise
   /// Of the shafts that it is made of, at the least; empty: it is of an acceleration channel.
   std::vector<std::string_view> shaft_channels = {};
-  /// A sound record may lack it, as one in which no mesh is heard lacks a ratio to that mesh.
-  bool only_where_shown = false;
+  /// When a sound record lacks it: "no mesh is heard"; empty: none may.
+  std::string_view absent_when = {};
 };
 
 /// All there are. A measure that is not listed here cannot be limited.

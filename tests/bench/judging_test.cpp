@@ -95,7 +95,8 @@ TEST_CASE("a limit that is narrowed to a gear is deaf to others", "[bench]") {
 TEST_CASE("an indicator that is in no record is no pass", "[bench]") {
   const Judgement judgement = concluded({point_with_fm4(3, 3)}, {limit_on("fm0", 1e9)});
   CHECK(judgement.ending.outcome == Outcome::invalid);
-  CHECK(judgement.ending.reason == "fm0 could not be measured");
+  CHECK(judgement.ending.reason ==
+        "fm0 could not be measured: no mesh is heard well above the noise");
   CHECK(std::isnan(judgement.limits.at(0).measured));
   CHECK(concluded({point_with_fm4(3, 3)}, {limit_on("fm4", 1e9, "mesh, wheel")}).ending.reason ==
         "fm4 of mesh, wheel could not be measured");
@@ -151,8 +152,8 @@ TEST_CASE("a limit that could not be measured outweighs one that is exceeded, an
   const Judgement judgement = concluded({point_with_fm4(9, 6)}, limits);
   CHECK(exit_code(judgement.ending) == 20);
   CHECK(judgement.ending.reason ==
-        "fm0 could not be measured; beside it fm4 9 above its max 8 at recording.h5#000, "
-        "accel_1y, mesh, sun");
+        "fm0 could not be measured: no mesh is heard well above the noise; beside it fm4 9 above "
+        "its max 8 at recording.h5#000, accel_1y, mesh, sun");
 }
 
 TEST_CASE("of data that cannot be trusted it is said why, not what is missing for it", "[bench]") {
