@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/indicators/gear_residual.hpp"
 #include "analysis/indicators/indicator.hpp"
 #include "analysis/kinematics.hpp"
 #include "hal/types/recording.hpp"
@@ -54,6 +55,8 @@ struct ChannelExamination {
   std::vector<double> imf_correlation;  ///< with the signal, IMF 1..K (the article's Table 5)
   std::vector<SpectralLine> lines;      ///< strongest first
   std::vector<Indicator> indicators = {};
+  std::vector<GearResidual> residuals =
+      {};  ///< of gears whose turn could be averaged; not in files
 };
 
 /// One record, examined.

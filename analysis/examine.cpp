@@ -1,11 +1,14 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "analysis/diagnosis.hpp"
 #include "analysis/emd/emd.hpp"
 #include "analysis/envelope_spectra.hpp"
 #include "analysis/evidence/record_evidence.hpp"
 #include "analysis/indicators/channel_indicators.hpp"
+#include "analysis/indicators/envelope_levels.hpp"
 #include "analysis/indicators/shaft_indicators.hpp"
 #include "analysis/indicators/signal_levels.hpp"
 #include "analysis/order/resolution.hpp"
@@ -28,6 +31,7 @@ struct ChannelResult {
   std::vector<SignatureComb> combs;       // empty where no period of the gear train fits
   std::vector<ChannelEvidence> evidence;  // one per comb
   std::vector<QualityNote> quality;
+  std::vector<Indicator> envelope_levels;
   double periods = 0;
 };
 
@@ -57,6 +61,7 @@ void read_imfs(const Channel& channel, const Emd& modes, const Task& task, Chann
     relevant.push_back(k);
     total_share += correlations[k] * correlations[k];
   }
+  EnvelopeLevels levels(task.kinematics, task.angle.is_measured() ? 0 : stated_speed_error);
   for (const std::size_t k : relevant) {
     const EnvelopeSpectra envelope =
         envelope_spectra(modes.imfs.col(static_cast<Eigen::Index>(k)), channel.rate_Hz,
@@ -70,7 +75,9 @@ void read_imfs(const Channel& channel, const Emd& modes, const Task& task, Chann
     for (std::size_t s = 0; s < out.combs.size(); ++s) {
       out.evidence[s].add(comb_evidence(envelope, out.combs[s]), static_cast<int>(k) + 1, share);
     }
+    levels.add(envelope, share);
   }
+  out.envelope_levels = levels.indicators();
 }
 
 ChannelResult examine_channel(const Channel& channel, std::vector<QualityNote> quality,
@@ -91,8 +98,11 @@ ChannelResult examine_channel(const Channel& channel, std::vector<QualityNote> q
   read_imfs(channel, modes, task, out);
   const OrderLines lines(channel, task.angle, task.kinematics.period_turns);
   out.examination.lines = spectral_lines(lines, task.kinematics);
-  out.examination.indicators =
+  ChannelIndicators indicators =
       channel_indicators(channel, lines, task.kinematics, out.examination.lines);
+  out.examination.indicators = std::move(indicators.list);
+  std::ranges::move(out.envelope_levels, std::back_inserter(out.examination.indicators));
+  out.examination.residuals = std::move(indicators.residuals);
   return out;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -27,12 +28,14 @@ struct LimitCheck {
   std::string component;  ///< empty: any
   std::string unit;
   double max = 0;               ///< NaN: it is a limit from below
-  double measured = not_known;  ///< the worst; NaN if nothing could be measured
+  double measured = not_known;  ///< the worst; NaN if it could be measured nowhere
   std::string where;            ///< the point and channel of the worst
   bool passed = false;
   std::string why;
-  std::string of = {};     ///< the band, order or mesh it is narrowed to; empty: any
-  double min = not_known;  ///< NaN: it is a limit from above
+  std::string of = {};                    ///< the band, order or mesh it is narrowed to; empty: any
+  double min = not_known;                 ///< NaN: it is a limit from above
+  std::size_t points = 0;                 ///< it was looked for at; 0 of a finding's depth
+  std::vector<std::string> lacking = {};  ///< where of these it could not be measured, one each
 };
 
 /// Circumstances of a run; of a stored recording only `software` and `started_utc` are known.

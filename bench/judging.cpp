@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/indicators/earlier_records.hpp"
 #include "analysis/indicators/indicator_places.hpp"
 #include "analysis/quality.hpp"
 #include "bench/limit_checks.hpp"
@@ -18,6 +19,10 @@ using measure_names::modulation_depth;
 
 bool is_about(const sequences::Limit& limit, const std::string& component) {
   return limit.component.empty() || limit.component == component;
+}
+
+bool is_among(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
 }
 
 Ending invalid(std::string reason) {
@@ -49,28 +54,45 @@ Ending trust_in(const Judgement& judgement) {
   return {Outcome::pass, ErrorKind::none, "no finding above its limit"};
 }
 
-// What the limits make of the findings.
-Ending weighed(const Judgement& judgement) {
+// The first thing that is beyond its limit; empty if nothing is.
+std::string first_beyond(const Judgement& judgement) {
   if (!judgement.diagnosis.findings.empty()) {
     const analysis::Finding& worst = judgement.diagnosis.findings.front();
-    return {
-        Outcome::fail, ErrorKind::none,
-        fmt::format("{}: {} at order {:.4g}, modulation depth {:.2f} above its limit {:.2f}",
-                    worst.component, worst.mechanism, worst.order, worst.severity, worst.limit)};
+    return fmt::format("{}: {} at order {:.4g}, modulation depth {:.2f} above its limit {:.2f}",
+                       worst.component, worst.mechanism, worst.order, worst.severity, worst.limit);
   }
-  for (const LimitCheck& check : judgement.limits) {
-    if (std::isnan(check.measured)) {
-      return invalid(name_of(check) + " could not be measured" +
-                     (check.unit == "1" ? "" : " in " + check.unit));
-    }
-    if (!check.passed) {
-      return {Outcome::fail, ErrorKind::none,
-              fmt::format("{} {} {} its limit {} at {}", check.measure,
-                          with_unit(check.measured, check.unit), beyond(check),
-                          with_unit(bound_of(check), check.unit), check.where)};
-    }
+  const auto check = std::ranges::find_if(judgement.limits, is_beyond);
+  if (check == judgement.limits.end()) return "";
+  return fmt::format("{} {} {} its {} at {}", check->measure,
+                     with_unit(check->measured, check->unit), beyond(*check), bound_text(*check),
+                     check->where);
+}
+
+// What the limits make of the findings. A limit that could not be held against the data outweighs
+// one that is exceeded, but both are said.
+Ending weighed(const Judgement& judgement) {
+  const std::string bad = first_beyond(judgement);
+  const auto unmeasured = std::ranges::find_if_not(judgement.limits, is_measured);
+  if (unmeasured != judgement.limits.end()) {
+    return invalid(name_of(*unmeasured) + " " + why_unmeasured(*unmeasured) +
+                   first_lacking(*unmeasured) + (bad.empty() ? "" : "; beside it " + bad));
   }
+  if (!bad.empty()) return {Outcome::fail, ErrorKind::none, bad};
   return {Outcome::pass, ErrorKind::none, "no finding above its limit"};
+}
+
+// The earlier repeats of a point, at its speed and load, are to NA4 the history of its gears.
+void hold_against_earlier(std::vector<JudgedPoint>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::vector<const analysis::Examination*> earlier;
+    for (std::size_t j = 0; j < i; ++j) {
+      if (points[j].planned_speed_rpm == points[i].planned_speed_rpm &&
+          points[j].examination.load_pct == points[i].examination.load_pct) {
+        earlier.push_back(&points[j].examination);
+      }
+    }
+    analysis::add_na4(points[i].examination, earlier);
+  }
 }
 
 }  // namespace
@@ -94,20 +116,27 @@ std::vector<hal::ConfigFault> limits_on_unknown_parts(const std::vector<sequence
                                                       const analysis::Kinematics& kinematics) {
   std::vector<std::string> parts;
   for (const analysis::Signature& signature : kinematics.signatures) {
-    parts.push_back(signature.component);
+    if (!is_among(parts, signature.component)) parts.push_back(signature.component);
   }
   std::vector<hal::ConfigFault> faults;
-  const auto look_up = [&](std::size_t limit, const char* key, const std::string& named,
-                           const std::vector<std::string>& known, const std::string& what) {
-    if (named.empty() || std::ranges::find(known, named) != known.end()) return;
-    faults.push_back({0, fmt::format("/limits/{}/{}", limit, key),
-                      fmt::format("{} has no {}{}{}", kinematics.machine, what,
-                                  hal::in_quotes(named), hal::did_you_mean(named, known))});
-  };
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const std::string& measure = limits[i].measure;
-    look_up(i, "component", limits[i].component, parts, "");
-    look_up(i, "of", limits[i].of, analysis::places_of(measure, kinematics), measure + " of ");
+    const std::string& component = limits[i].component;
+    const std::string& of = limits[i].of;
+    const auto fault = [&](const char* key, std::string what) {
+      faults.push_back({0, fmt::format("/limits/{}/{}", i, key), std::move(what)});
+    };
+    if (!component.empty() && !is_among(parts, component)) {
+      fault("component",
+            fmt::format("{} has no {}{}", kinematics.machine, hal::in_quotes(component),
+                        hal::what_there_is(component, parts)));
+    }
+    const std::vector<std::string> places = analysis::places_of(measure, kinematics);
+    if (of.empty() || is_among(places, of)) continue;
+    fault("of", places.empty() ? fmt::format("{} is of no single part of {}: leave it out", measure,
+                                             kinematics.machine)
+                               : fmt::format("{} has no {} of {}{}", kinematics.machine, measure,
+                                             hal::in_quotes(of), hal::what_there_is(of, places)));
   }
   return faults;
 }
@@ -136,6 +165,7 @@ JudgedPoint judge_point(const Recording& record, const analysis::Kinematics& kin
 
 void conclude(Judgement& judgement, const analysis::Kinematics& kinematics,
               const std::vector<sequences::Limit>& limits, const Ending& measured) {
+  hold_against_earlier(judgement.points);
   std::vector<analysis::Examination> examined;
   for (const JudgedPoint& point : judgement.points) {
     if (point.status == "ok") examined.push_back(point.examination);
@@ -144,7 +174,8 @@ void conclude(Judgement& judgement, const analysis::Kinematics& kinematics,
   judgement.diagnosis = analysis::conclude(examined, kinematics);
   for (const sequences::Limit& limit : limits)
     judgement.limits.push_back(check_of(limit, judgement));
-  judgement.ending = graver(graver(weighed(judgement), trust_in(judgement)), measured);
+  // Of two that are as grave the first: data that cannot be trusted is why a value is missing.
+  judgement.ending = graver(graver(trust_in(judgement), weighed(judgement)), measured);
 }
 
 void demand_confirmation(Judgement& judgement, const analysis::Kinematics& kinematics) {

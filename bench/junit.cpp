@@ -53,12 +53,18 @@ TestCase case_of(const JudgedPoint& point) {
 
 TestCase case_of(const LimitCheck& check) {
   TestCase test{"limits", name_of(check), Result::passed, ""};
-  if (std::isnan(check.measured)) return {test.group, test.name, Result::skipped, "not measured"};
-  if (!check.passed) {
-    test.result = Result::failure;
+  std::string beyond_it;
+  if (is_beyond(check)) {
+    beyond_it = fmt::format("{} is {} its {} ({}; {})", with_unit(check.measured, check.unit),
+                            beyond(check), bound_text(check), check.where, check.why);
+  }
+  if (!is_measured(check)) {
+    test.result = Result::error;
     test.message =
-        fmt::format("{} is {} {} ({}; {})", with_unit(check.measured, check.unit), beyond(check),
-                    with_unit(bound_of(check), check.unit), check.where, check.why);
+        why_unmeasured(check) + first_lacking(check) + (beyond_it.empty() ? "" : "; " + beyond_it);
+  } else if (!beyond_it.empty()) {
+    test.result = Result::failure;
+    test.message = std::move(beyond_it);
   }
   return test;
 }

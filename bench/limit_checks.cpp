@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string_view>
 #include <vector>
 
+#include "bench/worst_indicator.hpp"
 #include "hal/types/measure.hpp"
 
 namespace rvbench::bench {
@@ -12,29 +14,29 @@ namespace {
 
 bool is_from_below(const LimitCheck& check) { return std::isfinite(check.min); }
 
-void take_if_worse(LimitCheck& check, double value, const std::string& where) {
-  if (std::isnan(value)) return;
-  const bool better = is_from_below(check) ? value >= check.measured : value <= check.measured;
-  if (better) return;  // never of what is not measured yet: NaN
-  check.measured = value;
-  check.where = where;
+std::string_view absent_when(const LimitCheck& check) {
+  const Measure* measure = find_measure(check.measure);
+  return measure == nullptr ? "" : measure->absent_when;
 }
 
 void check_findings(LimitCheck& check, const std::vector<analysis::Finding>& findings) {
   for (const analysis::Finding& finding : findings) {
     if (!check.component.empty() && check.component != finding.component) continue;
-    take_if_worse(check, finding.severity, finding.component + ": " + finding.mechanism);
+    if (finding.severity <= check.measured) continue;  // never of what is not measured yet: NaN
+    check.measured = finding.severity;
+    check.where = finding.component + ": " + finding.mechanism;
   }
 }
 
-void check_indicators(LimitCheck& check, const std::vector<analysis::Indicator>& indicators,
-                      const std::string& where) {
-  for (const analysis::Indicator& indicator : indicators) {
-    if (indicator.measure != check.measure) continue;
-    if (!check.of.empty() && check.of != indicator.of) continue;
-    const double value = in_unit(indicator.value, indicator.unit, check.unit);
-    take_if_worse(check, value, where + (indicator.of.empty() ? "" : ", " + indicator.of));
-  }
+void check_indicators(LimitCheck& check, const Judgement& judgement) {
+  const Measure* measure = find_measure(check.measure);
+  if (measure == nullptr) return;
+  WorstIndicator worst =
+      worst_indicator(judgement, {*measure, check.unit, is_from_below(check), check.of});
+  check.measured = worst.value;
+  check.where = std::move(worst.where);
+  check.points = worst.points;
+  check.lacking = std::move(worst.lacking);
 }
 
 }  // namespace
@@ -48,19 +50,24 @@ LimitCheck check_of(const sequences::Limit& limit, const Judgement& judgement) {
     check_findings(check, judgement.diagnosis.findings);
     check_findings(check, judgement.diagnosis.below_limit);
   } else {
-    for (const JudgedPoint& point : judgement.points) {
-      const analysis::Examination& seen = point.examination;
-      for (const analysis::ChannelExamination& channel : seen.channels) {
-        check_indicators(check, channel.indicators, seen.source + ", " + channel.name);
-      }
-      check_indicators(check, seen.indicators, seen.source);
-    }
+    check_indicators(check, judgement);
   }
-  check.passed = is_from_below(check) ? check.measured >= check.min : check.measured <= check.max;
+  check.passed = is_measured(check) && !is_beyond(check);
   return check;
 }
 
+bool is_measured(const LimitCheck& check) {
+  if (std::isnan(check.measured)) return false;
+  return check.lacking.empty() || !absent_when(check).empty();
+}
+
+bool is_beyond(const LimitCheck& check) {
+  return is_from_below(check) ? check.measured < check.min : check.measured > check.max;
+}
+
 double bound_of(const LimitCheck& check) { return is_from_below(check) ? check.min : check.max; }
+
+const char* bound_name(const LimitCheck& check) { return is_from_below(check) ? "min" : "max"; }
 
 const char* beyond(const LimitCheck& check) { return is_from_below(check) ? "below" : "above"; }
 
@@ -69,9 +76,34 @@ std::string with_unit(double value, const std::string& unit) {
   return unit.empty() || unit == "1" ? number : number + " " + unit;
 }
 
+std::string bound_text(const LimitCheck& check) {
+  return bound_name(check) + (" " + with_unit(bound_of(check), check.unit));
+}
+
 std::string name_of(const LimitCheck& check) {
   const std::string& narrowed = check.of.empty() ? check.component : check.of;
   return check.measure + (narrowed.empty() ? "" : " of " + narrowed);
+}
+
+std::string coverage_of(const LimitCheck& check) {
+  if (check.lacking.empty()) return "";
+  return fmt::format("measured at {} of {} points", check.points - check.lacking.size(),
+                     check.points);
+}
+
+std::string why_unmeasured(const LimitCheck& check) {
+  std::string text = "could not be measured";
+  if (check.unit != "1") text += " in " + check.unit;
+  if (std::isnan(check.measured) && !absent_when(check).empty()) {
+    text += fmt::format(": {}", absent_when(check));
+  }
+  if (std::isnan(check.measured) || check.lacking.empty()) return text;
+  return text + fmt::format(" at {} of {} points", check.lacking.size(), check.points);
+}
+
+std::string first_lacking(const LimitCheck& check) {
+  const bool at_some = !std::isnan(check.measured) && !check.lacking.empty();
+  return at_some ? ", first " + check.lacking.front() : "";
 }
 
 }  // namespace rvbench::bench

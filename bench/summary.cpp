@@ -133,14 +133,20 @@ void print_quality(Console& console, const std::vector<analysis::QualityNote>& n
 void print_limits(Console& console, const std::vector<LimitCheck>& limits) {
   if (!limits.empty()) console.out << "\nLimits:\n";
   for (const LimitCheck& check : limits) {
-    const std::string limit = with_unit(bound_of(check), check.unit);
-    if (std::isnan(check.measured)) {
-      console.out << fmt::format("  no value {} (limit {})\n", name_of(check), limit);
-      continue;
+    const std::string bound = bound_text(check);
+    const std::string name = name_of(check);
+    if (!is_measured(check)) {
+      console.out << fmt::format("  no value {} ({}): {}{}\n", name, bound, why_unmeasured(check),
+                                 first_lacking(check));
     }
-    const char* state = check.passed ? "within" : std::isfinite(check.min) ? "BELOW " : "ABOVE ";
-    console.out << fmt::format("  {} {}: {} (limit {}) at {}\n", state, name_of(check),
-                               with_unit(check.measured, check.unit), limit, check.where);
+    if (std::isnan(check.measured)) continue;
+    const char* state = !is_beyond(check)          ? "within"
+                        : std::isfinite(check.min) ? "BELOW "
+                                                   : "ABOVE ";
+    const std::string coverage = coverage_of(check);
+    console.out << fmt::format("  {} {}: {} ({}) at {}{}\n", state, name,
+                               with_unit(check.measured, check.unit), bound, check.where,
+                               coverage.empty() ? "" : "; " + coverage);
   }
 }
 

@@ -57,7 +57,9 @@ nlohmann::ordered_json to_json(const LimitCheck& check) {
           {"passed", check.passed},
           {"why", check.why},
           {"of", check.of},
-          {"min", check.min}};
+          {"min", check.min},
+          {"points", check.points},
+          {"not_measured_at", check.lacking}};
 }
 
 LimitCheck limit_from_json(const nlohmann::ordered_json& json) {
@@ -72,6 +74,8 @@ LimitCheck limit_from_json(const nlohmann::ordered_json& json) {
   json.at("why").get_to(check.why);
   check.of = json.value("of", "");  // not stated by an rvbench that limited accelerations only
   check.min = number_or_nan(json.value("min", nlohmann::ordered_json()));
+  check.points = json.value("points", check.points);  // likewise, where one value was enough
+  check.lacking = json.value("not_measured_at", check.lacking);
   return check;
 }
 

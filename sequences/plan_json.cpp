@@ -70,13 +70,13 @@ std::string parse_unit(const Measure& measure, hal::ConfigReader& json) {
 }
 
 // A value is bounded from one side: two sides are two limits, each with a reason of its own.
-void parse_bound(Limit& limit, hal::ConfigReader& json) {
-  constexpr hal::Bounds any{0, 1e9};
+void parse_bound(const Measure& measure, Limit& limit, hal::ConfigReader& json) {
+  const hal::Bounds possible{measure.least, measure.most};
   if (!json.has("min")) {
-    limit.max = json.number("max", any);
+    limit.max = json.number("max", possible);
     return;
   }
-  limit.min = json.number("min", any);
+  limit.min = json.number("min", possible);
   limit.max = not_known;
   if (json.has("max")) json.fault("max", "beside \"min\": make it a limit of its own");
 }
@@ -87,7 +87,7 @@ Limit parse_limit(const Measure& measure, hal::ConfigReader& json) {
   limit.component = json.text("component", "");
   limit.of = json.text("of", "");
   limit.unit = parse_unit(measure, json);
-  parse_bound(limit, json);
+  parse_bound(measure, limit, json);
   limit.why = json.text("why");
   const bool is_depth = limit.measure == measure_names::modulation_depth;
   if (is_depth && !limit.of.empty()) json.fault("of", "a depth is narrowed by \"component\"");
@@ -100,6 +100,25 @@ Limit parse_limit(const Measure& measure, hal::ConfigReader& json) {
   return limit;
 }
 
+// Whether no value keeps to both: one asks for more than the other allows.
+bool contradict(const Limit& a, const Limit& b) {
+  if (a.measure != b.measure) return false;
+  if (!a.of.empty() && !b.of.empty() && a.of != b.of) return false;
+  return in_unit(a.min, a.unit, b.unit) > b.max || in_unit(b.min, b.unit, a.unit) > a.max;
+}
+
+void check_against_earlier(const Limit& limit, const std::vector<Limit>& earlier,
+                           hal::ConfigReader& json) {
+  const auto other =
+      std::ranges::find_if(earlier, [&](const Limit& e) { return contradict(limit, e); });
+  if (other == earlier.end()) return;
+  const bool from_below = std::isfinite(limit.min);
+  json.fault(from_below ? "min" : "max",
+             fmt::format("no {} keeps to it and to the {} {:g} that {} asks for", limit.measure,
+                         from_below ? "max" : "min", from_below ? other->max : other->min,
+                         hal::in_quotes(other->why)));
+}
+
 std::vector<Limit> parse_limits(hal::ConfigReader& root) {
   std::vector<std::string> names;
   for (const Measure& measure : measures()) names.emplace_back(measure.name);
@@ -107,7 +126,9 @@ std::vector<Limit> parse_limits(hal::ConfigReader& root) {
   for (hal::ConfigReader& json : root.objects("limits", false)) {
     const std::string name = json.text("measure");
     if (const Measure* measure = find_measure(name)) {
-      limits.push_back(parse_limit(*measure, json));
+      Limit limit = parse_limit(*measure, json);
+      if (root.faults().empty()) check_against_earlier(limit, limits, json);
+      limits.push_back(std::move(limit));
       continue;
     }
     if (!name.empty()) {

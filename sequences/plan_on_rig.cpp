@@ -4,8 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <memory>
 #include <string>
+#include <string_view>
+
+#include "hal/types/measure.hpp"
 
 namespace rvbench::sequences {
 namespace {
@@ -39,12 +44,37 @@ void add_phases(const char* stage, const Phases& phases, const TestPlan& plan, c
   }
 }
 
+// Of the shafts a rig samples what its TorqueSensor does, and that is at the input.
+bool is_recorded(std::string_view channel) {
+  using namespace channel_names;
+  return channel == input_torque || channel == input_angle;
+}
+
+void add_limits(const std::vector<Limit>& limits, std::vector<hal::ConfigFault>& faults) {
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const Limit& limit = limits[i];
+    const Measure* measure = find_measure(limit.measure);
+    if (measure == nullptr || measure->shaft_channels.empty()) continue;
+    std::vector<std::string_view> missing;
+    std::ranges::copy_if(measure->shaft_channels, std::back_inserter(missing),
+                         std::not_fn(is_recorded));
+    const bool of_one = !limit.of.empty();
+    if (of_one && !is_recorded(limit.of)) missing = {limit.of};
+    if (missing.empty()) continue;
+    faults.push_back({0, fmt::format("/limits/{}/{}", i, of_one ? "of" : "measure"),
+                      fmt::format("{} takes {}, which the rig does not record: it would end the "
+                                  "run INVALID",
+                                  limit.measure, fmt::join(missing, " and "))});
+  }
+}
+
 }  // namespace
 
 std::vector<hal::ConfigFault> faults_of_plan_on(const hal::Rig& rig, const TestPlan& plan) {
   std::vector<hal::ConfigFault> faults;
   add_phases("setup", plan.setup, plan, rig, faults);
   add_phases("main", plan.main, plan, rig, faults);
+  add_limits(plan.limits, faults);
   const double rate_Hz = rig.accelerometers->rate_Hz();
   const double asked_Hz = plan.acceleration_rate_Hz;
   if (!(std::abs(rate_Hz - asked_Hz) <= same_rate * asked_Hz)) {

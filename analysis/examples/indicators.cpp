@@ -37,15 +37,15 @@ Course course() {
   //! [page]
   const RegularMeshing without_mesh{.mesh_lines = 20, .sidebands = 0};
   const RegularMeshing without_sidebands{.mesh_lines = 20, .sidebands = 1};
-  Eigen::VectorXd variances(0);  // of the records before
+  std::vector<double> variances;  // of the records before
   for (Eigen::Index record = 0; record < records; ++record) {
     const Eigen::VectorXd average = average_of(record);
     const Eigen::VectorXd residual = mesh_residual(average, without_mesh);
     seen.fm0[record] = *fm0(average, 20, 2);
     seen.fm4[record] = fm4(mesh_residual(average, without_sidebands));
-    seen.na4[record] = *na4(residual, variances);
-    variances.conservativeResize(record + 1);
-    variances[record] = residual.squaredNorm() / double(residual.size());
+    const ResidualMoments moments = residual_moments(residual);
+    seen.na4[record] = *na4(moments, variances);
+    variances.push_back(moments.variance);
   }
   //! [page]
   return seen;

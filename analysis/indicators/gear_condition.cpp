@@ -1,5 +1,9 @@
 #include "analysis/indicators/gear_condition.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
 #include "analysis/spectrum.hpp"
 #include "analysis/statistics.hpp"
 #include "hal/types/require.hpp"
@@ -22,17 +26,25 @@ std::optional<double> fm0(const Eigen::Ref<const Eigen::VectorXd>& average, Eige
 
 double fm4(const Eigen::Ref<const Eigen::VectorXd>& difference) { return kurtosis(difference); }
 
-std::optional<double> na4(const Eigen::Ref<const Eigen::VectorXd>& residual,
-                          const Eigen::Ref<const Eigen::VectorXd>& earlier_variances) {
-  constexpr Require require{"na4"};
+ResidualMoments residual_moments(const Eigen::Ref<const Eigen::VectorXd>& residual) {
+  constexpr Require require{"residual_moments"};
   require(residual.size() >= 1 && residual.allFinite(), "needs at least 1 finite sample");
-  require(earlier_variances.allFinite() && (earlier_variances.array() >= 0).all(),
-          "variances must be finite and at least 0");
   const Eigen::ArrayXd square = (residual.array() - residual.mean()).square();
-  const double mean =
-      (earlier_variances.sum() + square.mean()) / double(earlier_variances.size() + 1);
+  return {square.mean(), square.square().mean()};
+}
+
+std::optional<double> na4(const ResidualMoments& now,
+                          const std::vector<double>& earlier_variances) {
+  constexpr Require require{"na4"};
+  const auto is_moment = [](double x) { return std::isfinite(x) && x >= 0; };
+  require(is_moment(now.variance) && is_moment(now.fourth_moment) &&
+              std::ranges::all_of(earlier_variances, is_moment),
+          "moments must be finite and at least 0");
+  const double sum =
+      std::accumulate(earlier_variances.begin(), earlier_variances.end(), now.variance);
+  const double mean = sum / double(earlier_variances.size() + 1);
   if (!(mean > 0)) return std::nullopt;
-  return square.square().mean() / (mean * mean);
+  return now.fourth_moment / (mean * mean);
 }
 
 }  // namespace rvbench::analysis

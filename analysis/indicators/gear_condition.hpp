@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <vector>
 
 namespace rvbench::analysis {
 
@@ -30,19 +31,27 @@ std::optional<double> fm0(const Eigen::Ref<const Eigen::VectorXd>& average, Eige
 /// Errors  none thrown. Source  Stewart (1977); Lebold et al. (2000)
 double fm4(const Eigen::Ref<const Eigen::VectorXd>& difference);
 
+/// How a residual swings: what NA4 asks of it, now and of earlier records.
+struct ResidualMoments {
+  double variance = 0;       ///< <(r - <r>)²>, in its unit squared
+  double fourth_moment = 0;  ///< <(r - <r>)⁴>, in the unit of variance squared
+};
+
+/// Shape   residual: N samples of the average without mesh harmonics, sidebands kept
+/// Errors  throws std::invalid_argument: N < 1, sample not finite
+ResidualMoments residual_moments(const Eigen::Ref<const Eigen::VectorXd>& residual);
+
 /// NA4, as FM4 for faults that spread, which keeps growing when all teeth are bad: the fourth
 /// moment against the mean variance of all records of the gear so far, not of this one alone.
 ///
 ///     NA4 = <(r - <r>)⁴> / (mean of the variances so far)²
 ///
-/// Shape   residual: N samples of the average without mesh harmonics, sidebands kept
 /// Units   dimensionless; 3 for Gaussian noise of constant variance
 /// @param earlier_variances  of the residuals of earlier records, in the unit of r squared; with
 ///                           none NA4 is the kurtosis
 /// @return empty where nothing has swung
-/// Errors  throws std::invalid_argument: a variance negative or not finite, N < 1
+/// Errors  throws std::invalid_argument: a variance or moment negative or not finite
 /// Source  Zakrajsek, Townsend & Decker, NASA TM-105950 (1993); Lebold et al. (2000)
-std::optional<double> na4(const Eigen::Ref<const Eigen::VectorXd>& residual,
-                          const Eigen::Ref<const Eigen::VectorXd>& earlier_variances);
+std::optional<double> na4(const ResidualMoments& now, const std::vector<double>& earlier_variances);
 
 }  // namespace rvbench::analysis

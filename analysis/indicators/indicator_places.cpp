@@ -12,12 +12,6 @@ namespace {
 
 constexpr double same_order = 1e-6;
 
-bool slips(const CharacteristicOrder& o, const Kinematics& kinematics) {
-  return std::ranges::any_of(kinematics.signatures, [&](const Signature& s) {
-    return s.slip > 0 && std::abs(s.order - o.order) < same_order;
-  });
-}
-
 template <typename Place>
 std::vector<std::string> names_of(const std::vector<Place>& places) {
   std::vector<std::string> names;
@@ -27,10 +21,18 @@ std::vector<std::string> names_of(const std::vector<Place>& places) {
 
 }  // namespace
 
+double slip_of(const CharacteristicOrder& order, const Kinematics& kinematics) {
+  double slip = 0;
+  for (const Signature& s : kinematics.signatures) {
+    if (std::abs(s.order - order.order) < same_order) slip = std::max(slip, s.slip);
+  }
+  return slip;
+}
+
 std::vector<CharacteristicOrder> locked_orders(const Kinematics& kinematics) {
   std::vector<CharacteristicOrder> locked;
   for (const CharacteristicOrder& o : kinematics.orders) {
-    if (!slips(o, kinematics)) locked.push_back(o);
+    if (slip_of(o, kinematics) == 0) locked.push_back(o);
   }
   return locked;
 }
@@ -66,7 +68,8 @@ std::vector<std::string> places_of(std::string_view measure, const Kinematics& k
   if (measure.starts_with("band_")) return names_of(order_bands(kinematics));
   if (measure == order_level) return names_of(locked_orders(kinematics));
   if (measure == sideband_ratio) return names_of(sideband_places(kinematics));
-  if (measure == fm0 || measure == fm4) return names_of(gear_places(kinematics));
+  if (measure == envelope_order_level) return names_of(kinematics.orders);
+  if (measure == fm0 || measure == fm4 || measure == na4) return names_of(gear_places(kinematics));
   if (measure == torque_ripple) {
     return {std::string(channel_names::input_torque), std::string(channel_names::output_torque)};
   }

@@ -22,6 +22,10 @@ struct GearPlace {
   MeshingGear gear;
 };
 
+/// How far a rolling element may stray from an order, relative to it; 0 of what is locked to the
+/// input shaft. Units, errors, source  of locked_orders()
+double slip_of(const CharacteristicOrder& order, const Kinematics& kinematics);
+
 /// Orders that are locked to the input shaft: all but those of rolling elements, which slip.
 /// Units  of the kinematics. Errors  none thrown. Source  ours
 std::vector<CharacteristicOrder> locked_orders(const Kinematics& kinematics);

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "analysis/envelope/band_pass.hpp"
 #include "analysis/statistics.hpp"
 #include "hal/types/require.hpp"
 
@@ -18,11 +17,6 @@ SignalLevels signal_levels(const Eigen::Ref<const Eigen::VectorXd>& x) {
   if (levels.rms > 0) levels.crest_factor = levels.peak / levels.rms;
   levels.kurtosis = kurtosis(x);
   return levels;
-}
-
-SignalLevels band_levels(const Eigen::Ref<const Eigen::VectorXd>& x, double rate, double from,
-                         double to) {
-  return signal_levels(band_passed(x, rate, from, to));
 }
 
 }  // namespace rvbench::analysis

@@ -21,10 +21,4 @@ struct SignalLevels {
 ///         229-235 (1978) for kurtosis
 SignalLevels signal_levels(const Eigen::Ref<const Eigen::VectorXd>& x);
 
-/// The same of what lies between two frequencies.
-/// Units, limits, errors  of band_passed(): Hz, or orders for samples per turn
-/// Source  of signal_levels()
-SignalLevels band_levels(const Eigen::Ref<const Eigen::VectorXd>& x, double rate, double from,
-                         double to);
-
 }  // namespace rvbench::analysis

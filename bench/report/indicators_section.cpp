@@ -1,40 +1,35 @@
+#include <algorithm>
 #include <cmath>
 
 #include "bench/limit_checks.hpp"
 #include "bench/report/html.hpp"
 #include "bench/report/sections.hpp"
+#include "bench/worst_indicator.hpp"
 #include "bench/xml_text.hpp"
 #include "hal/types/measure.hpp"
 
 namespace rvbench::bench::report {
 namespace {
 
-struct Worst {
-  double value = not_known;
-  std::string unit;
-  std::string where;
-};
-
-void take_if_worse(Worst& worst, const Measure& measure,
-                   const std::vector<analysis::Indicator>& indicators, const std::string& where) {
-  for (const analysis::Indicator& i : indicators) {
-    if (i.measure != measure.name) continue;
-    const bool better = measure.worst_is_least ? i.value >= worst.value : i.value <= worst.value;
-    if (better) continue;  // never of what is not known yet: NaN
-    worst = {i.value, i.unit, where + (i.of.empty() ? "" : "; " + i.of)};
-  }
-}
-
-Worst worst_of(const Measure& measure, const Judgement& judgement) {
-  Worst worst;
-  for (const JudgedPoint& point : judgement.points) {
-    const std::string caption = caption_of(point);
-    for (const analysis::ChannelExamination& channel : point.examination.channels) {
-      take_if_worse(worst, measure, channel.indicators, caption + "; " + channel.name);
+// The units that a measure's values are compared in: its own for all that leads there, and what an
+// unknown sensor gives by itself.
+std::vector<std::string> units_of(const Measure& measure, const Judgement& judgement) {
+  const std::string own(measure.units.front());
+  std::vector<std::string> units;
+  const auto add = [&](const std::vector<analysis::Indicator>& indicators) {
+    for (const analysis::Indicator& i : indicators) {
+      if (i.measure != measure.name) continue;
+      const std::string unit = std::isnan(in_unit(i.value, i.unit, own)) ? i.unit : own;
+      if (std::ranges::find(units, unit) == units.end()) units.push_back(unit);
     }
-    take_if_worse(worst, measure, point.examination.indicators, caption);
+  };
+  for (const JudgedPoint& point : judgement.points) {
+    for (const analysis::ChannelExamination& channel : point.examination.channels) {
+      add(channel.indicators);
+    }
+    add(point.examination.indicators);
   }
-  return worst;
+  return units;
 }
 
 // "≤ 4 for pin-lobe pass: within"; one line per limit of the plan.
@@ -53,15 +48,20 @@ std::string limits_on(const Measure& measure, const Judgement& judgement) {
 }  // namespace
 
 std::string indicators_section(const ReportInput& input) {
+  const Judgement& judgement = input.judgement;
   std::vector<std::vector<std::string>> rows;
   for (const Measure& measure : measures()) {
-    const Worst worst = worst_of(measure, input.judgement);
-    const std::string limits = limits_on(measure, input.judgement);
-    const bool is_finding = measure.name == measure_names::modulation_depth;
-    if (is_finding || (std::isnan(worst.value) && limits == "–")) continue;
-    rows.push_back({std::string(measure.name), std::string(measure.meaning), number(worst.value),
-                    xml_escaped(worst.unit == "1" ? "" : worst.unit), xml_escaped(worst.where),
-                    limits});
+    if (measure.name == measure_names::modulation_depth) continue;  // of a finding
+    const std::string limits = limits_on(measure, judgement);
+    std::vector<std::string> units = units_of(measure, judgement);
+    if (units.empty() && limits != "–") units.emplace_back(measure.units.front());
+    for (const std::string& unit : units) {
+      const WorstIndicator worst =
+          worst_indicator(judgement, {measure, unit, measure.worst_is_least});
+      rows.push_back({std::string(measure.name), std::string(measure.meaning), number(worst.value),
+                      xml_escaped(unit == "1" ? "" : unit),
+                      xml_escaped(readable_place(judgement, worst.where)), limits});
+    }
   }
   if (rows.empty()) return "";
   return section("Indicators",

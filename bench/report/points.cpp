@@ -61,4 +61,13 @@ std::string caption_of(const JudgedPoint& point) {
                      seen.repeat);
 }
 
+std::string readable_place(const Judgement& judgement, const std::string& where) {
+  for (const JudgedPoint& point : judgement.points) {
+    const std::string& source = point.examination.source;
+    if (!source.empty() && (where == source || where.starts_with(source + ", ")))
+      return caption_of(point) + where.substr(source.size());
+  }
+  return where;
+}
+
 }  // namespace rvbench::bench::report

@@ -29,10 +29,14 @@ std::vector<std::size_t> representative_points(const Judgement& judgement);
 /// Index of the channel to show: where the strongest signature was read, else the loudest.
 std::size_t shown_channel(const analysis::Examination& examination);
 
-/// HTML: "within", or in bold "above", "below" or "not measured".
+/// HTML: "within", or in bold "above", "below" or "could not be measured", and at how many points.
 std::string state_of(const LimitCheck& check);
 
 /// "605 rpm, 100 % load, repeat 1", or the name of the file.
 std::string caption_of(const JudgedPoint& point);
+
+/// "1210 rpm, 50 % load, repeat 1, accel_2x" for "recording.h5#004, accel_2x"; a place at no point
+/// as it is.
+std::string readable_place(const Judgement& judgement, const std::string& where);
 
 }  // namespace rvbench::bench::report

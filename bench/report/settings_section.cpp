@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bench/limit_checks.hpp"
@@ -11,20 +12,11 @@ namespace rvbench::bench::report {
 namespace {
 
 constexpr std::size_t most_events = 200;
+constexpr std::size_t most_lacking = 24;
 
 std::string document(const char* name, const std::string& json) {
   if (json.empty()) return "";
   return fmt::format("<h3>{}</h3>\n<pre>{}</pre>\n", name, xml_escaped(json));
-}
-
-// "1210 rpm, 50 % load, repeat 1, accel_2x" rather than the path of the recording.
-std::string readable_place(const Judgement& judgement, const std::string& where) {
-  for (const JudgedPoint& point : judgement.points) {
-    const std::string& source = point.examination.source;
-    if (!source.empty() && (where == source || where.starts_with(source + ", ")))
-      return caption_of(point) + where.substr(source.size());
-  }
-  return where;
 }
 
 std::string events_table(const RunFacts& facts) {
@@ -78,12 +70,27 @@ std::string narrowed_to(const LimitCheck& check) {
   return check.of.empty() ? "any" : check.of;
 }
 
+// All points at which a limit could not be held against anything.
+std::string points_lacking(const Judgement& judgement, const LimitCheck& check) {
+  const std::size_t shown = std::min(check.lacking.size(), most_lacking);
+  std::string list;
+  for (std::size_t i = 0; i < shown; ++i) {
+    list += (i > 0 ? "; " : "") + readable_place(judgement, check.lacking[i]);
+  }
+  if (shown < check.lacking.size()) list += fmt::format("; {} more", check.lacking.size() - shown);
+  return paragraph(name_of(check) + " was not measured at " + list + ".");
+}
+
 }  // namespace
 
 std::string state_of(const LimitCheck& check) {
-  if (check.passed) return "within";
-  if (std::isnan(check.measured)) return "<b>not measured</b>";
-  return fmt::format("<b>{}</b>", beyond(check));
+  std::string state;
+  if (!is_measured(check)) state = "<b>" + xml_escaped(why_unmeasured(check)) + "</b>";
+  if (std::isnan(check.measured)) return state;
+  if (!state.empty()) state += "; ";
+  state += is_beyond(check) ? fmt::format("<b>{}</b>", beyond(check)) : "within";
+  const std::string coverage = coverage_of(check);
+  return coverage.empty() ? state : state + ", " + coverage;
 }
 
 std::string limits_section(const ReportInput& input) {
@@ -91,13 +98,17 @@ std::string limits_section(const ReportInput& input) {
   std::vector<std::vector<std::string>> rows;
   for (const LimitCheck& check : input.judgement.limits) {
     rows.push_back({xml_escaped(check.measure), xml_escaped(narrowed_to(check)),
-                    number(check.measured), number(bound_of(check)), xml_escaped(check.unit),
-                    state_of(check), xml_escaped(readable_place(input.judgement, check.where)),
+                    number(check.measured), bound_name(check) + (" " + number(bound_of(check))),
+                    xml_escaped(check.unit), state_of(check),
+                    xml_escaped(readable_place(input.judgement, check.where)),
                     xml_escaped(check.why)});
   }
   if (!rows.empty()) {
     html += "<h3>Limits of the plan</h3>\n" +
             table({"measure", "of", "measured", "limit", "unit", "", "worst at", "why"}, rows);
+  }
+  for (const LimitCheck& check : input.judgement.limits) {
+    if (!check.lacking.empty()) html += points_lacking(input.judgement, check);
   }
   std::vector<std::vector<std::string>> notes;
   for (const analysis::QualityNote& note : input.judgement.diagnosis.quality) {

@@ -11,6 +11,12 @@ struct Measure {
   std::vector<std::string_view> units;  ///< a limit may be in; the first is as it is measured
   std::string_view meaning;
   bool worst_is_least = false;  ///< the smallest value is the one to worry about
+  double least = 0;             ///< there can be; of a pure number
+  double most = 1e9;            ///< likewise
+  /// Of the shafts that it is made of, at the least; empty: it is of an acceleration channel.
+  std::vector<std::string_view> shaft_channels = {};
+  /// When a sound record lacks it: "no mesh is heard"; empty: none may.
+  std::string_view absent_when = {};
 };
 
 /// All there are. A measure that is not listed here cannot be limited.
@@ -34,9 +40,11 @@ inline constexpr std::string_view band_peak = "band_peak";
 inline constexpr std::string_view band_crest_factor = "band_crest_factor";
 inline constexpr std::string_view band_kurtosis = "band_kurtosis";
 inline constexpr std::string_view order_level = "order_level";
+inline constexpr std::string_view envelope_order_level = "envelope_order_level";
 inline constexpr std::string_view sideband_ratio = "sideband_ratio";
 inline constexpr std::string_view fm0 = "fm0";
 inline constexpr std::string_view fm4 = "fm4";
+inline constexpr std::string_view na4 = "na4";
 inline constexpr std::string_view torque_ripple = "torque_ripple";
 inline constexpr std::string_view efficiency = "efficiency";
 inline constexpr std::string_view transmission_error = "transmission_error";

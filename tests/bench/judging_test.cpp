@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "bench/limit_checks.hpp"
+
 namespace rvbench::bench {
 namespace {
 
@@ -34,7 +36,8 @@ JudgedPoint point_with_fm4(double sun, double planet) {
   point.examination.channels[0].indicators = {{"fm4", "mesh, sun", 3, "1"},
                                               {"fm4", "mesh, planet", planet, "1"}};
   point.examination.channels[1].name = "accel_1y";
-  point.examination.channels[1].indicators = {{"fm4", "mesh, sun", sun, "1"}};
+  point.examination.channels[1].indicators = {{"fm4", "mesh, sun", sun, "1"},
+                                              {"fm4", "mesh, planet", 3, "1"}};
   return point;
 }
 
@@ -78,7 +81,7 @@ TEST_CASE("the worst of all points, channels and places counts, and the check sa
   CHECK(judgement.limits.at(0).measured == 9);
   CHECK(judgement.limits.at(0).where == "recording.h5#000, accel_1y, mesh, sun");
   CHECK(judgement.ending.reason ==
-        "fm4 9 above its limit 8 at recording.h5#000, accel_1y, mesh, sun");
+        "fm4 9 above its max 8 at recording.h5#000, accel_1y, mesh, sun");
   CHECK(concluded(points, {limit_on("fm4", 9)}).ending.outcome == Outcome::pass);
 }
 
@@ -92,10 +95,101 @@ TEST_CASE("a limit that is narrowed to a gear is deaf to others", "[bench]") {
 TEST_CASE("an indicator that is in no record is no pass", "[bench]") {
   const Judgement judgement = concluded({point_with_fm4(3, 3)}, {limit_on("fm0", 1e9)});
   CHECK(judgement.ending.outcome == Outcome::invalid);
-  CHECK(judgement.ending.reason == "fm0 could not be measured");
+  CHECK(judgement.ending.reason ==
+        "fm0 could not be measured: no mesh is heard well above the noise");
   CHECK(std::isnan(judgement.limits.at(0).measured));
   CHECK(concluded({point_with_fm4(3, 3)}, {limit_on("fm4", 1e9, "mesh, wheel")}).ending.reason ==
         "fm4 of mesh, wheel could not be measured");
+}
+
+TEST_CASE("a limit that could not be held against one channel of one point is no pass", "[bench]") {
+  JudgedPoint deaf = point_with_fm4(3, 3);
+  deaf.examination.source = "recording.h5#001";
+  deaf.examination.channels[1].indicators.pop_back();  // the planet's
+  const Judgement judgement = concluded({point_with_fm4(3, 3), deaf}, {limit_on("fm4", 8)});
+  CHECK(exit_code(judgement.ending) == 20);
+  CHECK(judgement.ending.reason ==
+        "fm4 could not be measured at 1 of 2 points, first recording.h5#001, accel_1y, mesh, "
+        "planet");
+  CHECK_FALSE(judgement.limits.at(0).passed);
+  CHECK(judgement.limits.at(0).points == 2);
+  CHECK(judgement.limits.at(0).measured == 3);
+  CHECK(judgement.limits.at(0).lacking ==
+        std::vector<std::string>{"recording.h5#001, accel_1y, mesh, planet"});
+  // Of the other gear it is held against everything.
+  CHECK(concluded({point_with_fm4(3, 3), deaf}, {limit_on("fm4", 8, "mesh, sun")}).ending.outcome ==
+        Outcome::pass);
+}
+
+TEST_CASE("a value in a unit that leads nowhere is no value", "[bench]") {
+  JudgedPoint volts = point_with_peak(0.1);
+  volts.examination.channels.front().indicators.front().unit = "V";
+  const Judgement judgement = concluded({point_with_peak(0.1), volts}, {peak_in_g});
+  CHECK(judgement.ending.reason ==
+        "acceleration_peak could not be measured in g at 1 of 2 points, first recording.h5#000, "
+        "accel_1x");
+}
+
+TEST_CASE(
+    "a ratio to a mesh is held where the mesh is heard, and the check says at how many points",
+    "[bench]") {
+  JudgedPoint heard = point_with_peak(0.1);
+  heard.examination.channels.resize(2, heard.examination.channels.front());
+  heard.examination.channels[1].indicators = {{"fm0", "mesh, sun", 3, "1"}};  // in one channel
+  JudgedPoint silent = point_with_peak(0.1);
+  silent.examination.source = "recording.h5#001";
+  const Judgement judgement = concluded({heard, silent}, {limit_on("fm0", 4)});
+  CHECK(judgement.ending.outcome == Outcome::pass);
+  CHECK(coverage_of(judgement.limits.at(0)) == "measured at 1 of 2 points");
+  CHECK(concluded({heard, silent}, {limit_on("fm0", 2)}).ending.outcome == Outcome::fail);
+  CHECK(concluded({silent}, {limit_on("fm0", 4)}).ending.outcome == Outcome::invalid);
+  CHECK(coverage_of(concluded({heard}, {limit_on("fm0", 4)}).limits.at(0)).empty());
+}
+
+TEST_CASE("a limit that could not be measured outweighs one that is exceeded, and both are said",
+          "[bench]") {
+  const std::vector<Limit> limits{limit_on("fm4", 8), limit_on("fm0", 4)};
+  const Judgement judgement = concluded({point_with_fm4(9, 6)}, limits);
+  CHECK(exit_code(judgement.ending) == 20);
+  CHECK(judgement.ending.reason ==
+        "fm0 could not be measured: no mesh is heard well above the noise; beside it fm4 9 above "
+        "its max 8 at recording.h5#000, accel_1y, mesh, sun");
+}
+
+TEST_CASE("of data that cannot be trusted it is said why, not what is missing for it", "[bench]") {
+  JudgedPoint clipped = point_with_peak(0.1);
+  clipped.examination.channels.front().indicators.clear();
+  clipped.examination.quality = {{"recording.h5#000, accel_1x", "clipped", true}};
+  CHECK(concluded({clipped}, {peak_in_g}).ending.reason == "recording.h5#000, accel_1x: clipped");
+}
+
+TEST_CASE("a gear is held against the earlier repeats of the same speed and load", "[bench]") {
+  const auto point = [](double speed_rpm, double load_pct, double variance) {
+    JudgedPoint p = point_with_peak(0.1);
+    p.planned_speed_rpm = speed_rpm;
+    p.examination.load_pct = load_pct;
+    p.examination.channels.front().residuals = {{"mesh, sun", {variance, 3 * variance * variance}}};
+    return p;
+  };
+  const auto na4_at = [](const JudgedPoint& p) {
+    for (const auto& i : p.examination.channels.front().indicators) {
+      if (i.measure == "na4") return i.value;
+    }
+    return not_known;
+  };
+  const std::vector<JudgedPoint> points{point(605, 50, 1), point(605, 100, 9), point(605, 50, 4),
+                                        point(1210, 50, 9), point(605, 50, 1)};
+  const Judgement judgement = concluded(points, {limit_on("na4", 8)});
+  CHECK(std::isnan(na4_at(judgement.points[0])));
+  CHECK(std::isnan(na4_at(judgement.points[1])));
+  CHECK(na4_at(judgement.points[2]) == Approx(7.68));  // 3·16 over (5/2)²
+  CHECK(std::isnan(na4_at(judgement.points[3])));
+  CHECK(na4_at(judgement.points[4]) == Approx(0.75));  // 3 over (6/3)²
+  CHECK(judgement.ending.outcome == Outcome::pass);
+  CHECK(coverage_of(judgement.limits.at(0)) == "measured at 2 of 5 points");
+  // Recordings of which no speed was planned are nobody's repeats.
+  const Judgement stored = concluded({point(not_known, 50, 1), point(not_known, 50, 4)}, {});
+  CHECK(std::isnan(na4_at(stored.points[1])));
 }
 
 TEST_CASE("of a limit from below the least value counts", "[bench]") {
@@ -103,7 +197,7 @@ TEST_CASE("of a limit from below the least value counts", "[bench]") {
   good.examination.indicators = {{"efficiency", "", 0.9, "1"}};
   poor.examination.indicators = {{"efficiency", "", 0.7, "1"}};
   const Judgement judgement = concluded({good, poor}, {least("efficiency", 0.8)});
-  CHECK(judgement.ending.reason == "efficiency 0.7 below its limit 0.8 at recording.h5#000");
+  CHECK(judgement.ending.reason == "efficiency 0.7 below its min 0.8 at recording.h5#000");
   CHECK(judgement.ending.outcome == Outcome::fail);
   CHECK(concluded({good}, {least("efficiency", 0.8)}).ending.outcome == Outcome::pass);
   CHECK(concluded({point_with_peak(0.1)}, {least("efficiency", 0.8)}).ending.outcome ==
@@ -170,7 +264,8 @@ TEST_CASE("a limit on a part that the machine does not have is a fault of the pl
   const auto faults = limits_on_unknown_parts({known, misspelt}, kinematics);
   REQUIRE(faults.size() == 1);
   CHECK(faults[0].pointer == "/limits/1/component");
-  CHECK_THAT(faults[0].message, Contains("did you mean \"sun_gear\"?"));
+  CHECK(faults[0].message ==
+        "RV-20E has no \"sun_geer\" (there are: sun_gear), did you mean \"sun_gear\"?");
 }
 
 TEST_CASE("a limit on a band or gear that the machine does not have is a fault of the plan",
@@ -188,9 +283,10 @@ TEST_CASE("a limit on a band or gear that the machine does not have is a fault o
       {limit_on("band_rms", 1, "pinion mush"), limit_on("kurtosis", 4, "pinion mesh")}, machine);
   REQUIRE(faults.size() == 2);
   CHECK(faults[0].pointer == "/limits/0/of");
-  CHECK_THAT(faults[0].message, Contains("gear rig has no band_rms of \"pinion mush\"") &&
+  CHECK_THAT(faults[0].message, Contains("gear rig has no band_rms of \"pinion mush\" (there are: "
+                                         "below the meshes, pinion mesh, above the meshes)") &&
                                     Contains("did you mean \"pinion mesh\"?"));
-  CHECK_THAT(faults[1].message, Contains("no kurtosis of"));  // it is of the whole signal
+  CHECK(faults[1].message == "kurtosis is of no single part of gear rig: leave it out");
 }
 
 TEST_CASE("the plan's limits on modulation depth replace those of the kinematics", "[bench]") {

@@ -47,8 +47,22 @@ TEST_CASE("junit.xml maps points, limits and findings", "[bench]") {
   CHECK_THAT(xml, Contains(R"(tests="5" failures="3" errors="0" skipped="1" time="123.500")"));
   CHECK_THAT(xml, Contains(R"(name="605 rpm, 100 %, repeat 1"/>)"));
   CHECK_THAT(xml, Contains(R"(name="1210 rpm, 50 %, repeat 2"><skipped message="not recorded"/>)"));
-  CHECK_THAT(xml, Contains(R"(name="acceleration_peak"><failure message="1.9 g is above 0.5 g)"));
+  CHECK_THAT(
+      xml, Contains(R"(name="acceleration_peak"><failure message="1.9 g is above its max 0.5 g)"));
   CHECK_THAT(xml, Contains(R"(name="input_shaft: misalignment"><failure)"));
+}
+
+TEST_CASE("a limit that could not be measured is an error, and what it exceeds is said",
+          "[bench]") {
+  Judgement judgement = test::passed_run();
+  judgement.limits.front().points = 3;
+  judgement.limits.front().lacking = {"recording.h5#001, accel_1x"};
+  judgement.limits.front().measured = 1.9;
+  CHECK_THAT(junit_xml(judgement),
+             Contains(R"(<error message="could not be measured in g at 1 of 3 points, first )"
+                      "recording.h5#001, accel_1x; 1.9 g is above its max 0.5 g"));
+  judgement.limits.front().measured = not_known;
+  CHECK_THAT(junit_xml(judgement), Contains(R"(<error message="could not be measured in g"/>)"));
 }
 
 TEST_CASE("a good unit has no failure in junit.xml", "[bench]") {

@@ -53,12 +53,38 @@ TEST_CASE("a limit on any indicator of the RV-20E is no fault", "[bench]") {
   const std::string limit = GENERATE(
       R"("measure": "fm4", "of": "sun-planet mesh, sun against carrier", "max": 6, "why": "x")",
       R"("measure": "band_rms", "of": "above the meshes", "unit": "g", "max": 1, "why": "x")",
-      R"("measure": "torque_ripple", "of": "input_torque", "max": 1, "why": "x")",
-      R"("measure": "efficiency", "min": 0.7, "why": "x")");
+      R"("measure": "envelope_order_level", "of": "input shaft", "max": 0.2, "why": "x")",
+      R"("measure": "na4", "max": 9, "why": "x")",
+      R"("measure": "torque_ripple", "of": "input_torque", "max": 1, "why": "x")");
   CAPTURE(limit);
   write_file(plan, quick_with_limit(limit));
   CHECK(rvbench({"check", plan}).err.empty());
   CHECK(rvbench({"run", plan, "--rig", "sim", "--dry-run"}).code == 0);
+}
+
+TEST_CASE("a limit on what the rig does not record is no fault of the plan, but no run begins",
+          "[bench]") {
+  const ScratchFolder scratch;
+  const std::string plan = (scratch.path() / "plan.json").string();
+  const auto [limit, told] = GENERATE(table<std::string, std::string>({
+      {R"("measure": "efficiency", "min": 0.7, "why": "x")",
+       "/limits/0/measure: efficiency takes output_torque and output_angle, which the rig does "
+       "not record"},
+      {R"("measure": "transmission_error", "unit": "arcsec", "max": 60, "why": "x")",
+       "/limits/0/measure: transmission_error takes output_angle, which"},
+      {R"("measure": "torque_ripple", "of": "output_torque", "max": 1, "why": "x")",
+       "/limits/0/of: torque_ripple takes output_torque, which"},
+  }));
+  CAPTURE(limit);
+  write_file(plan, quick_with_limit(limit));
+  CHECK(rvbench({"check", plan}).code == 0);
+  const Answer dry = rvbench({"run", plan, "--rig", "sim", "--dry-run"});
+  CHECK(dry.code == 3);
+  CHECK_THAT(dry.err, Contains(told));
+  const Answer run = rvbench(
+      {"run", plan, "--rig", "sim", "--serial", "A1", "--out", (scratch.path() / "runs").string()});
+  CHECK(run.code == 3);
+  CHECK_THAT(run.err, Contains(told));
 }
 
 TEST_CASE("the README tells of every measure", "[bench]") {

@@ -90,7 +90,7 @@ TEST_CASE("the report tells the worst of each indicator, where, and what the pla
   CHECK_THAT(html, Contains("<h2>Indicators</h2>"));
   const std::string table = html.substr(html.find("<h2>Indicators</h2>"));
   const std::string row = table.substr(table.find("<td>band_rms"), 400);
-  CHECK_THAT(row, Contains("<td>1.5</td>") && Contains("accel_1x; sun-planet mesh") &&
+  CHECK_THAT(row, Contains("<td>1.5</td>") && Contains("accel_1x, sun-planet mesh") &&
                       Contains("≤ 1 m/s² for pin pass: <b>above</b>"));
   CHECK_THAT(table.substr(table.find("<td>torque_ripple"), 300), Contains("<td>–</td>"));
   for (auto& point : input.judgement.points) {
@@ -99,6 +99,40 @@ TEST_CASE("the report tells the worst of each indicator, where, and what the pla
   }
   input.judgement.limits.clear();
   CHECK_THAT(make_report(input), !Contains("<h2>Indicators</h2>"));
+}
+
+TEST_CASE("the worst of an indicator is the worst in one unit, whatever each sensor is in",
+          "[bench]") {
+  ReportInput input = failed_input();
+  auto& channels = input.judgement.points.front().examination.channels;
+  channels.resize(1);
+  channels.resize(3, channels.front());
+  channels[0].indicators = {{"acceleration_rms", "", 5, "m/s²"}};
+  channels[1].name = "accel_in_g";
+  channels[1].indicators = {{"acceleration_rms", "", 1, "g"}};  // 9.81 m/s²
+  channels[2].name = "unknown";
+  channels[2].indicators = {{"acceleration_rms", "", 7, "V"}};
+  const std::string html = make_report(input);
+  const std::string table = html.substr(html.find("<h2>Indicators</h2>"));
+  const std::string row = table.substr(table.find("<td>acceleration_rms"));
+  CHECK_THAT(row.substr(0, 200), Contains("<td>9.81</td><td>m/s²</td>") && Contains("accel_in_g"));
+  const std::string next = row.substr(row.find("<td>acceleration_rms", 1), 200);
+  CHECK_THAT(next, Contains("<td>7</td><td>V</td>") && Contains("unknown"));
+}
+
+TEST_CASE("the report tells at which points a limit could not be held against anything",
+          "[bench]") {
+  ReportInput input = failed_input();
+  LimitCheck check{"fm4", "", "1", 8, 3, "recording.h5#000, accel_1x, mesh", false, "", "mesh"};
+  check.points = 2;
+  check.lacking = {"recording.h5#000, accel_1y, mesh"};
+  input.judgement.limits = {check};
+  CHECK_THAT(make_report(input),
+             Contains("could not be measured at 1 of 2 points") && Contains("max 8") &&
+                 Contains("fm4 of mesh was not measured at 605 rpm, 100 % load, repeat 1, "
+                          "accel_1y, mesh."));
+  input.judgement.limits[0].lacking.clear();
+  CHECK_THAT(make_report(input), !Contains("not measured") && !Contains("could not be measured"));
 }
 
 TEST_CASE("the report says first what the verdict is", "[bench]") {

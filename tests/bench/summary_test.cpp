@@ -41,6 +41,25 @@ TEST_CASE("confidence is told of findings above their limit, and of no others", 
   CHECK_THAT(summary_of(judgement), !Contains("confidence"));
 }
 
+TEST_CASE("a limit is told as max or min, and where it could not be measured", "[bench]") {
+  Judgement judgement = test::failed_run();
+  CHECK_THAT(
+      summary_of(judgement),
+      Contains("ABOVE  acceleration_peak: 1.9 g (max 0.5 g) at recording.h5#000, accel_1x\n"));
+  LimitCheck& check = judgement.limits.front();
+  check = {"efficiency", "", "1", not_known, 0.7, "point 000", false, "", "", 0.8};
+  CHECK_THAT(summary_of(judgement), Contains("BELOW  efficiency: 0.7 (min 0.8) at point 000\n"));
+  check.points = 3;
+  check.lacking = {"point 001"};
+  CHECK_THAT(summary_of(judgement),
+             Contains("no value efficiency (min 0.8): could not be measured at 1 of 3 points, "
+                      "first point 001\n") &&
+                 Contains("at point 000; measured at 2 of 3 points\n"));
+  check.measured = not_known;
+  CHECK_THAT(summary_of(judgement),
+             Contains("no value efficiency (min 0.8): could not be measured\n"));
+}
+
 TEST_CASE("what the teardown came to is told, if it has something to say", "[bench]") {
   Judgement judgement = test::failed_run();
   CHECK_THAT(summary_of(judgement), !Contains("teardown"));

@@ -65,11 +65,14 @@ TEST_CASE("a verdict from before there were indicators is still read", "[bench]"
   for (auto& limit : json["limits"]) {
     limit.erase("of");
     limit.erase("min");
+    limit.erase("points");
+    limit.erase("not_measured_at");
   }
   const auto again = judgement_from_json(json.dump());
   REQUIRE(again);
   CHECK(again->points.at(0).examination.channels.at(0).indicators.empty());
   CHECK(std::isnan(again->limits.at(0).min));
+  CHECK(again->limits.at(0).lacking.empty());
 }
 
 TEST_CASE("what is not known is null, not zero", "[bench]") {

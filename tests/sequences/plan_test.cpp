@@ -161,7 +161,7 @@ TEST_CASE("every measure can be limited in each of its units", "[sequences][plan
   for (const Measure& measure : measures()) {
     for (const std::string_view unit : measure.units) {
       const std::string limit = "\"measure\": \"" + std::string(measure.name) + "\", \"unit\": \"" +
-                                std::string(unit) + "\", \"max\": 3, \"why\": \"ten units\"";
+                                std::string(unit) + "\", \"max\": 1, \"why\": \"ten units\"";
       CAPTURE(limit);
       const TestPlan plan = test::plan_of(small_with_limit(limit));
       REQUIRE(plan.limits.size() == 1);
@@ -185,6 +185,42 @@ TEST_CASE("a limit on what is not measured, or in a wrong unit, is a fault of th
              Contains("/limits/0/why: this key is missing"));
   CHECK_THAT(faults_of_limit(R"("measure": "fm4", "component": "crank", "max": 4, "why": "x")"),
              Contains("fm4 is narrowed by \"of\""));
+}
+
+TEST_CASE("a bound that no value can be beyond is a fault of the plan", "[sequences][plan]") {
+  using Catch::Contains;
+  const auto [limit, told] = GENERATE(table<std::string, std::string>({
+      // <x⁴> is at least <x²>², and a peak at least the rms.
+      {R"("measure": "kurtosis", "max": 0.9, "why": "x")", "/limits/0/max: 0.9 is below 1"},
+      {R"("measure": "band_kurtosis", "max": 0.9, "why": "x")", "/limits/0/max: 0.9 is below 1"},
+      {R"("measure": "fm4", "max": 0.9, "why": "x")", "/limits/0/max: 0.9 is below 1"},
+      {R"("measure": "crest_factor", "min": 0.9, "why": "x")", "/limits/0/min: 0.9 is below 1"},
+      {R"("measure": "efficiency", "min": 1.2, "why": "x")", "/limits/0/min: 1.2 is above 1"},
+      {R"("measure": "fm0", "max": -1, "why": "x")", "/limits/0/max: -1 is below 0"},
+      {R"("measure": "fm0", "max": NaN, "why": "x")", "NaN"},
+      {R"("measure": "fm0", "max": 1e999, "why": "x")", "number overflow"},
+  }));
+  CAPTURE(limit);
+  CHECK_THAT(faults_of_limit(limit), Contains(told));
+}
+
+TEST_CASE("two limits that no value keeps to are a fault of the plan", "[sequences][plan]") {
+  using Catch::Contains;
+  const std::string at_least = R"("measure": "fm0", "min": 5, "why": "a"}, {)";
+  CHECK_THAT(faults_of_limit(at_least + R"("measure": "fm0", "max": 4, "why": "b")"),
+             Contains("/limits/1/max: no fm0 keeps to it and to the min 5 that \"a\" asks for"));
+  CHECK_THAT(faults_of_limit(R"("measure": "band_rms", "unit": "g", "max": 1, "why": "a"}, {)"
+                             R"("measure": "band_rms", "unit": "m/s²", "min": 9.9, "why": "b",)"
+                             R"("of": "above the meshes")"),
+             Contains("/limits/1/min: no band_rms keeps to it and to the max 1"));
+  for (const char* other :
+       {R"("measure": "fm0", "max": 6, "why": "b")", R"("measure": "fm4", "max": 4, "why": "b")"}) {
+    CAPTURE(other);
+    CHECK(test::plan_of(small_with_limit(at_least + other)).limits.size() == 2);
+  }
+  CHECK(test::plan_of(small_with_limit(R"("measure": "fm0", "of": "a", "min": 5, "why": "a"}, {)"
+                                       R"("measure": "fm0", "of": "b", "max": 4, "why": "b")"))
+            .limits.size() == 2);
 }
 
 TEST_CASE("a limit bounds from one side", "[sequences][plan]") {

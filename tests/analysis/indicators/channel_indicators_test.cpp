@@ -27,13 +27,17 @@ Kinematics small_reducer() {
   return analysis::rv_reducer("small", {12, 24, 2, 9, 10}, {11, 5, 26, 0});
 }
 
-std::vector<Indicator> indicators_of(const Eigen::VectorXd& x,
-                                     const OrderSignals& shaft = turning) {
+analysis::ChannelIndicators all_of(const Eigen::VectorXd& x, const OrderSignals& shaft) {
   const Channel channel = shaft.channel(x);
   const Kinematics machine = small_reducer();
   const analysis::OrderLines lines(channel, shaft.angle(), machine.period_turns);
   const auto heard = analysis::spectral_lines(lines, machine);
   return analysis::channel_indicators(channel, lines, machine, heard);
+}
+
+std::vector<Indicator> indicators_of(const Eigen::VectorXd& x,
+                                     const OrderSignals& shaft = turning) {
+  return all_of(x, shaft).list;
 }
 
 std::optional<double> value_of(const std::vector<Indicator>& all, std::string_view measure,
@@ -113,6 +117,43 @@ TEST_CASE("where no mesh is heard nothing is set in relation to it", "[analysis]
     CHECK(std::ranges::count(all, measure, &Indicator::measure) == 0);
   }
   CHECK(value_of(all, "kurtosis"));
+}
+
+TEST_CASE("of a mesh that noise almost drowns no ratio is told, though its line is heard",
+          "[analysis][indicators]") {
+  const std::string gear = "sun-planet mesh, sun against carrier";
+  const std::string sides = "sun-planet mesh at input shaft";
+  // Under a Hann window n samples of white noise of rms 1 have lines of √(6/n) rms.
+  const double line_noise = std::sqrt(6.0 / double(turning.count));
+  const unsigned seed = GENERATE(1U, 2U, 3U);
+  CAPTURE(seed);
+  const auto with_mesh = [&](double over_noise) {
+    return indicators_of(over_noise * line_noise * turning.tone(mesh) + turning.noise(seed));
+  };
+  const auto weak = with_mesh(10);  // 20 dB
+  CHECK_FALSE(value_of(weak, "sideband_ratio", sides));
+  CHECK_FALSE(value_of(weak, "fm0", gear));
+  CHECK(value_of(weak, "order_level", "sun-planet mesh"));
+
+  // What is told beyond is the mesh's, to what noise may add: 6·√(π/4)/40 on average.
+  const auto clear = with_mesh(40);
+  REQUIRE(value_of(clear, "sideband_ratio", sides));
+  CHECK(*value_of(clear, "sideband_ratio", sides) < 2 * 6 * 0.886 / 40);
+  const auto loud = with_mesh(400);
+  CHECK(*value_of(loud, "fm0", gear) == Approx(2).margin(0.5));
+}
+
+TEST_CASE("the residual of a gear is what swings beside its mesh, sidebands among it",
+          "[analysis][indicators]") {
+  const std::string gear = "sun-planet mesh, sun against carrier";
+  const auto variance_of = [&](const Eigen::VectorXd& x) {
+    const auto all = all_of(x, turning).residuals;
+    const auto found = std::ranges::find(all, gear, &analysis::GearResidual::of);
+    return found == all.end() ? 0 : found->moments.variance;
+  };
+  // Three turns of the sun from mesh to mesh: two sidebands of m/2 have a variance of m²/4.
+  CHECK(variance_of(turning.modulated(mesh, 3 * sun, 0.4)) == Approx(0.04).epsilon(0.01));
+  CHECK(variance_of(turning.tone(mesh) + turning.tone(sun) + faint(1)) < 1e-4);
 }
 
 TEST_CASE("what a record does not hold is absent, and never 0", "[analysis][indicators]") {

@@ -57,18 +57,18 @@ TEST_CASE("NA4 is FM4 at first, and grows as all teeth get worse, which FM4 does
   const Eigen::VectorXd sound = white_noise(10000, 1);
   const Eigen::VectorXd worn = 2 * sound;
   const double variance = (sound.array() - sound.mean()).square().mean();
-  CHECK(*na4(sound, Eigen::VectorXd()) == Approx(fm4(sound)));
+  CHECK(*na4(residual_moments(sound), {}) == Approx(fm4(sound)));
   CHECK(fm4(worn) == Approx(fm4(sound)));
   // Nine records of variance 1 and one of 4: 16 times the fourth moment over 1.3².
-  CHECK(*na4(worn, Eigen::VectorXd::Constant(9, variance)) ==
-        Approx(16 / (1.3 * 1.3) * fm4(sound)));
+  const std::vector<double> nine(9, variance);
+  CHECK(*na4(residual_moments(worn), nine) == Approx(16 / (1.3 * 1.3) * fm4(sound)));
   // A gear that stays as it is stays at 3.
-  CHECK(*na4(sound, Eigen::VectorXd::Constant(9, variance)) == Approx(fm4(sound)));
+  CHECK(*na4(residual_moments(sound), nine) == Approx(fm4(sound)));
 }
 
-TEST_CASE("what never swung has no NA4; variances that are none throw", "[analysis][indicators]") {
-  CHECK_FALSE(na4(Eigen::VectorXd::Constant(10, 2), Eigen::VectorXd::Zero(3)));
-  CHECK_THROWS_AS(na4(Eigen::VectorXd(), Eigen::VectorXd()), std::invalid_argument);
-  CHECK_THROWS_AS(na4(Eigen::VectorXd::Zero(4), Eigen::VectorXd::Constant(1, -1)),
-                  std::invalid_argument);
+TEST_CASE("what never swung has no NA4; moments that are none throw", "[analysis][indicators]") {
+  CHECK_FALSE(na4(residual_moments(Eigen::VectorXd::Constant(10, 2)), {0, 0, 0}));
+  CHECK_THROWS_AS(residual_moments(Eigen::VectorXd()), std::invalid_argument);
+  CHECK_THROWS_AS(na4({1, 3}, {-1}), std::invalid_argument);
+  CHECK_THROWS_AS(na4({1, -3}, {}), std::invalid_argument);
 }

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/judgement.hpp"
+#include "hal/types/measure.hpp"
+
+namespace rvbench::bench {
+
+/// What is asked of all points and channels together.
+struct WorstOf {
+  const Measure& measure;
+  std::string unit;          ///< of the answer; what cannot be told in it counts as not measured
+  bool least = false;        ///< the smallest value is the worst
+  std::string_view of = {};  ///< one band, order, mesh or channel; empty: every one
+};
+
+/// The worst of one indicator, and where it could not be measured.
+struct WorstIndicator {
+  double value = not_known;  ///< in the unit asked for; NaN: not measured anywhere
+  std::string where;         ///< "recording.h5#000, accel_1x, sun-planet mesh"
+  std::size_t points = 0;    ///< that were examined
+  /// Those of them without it, each by the first place that lacks it. A point has it when each of
+  /// its channels has it of everything that any record shows it of; where a sound record may lack
+  /// it (Measure::absent_when), when one channel has it.
+  std::vector<std::string> lacking;
+};
+
+WorstIndicator worst_indicator(const Judgement& judgement, const WorstOf& asked);
+
+}  // namespace rvbench::bench
