@@ -11,6 +11,7 @@ namespace {
 
 struct Worst {
   double value = not_known;
+  double error = not_known;
   std::string unit;
   std::string where;
 };
@@ -21,7 +22,7 @@ void take_if_worse(Worst& worst, const Measure& measure,
     if (i.measure != measure.name) continue;
     const bool better = measure.worst_is_least ? i.value >= worst.value : i.value <= worst.value;
     if (better) continue;  // never of what is not known yet: NaN
-    worst = {i.value, i.unit, where + (i.of.empty() ? "" : "; " + i.of)};
+    worst = {i.value, i.error, i.unit, where + (i.of.empty() ? "" : "; " + i.of)};
   }
 }
 
@@ -35,6 +36,11 @@ Worst worst_of(const Measure& measure, const Judgement& judgement) {
     take_if_worse(worst, measure, point.examination.indicators, caption);
   }
   return worst;
+}
+
+// "0.61 ± 0.02", with its 95 % interval where it has one.
+std::string text_of(const Worst& worst) {
+  return number(worst.value) + (std::isfinite(worst.error) ? " ± " + number(worst.error, 2) : "");
 }
 
 // "≤ 4 for pin-lobe pass: within"; one line per limit of the plan.
@@ -59,7 +65,7 @@ std::string indicators_section(const ReportInput& input) {
     const std::string limits = limits_on(measure, input.judgement);
     const bool is_finding = measure.name == measure_names::modulation_depth;
     if (is_finding || (std::isnan(worst.value) && limits == "–")) continue;
-    rows.push_back({std::string(measure.name), std::string(measure.meaning), number(worst.value),
+    rows.push_back({std::string(measure.name), std::string(measure.meaning), text_of(worst),
                     xml_escaped(worst.unit == "1" ? "" : worst.unit), xml_escaped(worst.where),
                     limits});
   }

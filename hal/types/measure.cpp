@@ -30,6 +30,9 @@ const std::vector<Measure>& measures() {
       {transmission_error,
        {"arcsec", "rad"},
        "range of how far the output is off where the input says"},
+      {lost_motion, {"arcmin"}, "torsion between 3 % of the rated torque one way and the other"},
+      {torsional_stiffness, {"N·m/arcmin"}, "torque per torsion from half to full load", true},
+      {hysteresis_width, {"arcmin"}, "hysteresis loss: torsion that remains at no torque"},
   };
   return all;
 }
