@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/indicators/torsion_turns.hpp"
 #include "analysis/statistics.hpp"
 #include "hal/types/recording.hpp"
 #include "hal/types/require.hpp"
@@ -15,42 +16,21 @@ namespace rvbench::analysis {
 namespace {
 
 using Signal = Eigen::Ref<const Eigen::VectorXd>;
+using Branch = TorsionBranch;
+using Turn = TorsionTurn;
 using units::arcmin_from_rad;
 
 constexpr double light_load = 0.03;  // of rated: where lost motion is taken
 constexpr double half_load = 0.5;    // of rated: from here to rated torque a reducer is linear
 constexpr Eigen::Index grid_points = 201;
 constexpr Eigen::Index fewest_samples = 50;  // of a branch
-constexpr double whole_branch = 0.5;  // of the one before: a record that ends on its way back
+constexpr double least_common = 0.5;  // of a branch: the torsion that its partner spans as well
 constexpr double tip_share = 0.01;    // of a loop at each end: where friction turns round
 constexpr double end_share = 0.1;     // of a branch: where it must still rise
 constexpr double slipping = 0.2;      // of the mean slope: at its end a branch is as good as flat
 constexpr double most_open = 0.25;    // of the lost motion: how far a loop may fail to close
 constexpr double steps_to_tell = 5;   // of the angle, in a lost motion
 constexpr double interval_p = 0.05;
-
-struct Branch {
-  Eigen::Index from = 0, to = 0;  // turns of the torsion, both included
-  Eigen::Index size() const { return to - from + 1; }
-};
-
-// Where the torsion turns round: its extremes between the torque's passages from beyond one light
-// load to beyond the other.
-std::vector<Eigen::Index> turns_of(const Signal& torque_Nm, const Signal& torsion_rad,
-                                   double light_Nm) {
-  std::vector<Eigen::Index> turns;
-  int side = 0;
-  for (Eigen::Index i = 0; i < torque_Nm.size(); ++i) {
-    const int now = torque_Nm[i] > light_Nm ? 1 : torque_Nm[i] < -light_Nm ? -1 : side;
-    if (now != side) turns.push_back(i);
-    side = now;
-    if (side != 0 && side * (torsion_rad[i] - torsion_rad[turns.back()]) > 0) turns.back() = i;
-  }
-  const auto torque_at = [&](std::size_t k) { return std::abs(torque_Nm[turns[k]]); };
-  const std::size_t n = turns.size();
-  if (n >= 2 && torque_at(n - 1) < whole_branch * torque_at(n - 2)) turns.pop_back();
-  return turns;
-}
 
 // Mean torsion and torque of the samples in each cell that has any, in rising order.
 struct Curve {
@@ -122,10 +102,6 @@ LoopMean mean_of(const std::vector<double>& values) {
   return {x.mean(), t_of_p_value(interval_p, n - 1) * deviation / std::sqrt(n)};
 }
 
-std::string refused(std::size_t loop, const std::string& why) {
-  return fmt::format("loop {}: {}", loop + 1, why);
-}
-
 // Smallest step of the angle; 0 of one that never moves.
 double resolution_of(const Signal& torsion_rad) {
   double least = 0;
@@ -143,7 +119,7 @@ class LoopTest {
       : torque_Nm_(torque_Nm), torsion_rad_(torsion_rad), rated_Nm_(rated_Nm) {}
 
   void run() {
-    const auto turns = turns_of(torque_Nm_, torsion_rad_, light_load * rated_Nm_);
+    const auto turns = torsion_turns(torque_Nm_, torsion_rad_, light_load * rated_Nm_);
     if (turns.size() < 3) {
       result_.cannot_tell.push_back(
           fmt::format("the torque does not pass ±{:.3g} N·m, 3 % of the rated torque, to and fro",
@@ -158,24 +134,27 @@ class LoopTest {
   Hysteresis result() && { return std::move(result_); }
 
  private:
-  // Whether the torque still rises where the branch ends: else the output gives way.
+  double torsion_rad(const Turn& turn) const { return torsion_rad_[turn.at]; }
+  double way_rad(const Branch& b) const { return torsion_rad(b.to) - torsion_rad(b.from); }
+
+  // Whether the torque no longer rises where the branch ends: the output gives way.
   bool slips(const Branch& branch) const {
-    const double end_rad = torsion_rad_[branch.to], begin_rad = torsion_rad_[branch.from];
-    const double way_rad = end_rad - begin_rad;
-    Eigen::Index i = branch.to;
-    while (i > branch.from && (end_rad - torsion_rad_[i]) / way_rad < end_share) --i;
-    const double gained_Nm = torque_Nm_[branch.to] - torque_Nm_[i];
+    const double end_rad = torsion_rad(branch.to);
+    const double whole_rad = way_rad(branch);
+    Eigen::Index i = branch.to.at;
+    while (i > branch.from.at && (end_rad - torsion_rad_[i]) / whole_rad < end_share) --i;
+    const double gained_Nm = branch.to.peak_Nm - torque_Nm_[i];
     const double mean_Nm =
-        (torque_Nm_[branch.to] - torque_Nm_[branch.from]) / way_rad * (end_rad - torsion_rad_[i]);
+        (branch.to.peak_Nm - branch.from.peak_Nm) / whole_rad * (end_rad - torsion_rad_[i]);
     return !(gained_Nm / mean_Nm > slipping);
   }
 
   // By how much the torsion misses where the loop began, where the torque is what it was.
   double opening_rad(const Branch& there, const Branch& back) const {
-    const double way_rad = torsion_rad_[there.to] - torsion_rad_[there.from];
-    const double way_Nm = torque_Nm_[there.to] - torque_Nm_[there.from];
-    const double ends_Nm = torque_Nm_[back.to] - torque_Nm_[there.from];
-    return std::abs(torsion_rad_[back.to] - torsion_rad_[there.from] - ends_Nm * way_rad / way_Nm);
+    const double way_Nm = there.to.peak_Nm - there.from.peak_Nm;
+    const double ends_Nm = back.to.peak_Nm - there.from.peak_Nm;
+    return std::abs(torsion_rad(back.to) - torsion_rad(there.from) -
+                    ends_Nm * way_rad(there) / way_Nm);
   }
 
   std::string why_not(const Branch& there, const Branch& back) const {
@@ -186,14 +165,21 @@ class LoopTest {
     if (slips(there) || slips(back)) {
       return "the torque does not rise to the end of its way: the output slips";
     }
+    const double common_rad = std::min(std::abs(way_rad(there)), std::abs(way_rad(back))) -
+                              std::abs(torsion_rad(back.to) - torsion_rad(there.from));
+    if (common_rad < least_common * std::abs(way_rad(there))) {
+      return "its branches hardly span the same torsion: the output has turned";
+    }
     return "";
   }
 
   HysteresisLoop loop_of(const Branch& there, const Branch& back) const {
-    const bool rises = torque_Nm_[there.to] > torque_Nm_[there.from];
+    const bool rises = there.to.peak_Nm > there.from.peak_Nm;
     const Branch& up = rises ? there : back;
     const Branch& down = rises ? back : there;
-    const auto part = [](const Signal& x, const Branch& b) { return x.segment(b.from, b.size()); };
+    const auto part = [](const Signal& x, const Branch& b) {
+      return x.segment(b.from.at, b.size());
+    };
     const auto up_rad = part(torsion_rad_, up), down_rad = part(torsion_rad_, down);
     HysteresisLoop loop;
     const double least_rad = std::max(up_rad.minCoeff(), down_rad.minCoeff());
@@ -213,9 +199,9 @@ class LoopTest {
   }
 
   void add_loop(const Branch& there, const Branch& back) {
-    const std::size_t number = loops_++;
+    const int number = ++loops_;
     const auto refuse = [&](const std::string& why) {
-      result_.cannot_tell.push_back(refused(number, why));
+      result_.cannot_tell.push_back(fmt::format("loop {}: {}", number, why));
     };
     if (const std::string why = why_not(there, back); !why.empty()) return refuse(why);
     HysteresisLoop loop = loop_of(there, back);
@@ -271,7 +257,7 @@ class LoopTest {
   const Signal& torsion_rad_;
   double rated_Nm_;
   Hysteresis result_;
-  std::size_t loops_ = 0;
+  int loops_ = 0;
   double reached_ = 1e9;  // of the rated torque, in both directions and by every loop
   std::vector<double> lost_motions_, widths_, stiffnesses_;
 };

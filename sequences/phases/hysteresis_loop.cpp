@@ -20,23 +20,29 @@ struct WindingSpec {
   double hold_pct = 0;
   double peak_pct = 0;
   double speed_rpm = 0;
+  double least_speed_rpm = 0;
   double ramp_rpm_per_s = 0;
   int loops = 0;
   double timeout_s = 0;
 };
 
-// The speed commanded next: it changes evenly and goes no further than the plan allows.
+// The speed commanded next: it changes evenly, and on its way from one side to the other leaves out
+// what is so slow that a drive takes it for a stop and lets the shaft go.
 class Winding {
  public:
   Winding(const WindingSpec& spec, double now_s) : spec_(spec), last_s_(now_s) {}
 
-  double speed_rpm() const { return speed_rpm_; }
+  double speed_rpm() const {
+    const bool is_on_its_way = target_rpm_ != 0 && std::abs(speed_rpm_) < spec_.least_speed_rpm;
+    return is_on_its_way ? std::copysign(spec_.least_speed_rpm, target_rpm_) : speed_rpm_;
+  }
 
   /// @return whether there is a new speed to command
   bool towards(double target_rpm, double now_s) {
     if (now_s - last_s_ < command_s - 1e-6) return false;
     const double most_rpm = spec_.ramp_rpm_per_s * (now_s - last_s_);
     speed_rpm_ += std::clamp(target_rpm - speed_rpm_, -most_rpm, most_rpm);
+    target_rpm_ = target_rpm;
     last_s_ = now_s;
     return true;
   }
@@ -44,7 +50,7 @@ class Winding {
  private:
   const WindingSpec& spec_;
   double last_s_;
-  double speed_rpm_ = 0;
+  double speed_rpm_ = 0, target_rpm_ = 0;
 };
 
 class HysteresisLoop final : public Phase {
@@ -62,6 +68,7 @@ class HysteresisLoop final : public Phase {
                                   {"hold_pct", spec_.hold_pct},
                                   {"peak_pct", spec_.peak_pct},
                                   {"speed_rpm", spec_.speed_rpm},
+                                  {"least_speed_rpm", spec_.least_speed_rpm},
                                   {"ramp_rpm_per_s", spec_.ramp_rpm_per_s},
                                   {"loops", spec_.loops},
                                   {"timeout_s", spec_.timeout_s}}
@@ -139,12 +146,16 @@ std::unique_ptr<Phase> parse_hysteresis_loop(hal::ConfigReader& json) {
   spec.hold_pct = json.number("hold_pct", {1, 300});
   spec.peak_pct = json.number("peak_pct", {1, 300});
   spec.speed_rpm = json.number("speed_rpm", {0.1, 200});
+  spec.least_speed_rpm = json.number("least_speed_rpm", {0, 200}, 0.5);
   spec.ramp_rpm_per_s = json.number("ramp_rpm_per_s", {0.01, 100});
   spec.loops = json.integer("loops", {1, 100}, 4);
   spec.timeout_s = json.number("timeout_s", {1, 3600}, 600);
-  if (json.has("peak_pct") && json.has("hold_pct") && spec.peak_pct >= spec.hold_pct) {
+  if (json.faults().empty() && spec.peak_pct >= spec.hold_pct) {
     json.fault("peak_pct", fmt::format("{:g} is not below hold_pct, {:g}: the brake would give way",
                                        spec.peak_pct, spec.hold_pct));
+  }
+  if (json.faults().empty() && spec.least_speed_rpm >= spec.speed_rpm) {
+    json.fault("least_speed_rpm", "must be below speed_rpm");
   }
   return std::make_unique<HysteresisLoop>(spec);
 }

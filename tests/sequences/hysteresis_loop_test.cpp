@@ -52,7 +52,8 @@ TEST_CASE("a hysteresis loop is one point, held and wound", "[sequences][plan]")
   CHECK(plan_to_json(test::plan_of(once)) == once);
   const std::string by_default =
       plan_to_json(test::plan_of(with(", \"loops\": 2, \"timeout_s\": 40", "")));
-  CHECK_THAT(by_default, Contains("\"loops\": 4") && Contains("\"timeout_s\": 600"));
+  CHECK_THAT(by_default, Contains("\"loops\": 4") && Contains("\"least_speed_rpm\": 0.5") &&
+                             Contains("\"timeout_s\": 600"));
 }
 
 TEST_CASE("a brake that would give way is a fault of the plan", "[sequences][plan]") {
@@ -60,6 +61,8 @@ TEST_CASE("a brake that would give way is a fault of the plan", "[sequences][pla
              Contains("/main/0/peak_pct: 150 is not below hold_pct"));
   CHECK_THAT(fault_of(with("\"speed_rpm\": 30", "\"speed_rpm\": 3000")),
              Contains("/main/0/speed_rpm"));
+  CHECK_THAT(fault_of(with("\"loops\": 2", "\"least_speed_rpm\": 30")),
+             Contains("/main/0/least_speed_rpm: must be below speed_rpm"));
   CHECK_THAT(fault_of(with("\"hold_pct\": 150, ", "")), Contains("hold_pct"));
   CHECK_THAT(fault_of(with("\"loops\"", "\"lops\"")), Contains("did you mean \"loops\""));
 }
@@ -75,14 +78,16 @@ TEST_CASE("a reducer that is not wound up leaves a point that says so, and a ben
   CHECK(summary.points[0].status == "not_wound_up");
   CHECK(summary.shaft_stopped);
   CHECK(summary.brake_released);
-  double fastest = 0, slowest = 0;
+  double fastest = 0, slowest = 0, least = 100;
   for (const auto& [time_s, speed_rpm] : run.world().speed_commands()) {
     if (time_s < 4) continue;  // the warm-up
     fastest = std::max(fastest, speed_rpm);
     slowest = std::min(slowest, speed_rpm);
+    if (speed_rpm != 0) least = std::min(least, std::abs(speed_rpm));
   }
   CHECK(fastest <= 30);
   CHECK(slowest == Approx(-30));  // and no further
+  CHECK(least == Approx(0.5));    // nor so slow that it were a stop
 }
 
 TEST_CASE("a hysteresis loop that was recorded before is not wound again", "[sequences]") {

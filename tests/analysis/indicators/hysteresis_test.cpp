@@ -168,6 +168,15 @@ SCENARIO("loops that cannot be trusted are left out, and why is said", "[analysi
     REQUIRE_FALSE(told.cannot_tell.empty());
     CHECK_THAT(told.cannot_tell.front(), Contains("does not close"));
   }
+  GIVEN("an output that runs away") {
+    Eigen::VectorXd torsion = to_and_fro(0.07, 4);
+    const Eigen::VectorXd torque = torque_of(torsion, 5);
+    torsion += Eigen::VectorXd::LinSpaced(torsion.size(), 0, 0.27);
+    const Hysteresis told = hysteresis(torque, torsion, rated_Nm);
+    CHECK_FALSE(told.lost_motion_rad);
+    REQUIRE_FALSE(told.cannot_tell.empty());
+    CHECK_THAT(told.cannot_tell.front(), Contains("has turned"));
+  }
   GIVEN("an angle that is read in steps of a third of the lost motion") {
     const Eigen::VectorXd torsion = to_and_fro(0.07, 4);
     const double step = 0.013 / 3;
