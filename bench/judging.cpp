@@ -43,9 +43,11 @@ Ending trust_in(const Judgement& judgement) {
     return invalid(fmt::format("{} of {} points cannot be trusted; first {}", spoiled,
                                judgement.points.size(), first));
   }
-  const bool has_vibration = !std::ranges::all_of(
-      judgement.points, [](const JudgedPoint& point) { return point.examination.of_hysteresis; });
-  if (has_vibration && !judgement.diagnosis.resolvable) {
+  const bool needs_no_orders =
+      !judgement.points.empty() && std::ranges::all_of(judgement.points, [](const JudgedPoint& p) {
+        return p.examination.of_hysteresis;
+      });
+  if (!needs_no_orders && !judgement.diagnosis.resolvable) {
     return invalid("not resolvable: no record is long enough to part the orders of this machine");
   }
   return {Outcome::pass, ErrorKind::none, "no finding above its limit"};
