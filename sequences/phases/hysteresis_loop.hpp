@@ -13,8 +13,8 @@ namespace rvbench::sequences {
 /// The commanded speed rises evenly until the input torque asks for `peak_pct` of the rated one at
 /// the output, then falls until it asks for as much the other way, and so on; last it returns to 0.
 /// It leaves out speeds below `least_speed_rpm`, which a drive takes for a stop: the shaft would
-/// spring back. A motor that slips thereby gives a torque that grows as slowly, and one that does not slip winds
-/// as slowly. `peak_pct` is below `hold_pct`: the brake must not give way.
+/// spring back. A motor that slips thereby gives a torque that grows as slowly, and one that does
+/// not slip winds as slowly. `peak_pct` is below `hold_pct`: the brake must not give way.
 std::unique_ptr<Phase> parse_hysteresis_loop(hal::ConfigReader& json);
 
 }  // namespace rvbench::sequences
