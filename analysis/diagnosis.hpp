@@ -71,6 +71,7 @@ struct Examination {
   std::vector<SignatureScore> scores;  ///< one per signature
   std::vector<QualityNote> quality;
   std::vector<Indicator> indicators = {};  ///< of torques and angles
+  bool of_hysteresis = false;  ///< the shaft went to and fro: it tells of torsion, not of vibration
 };
 
 /// Exponent with which something grows; NaN if it is not known.

@@ -9,6 +9,7 @@
 #include "analysis/evidence/record_evidence.hpp"
 #include "analysis/indicators/channel_indicators.hpp"
 #include "analysis/indicators/envelope_levels.hpp"
+#include "analysis/indicators/hysteresis_record.hpp"
 #include "analysis/indicators/shaft_indicators.hpp"
 #include "analysis/indicators/signal_levels.hpp"
 #include "analysis/order/resolution.hpp"
@@ -149,6 +150,16 @@ void gather(std::vector<ChannelResult> results, Examination& e) {
   }
 }
 
+// A shaft that goes to and fro tells of the reducer's torsion, and nothing of what turns.
+void examine_hysteresis(const Recording& record, const Kinematics& kinematics, Examination& e) {
+  e.of_hysteresis = true;
+  const Hysteresis told = hysteresis_of(record, kinematics);
+  e.indicators = hysteresis_indicators(told);
+  for (const std::string& why : told.cannot_tell) {
+    e.quality.push_back({record.source, "cannot tell: " + why, e.indicators.empty()});
+  }
+}
+
 }  // namespace
 
 Examination examine(const Recording& record, const Kinematics& kinematics,
@@ -162,6 +173,10 @@ Examination examine(const Recording& record, const Kinematics& kinematics,
     SignatureScore& score = e.scores.emplace_back();
     score.signature = static_cast<int>(e.scores.size()) - 1;
     score.order = signature.order;
+  }
+  if (is_hysteresis_test(record)) {
+    examine_hysteresis(record, kinematics, e);
+    return e;
   }
   const std::vector<const Channel*> channels = acceleration_channels(record);
   if (channels.empty()) {

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "hal/types/recording.hpp"
+
 namespace rvbench::analysis {
 
 /// One row of the characteristic-order table: events per revolution of the input shaft.
@@ -57,7 +59,9 @@ struct Kinematics {
   double period_turns = 1;  ///< input turns after which the gear train repeats; 121 for RV-20E
   std::vector<CharacteristicOrder> orders;
   std::vector<Signature> signatures;
-  std::vector<GearMesh> meshes = {};  ///< whose gears are known
+  std::vector<GearMesh> meshes = {};          ///< whose gears are known
+  double gear_ratio = not_known;              ///< input turns per turn of the output; NaN: has none
+  double rated_output_torque_Nm = not_known;  ///< what 100 % load means
 };
 
 /// Tooth counts of a two-stage RV reducer: sun drives the planets, each planet turns a crank, the

@@ -151,6 +151,7 @@ Kinematics rv_reducer(const std::string& machine, const RvGeometry& geometry,
   Kinematics k;
   k.machine = machine;
   k.period_turns = i;
+  k.gear_ratio = i;
   k.orders = order_table(geometry, rates);
   k.meshes = meshes(geometry, rates);
   k.signatures = input_signatures(rates);

@@ -195,7 +195,8 @@ Json json_of(const analysis::Examination& examination) {
           {"quality", list_of(examination.quality, json_of_note)},
           {"scores", list_of(examination.scores, json_of_score)},
           {"channels", list_of(examination.channels, json_of_channel)},
-          {"indicators", indicators_to_json(examination.indicators)}};
+          {"indicators", indicators_to_json(examination.indicators)},
+          {"of_hysteresis", examination.of_hysteresis}};
 }
 
 analysis::Diagnosis diagnosis_from_json(const Json& json) {
@@ -219,6 +220,7 @@ analysis::Examination examination_from_json(const Json& json) {
   examination.scores = list_from(json.at("scores"), score_from);
   examination.channels = list_from(json.at("channels"), channel_from);
   examination.indicators = indicators_from_json(json);
+  examination.of_hysteresis = json.value("of_hysteresis", false);
   return examination;
 }
 

@@ -1,6 +1,6 @@
 #include "bench/indicators_json.hpp"
 
-#include <algorithm>
+#include <cmath>
 
 namespace rvbench::bench {
 namespace {
@@ -19,7 +19,9 @@ nlohmann::ordered_json indicators_to_json(const std::vector<analysis::Indicator>
                       {"unit", indicator.unit},
                       {"values", nlohmann::ordered_json::object()}});
     }
-    list.back()["values"][indicator.of.empty() ? whole : indicator.of] = indicator.value;
+    const std::string of = indicator.of.empty() ? whole : indicator.of;
+    list.back()["values"][of] = indicator.value;
+    if (std::isfinite(indicator.error)) list.back()["errors"][of] = indicator.error;
   }
   return list;
 }
@@ -28,9 +30,10 @@ std::vector<analysis::Indicator> indicators_from_json(const nlohmann::ordered_js
   std::vector<analysis::Indicator> indicators;
   if (!judged.contains("indicators")) return indicators;
   for (const auto& measured : judged["indicators"]) {
+    const auto errors = measured.value("errors", nlohmann::ordered_json::object());
     for (const auto& [of, value] : measured.at("values").items()) {
-      indicators.push_back(
-          {measured.at("name"), of == whole ? "" : of, value.get<double>(), measured.at("unit")});
+      indicators.push_back({measured.at("name"), of == whole ? "" : of, value.get<double>(),
+                            measured.at("unit"), errors.value(of, not_known)});
     }
   }
   return indicators;

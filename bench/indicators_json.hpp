@@ -8,7 +8,8 @@
 namespace rvbench::bench {
 
 /// Indicators of a channel, one entry per measure: {"name": "band_rms", "unit": "m/s²", "values":
-/// {"sun-planet mesh": 0.2, ...}}. What is of the whole signal is at "whole".
+/// {"sun-planet mesh": 0.2, ...}}, and "errors" likewise, of those that have one: half of the 95 %
+/// interval. What is of the whole signal is at "whole".
 nlohmann::ordered_json indicators_to_json(const std::vector<analysis::Indicator>& indicators);
 
 /// Those of a channel or point that has them; none of one that was written before there were any.

@@ -48,7 +48,11 @@ Ending trust_in(const Judgement& judgement) {
     return invalid(fmt::format("{} of {} points cannot be trusted; first {}", spoiled,
                                judgement.points.size(), first));
   }
-  if (!judgement.diagnosis.resolvable) {
+  const bool needs_no_orders =
+      !judgement.points.empty() && std::ranges::all_of(judgement.points, [](const JudgedPoint& p) {
+        return p.examination.of_hysteresis;
+      });
+  if (!needs_no_orders && !judgement.diagnosis.resolvable) {
     return invalid("not resolvable: no record is long enough to part the orders of this machine");
   }
   return {Outcome::pass, ErrorKind::none, "no finding above its limit"};
@@ -109,6 +113,13 @@ analysis::Kinematics with_limits(analysis::Kinematics kinematics,
       }
     }
   }
+  return kinematics;
+}
+
+analysis::Kinematics of_specimen(analysis::Kinematics kinematics,
+                                 const sequences::Specimen& specimen) {
+  kinematics.gear_ratio = specimen.gear_ratio;
+  kinematics.rated_output_torque_Nm = specimen.rated_output_torque_Nm;
   return kinematics;
 }
 

@@ -15,6 +15,10 @@ namespace rvbench::bench {
 analysis::Kinematics with_limits(analysis::Kinematics kinematics,
                                  const std::vector<sequences::Limit>& limits);
 
+/// The kinematics with the gear ratio and the rated torque of the plan in place of its own.
+analysis::Kinematics of_specimen(analysis::Kinematics kinematics,
+                                 const sequences::Specimen& specimen);
+
 /// Limits on parts, bands, orders or meshes that the machine does not have, as faults of the plan:
 /// never found, such a part would always be within its limit.
 std::vector<hal::ConfigFault> limits_on_unknown_parts(const std::vector<sequences::Limit>& limits,

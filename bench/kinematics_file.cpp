@@ -55,9 +55,14 @@ analysis::Kinematics read_rv_reducer(const std::string& machine, hal::ConfigRead
   }
   analysis::BearingGeometry bearing;
   if (auto b = rv.optional_object("crank_bearing")) bearing = read_bearing(*b);
+  const double rated_Nm = rv.has("rated_output_torque_Nm")
+                              ? rv.number("rated_output_torque_Nm", {0.1, 100000})
+                              : not_known;
   root.finish();
-  return root.faults().empty() ? analysis::rv_reducer(machine, geometry, bearing)
-                               : analysis::Kinematics{};
+  if (!root.faults().empty()) return {};
+  analysis::Kinematics kinematics = analysis::rv_reducer(machine, geometry, bearing);
+  kinematics.rated_output_torque_Nm = rated_Nm;
+  return kinematics;
 }
 
 // Names of one kind of part: findings, limits and other parts point at a part by its name, so no

@@ -82,6 +82,7 @@ nlohmann::ordered_json to_json(const SimRig& rig) {
   if (rig.severity) json["severity"] = *rig.severity;
   json["plant"] = rig.plant;
   json["watchdog_s"] = rig.watchdog_s;
+  json["holding_brake"] = rig.holding_brake;
   json["faults"] = faults;
   return json;
 }

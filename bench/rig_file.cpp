@@ -39,6 +39,7 @@ SimRig read_sim(hal::ConfigReader& root, const RigOptions& options) {
   if (root.has("severity")) sim.severity = root.number("severity", severities);
   sim.plant = root.text("plant", sim.plant);
   sim.watchdog_s = root.number("watchdog_s", {0, 100}, sim.watchdog_s);
+  sim.holding_brake = root.boolean("holding_brake", sim.holding_brake);
   for (hal::ConfigReader& entry : root.objects("faults", false)) {
     sim.faults.push_back(
         {.at_s = entry.number("at_s", {0, 1e6}),

@@ -25,6 +25,8 @@ struct SimRig {
       severity;  ///< of the fault, in those of the preset; none: the seed draws it
   std::string plant = "rv20e_bench";  ///< shipped, or a plant file: what turns, as on the drawing
   double watchdog_s = 1;              ///< of the inverter; 0 = off
+  bool holding_brake =
+      false;  ///< it holds at standstill, as a hysteresis test needs; else it creeps
   std::vector<ScheduledFault> faults;
 };
 

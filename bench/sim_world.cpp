@@ -33,9 +33,10 @@ std::vector<hal::ConfigFault> at_plant(const std::string& plant,
 std::variant<sim::PlantSpec, std::vector<hal::ConfigFault>> runnable_plant(const SimRig& rig) {
   auto read = sim::read_plant(rig.plant);
   if (read.index() == 1) return at_plant(rig.plant, std::get<1>(read));
-  const auto faults = sim::rv_plant_faults(std::get<0>(read));
+  sim::PlantSpec plant = std::get<0>(std::move(read));
+  const auto faults = sim::rv_plant_faults(plant);
   if (!faults.empty()) return at_plant(rig.plant, faults);
-  return std::get<0>(std::move(read));
+  return rig.holding_brake ? sim::with_holding_brake(std::move(plant)) : plant;
 }
 
 std::variant<std::unique_ptr<sim::BenchWorld>, std::vector<hal::ConfigFault>> make_world(

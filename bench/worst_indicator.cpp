@@ -67,6 +67,7 @@ void take(WorstIndicator& worst, const Source& source, const WorstOf& asked) {
     const bool better = asked.least ? value >= worst.value : value <= worst.value;
     if (better) continue;  // never of what is not known yet: NaN
     worst.value = value;
+    worst.error = in_unit(indicator.error, indicator.unit, asked.unit);
     worst.where = place(source.where, indicator.of);
   }
 }

@@ -20,6 +20,7 @@ struct WorstOf {
 /// The worst of one indicator, and where it could not be measured.
 struct WorstIndicator {
   double value = not_known;  ///< in the unit asked for; NaN: not measured anywhere
+  double error = not_known;  ///< half of its 95 % interval, in that unit
   std::string where;         ///< "recording.h5#000, accel_1x, sun-planet mesh"
   std::size_t points = 0;    ///< that were examined
   /// Those of them without it, each by the first place that lacks it. A point has it when each of

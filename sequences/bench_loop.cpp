@@ -177,12 +177,26 @@ std::optional<int> BenchLoop::next_point() {
 }
 
 std::optional<Ending> BenchLoop::record_point(int point, double input_turns, double timeout_s) {
+  const auto turn = [&] {
+    return run_until([&](const BenchValues&) { return recorder_.covers(input_turns); }, timeout_s);
+  };
+  return record(point, "too_short", turn, [this] { return least_torque_Nm(); });
+}
+
+std::optional<Ending> BenchLoop::record_work(int point, const char* unmet,
+                                             const std::function<Waited()>& work) {
+  return record(point, unmet, work, [] { return not_known; });
+}
+
+// @param least_Nm  asked at its end: see PointRecorder::close()
+std::optional<Ending> BenchLoop::record(int point, const char* unmet,
+                                        const std::function<Waited()>& work,
+                                        const std::function<double()>& least_Nm) {
   buses_.begin();
   if (auto ending = await_buses()) return ending;
   buses_.open_record();
   recorder_.open(point);
-  const Waited waited =
-      run_until([&](const BenchValues&) { return recorder_.covers(input_turns); }, timeout_s);
+  const Waited waited = work();
   std::optional<Ending> ending = waited.ending;
   if (!ending) {
     recorder_.seal();
@@ -195,8 +209,8 @@ std::optional<Ending> BenchLoop::record_point(int point, double input_turns, dou
     return ending;
   }
   const std::string bus_errors = buses_.verdict();
-  const char* const status = !waited.met ? "too_short" : bus_errors.empty() ? "ok" : "bus_errors";
-  const auto result = recorder_.close(status, least_torque_Nm());
+  const char* const status = !waited.met ? unmet : bus_errors.empty() ? "ok" : "bus_errors";
+  const auto result = recorder_.close(status, least_Nm());
   if (!result) return end(recording_failed(result.error()));
   points_.push_back(result.value());
   event(fmt::format(point_event, point, result.value().status));

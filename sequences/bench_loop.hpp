@@ -52,6 +52,11 @@ class BenchLoop {
   /// "bus_errors" if a counter of a bus has moved meanwhile. It ends once every hole in it would
   /// have been told: Accelerometers::hole_told_after_s().
   std::optional<Ending> record_point(int point, double input_turns, double timeout_s);
+  /// Records while `work` lasts, and ends as record_point() does. The shaft may turn either way: no
+  /// load tells what its torque must be.
+  /// @param unmet  the record's status where the work did not come to its end
+  std::optional<Ending> record_work(int point, const char* unmet,
+                                    const std::function<Waited()>& work);
   /// Ends the record that an exception left open, if any.
   void interrupt_record();
   /// Ends a point that was not recorded.
@@ -73,6 +78,8 @@ class BenchLoop {
  private:
   std::optional<Ending> tick();
   std::optional<Ending> trouble();
+  std::optional<Ending> record(int point, const char* unmet, const std::function<Waited()>& work,
+                               const std::function<double()>& least_Nm);
   Ending await_trip();
   std::optional<Ending> await_buses();
   std::optional<Ending> await_sound_end();

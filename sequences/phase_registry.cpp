@@ -4,6 +4,7 @@
 
 #include "hal/did_you_mean.hpp"
 #include "sequences/phases/connect.hpp"
+#include "sequences/phases/hysteresis_loop.hpp"
 #include "sequences/phases/matrix.hpp"
 #include "sequences/phases/warm_up.hpp"
 
@@ -13,6 +14,7 @@ std::unique_ptr<Phase> parse_phase(hal::ConfigReader& json) {
   using Parse = std::unique_ptr<Phase> (*)(hal::ConfigReader&);
   static const std::map<std::string, Parse> kinds = {
       {"connect", parse_connect},
+      {"hysteresis_loop", parse_hysteresis_loop},
       {"matrix", parse_matrix},
       {"warm_up", parse_warm_up},
   };

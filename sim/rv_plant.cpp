@@ -31,15 +31,27 @@ void check_bodies(const PlantSpec& plant, Faults& faults) {
   }
 }
 
+// Whether the brake's torque is what a holding brake is told.
+bool is_told(const PlantSpec& plant) {
+  const InputSpec* told = plant.find_input(rv_parts::brake_torque);
+  return told != nullptr && told->kind == InputKind::signal && told->unit == "N·m" &&
+         std::ranges::any_of(plant.terms, [](const TermSpec& term) {
+           return term.type == "holding_brake" && term.body_a == rv_parts::brake &&
+                  term.reference == rv_parts::brake_torque;
+         });
+}
+
 void check_inputs(const PlantSpec& plant, Faults& faults) {
   const InputSpec* supply = plant.find_input(rv_parts::supply);
   if (supply == nullptr || supply->kind != InputKind::signal || supply->unit != "Hz") {
     faults.push_back({0, "/inputs", "the bench needs a signal called \"supply\" in Hz"});
   }
   const InputSpec* brake = plant.find_input(rv_parts::brake_torque);
-  if (brake == nullptr || brake->kind != InputKind::force || brake->body != rv_parts::brake) {
-    faults.push_back(
-        {0, "/inputs", "the bench needs a force called \"brake_torque\" on the body \"brake\""});
+  const bool pushes = brake != nullptr && brake->kind == InputKind::force;
+  if (!(pushes && brake->body == rv_parts::brake) && !is_told(plant)) {
+    faults.push_back({0, "/inputs",
+                      "the bench needs a force called \"brake_torque\" on the body \"brake\", or a "
+                      "signal of that name that a holding_brake on it is told"});
   }
   for (std::size_t i = 0; i < plant.inputs.size(); ++i) {
     if (&plant.inputs[i] == supply || &plant.inputs[i] == brake) continue;
@@ -128,6 +140,23 @@ std::vector<hal::ConfigFault> rv_plant_faults(const PlantSpec& plant, double ste
                                   step_rate_Hz)});
   }
   return faults;
+}
+
+PlantSpec with_holding_brake(PlantSpec plant) {
+  if (is_told(plant)) return plant;
+  for (InputSpec& input : plant.inputs) {
+    if (input.name != rv_parts::brake_torque) continue;
+    input.kind = InputKind::signal;
+    input.body.clear();
+    input.gain = {1, "1"};
+  }
+  // Under rated torque it would take an hour to creep by an arc minute.
+  plant.terms.push_back({.name = "holding_brake",
+                         .type = "holding_brake",
+                         .body_a = std::string(rv_parts::brake),
+                         .reference = std::string(rv_parts::brake_torque),
+                         .parameters = {{"creep_speed", {1e-7, "rad/s"}}}});
+  return plant;
 }
 
 PlantSpec as_built(PlantSpec plant, const RvUnit& unit) {

@@ -24,6 +24,9 @@ inline constexpr double rv_step_rate_Hz = 4 * 4960;
 /// The RV-20E's bench as it is on the drawing: plants/rv20e_bench.json.
 const PlantSpec& rv20e_bench();
 
+/// The plant with a brake that holds at standstill, in place of one that creeps there.
+PlantSpec with_holding_brake(PlantSpec plant);
+
 /// What keeps the simulated bench from running this plant: it needs the bodies and inputs above and
 /// no other inputs, an induction_motor, a planet_mesh and a cycloid_stage for each planet, and a
 /// term between motor and input shaft and one between carrier and brake, whose torques it measures.

@@ -50,7 +50,8 @@ RvTrain::RvTrain(PlantModel model, const PlantSpec& plant, double step_s)
       carrier_(index_of(plant.bodies, rv_parts::carrier)),
       brake_(index_of(plant.bodies, rv_parts::brake)),
       supply_input_(static_cast<std::size_t>(index_of(plant.inputs, rv_parts::supply))),
-      brake_input_(static_cast<std::size_t>(index_of(plant.inputs, rv_parts::brake_torque))) {
+      brake_input_(static_cast<std::size_t>(index_of(plant.inputs, rv_parts::brake_torque))),
+      brake_holds_(plant.inputs[brake_input_].kind == InputKind::signal) {
   for (const auto& term : plant_.terms()) {
     if (auto* motor = dynamic_cast<InductionMotor*>(term.get())) motors_.push_back(motor);
     if (auto* mesh = dynamic_cast<PlanetMesh*>(term.get())) meshes_.push_back(mesh);
@@ -89,8 +90,8 @@ void RvTrain::set_supply(double frequency_Hz, bool enabled) {
 }
 
 void RvTrain::step() {
-  plant_.set_input(brake_input_,
-                   brake_setpoint_Nm_ * creeping_sign(state().v[brake_], brake_creep_speed_rad_s));
+  const double share = brake_holds_ ? 1 : creeping_sign(state().v[brake_], brake_creep_speed_rad_s);
+  plant_.set_input(brake_input_, brake_setpoint_Nm_ * share);
   plant_.step();
 }
 

@@ -16,7 +16,8 @@ namespace rvbench::sim {
 /// What turns on the bench: a plant (see rv_plant_faults()) with motor, reducer and brake, driven
 /// by inverter and brake, measured by transducer and encoder.
 ///
-/// The brake is dry friction of the torque it is told: below a creep speed it gives less.
+/// The brake is dry friction of the torque it is told: below a creep speed it gives less, unless
+/// the plant has a holding_brake.
 class RvTrain {
  public:
   /// @throws std::invalid_argument if the bench cannot run the plant, naming the first reason
@@ -60,6 +61,7 @@ class RvTrain {
   std::vector<const PlanetMesh*> meshes_;
   std::vector<const CycloidStage*> stages_;
   Joint coupling_, output_;
+  bool brake_holds_;  ///< a term of the plant is told the brake's torque
   double brake_setpoint_Nm_ = 0;
   double wrapped_turns_ = 0;
 };

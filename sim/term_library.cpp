@@ -19,6 +19,7 @@
 #include "sim/terms/external_force.hpp"
 #include "sim/terms/gear_eccentricity.hpp"
 #include "sim/terms/gravity.hpp"
+#include "sim/terms/holding_brake.hpp"
 #include "sim/terms/housing_mode.hpp"
 #include "sim/terms/induction_motor.hpp"
 #include "sim/terms/inverter_ripple.hpp"
@@ -98,6 +99,7 @@ TermLibrary make_standard_terms() {
                            bearing_defect,
                            shaft_torsion,
                            induction_motor,
+                           holding_brake,
                            planet_mesh,
                            cycloid_stage,
                            rolling_bearing,

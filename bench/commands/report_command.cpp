@@ -60,7 +60,8 @@ class ReportCommand final : public Command {
     }
     if (!is_sound(console, folder)) return exit_codes::bad_file;
     try {
-      write_report(folder, *judgement, with_limits(std::get<0>(kinematics), test.limits));
+      write_report(folder, *judgement,
+                   with_limits(of_specimen(std::get<0>(kinematics), test.specimen), test.limits));
       write_sums(folder);
     } catch (const std::system_error& error) {
       return refuse_usage(console, std::string("report: cannot be written: ") + error.what());

@@ -129,8 +129,10 @@ int RunCommand::run(Console& console) {
     console.out << (json_ ? timeline_json(test) : timeline_table(test));
     return exit_codes::done;
   }
-  return measure(console, test, with_limits(std::get<0>(std::move(kinematics)), test.limits),
-                 std::get<0>(rig), warnings);
+  return measure(
+      console, test,
+      with_limits(of_specimen(std::get<0>(std::move(kinematics)), test.specimen), test.limits),
+      std::get<0>(rig), warnings);
 }
 
 // A new run folder with the resolved plan, rig and machine, or the one to go on with.

@@ -32,6 +32,11 @@ std::vector<std::string> units_of(const Measure& measure, const Judgement& judge
   return units;
 }
 
+// "0.61 ± 0.02", with its 95 % interval where it has one.
+std::string text_of(const WorstIndicator& worst) {
+  return number(worst.value) + (std::isfinite(worst.error) ? " ± " + number(worst.error, 2) : "");
+}
+
 // "≤ 4 for pin-lobe pass: within"; one line per limit of the plan.
 std::string limits_on(const Measure& measure, const Judgement& judgement) {
   std::string html;
@@ -58,7 +63,7 @@ std::string indicators_section(const ReportInput& input) {
     for (const std::string& unit : units) {
       const WorstIndicator worst =
           worst_indicator(judgement, {measure, unit, measure.worst_is_least});
-      rows.push_back({std::string(measure.name), std::string(measure.meaning), number(worst.value),
+      rows.push_back({std::string(measure.name), std::string(measure.meaning), text_of(worst),
                       xml_escaped(unit == "1" ? "" : unit),
                       xml_escaped(readable_place(judgement, worst.where)), limits});
     }

@@ -23,6 +23,7 @@ std::string make_report(const ReportInput& input) {
   html += report::matrix_section(input);
   html += report::limits_section(input);
   html += report::indicators_section(input);
+  html += report::hysteresis_section(input);
   html += report::frequency_section(input);
   html += report::methods_section(input);
   html += report::correlation_section(input);

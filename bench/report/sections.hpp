@@ -18,6 +18,7 @@ std::string methods_section(const ReportInput& input);  ///< what each envelope 
 std::string correlation_section(const ReportInput& input);
 std::string limits_section(const ReportInput& input);
 std::string indicators_section(const ReportInput& input);  ///< the worst of each, and its limit
+std::string hysteresis_section(const ReportInput& input);  ///< loops of torque over torsion
 std::string settings_section(const ReportInput& input);
 std::string signature_section(const ReportInput& input);
 std::string style_sheet();

@@ -64,6 +64,19 @@ const std::vector<Measure>& measures() {
        .units = {"arcsec", "rad"},
        .meaning = "range of how far the output is off where the input says",
        .shaft_channels = {input_angle, output_angle}},
+      {.name = lost_motion,
+       .units = {"arcmin"},
+       .meaning = "torsion between 3 % of the rated torque one way and the other",
+       .shaft_channels = {input_torque, input_angle}},
+      {.name = torsional_stiffness,
+       .units = {"N·m/arcmin"},
+       .meaning = "torque per torsion from half to full load",
+       .worst_is_least = true,
+       .shaft_channels = {input_torque, input_angle}},
+      {.name = hysteresis_width,
+       .units = {"arcmin"},
+       .meaning = "hysteresis loss: torsion that remains at no torque",
+       .shaft_channels = {input_torque, input_angle}},
   };
   return all;
 }

@@ -48,6 +48,9 @@ inline constexpr std::string_view na4 = "na4";
 inline constexpr std::string_view torque_ripple = "torque_ripple";
 inline constexpr std::string_view efficiency = "efficiency";
 inline constexpr std::string_view transmission_error = "transmission_error";
+inline constexpr std::string_view lost_motion = "lost_motion";
+inline constexpr std::string_view torsional_stiffness = "torsional_stiffness";
+inline constexpr std::string_view hysteresis_width = "hysteresis_width";
 }  // namespace measure_names
 
 }  // namespace rvbench

@@ -16,6 +16,8 @@ constexpr double rpm_from_Hz(double hz) { return hz * 60; }
 constexpr double g_from_m_s2(double m_s2) { return m_s2 / standard_gravity_m_s2; }
 constexpr double m_s2_from_g(double g) { return g * standard_gravity_m_s2; }
 constexpr double arcsec_from_rad(double rad) { return rad * 360 * 3600 / two_pi; }
+constexpr double arcmin_from_rad(double rad) { return rad * 360 * 60 / two_pi; }
+constexpr double rad_from_arcmin(double arcmin) { return arcmin * two_pi / (360 * 60); }
 constexpr double rad_from_arcsec(double arcsec) { return arcsec * two_pi / (360 * 3600); }
 
 }  // namespace rvbench::units

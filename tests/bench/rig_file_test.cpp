@@ -89,6 +89,8 @@ TEST_CASE("a rig file goes before the command line, which fills in what it leave
   const SimRig open = sim_of(R"({"rig": "sim"})", {.preset = "cycloid_pin", .seed = 7});
   CHECK(open.preset == "cycloid_pin");
   CHECK(open.seed == 7);
+  CHECK_FALSE(open.holding_brake);
+  CHECK(sim_of(R"({"rig": "sim", "holding_brake": true})").holding_brake);
   const SimRig said = sim_of(R"({"rig": "sim", "preset": "healthy", "seed": 9007199254740991,
     "watchdog_s": 0, "faults": [{"at_s": 2.5, "device": "inverter", "fault": "late"}]})",
                              {.preset = "cycloid_pin", .seed = 7});

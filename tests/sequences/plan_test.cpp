@@ -67,6 +67,14 @@ TEST_CASE("the quick plan has four points", "[sequences][plan]") {
   CHECK(sequences::planned_duration_s(shipped("quick")) == Approx(5 + 2 * (24 + 16) + 4 * 2));
 }
 
+TEST_CASE("the hysteresis plan is one point, beyond the rated torque", "[sequences][plan]") {
+  const TestPlan plan = shipped("rv20e_hysteresis");
+  REQUIRE(plan.points().size() == 1);
+  CHECK(plan.points()[0].load_pct > 100);
+  CHECK(sequences::timeline(plan).back().output_torque_Nm == Approx(1.5 * 167));
+  CHECK(plan_to_json(test::plan_of(plan_to_json(plan))) == plan_to_json(plan));
+}
+
 TEST_CASE("a resolved plan spells out every default and reads back the same", "[sequences][plan]") {
   for (const char* name : {"rv20e_acceptance", "quick"}) {
     const std::string once = plan_to_json(shipped(name));

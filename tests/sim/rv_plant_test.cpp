@@ -285,6 +285,46 @@ TEST_CASE("the whole bench runs with three planets, from motor to accelerometers
   CHECK(largest_m_s2 < 100);  // a tenth of the sensors' range
 }
 
+SCENARIO("a holding brake holds below its torque, and brakes with it beyond", "[sim][rv_plant]") {
+  const auto plant = sim::with_holding_brake(sim::rv20e_bench());
+  REQUIRE(sim::rv_plant_faults(plant).empty());
+  const double step_s = 1.0 / 19840;
+  sim::RvTrain train(plant, sim::draw_unit("healthy", 1), step_s);
+  const auto run_for = [&](double length_s) {
+    for (int i = 0; i < length_s / step_s; ++i) train.step();
+  };
+  GIVEN("a brake told more than the motor gives at standstill") {
+    train.set_brake_torque(600);
+    train.set_supply(1, true);
+    run_for(2);
+    THEN("the motor winds the reducer up, and the output stands") {
+      CHECK(train.input_torque_Nm() * 121 > 200);
+      CHECK(std::abs(train.output_speed_rad_s()) < 1e-6);
+      CHECK(train.brake_torque_Nm() == Approx(train.input_torque_Nm() * 121).epsilon(0.02));
+    }
+  }
+  GIVEN("one that is overcome") {
+    train.set_brake_torque(83.5);
+    train.set_supply(40, true);
+    run_for(3);
+    THEN("it gives its torque, as one that creeps does") {
+      sim::RvTrain creeping(sim::rv20e_bench(), sim::draw_unit("healthy", 1), step_s);
+      creeping.set_brake_torque(83.5);
+      creeping.set_supply(40, true);
+      for (int i = 0; i < 3 / step_s; ++i) creeping.step();
+      CHECK(train.output_speed_rad_s() == Approx(creeping.output_speed_rad_s()).epsilon(1e-3));
+      CHECK(train.brake_torque_Nm() == Approx(creeping.brake_torque_Nm()).epsilon(0.01));
+    }
+  }
+  GIVEN("a brake's torque that no brake is told") {
+    auto lost = plant;
+    std::erase_if(lost.terms, [](const auto& term) { return term.type == "holding_brake"; });
+    const auto faults = sim::rv_plant_faults(lost);
+    REQUIRE_FALSE(faults.empty());
+    CHECK_THAT(faults.front().message, Catch::Contains("holding_brake"));
+  }
+}
+
 SCENARIO("the rig's stepper runs what an explanation may add", "[sim][rv_plant]") {
   const auto mean_Nm = [](const sim::PlantSpec& plant) {
     test::SteppedTrain train(plant, 40, 83.5);

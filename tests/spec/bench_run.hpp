@@ -51,8 +51,9 @@ inline std::string unsettled_plan() {
 /// TCP, CAN frames. The world behind it can be made to misbehave and looked at afterwards.
 class BenchRun {
  public:
-  explicit BenchRun(const sim::InverterParameters& inverter = {}) {
-    auto world = std::make_unique<sim::BenchWorld>(sim::draw_unit("healthy", 1), inverter);
+  explicit BenchRun(const sim::InverterParameters& inverter = {},
+                    const sim::PlantSpec& plant = sim::rv20e_bench()) {
+    auto world = std::make_unique<sim::BenchWorld>(sim::draw_unit("healthy", 1), inverter, plant);
     world_ = world.get();
     const hal::SimulatedRigOptions options{.torque_rate_Hz = world->transducer().rate_Hz()};
     rig_ = hal::make_simulated_rig(std::move(world), options);
@@ -72,9 +73,10 @@ class BenchRun {
     bench::RunFacts facts;
     facts.serial = "A17";
     facts.plan = plan.name;
-    judgement_ =
-        bench::run_acceptance({plan, bench::with_limits(kinematics, plan.limits), folder(), facts},
-                              rig_, bar, stop_.get_token());
+    judgement_ = bench::run_acceptance(
+        {plan, bench::with_limits(bench::of_specimen(kinematics, plan.specimen), plan.limits),
+         folder(), facts},
+        rig_, bar, stop_.get_token());
     return judgement_;
   }
 
