@@ -2,20 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "analysis/diagnosis.hpp"
+#include "analysis/evidence/consequence.hpp"
 #include "analysis/evidence/equal_explanations.hpp"
 #include "analysis/evidence/growth_law.hpp"
 #include "analysis/evidence/lines_by_depth.hpp"
 #include "analysis/evidence/severity.hpp"
-#include "analysis/spectral_lines.hpp"
 #include "analysis/statistics.hpp"
+#include "analysis/unexplained_families.hpp"
 
 namespace rvbench::analysis {
 namespace {
 
 constexpr std::size_t lines_listed = 8;  // evidence lines shown per finding
-constexpr std::size_t families_listed = 12;
+constexpr double fits_at = 0.05;         // p of a growth that contradicts its mechanism below it
 
 // Points that show a signature, and how.
 struct Evidence {
@@ -56,24 +58,24 @@ void list_lines(const Evidence& evidence, Finding& finding) {
   }
 }
 
-// What explains the finding as well at the point that shows it deepest.
-std::vector<std::string> rivals_of(const Evidence& evidence, const Kinematics& kinematics) {
+double resolution_of(const Examination& point, const Kinematics& kinematics) {
+  return 1 / (point.periods * kinematics.period_turns);
+}
+
+// What explains the finding as well at the point that shows it deepest, and grows as it does.
+std::vector<std::string> rivals_of(const Evidence& evidence, const Growth& load,
+                                   const Kinematics& kinematics) {
   const std::size_t deepest = evidence.deepest();
-  const double turns = evidence.shown_by[deepest]->periods * kinematics.period_turns;
+  const double resolution = resolution_of(*evidence.shown_by[deepest], kinematics);
   std::vector<std::string> rivals;
-  for (const std::size_t s : equal_explanations(*evidence.scores[deepest], kinematics, 1 / turns)) {
+  for (const std::size_t s :
+       equal_explanations(*evidence.scores[deepest], kinematics, resolution)) {
     const Signature& rival = kinematics.signatures[s];
+    if (p_value_of_growth(load, rival.load_growth) < fits_at) continue;
     rivals.push_back(
         fmt::format("{}: {} at order {:.4g}", rival.component, rival.mechanism, rival.order));
   }
   return rivals;
-}
-
-// Outside its interval and outside what the mechanism allows.
-bool fits(const Growth& load, const Signature& signature) {
-  return !std::isfinite(load.exponent) || !std::isfinite(load.error) ||
-         (load.exponent + load.error >= signature.least_load_exponent &&
-          load.exponent - load.error <= signature.most_load_exponent);
 }
 
 // The hypothesis as far as it goes whether or not a point shows it.
@@ -93,7 +95,9 @@ Finding weigh(const Signature& signature, const Evidence& evidence, double tests
   f.p_value = std::min(1.0, combined_p_value(p_values) * tests);
   for (const Examination* point : evidence.shown_by) f.points.push_back(point->source);
   if (evidence.all.empty()) return f;
-  const Severity severity = severity_of(evidence.scores.empty() ? evidence.all : evidence.scores);
+  const bool is_shown = !evidence.scores.empty();
+  const Severity severity =
+      is_shown ? severity_of(evidence.scores) : Severity{0, 0, depth_bound(evidence.all)};
   f.severity = severity.depth;
   f.severity_low = severity.low;
   f.severity_high = severity.high;
@@ -113,48 +117,56 @@ void describe(Finding& f, const Evidence& evidence, const Kinematics& kinematics
   std::sort(f.imfs.begin(), f.imfs.end());
   list_lines(evidence, f);
   f.growth = growth_law(evidence.shown_by, signature);
-  f.growth_fits = fits(f.growth.load, kinematics.signatures[signature]);
-  f.cannot_tell_from = rivals_of(evidence, kinematics);
+  f.growth_p_value = p_value_of_growth(f.growth.load, kinematics.signatures[signature].load_growth);
+  f.growth_fits = f.growth_p_value >= fits_at;
+  f.cannot_tell_from = rivals_of(evidence, f.growth.load, kinematics);
 }
 
-// Severity over its limit; finite where the limit allows nothing at all.
-double excess(const Finding& finding) { return finding.severity / std::max(finding.limit, 1e-6); }
+// Severity over its limit, as far as its growth speaks for it; finite where the limit allows
+// nothing at all.
+double weight(const Finding& finding) {
+  return std::max(finding.growth_p_value, 1e-6) * finding.severity / std::max(finding.limit, 1e-6);
+}
 
-// What no kinematics accounts for, over all channels and points.
-std::vector<SpectralLine> unexplained_families(const std::vector<Examination>& points,
-                                               const Kinematics& kinematics) {
-  std::vector<SpectralLine> lines;
-  for (const Examination& point : points) {
-    for (const ChannelExamination& channel : point.channels) {
-      for (const SpectralLine& line : channel.lines) {
-        if (!line.meaning.empty()) continue;
-        const auto same = std::find_if(lines.begin(), lines.end(), [&](const SpectralLine& other) {
-          return std::abs(other.order - line.order) < 1e-3 * line.order;
-        });
-        if (same == lines.end()) {
-          lines.push_back(line);
-        } else if (line.amplitude > same->amplitude) {
-          *same = line;
-        }
+// A hypothesis that shows.
+struct Shown {
+  Finding finding;
+  Evidence evidence;
+};
+
+// Names the gravest of those before it that makes all its lines, where it is deepest.
+void relate(std::vector<Shown>& shown, const Kinematics& kinematics) {
+  for (std::size_t i = 1; i < shown.size(); ++i) {
+    const Evidence& evidence = shown[i].evidence;
+    const std::size_t deepest = evidence.deepest();
+    const Examination& point = *evidence.shown_by[deepest];
+    for (std::size_t j = 0; j < i && shown[i].finding.may_follow_from.empty(); ++j) {
+      const Finding& graver = shown[j].finding;
+      const auto signature = static_cast<std::size_t>(shown[j].evidence.scores.front()->signature);
+      if (graver.component == shown[i].finding.component ||
+          !may_follow_from(*evidence.scores[deepest], point.scores[signature], kinematics,
+                           resolution_of(point, kinematics))) {
+        continue;
       }
+      shown[i].finding.may_follow_from = graver.component + ": " + graver.mechanism;
     }
   }
-  std::sort(lines.begin(), lines.end(),
-            [](const SpectralLine& a, const SpectralLine& b) { return a.amplitude > b.amplitude; });
-  if (lines.size() > 200) lines.resize(200);
-  std::vector<SpectralLine> result = families(std::move(lines), kinematics);
-  if (result.size() > families_listed) result.resize(families_listed);
-  return result;
 }
 
 }  // namespace
 
+std::vector<const Finding*> Diagnosis::hypotheses() const {
+  std::vector<const Finding*> all;
+  for (const auto* list : {&findings, &below_limit, &not_shown}) {
+    for (const Finding& hypothesis : *list) all.push_back(&hypothesis);
+  }
+  return all;
+}
+
 const Finding* Diagnosis::second() const {
   if (findings.empty()) return nullptr;
-  for (const auto* hypotheses : {&findings, &below_limit, &not_shown}) {
-    for (const Finding& hypothesis : *hypotheses) {
-      if (hypothesis.component != findings.front().component) return &hypothesis;
-    }
+  for (const Finding* hypothesis : hypotheses()) {
+    if (hypothesis->component != findings.front().component) return hypothesis;
   }
   return nullptr;
 }
@@ -165,25 +177,28 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
     d.resolvable = d.resolvable || point.resolvable;
     d.quality.insert(d.quality.end(), point.quality.begin(), point.quality.end());
   }
+  std::vector<Shown> shown;
   const auto tests = static_cast<double>(kinematics.signatures.size());
   for (std::size_t s = 0; s < kinematics.signatures.size(); ++s) {
-    const Evidence evidence = gather(points, s);
+    Evidence evidence = gather(points, s);
     Finding f = weigh(kinematics.signatures[s], evidence, tests);
     if (!evidence.shows() || f.p_value >= significant_p) {
       d.not_shown.push_back(std::move(f));
       continue;
     }
     describe(f, evidence, kinematics, s);
-    (f.severity > f.limit ? d.findings : d.below_limit).push_back(std::move(f));
+    shown.push_back({std::move(f), std::move(evidence)});
   }
-  const auto graver = [](const Finding& a, const Finding& b) { return excess(a) > excess(b); };
-  std::sort(d.findings.begin(), d.findings.end(), graver);
-  std::sort(d.below_limit.begin(), d.below_limit.end(), graver);
-  std::sort(d.not_shown.begin(), d.not_shown.end(),
-            [](const Finding& a, const Finding& b) { return a.p_value < b.p_value; });
+  std::ranges::stable_sort(shown, std::greater{}, [](const Shown& s) { return weight(s.finding); });
+  relate(shown, kinematics);
+  for (Shown& s : shown) {
+    (s.finding.severity > s.finding.limit ? d.findings : d.below_limit)
+        .push_back(std::move(s.finding));
+  }
+  std::ranges::sort(d.not_shown, {}, &Finding::p_value);
   double total = 0;
-  for (const Finding& f : d.findings) total += excess(f);
-  for (Finding& f : d.findings) f.confidence = excess(f) / total;
+  for (const Finding& f : d.findings) total += weight(f);
+  for (Finding& f : d.findings) f.confidence = total > 0 ? weight(f) / total : 0;
   d.unexplained = unexplained_families(points, kinematics);
   return d;
 }

@@ -63,6 +63,7 @@ struct ChannelExamination {
 struct Examination {
   std::string source;
   double speed_rpm = not_known;
+  bool angle_measured = false;  ///< else orders are as sure as the speed that was stated
   double load_pct = not_known;
   int repeat = 0;
   double periods = 0;       ///< output turns (or input turns) that the record spans
@@ -97,26 +98,32 @@ struct Finding {
   std::vector<int> imfs;
   double log_likelihood_ratio = 0;  ///< against noise, summed over all points
   double p_value = 1;               ///< over all points, for everything searched
-  double severity = 0;      ///< modulation depth, median over the points that show it, or over all
-  double severity_low = 0;  ///< of its 95 % interval
+  double severity = 0;      ///< modulation depth, median over the points that show it; 0 if none
+  double severity_low = 0;  ///< of its 95 % interval; where none shows it 0 to what it is below
   double severity_high = 0;
   double limit = 0;       ///< of severity
-  double confidence = 0;  ///< 0..1: share of severity over its limit among all findings
+  double confidence = 0;  ///< 0..1: share of severity over its limit, times growth_p_value, among
+                          ///< all findings
   std::string advice;
   std::vector<double> line_orders;  ///< evidence: the envelope lines, strongest first
   std::vector<double> line_depths;
   GrowthLaw growth;
-  bool growth_fits = true;  ///< false: it contradicts what the mechanism makes grow
+  double growth_p_value = 1;  ///< of an exponent as far outside what the mechanism allows
+  bool growth_fits = true;    ///< false: it is, at 5 %
   std::vector<std::string> cannot_tell_from;  ///< "component: mechanism" that explain it as well
+  std::string may_follow_from;  ///< "component: mechanism" of a graver one that makes all its lines
 };
 
 struct Diagnosis {
-  std::vector<Finding> findings;          ///< above their limit, gravest first
+  std::vector<Finding> findings;          ///< above their limit, by confidence
   std::vector<Finding> below_limit;       ///< significant, but within limits
   std::vector<Finding> not_shown;         ///< all other hypotheses, likeliest first
   std::vector<SpectralLine> unexplained;  ///< families of lines no kinematics accounts for
   std::vector<QualityNote> quality;
   bool resolvable = false;  ///< at least one record could be judged
+
+  /// All hypotheses: findings, those within limits, those not shown.
+  std::vector<const Finding*> hypotheses() const;
 
   /// The likeliest hypothesis of another part than the first finding's; null without a finding.
   const Finding* second() const;
@@ -141,7 +148,7 @@ Examination examine(const Recording& record, const Kinematics& kinematics,
 
 /// Weighs the examinations of all points of a run (or of one file) into findings.
 ///
-/// Shape   any number of points, none among them → findings, gravest first
+/// Shape   any number of points, none among them → findings, by confidence
 /// Units   of the examinations; limits are those of the kinematics
 /// Errors  none thrown; no point that could be judged is `resolvable` false
 /// Source  combined_p_value() over the points; what explains what is ours

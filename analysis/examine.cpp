@@ -188,6 +188,7 @@ Examination examine(const Recording& record, const Kinematics& kinematics,
     e.quality.push_back({record.source, "the shaft's speed is not known or not steady", true});
     return e;
   }
+  e.angle_measured = angle->is_measured();
   if (!std::isfinite(e.speed_rpm)) e.speed_rpm = angle->mean_speed_Hz() * 60;
 
   std::vector<ChannelResult> results(channels.size());

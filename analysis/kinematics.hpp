@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/growth_range.hpp"
 #include "hal/types/recording.hpp"
 
 namespace rvbench::analysis {
@@ -43,14 +44,10 @@ struct Signature {
   std::vector<double> sidebands;  ///< spacings in orders, searched on both sides
   double slip = 0;                ///< relative: how far rolling elements may stray from `order`
   double tolerance = 0;           ///< relative: how far a printed `order` may be off the part's own
+  GrowthRange load_growth = any_growth;
   double depth_limit = 0;         ///< modulation depth above which the part counts as bad
   std::string limit_why;
   std::string advice;
-
-  /// Exponents of the load with which its modulated vibration may grow: from an error of shape that
-  /// shakes alike whatever the load, 0, to a blow that the load drives, 1, and some room.
-  double least_load_exponent = -0.25;
-  double most_load_exponent = 1.5;
 };
 
 /// A machine as the diagnosis sees it.

@@ -42,6 +42,8 @@ std::vector<double> surroundings(const Eigen::VectorXd& power, Eigen::Index line
 
 }  // namespace
 
+bool LineFloor::is_neighbour(Eigen::Index line) const { return is_clean(line, locked_every); }
+
 bool LineFloor::is_locked(Eigen::Index line) const {
   return locked_every >= dense && !is_clean(line, locked_every);
 }
@@ -56,10 +58,12 @@ LineFloor line_floor(const Spectrum& spectrum, Eigen::Index locked_every) {
   const double least =
       std::max(result.power.maxCoeff() * 1e-24, std::numeric_limits<double>::min() * 1e8);
   result.floor_lines.resize(n);
+  result.neighbours.resize(n);
   // The floor is taken anew every tenth of its surroundings, and held between.
   for (Eigen::Index from = 0; from < n;) {
     const Eigen::Index count = std::min(neighbours_of(from) / 5, n - from);
     std::vector<double> values = surroundings(result.power, from + count / 2, locked_every);
+    result.neighbours.segment(from, count).setConstant(static_cast<double>(values.size()));
     // Neighbouring Hann lines share two thirds of their noise, a median uses half of what it is
     // given.
     result.floor_lines.segment(from, count)

@@ -16,7 +16,11 @@ struct LineFloor {
   Eigen::VectorXd power;        ///< amplitude², in the unit of the signal squared
   Eigen::VectorXd floor;        ///< the same unit; > 0
   Eigen::VectorXd floor_lines;  ///< independent lines that each floor value is worth
+  Eigen::VectorXd neighbours;   ///< lines whose median each floor value is
   Eigen::Index locked_every = 0;
+
+  /// Whether a line is one of the neighbours of the floors around it, its own among them.
+  bool is_neighbour(Eigen::Index line) const;
 
   /// Whether a line cannot be told from a multiple of `locked_every`. Never where those are dense.
   bool is_locked(Eigen::Index line) const;

@@ -88,6 +88,7 @@ std::vector<Signature> input_signatures(const Rates& r) {
        .order = 1,
        .harmonics = 2,
        .sidebands = {},
+       .load_growth = grows_as_shape,
        .depth_limit = 0.15,
        .limit_why =
            "a shaft within tolerance leans on its bearing by less than a sixth of its preload",
@@ -99,6 +100,7 @@ std::vector<Signature> input_signatures(const Rates& r) {
        .order = r.sun,
        .harmonics = 8,
        .sidebands = {r.unit, 2 * r.unit},
+       .load_growth = grows_as_shape,
        .depth_limit = 0.1,
        .limit_why = "teeth of one quality class share the load within a tenth",
        .advice = "measure the sun gear's tooth profile and pitch; replace the input gear"},
@@ -114,6 +116,7 @@ std::vector<Signature> carried_signatures(const Rates& r) {
        .order = r.orbit,
        .harmonics = 1,
        .sidebands = {r.unit},
+       .load_growth = grows_as_shape,
        .depth_limit = 0.3,
        .limit_why = "equal cranks load the discs alike all the way round",
        .advice = "measure the eccentricity of the cranks against each other"},
@@ -124,6 +127,7 @@ std::vector<Signature> carried_signatures(const Rates& r) {
        .first_harmonic = 2,  // once per crank turn is what eccentricity does, too
        .harmonics = 24,
        .sidebands = {r.unit},
+       .load_growth = grows_as_blows,
        .depth_limit = 0.3,
        .limit_why = "one tooth among many may not stand out by more than its share",
        .advice = "open the reducer and look at the planets' flanks; replace the planet pair"},
@@ -134,6 +138,7 @@ std::vector<Signature> carried_signatures(const Rates& r) {
        .first_harmonic = 2,  // the load zones of sound discs pass a sensor twice per orbit, too
        .harmonics = 8,
        .sidebands = {r.orbit},
+       .load_growth = grows_as_blows,
        .depth_limit = 0.15,
        .limit_why = "pins of one class share the load alike",
        .advice = "look at the pins and their grooves in the shell; replace pins as a set"},
@@ -159,6 +164,7 @@ Kinematics rv_reducer(const std::string& machine, const RvGeometry& geometry,
   if (crank_bearing.rolling_elements > 0) {
     for (Signature& s : bearing_signatures(crank_bearing, rates.crank, 0.02)) {
       k.orders.push_back({"crank " + s.component, s.order, {}, s.component, ""});
+      if (s.mechanism == "spall") s.load_growth = grows_as_blows;  // it carries the discs' load
       k.signatures.push_back(std::move(s));
     }
   }

@@ -87,6 +87,16 @@ class Claims {
 
 }  // namespace
 
+std::vector<double> harmonic_lines(const Signature& signature, int harmonic) {
+  const double main = harmonic * signature.order;
+  std::vector<double> orders{main};
+  for (const double spacing : signature.sidebands) {
+    orders.push_back(main - spacing);
+    orders.push_back(main + spacing);
+  }
+  return orders;
+}
+
 std::vector<std::vector<SignatureLine>> signature_lines(const Kinematics& kinematics,
                                                         double resolution) {
   const std::vector<Signature>& all = kinematics.signatures;
@@ -99,15 +109,10 @@ std::vector<std::vector<SignatureLine>> signature_lines(const Kinematics& kinema
     for (int h = all[i].first_harmonic; h <= all[i].harmonics; ++h) {
       if (!rolls && claims.lost(i, h)) continue;
       const double main = h * all[i].order;
-      std::vector<double> orders{main};
-      for (const double spacing : all[i].sidebands) {
-        for (const double side : {main - spacing, main + spacing}) {
-          if (rolls || !claims.is_harmonic_of_another(i, side)) orders.push_back(side);
-        }
-      }
       int harmonic = -1;
-      for (const double order : orders) {
+      for (const double order : harmonic_lines(all[i], h)) {
         if (order < 2 * resolution || near.among(beats, order)) continue;
+        if (order != main && !rolls && claims.is_harmonic_of_another(i, order)) continue;
         // The upper sideband of one harmonic may be the lower one of the next.
         if (std::any_of(lines[i].begin(), lines[i].end(),
                         [&](const SignatureLine& line) { return near.same(line.order, order); })) {

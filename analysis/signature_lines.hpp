@@ -16,6 +16,13 @@ struct SignatureLine {
   std::vector<double> rivals;
 };
 
+/// A harmonic of a signature's order, and behind it its sidebands, lower before upper.
+///
+/// Units   orders of the input shaft, as searched or below 0; h = 0 gives the sidebands' spacings
+/// Errors  none thrown
+/// Source  amplitude modulation; Randall, Vibration-based Condition Monitoring (2011), sec. 2.2
+std::vector<double> harmonic_lines(const Signature& signature, int harmonic);
+
 /// The envelope lines that speak for each signature.
 ///
 /// A line that is a lower harmonic of another part belongs to that part: the planet's third

@@ -84,8 +84,15 @@ Json json_of_finding(const Finding& finding) {
                {"line_depths", finding.line_depths},
                {"growth_with_load", json_of_growth(finding.growth.load)},
                {"growth_with_speed", json_of_growth(finding.growth.speed)},
-               {"growth_fits", finding.growth_fits},
-               {"cannot_tell_from", finding.cannot_tell_from}};
+               {"growth_fits", nullptr},
+               {"growth_p_value", nullptr},
+               {"cannot_tell_from", finding.cannot_tell_from},
+               {"may_follow_from", nullptr}};
+  if (std::isfinite(finding.growth.load.exponent)) {
+    json["growth_fits"] = finding.growth_fits;
+    json["growth_p_value"] = finding.growth_p_value;
+  }
+  if (!finding.may_follow_from.empty()) json["may_follow_from"] = finding.may_follow_from;
   if (!finding.table4_item.empty()) json["table4_item"] = finding.table4_item;
   return json;
 }
@@ -113,8 +120,16 @@ Finding finding_from(const Json& json) {
   finding.line_depths = numbers_from(json.at("line_depths"));
   finding.growth.load = growth_from(json.value("growth_with_load", Json()));
   finding.growth.speed = growth_from(json.value("growth_with_speed", Json()));
-  finding.growth_fits = json.value("growth_fits", true);
+  if (const Json fits = json.value("growth_fits", Json()); !fits.is_null()) {
+    fits.get_to(finding.growth_fits);
+  }
+  if (const Json p = json.value("growth_p_value", Json()); !p.is_null()) {
+    p.get_to(finding.growth_p_value);
+  }
   finding.cannot_tell_from = json.value("cannot_tell_from", std::vector<std::string>());
+  if (const Json cause = json.value("may_follow_from", Json()); !cause.is_null()) {
+    cause.get_to(finding.may_follow_from);
+  }
   return finding;
 }
 
@@ -188,6 +203,7 @@ Json json_of(const analysis::Diagnosis& diagnosis) {
 Json json_of(const analysis::Examination& examination) {
   return {{"source", examination.source},
           {"speed_rpm", examination.speed_rpm},
+          {"angle_measured", examination.angle_measured},
           {"load_pct", examination.load_pct},
           {"repeat", examination.repeat},
           {"periods", examination.periods},
@@ -212,6 +228,7 @@ analysis::Examination examination_from_json(const Json& json) {
   analysis::Examination examination;
   json.at("source").get_to(examination.source);
   examination.speed_rpm = number_or_nan(json.at("speed_rpm"));
+  examination.angle_measured = json.value("angle_measured", false);
   examination.load_pct = number_or_nan(json.at("load_pct"));
   json.at("repeat").get_to(examination.repeat);
   examination.periods = number_or_nan(json.at("periods"));

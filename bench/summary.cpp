@@ -47,6 +47,8 @@ void print_finding(Console& console, const analysis::Finding& finding, double pe
   if (!growth.empty()) console.out << "    " << growth << '\n';
   const std::string rivals = report::rivals_text(finding);
   if (!rivals.empty()) console.out << "    " << rivals << '\n';
+  const std::string cause = report::cause_text(finding);
+  if (!cause.empty()) console.out << "    " << cause << '\n';
 }
 
 // "  171.56 Hz at 1815 rpm  order   5.6714"

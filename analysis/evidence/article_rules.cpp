@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "analysis/order/resolution.hpp"
+
 namespace rvbench::analysis {
 namespace {
 
@@ -13,7 +15,10 @@ constexpr int mesh_harmonics = 3;
 constexpr int multiples = 2;
 constexpr double same_line = 0.6;  // of a record's resolution
 
-bool has_line(const Examination& point, double order, double near) {
+// Where the angle was not measured, orders are as far off as the stated speed.
+bool has_line(const Examination& point, double order, double resolution) {
+  const double off = point.angle_measured ? 0 : stated_speed_error * std::abs(order);
+  const double near = same_line * resolution + off;
   return std::ranges::any_of(point.channels, [&](const ChannelExamination& channel) {
     return std::ranges::any_of(channel.lines, [&](const SpectralLine& line) {
       return std::abs(line.order - order) <= near;
@@ -23,14 +28,14 @@ bool has_line(const Examination& point, double order, double near) {
 
 // Around a mesh harmonic, whether or not it is heard: equal planets, or discs half a turn apart,
 // cancel it and leave its sidebands.
-bool has_sidebands(const Examination& point, double spacing, double near,
+bool has_sidebands(const Examination& point, double spacing, double resolution,
                    const Kinematics& kinematics) {
   for (const CharacteristicOrder& mesh : kinematics.orders) {
     if (!mesh.mesh) continue;
     for (int h = 1; h <= mesh_harmonics; ++h) {
       for (int k = 1; k <= multiples; ++k) {
-        if (has_line(point, h * mesh.order - k * spacing, near) ||
-            has_line(point, h * mesh.order + k * spacing, near)) {
+        if (has_line(point, h * mesh.order - k * spacing, resolution) ||
+            has_line(point, h * mesh.order + k * spacing, resolution)) {
           return true;
         }
       }
@@ -40,28 +45,29 @@ bool has_sidebands(const Examination& point, double spacing, double near,
 }
 
 ArticleRule stationary(const std::vector<Examination>& points, const Finding& finding,
-                       const Kinematics& kinematics) {
+                       bool is_local, const Kinematics& kinematics) {
   int judged = 0, with_sidebands = 0, with_rotation = 0;
   for (const Examination& point : points) {
     if (!point.resolvable) continue;
     ++judged;
-    const double near = same_line / (point.periods * kinematics.period_turns);
-    with_sidebands += has_sidebands(point, finding.order, near, kinematics) ? 1 : 0;
+    const double resolution = 1 / (point.periods * kinematics.period_turns);
+    with_sidebands += has_sidebands(point, finding.order, resolution, kinematics) ? 1 : 0;
     bool rotation = false;
     for (int k = 1; k <= multiples; ++k) {
-      rotation = rotation || has_line(point, k * finding.order, near);
+      rotation = rotation || has_line(point, k * finding.order, resolution);
     }
     with_rotation += rotation ? 1 : 0;
   }
-  const bool sidebands = 2 * with_sidebands > judged;
-  const bool rotation = 2 * with_rotation > judged;
-  return {"stationary fault?", sidebands && rotation ? "yes" : "no",
+  const bool lines_are_there = 2 * with_sidebands > judged && 2 * with_rotation > judged;
+  const char* conclusion = "";
+  if (lines_are_there) {
+    conclusion = is_local ? ": both are there, but of blows, and a local fault has them too"
+                          : ": profile error, even wear, or faulty design or installation";
+  }
+  return {"stationary fault?", lines_are_there && !is_local ? "yes" : "no",
           fmt::format("mesh lines carry sidebands at a spacing of order {:.4g} in {} of {} points, "
                       "and the rotation itself or its double is a line in {}{}",
-                      finding.order, with_sidebands, judged, with_rotation,
-                      sidebands && rotation
-                          ? ": profile error, even wear, or faulty design or installation"
-                          : "")};
+                      finding.order, with_sidebands, judged, with_rotation, conclusion)};
 }
 
 const Signature* signature_of(const Finding& finding, const Kinematics& kinematics) {
@@ -95,12 +101,15 @@ ArticleRule extent(const Finding& finding, const Kinematics& kinematics) {
 }
 
 const Finding* hypothesis_of(const Diagnosis& diagnosis, const char* component) {
-  for (const auto* list : {&diagnosis.findings, &diagnosis.below_limit, &diagnosis.not_shown}) {
-    for (const Finding& f : *list) {
-      if (f.component == component) return &f;
-    }
-  }
-  return nullptr;
+  const std::vector<const Finding*> all = diagnosis.hypotheses();
+  const auto found = std::ranges::find(all, component, &Finding::component);
+  return found == all.end() ? nullptr : *found;
+}
+
+std::string depth_text(const Finding& f) {
+  const std::string depth = f.points.empty() ? fmt::format("below {:.3f}", f.severity_high)
+                                             : fmt::format("{:.3f}", f.severity);
+  return fmt::format("order {:.4g}: depth {}, limit {:.3f}", f.order, depth, f.limit);
 }
 
 std::optional<ArticleRule> shaft_or_sun(const Diagnosis& diagnosis) {
@@ -116,12 +125,8 @@ std::optional<ArticleRule> shaft_or_sun(const Diagnosis& diagnosis) {
   const char* answer = "both";
   if (!is_found(sun)) answer = "input shaft";
   if (!is_found(shaft)) answer = "sun gear";
-  return ArticleRule{
-      "input-shaft misalignment or sun profile error?", answer,
-      fmt::format("order {:.4g}: depth {:.3f}, limit {:.3f}; order {:.4g}: depth {:.3f}, limit "
-                  "{:.3f}",
-                  shaft->order, shaft->severity, shaft->limit, sun->order, sun->severity,
-                  sun->limit)};
+  return ArticleRule{"input-shaft misalignment or sun profile error?", answer,
+                     depth_text(*shaft) + "; " + depth_text(*sun)};
 }
 
 }  // namespace
@@ -131,10 +136,11 @@ std::vector<ArticleRule> article_rules(const std::vector<Examination>& points,
   if (diagnosis.findings.empty()) return {};
   const Finding& first = diagnosis.findings.front();
   std::vector<ArticleRule> rules;
+  ArticleRule how_far = extent(first, kinematics);
   if (std::ranges::any_of(kinematics.orders, &CharacteristicOrder::mesh)) {
-    rules.push_back(stationary(points, first, kinematics));
+    rules.push_back(stationary(points, first, how_far.answer == "local", kinematics));
   }
-  rules.push_back(extent(first, kinematics));
+  rules.push_back(std::move(how_far));
   if (auto rule = shaft_or_sun(diagnosis)) rules.push_back(std::move(*rule));
   return rules;
 }

@@ -17,7 +17,8 @@ struct ArticleRule {
 /// What the article's section 5.1 asks of the first finding:
 ///
 ///     stationary   sidebands of the part's rotation around mesh harmonics in most of the points,
-///                  and its rotation and multiples themselves as low-frequency lines
+///                  and its rotation and multiples themselves as low-frequency lines; a local
+///                  fault has both as well, and is none
 ///     extent       a distributed fault modulates smoothly, most of the squared depth of its
 ///                  deepest lines is in the first two harmonics; a local one strikes
 ///     shaft or sun input-shaft misalignment at order 1, profile error of the sun at the rate that

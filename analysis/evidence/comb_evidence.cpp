@@ -22,7 +22,7 @@ class Reader {
     Reading reading;
     if (!holds(bin)) return reading;
     const double base = base_of(comb_.lines[line], bin, shift);
-    const double power = floor_.power[bin];
+    const double power = (1 + in_own_floor(bin, shift)) * floor_.power[bin];
     const double m = floor_.floor_lines[bin];
     reading.log_ratio = m * std::log1p(power / (m * base));
     reading.excess = comb_.rolls ? lobe_above_floor(bin) : power - base;
@@ -81,6 +81,14 @@ class Reader {
     return sum / 1.5;
   }
 
+  // A gear train's line is not among those that its floor is the median of, and its decoys are.
+  // What is in the median of n lines of noise is, over that, lower by a share of 1/n on the
+  // average: the mean and the median of exponential numbers vary together by ln 2/n.
+  double in_own_floor(Eigen::Index bin, Eigen::Index shift) const {
+    const bool only_the_decoy = floor_.is_neighbour(bin) && !floor_.is_neighbour(bin - shift);
+    return only_the_decoy ? 1 / floor_.neighbours[bin] : 0;
+  }
+
   // What a line must exceed to speak for this comb.
   double base_of(const SignatureLine& wanted, Eigen::Index bin, Eigen::Index shift) const {
     double base = floor_.floor[bin];
@@ -116,10 +124,10 @@ CombEvidence comb_evidence(const EnvelopeSpectra& envelope, const SignatureComb&
       e.depth2(i, t) = std::min(e.depth2(i, t), e.depth2(harmonic, t));
     }
   }
-  const std::vector<Eigen::Index> shifts = decoy_shifts(comb, envelope.lines.locked_every);
-  e.decoys.resize(comb.bins.rows(), static_cast<Eigen::Index>(shifts.size()));
+  e.shifts = decoy_shifts(comb, envelope.lines.locked_every);
+  e.decoys.resize(comb.bins.rows(), static_cast<Eigen::Index>(e.shifts.size()));
   for (Eigen::Index d = 0; d < e.decoys.cols(); ++d) {
-    e.decoys.col(d) = reader.decoy(shifts[static_cast<std::size_t>(d)]);
+    e.decoys.col(d) = reader.decoy(e.shifts[static_cast<std::size_t>(d)]);
   }
   return e;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "analysis/envelope_spectra.hpp"
 #include "analysis/evidence/signature_comb.hpp"
@@ -15,7 +16,8 @@ struct CombEvidence {
   Eigen::MatrixXd log_ratio;
   Eigen::MatrixXd depth2;    ///< lines × stretches: squared modulation depth, noise taken out
   Eigen::MatrixXd variance;  ///< lines × stretches: of depth2, by noise
-  Eigen::MatrixXd decoys;    ///< lines × shifts of decoy_shifts(): log_ratio
+  Eigen::MatrixXd decoys;    ///< lines × shifts: log_ratio
+  std::vector<Eigen::Index> shifts;  ///< decoy_shifts()
 };
 
 /// Reads the lines of a comb off one envelope.

@@ -4,46 +4,19 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "analysis/evidence/lines_by_depth.hpp"
+#include "analysis/evidence/carrying_lines.hpp"
+#include "analysis/signature_lines.hpp"
 
 namespace rvbench::analysis {
 namespace {
-
-constexpr double carried = 0.9;  // of the signature's power, by its deepest lines
-
-// Orders, as found, of the deepest lines that together carry the evidence.
-std::vector<double> carrying_lines(const SignatureScore& score, double nominal_order) {
-  double total = 0;
-  for (const double depth : score.line_depths) total += depth * depth;
-  std::vector<double> orders;
-  double sum = 0;
-  for (const std::size_t i : lines_by_depth(score)) {
-    if (sum >= carried * total) break;
-    sum += score.line_depths[i] * score.line_depths[i];
-    orders.push_back(score.line_orders[i] * score.order / nominal_order);
-  }
-  return orders;
-}
 
 // Every line that a signature may have, sidebands that other parts claim among them.
 std::vector<double> lines_of(const Signature& s, double stretch) {
   std::vector<double> orders;
   for (int h = s.first_harmonic; h <= s.harmonics; ++h) {
-    const double main = h * s.order;
-    orders.push_back(main * stretch);
-    for (const double spacing : s.sidebands) {
-      orders.push_back((main - spacing) * stretch);
-      orders.push_back((main + spacing) * stretch);
-    }
+    for (const double order : harmonic_lines(s, h)) orders.push_back(order * stretch);
   }
   return orders;
-}
-
-bool holds_all(const std::vector<double>& comb, const std::vector<double>& found, double near) {
-  return std::all_of(found.begin(), found.end(), [&](double order) {
-    return std::any_of(comb.begin(), comb.end(),
-                       [&](double line) { return std::abs(line - order) < near; });
-  });
 }
 
 }  // namespace
@@ -54,7 +27,7 @@ std::vector<std::size_t> equal_explanations(const SignatureScore& score,
   if (score.signature < 0 || own >= kinematics.signatures.size()) {
     throw std::invalid_argument("equal_explanations: no such signature");
   }
-  const std::vector<double> found = carrying_lines(score, kinematics.signatures[own].order);
+  const std::vector<double> found = carrying_lines(score, kinematics.signatures[own]);
   std::vector<std::size_t> equal;
   if (found.empty()) return equal;
   for (std::size_t s = 0; s < kinematics.signatures.size(); ++s) {

@@ -97,4 +97,12 @@ GrowthLaw growth_law(const std::vector<const Examination*>& points, std::size_t 
   return law;
 }
 
+double p_value_of_growth(const Growth& growth, const GrowthRange& range) {
+  const double outside =
+      std::max({range.least - growth.exponent, growth.exponent - range.most, 0.0});
+  if (!std::isfinite(growth.exponent) || outside == 0) return 1;
+  constexpr double half_of_95_percent = 1.959964;  // standard deviations
+  return std::erfc(outside / growth.error * half_of_95_percent / std::sqrt(2.0));
+}
+
 }  // namespace rvbench::analysis

@@ -26,4 +26,10 @@ namespace rvbench::analysis {
 /// Source  Draper & Smith, Applied Regression Analysis (3rd ed., 1998), ch. 5
 GrowthLaw growth_law(const std::vector<const Examination*>& points, std::size_t signature);
 
+/// How likely an exponent within the range would have been measured as far outside as it was, or
+/// farther: 1 inside it, and where the exponent is not known; 0.05 where its interval touches it.
+///
+/// Source  normal errors
+double p_value_of_growth(const Growth& growth, const GrowthRange& range);
+
 }  // namespace rvbench::analysis

@@ -32,6 +32,7 @@ class RecordEvidence {
       channels_.push_back(&evidence);
       if (evidence.imfs.empty()) continue;
       log_ratio_ += evidence.sum.log_ratio;
+      shifts_ = evidence.sum.shifts;
       decoys_ = decoys_.size() == 0 ? evidence.sum.decoys : (decoys_ + evidence.sum.decoys).eval();
       envelopes_ += evidence.imfs.size();
     }
@@ -67,16 +68,42 @@ class RecordEvidence {
     score.order = comb_.order * comb_.stretches[best];
     const Eigen::VectorXd decoys = decoys_of_open_lines(best);
     score.log_likelihood_ratio = sums[best] - median({decoys.begin(), decoys.end()});
-    score.p_value =
-        std::min(1.0, decoy_p_value(sums[best], decoys) * static_cast<double>(sums.size()));
+    score.p_value = std::min(1.0, decoy_p_value(sums[best], decoys, lines_per_decoy_line(best)) *
+                                      static_cast<double>(sums.size()));
     read_depths(best, score);
     return score;
   }
 
  private:
-  // As many lines as the sum has.
+  // As many lines as the sum has, each harmonic with its sidebands at a shift of its own: shifted
+  // as a whole, a comb of evenly spaced lines would meet itself, and its decoys be copies of a few.
+  // The offsets grow quadratically, so that no two decoys meet at one harmonic as they do at the
+  // next.
   Eigen::VectorXd decoys_of_open_lines(Eigen::Index stretch) const {
-    return decoys_.transpose() * open_.col(stretch).cast<double>().matrix();
+    Eigen::VectorXd sums = Eigen::VectorXd::Zero(decoys_.cols());
+    for (Eigen::Index i = 0; i < decoys_.rows(); ++i) {
+      if (!open_(i, stretch)) continue;
+      const int harmonic = comb_.lines[static_cast<std::size_t>(i)].sideband_of;
+      const Eigen::Index group = harmonic < 0 ? i : harmonic;
+      const Eigen::Index offset = 37 * (group * (group + 1) / 2) % decoys_.cols();
+      sums.head(decoys_.cols() - offset) +=
+          decoys_.row(i).tail(decoys_.cols() - offset).transpose();
+      sums.tail(offset) += decoys_.row(i).head(offset).transpose();
+    }
+    return sums;
+  }
+
+  // Share of what noise moves the sum by that also moves the decoys' centre: they are made of so
+  // many lines of the spectrum, and no more.
+  double lines_per_decoy_line(Eigen::Index stretch) const {
+    std::set<Eigen::Index> taken;
+    Eigen::Index lines = 0;
+    for (Eigen::Index i = 0; i < open_.rows(); ++i) {
+      if (!open_(i, stretch)) continue;
+      ++lines;
+      for (const Eigen::Index shift : shifts_) taken.insert(comb_.bins(i, comb_.nominal) + shift);
+    }
+    return static_cast<double>(lines) / static_cast<double>(std::max<std::size_t>(taken.size(), 1));
   }
 
   // The channel where the signature is deepest speaks for its depth.
@@ -113,6 +140,7 @@ class RecordEvidence {
   std::vector<const ChannelEvidence*> channels_;
   Eigen::MatrixXd log_ratio_;
   Eigen::MatrixXd decoys_;
+  std::vector<Eigen::Index> shifts_;
   std::size_t envelopes_ = 0;
   Mask open_;
 };
@@ -153,6 +181,7 @@ void ChannelEvidence::add(const CombEvidence& evidence, int imf, double share) {
     sum.log_ratio = sum.depth2 = sum.variance =
         Eigen::MatrixXd::Zero(evidence.log_ratio.rows(), evidence.log_ratio.cols());
     sum.decoys = Eigen::MatrixXd::Zero(evidence.decoys.rows(), evidence.decoys.cols());
+    sum.shifts = evidence.shifts;
   }
   sum.log_ratio += evidence.log_ratio;
   sum.depth2 += share * evidence.depth2;

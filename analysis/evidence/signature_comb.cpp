@@ -61,9 +61,11 @@ std::vector<Eigen::Index> decoy_shifts(const SignatureComb& comb, Eigen::Index l
     const auto last = comb.bins.cols() - 1;
     reach = std::max<Eigen::Index>(reach, comb.bins(i, last) - comb.bins(i, comb.nominal));
   }
+  const auto one_order = reach + comb.bin_of(1);
   std::vector<Eigen::Index> shifts;
   for (Eigen::Index shift = reach + beside; shifts.size() < std::size_t{decoys}; ++shift) {
-    if (!between_locked(shift, locked_every)) continue;
+    if (!comb.rolls && !between_locked(shift, locked_every)) continue;
+    if (shift > one_order && shifts.size() >= std::size_t{fewest_decoys}) break;
     shifts.push_back(shifts.size() % 2 == 0 ? shift : -shift);
     shift += stride - 1;
   }

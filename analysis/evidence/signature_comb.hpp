@@ -31,14 +31,17 @@ struct SignatureComb {
 /// Source  signature_lines()
 std::vector<SignatureComb> signature_combs(const Kinematics& kinematics, double resolution);
 
-/// Shifts, in lines of the spectrum, that take a comb to where no part of the machine has lines.
+/// Shifts, in lines of the spectrum, that take a comb to where no part of the machine has lines: of
+/// the gear train's combs to between its lines; of what rolls anywhere beyond its own search.
 ///
 /// @param locked_every  lines from one line of the gear train to the next; 0: there are none
-/// @return `decoys` shifts, half of them down, all beyond the reach of the comb's own search
+/// @return fewest_decoys to `decoys` shifts, half of them down
 /// Errors  none thrown. Source  ours: as decoy databases give search engines of mass spectra their
 ///         rate of false alarms, Elias & Gygi, Nat. Methods 4(3), 207-214 (2007)
 std::vector<Eigen::Index> decoy_shifts(const SignatureComb& comb, Eigen::Index locked_every);
 
-inline constexpr int decoys = 96;
+inline constexpr int decoys = 96;         ///< where they lie within an order of the comb, else
+inline constexpr int fewest_decoys = 48;  ///< down to so many: the floor's own error is not the
+                                          ///< same farther away
 
 }  // namespace rvbench::analysis

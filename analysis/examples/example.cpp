@@ -21,7 +21,9 @@ std::vector<Example> all_examples() {
           spectral_coherence_example(),
           cepstrum_prewhitening_example(),
           method_comparison_example(),
-          indicators_example()};
+          indicators_example(),
+          evidence_example(),
+          comparison_example()};
 }
 
 std::string rounded(double value, int decimals) {

@@ -19,5 +19,7 @@ Example spectral_coherence_example();
 Example cepstrum_prewhitening_example();
 Example method_comparison_example();
 Example indicators_example();
+Example evidence_example();
+Example comparison_example();
 
 }  // namespace rvbench::analysis::examples

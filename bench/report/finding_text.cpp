@@ -15,6 +15,8 @@ std::string power_of(const char* what, const analysis::Growth& growth) {
 }  // namespace
 
 std::string severity_text(const analysis::Finding& finding) {
+  if (finding.points.empty() && finding.severity_high > 0)
+    return fmt::format("below {:.3f}", finding.severity_high);
   if (!std::isfinite(finding.severity_low)) return fmt::format("{:.3f}", finding.severity);
   return fmt::format("{:.3f} ({:.3f} to {:.3f})", finding.severity, finding.severity_low,
                      finding.severity_high);
@@ -28,13 +30,23 @@ std::string growth_text(const analysis::Finding& finding) {
   }
   if (text.empty()) return "";
   return "its vibration goes as " + text +
-         (finding.growth_fits ? "" : ": not what this mechanism makes, look for another cause");
+         (finding.growth_fits
+              ? ""
+              : fmt::format(": not what this mechanism makes (p {:.2g}), look for another cause",
+                            finding.growth_p_value));
 }
 
 std::string rivals_text(const analysis::Finding& finding) {
   if (finding.cannot_tell_from.empty()) return "";
   return fmt::format("cannot be told from {}: it has lines at the same orders",
                      fmt::join(finding.cannot_tell_from, " or "));
+}
+
+std::string cause_text(const analysis::Finding& finding) {
+  if (finding.may_follow_from.empty()) return "";
+  return fmt::format(
+      "may be a consequence of {}, which has all these lines as well: mend that first",
+      finding.may_follow_from);
 }
 
 }  // namespace rvbench::bench::report

@@ -6,7 +6,8 @@
 
 namespace rvbench::bench::report {
 
-/// "0.412 (0.398 to 0.431)": modulation depth and its 95 % interval, if it is known.
+/// "0.412 (0.398 to 0.431)": modulation depth and its 95 % interval, if it is known; and
+/// "below 0.021" of what no point shows.
 std::string severity_text(const analysis::Finding& finding);
 
 /// "its vibration goes as load^0.90 (± 0.10 at 95 %)": how it grows over the matrix, and whether
@@ -15,5 +16,9 @@ std::string growth_text(const analysis::Finding& finding);
 
 /// "cannot be told from bearing_2: spall"; empty where the finding stands alone.
 std::string rivals_text(const analysis::Finding& finding);
+
+/// "may be a consequence of planet_gear: tooth_damage, which has all these lines as well"; empty
+/// where no graver finding has.
+std::string cause_text(const analysis::Finding& finding);
 
 }  // namespace rvbench::bench::report

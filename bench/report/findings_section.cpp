@@ -49,6 +49,8 @@ std::string block_of(const Finding& finding, const ReportInput& input, bool abov
                       is_close(finding) ? ", but its interval reaches across" : "");
   const std::string rivals = rivals_text(finding);
   if (!rivals.empty()) html += "<dt>Certainty</dt><dd>" + xml_escaped(rivals) + "</dd>";
+  const std::string cause = cause_text(finding);
+  if (!cause.empty()) html += "<dt>Cause</dt><dd>" + xml_escaped(cause) + "</dd>";
   html += fmt::format("<dt>Order</dt><dd>{}, {}, the first point that shows it</dd>",
                       order_text(finding.order, input.kinematics.period_turns),
                       frequency_text(finding.frequency_Hz, finding.order));
@@ -77,23 +79,21 @@ std::string block_of(const Finding& finding, const ReportInput& input, bool abov
 // Every hypothesis beside the others, so that the second is seen as well as the first.
 std::string hypotheses_table(const analysis::Diagnosis& diagnosis, std::size_t points) {
   std::vector<std::vector<std::string>> rows;
-  const auto add = [&](const std::vector<Finding>& hypotheses, const std::string& state) {
-    for (const Finding& h : hypotheses) {
-      rows.push_back({spoken(h.component) + ": " + spoken(h.mechanism),
-                      state.empty() ? shown_in(h, points) : state, severity_text(h),
-                      fmt::format("{:.3f}", h.limit), number(h.log_likelihood_ratio, 4),
-                      p_value_text(h.p_value)});
-    }
+  const auto add = [&](const Finding& h, const std::string& state) {
+    rows.push_back({spoken(h.component) + ": " + spoken(h.mechanism), state, severity_text(h),
+                    fmt::format("{:.3f}", h.limit), number(h.log_likelihood_ratio, 4),
+                    p_value_text(h.p_value)});
   };
-  add(diagnosis.findings, "above its limit");
-  add(diagnosis.below_limit, "within its limit");
-  add(diagnosis.not_shown, "");
+  for (const Finding& h : diagnosis.findings) add(h, "above its limit");
+  for (const Finding& h : diagnosis.below_limit) add(h, "within its limit");
+  for (const Finding& h : diagnosis.not_shown) add(h, shown_in(h, points));
   if (rows.empty()) return "";
   return "<h3>All hypotheses</h3>\n" +
          paragraph(
              "Severity is the modulation depth, its 95 % interval behind it. The likelihood ratio "
-             "is "
-             "against noise; p is how likely noise alone would give as much.") +
+             "is against noise; p is how likely noise alone would give as much, for all lines of a "
+             "part together; the four methods elsewhere in this report ask for one line at a time, "
+             "in a few points, and may see it where this does not, or the other way round.") +
          table({"part", "state", "severity", "limit", "ln likelihood ratio", "p"}, rows);
 }
 

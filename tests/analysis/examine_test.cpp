@@ -72,7 +72,7 @@ TEST_CASE("a modulated mesh betrays the part that modulates it", "[analysis][exa
   const Kinematics k = small_reducer();
   const Examination e = examine(turning.recording(faulty(fault.order, 1)), k);
   const SignatureScore& score = score_of(fault.component, e);
-  CHECK(score.p_value < 1e-9);
+  CHECK(score.p_value < 1e-5);  // three lines of the crank, and 48 decoys to tell noise by
   CHECK(score.imf == 1);
   // The IMF holds the carrier and some of the noise.
   CHECK(score.depth == Approx(0.5).epsilon(0.1));

@@ -39,7 +39,7 @@ TEST_CASE("a verdict from before each hypothesis was weighed is still read", "[b
   auto json = nlohmann::ordered_json::parse(judgement_to_json(test::failed_run()));
   json.erase("not_shown");
   for (const char* key : {"severity_interval", "growth_with_load", "growth_with_speed",
-                          "growth_fits", "cannot_tell_from"}) {
+                          "growth_fits", "growth_p_value", "cannot_tell_from", "may_follow_from"}) {
     json["findings"][0].erase(key);
   }
   for (auto& point : json["points"]) {
@@ -73,6 +73,23 @@ TEST_CASE("a verdict from before there were indicators is still read", "[bench]"
   CHECK(again->points.at(0).examination.channels.at(0).indicators.empty());
   CHECK(std::isnan(again->limits.at(0).min));
   CHECK(again->limits.at(0).lacking.empty());
+}
+
+TEST_CASE("what a finding may follow from, and how well it grows, come back", "[bench]") {
+  Judgement judgement = test::failed_run();
+  analysis::Finding& finding = judgement.diagnosis.findings.front();
+  CHECK(
+      nlohmann::json::parse(judgement_to_json(judgement))["findings"][0]["growth_fits"].is_null());
+  finding.growth.load = {-1, 0.2};
+  finding.growth_fits = false;
+  finding.growth_p_value = 0.01;
+  finding.may_follow_from = "planet_gear: tooth_damage";
+  const auto again = judgement_from_json(judgement_to_json(judgement));
+  REQUIRE(again);
+  const analysis::Finding& read = again->diagnosis.findings.at(0);
+  CHECK_FALSE(read.growth_fits);
+  CHECK(read.growth_p_value == 0.01);
+  CHECK(read.may_follow_from == "planet_gear: tooth_damage");
 }
 
 TEST_CASE("what is not known is null, not zero", "[bench]") {

@@ -76,6 +76,29 @@ TEST_CASE("a fault is stationary if its part's rotation is beside the mesh and b
   CHECK(answer(asked, {point({1, mesh, mesh - 1}), point({}), point({})}, shaft_found()) == "no");
 }
 
+TEST_CASE("a line is as far off as the speed that was stated, and no farther where angles are",
+          "[analysis][evidence]") {
+  const std::string asked = "stationary fault?";
+  // Of a shaft 0.02 % slower than stated, the line beside the mesh's double lies 1.7 lines off.
+  const double off = 1 - 2e-4;
+  Examination stated = point({off, off * (2 * mesh - 1)});
+  CHECK(answer(asked, {stated}, shaft_found()) == "yes");
+  Examination measured = stated;
+  measured.angle_measured = true;
+  CHECK(answer(asked, {measured}, shaft_found()) == "no");
+}
+
+TEST_CASE("a local fault is not stationary though it has the same lines", "[analysis][evidence]") {
+  Diagnosis d;
+  d.findings = {part("planet_gear", 40.0 / 121, {0.66, 0.99, 1.32, 1.65, 1.98}, {1, 1, 1, 1, 1})};
+  d.findings.front().mechanism = "tooth_damage";
+  const auto rules = article_rules({point({40.0 / 121, mesh, mesh - 40.0 / 121})}, d, rv20e());
+  REQUIRE(rules.size() == 2);
+  CHECK(rules[0].answer == "no");
+  CHECK(rules[0].why.find("in 1 of 1 points") != std::string::npos);
+  CHECK(rules[1].answer == "local");
+}
+
 TEST_CASE("a fault is distributed if it modulates smoothly, local if it strikes",
           "[analysis][evidence]") {
   const std::string asked = "distributed or local?";

@@ -34,7 +34,8 @@ EnvelopeSpectra envelope_of(const Eigen::VectorXd& power, double floor_lines) {
   e.highest_order = 1000;
   e.whole.resolution = resolution;
   e.lines = {power, Eigen::VectorXd::Ones(power.size()),
-             Eigen::VectorXd::Constant(power.size(), floor_lines), 0};
+             Eigen::VectorXd::Constant(power.size(), floor_lines),
+             Eigen::VectorXd::Constant(power.size(), 3 * floor_lines), 0};
   e.unlocked = e.lines;
   return e;
 }

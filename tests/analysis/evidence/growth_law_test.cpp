@@ -100,3 +100,17 @@ TEST_CASE("a channel that misses it once does not move the exponent", "[analysis
   points.back() = &deaf;
   CHECK(growth_law(points, 0).load.exponent == Approx(1).margin(1e-9));
 }
+
+TEST_CASE("an exponent speaks against a mechanism by how far it is outside its range",
+          "[analysis][evidence]") {
+  const analysis::GrowthRange range{0, 1};
+  CHECK(analysis::p_value_of_growth({0.5, 0.1}, range) == 1);
+  CHECK(analysis::p_value_of_growth({1.0, 0.1}, range) == 1);
+  // The interval's end, and one and a half of it, 2.94 deviations.
+  CHECK(analysis::p_value_of_growth({1.1, 0.1}, range) == Approx(0.05).epsilon(1e-4));
+  CHECK(analysis::p_value_of_growth({-0.1, 0.1}, range) == Approx(0.05).epsilon(1e-4));
+  CHECK(analysis::p_value_of_growth({1.15, 0.1}, range) == Approx(0.00328).epsilon(0.01));
+  CHECK(analysis::p_value_of_growth({2.0, 0.0}, range) == 0);
+  CHECK(analysis::p_value_of_growth({0.5, 0.0}, range) == 1);
+  CHECK(analysis::p_value_of_growth({}, range) == 1);
+}

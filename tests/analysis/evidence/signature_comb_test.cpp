@@ -47,19 +47,33 @@ TEST_CASE("a comb of gears is looked for at one place, of what rolls within its 
   }
 }
 
-TEST_CASE("decoys lie between the gear train's lines, and beyond the comb's own search",
-          "[analysis][evidence]") {
+TEST_CASE(
+    "decoys of the gear train's combs lie between its lines, those of what rolls beyond "
+    "their own search",
+    "[analysis][evidence]") {
   for (const SignatureComb& comb : signature_combs(rv20e(), resolution)) {
     const auto shifts = decoy_shifts(comb, periods);
     CHECK(shifts.size() == std::size_t{analysis::decoys});
     CHECK(std::set<Eigen::Index>(shifts.begin(), shifts.end()).size() == shifts.size());
     Eigen::Index down = 0;
     for (const Eigen::Index shift : shifts) {
-      CHECK(std::abs(shift) % periods == 2);
-      if (comb.rolls) CHECK(double(std::abs(shift)) * resolution > 0.02 * comb.order);
+      if (comb.rolls) {
+        CHECK(double(std::abs(shift)) * resolution > 0.02 * comb.order);
+      } else {
+        CHECK(std::abs(shift) % periods == 2);
+      }
       down += shift < 0 ? 1 : 0;
     }
     CHECK(down == analysis::decoys / 2);
+  }
+}
+
+TEST_CASE("decoys are fewer where so many would lie over an order away", "[analysis][evidence]") {
+  // Four periods of 21 turns: an order is 84 lines, of which one in four is between two others.
+  const auto small = analysis::rv_reducer("small", {12, 24, 2, 9, 10}, {11, 5, 26, 0});
+  for (const SignatureComb& comb : signature_combs(small, 1.0 / 84)) {
+    if (comb.rolls) continue;
+    CHECK(decoy_shifts(comb, 4).size() == std::size_t{analysis::fewest_decoys});
   }
 }
 
