@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "analysis/diagnosis.hpp"
@@ -24,14 +25,16 @@ Recording record_of(double load_pct, const Eigen::VectorXd& vibration) {
 
 std::string named(const Finding& f) { return f.component + ": " + f.mechanism; }
 
+// The five likeliest.
 Bars drawn(const Diagnosis& found) {
-  Bars picture{"How much better than noise each part explains the four records",
-               {"log10 of (1 + ln likelihood ratio)", 0, 5},
+  Bars picture{"How much better than noise the likeliest parts explain the four records",
+               {"log10(1 + ln ratio)", 0, 4},
                {"ln likelihood ratio"},
                {}};
   for (const Finding* hypothesis : found.hypotheses()) {
-    picture.groups.push_back(
-        {hypothesis->component, {std::log10(1 + std::max(hypothesis->log_likelihood_ratio, 0.0))}});
+    if (picture.groups.size() == 5) break;
+    const double ratio = std::max(hypothesis->log_likelihood_ratio, 0.0);
+    picture.groups.push_back({hypothesis->component, {std::log10(1 + ratio)}});
   }
   return picture;
 }
@@ -63,7 +66,7 @@ Example evidence_example() {
            "evidence/growth_law.hpp", "evidence/severity.hpp"},
           {{"findings", "1", std::to_string(found.findings.size())},
            {"part and mechanism", "input_shaft: misalignment", named(first)},
-           {"depth, rms over the mean: 0.5/√2", "0.354", rounded(first.severity, 3)},
+           {"depth of the swing", "0.500", rounded(first.severity, 3)},
            {"p-value", "–", p_value_text(first.p_value)},
            {"exponent of the load", "0.00",
             rounded(first.growth.load.exponent, 2) + " ± " + rounded(first.growth.load.error, 2)},

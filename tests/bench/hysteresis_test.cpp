@@ -74,7 +74,7 @@ TEST_CASE("a limit on lost motion parts good reducers from bad ones", "[bench]")
   CHECK(judged(reducer(), {at_most(1.5)}).ending.outcome == Outcome::pass);
   const Judgement bad = judged(reducer(), {at_most(1.0)});
   CHECK(bad.ending.outcome == Outcome::fail);
-  CHECK_THAT(bad.ending.reason, Contains("lost_motion 1.2 arcmin above its limit 1 arcmin"));
+  CHECK_THAT(bad.ending.reason, Contains("lost_motion 1.2 arcmin above its max 1 arcmin"));
   sequences::Limit stiff{"torsional_stiffness", "", "N·m/arcmin", not_known, "ours"};
   stiff.min = 60;
   CHECK(judged(reducer(), {stiff}).ending.outcome == Outcome::fail);

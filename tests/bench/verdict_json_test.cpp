@@ -78,6 +78,7 @@ TEST_CASE("a verdict from before there were indicators is still read", "[bench]"
 TEST_CASE("what a finding may follow from, and how well it grows, come back", "[bench]") {
   Judgement judgement = test::failed_run();
   analysis::Finding& finding = judgement.diagnosis.findings.front();
+  finding.growth = {};
   CHECK(
       nlohmann::json::parse(judgement_to_json(judgement))["findings"][0]["growth_fits"].is_null());
   finding.growth.load = {-1, 0.2};
