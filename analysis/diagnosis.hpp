@@ -24,7 +24,7 @@ struct QualityNote {
 struct SignatureScore {
   int signature = 0;  ///< index into Kinematics::signatures
   double order = 0;   ///< where it was found; off the nominal one only within slip or tolerance
-  double depth = 0;   ///< modulation depth: rms of the signature's envelope lines over the mean
+  double depth = 0;   ///< modulation depth: its envelope lines, added by power, over the mean
                       ///< envelope, noise floor taken out; 1 = fully modulated
   double depth2_variance = 0;          ///< of the squared depth, by the record's noise
   double log_likelihood_ratio = 0;     ///< against noise, over lines, IMFs and channels,
