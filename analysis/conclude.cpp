@@ -9,6 +9,7 @@
 #include "analysis/evidence/equal_explanations.hpp"
 #include "analysis/evidence/growth_law.hpp"
 #include "analysis/evidence/lines_by_depth.hpp"
+#include "analysis/evidence/record_resolution.hpp"
 #include "analysis/evidence/severity.hpp"
 #include "analysis/statistics.hpp"
 #include "analysis/unexplained_families.hpp"
@@ -58,15 +59,11 @@ void list_lines(const Evidence& evidence, Finding& finding) {
   }
 }
 
-double resolution_of(const Examination& point, const Kinematics& kinematics) {
-  return 1 / (point.periods * kinematics.period_turns);
-}
-
 // What explains the finding as well at the point that shows it deepest, and grows as it does.
 std::vector<std::string> rivals_of(const Evidence& evidence, const Growth& load,
                                    const Kinematics& kinematics) {
   const std::size_t deepest = evidence.deepest();
-  const double resolution = resolution_of(*evidence.shown_by[deepest], kinematics);
+  const double resolution = record_resolution(*evidence.shown_by[deepest], kinematics);
   std::vector<std::string> rivals;
   for (const std::size_t s :
        equal_explanations(*evidence.scores[deepest], kinematics, resolution)) {
@@ -145,7 +142,7 @@ void relate(std::vector<Shown>& shown, const Kinematics& kinematics) {
       const auto signature = static_cast<std::size_t>(shown[j].evidence.scores.front()->signature);
       if (graver.component == shown[i].finding.component ||
           !may_follow_from(*evidence.scores[deepest], point.scores[signature], kinematics,
-                           resolution_of(point, kinematics))) {
+                           record_resolution(point, kinematics))) {
         continue;
       }
       shown[i].finding.may_follow_from = graver.component + ": " + graver.mechanism;

@@ -32,7 +32,6 @@ struct ChannelResult {
   std::vector<SignatureComb> combs;       // empty where no period of the gear train fits
   std::vector<ChannelEvidence> evidence;  // one per comb
   std::vector<QualityNote> quality;
-  std::vector<Indicator> envelope_levels;
   double periods = 0;
 };
 
@@ -62,7 +61,7 @@ void read_imfs(const Channel& channel, const Emd& modes, const Task& task, Chann
     relevant.push_back(k);
     total_share += correlations[k] * correlations[k];
   }
-  EnvelopeLevels levels(task.kinematics, task.angle.is_measured() ? 0 : stated_speed_error);
+  EnvelopeLevels levels(task.kinematics, speed_error(task.angle.is_measured()));
   for (const std::size_t k : relevant) {
     const EnvelopeSpectra envelope =
         envelope_spectra(modes.imfs.col(static_cast<Eigen::Index>(k)), channel.rate_Hz,
@@ -78,7 +77,7 @@ void read_imfs(const Channel& channel, const Emd& modes, const Task& task, Chann
     }
     levels.add(envelope, share);
   }
-  out.envelope_levels = levels.indicators();
+  std::ranges::move(levels.indicators(), std::back_inserter(out.examination.indicators));
 }
 
 ChannelResult examine_channel(const Channel& channel, std::vector<QualityNote> quality,
@@ -96,14 +95,13 @@ ChannelResult examine_channel(const Channel& channel, std::vector<QualityNote> q
   }
   out.periods = task.angle.whole_periods(channel.samples.size(), channel.rate_Hz, channel.start_s,
                                          task.kinematics.period_turns);
-  read_imfs(channel, modes, task, out);
   const OrderLines lines(channel, task.angle, task.kinematics.period_turns);
   out.examination.lines = spectral_lines(lines, task.kinematics);
   ChannelIndicators indicators =
       channel_indicators(channel, lines, task.kinematics, out.examination.lines);
   out.examination.indicators = std::move(indicators.list);
-  std::ranges::move(out.envelope_levels, std::back_inserter(out.examination.indicators));
   out.examination.residuals = std::move(indicators.residuals);
+  read_imfs(channel, modes, task, out);
   return out;
 }
 

@@ -152,8 +152,8 @@ std::vector<SpectralLine> spectral_lines(const OrderLines& x, const Kinematics& 
   std::vector<SpectralLine> lines;
   for (const StandingLine& line : standing_lines(spectrum, floor, last, alpha)) {
     const double order = line.place * spectrum.resolution;
-    const double near = std::max(same_line * spectrum.resolution,
-                                 x.angle_is_measured() ? 0.0 : stated_speed_error * order);
+    const double near =
+        std::max(same_line * spectrum.resolution, speed_error(x.angle_is_measured()) * order);
     lines.push_back({order, order * x.mean_speed_Hz(), line.amplitude, line.p_value,
                      meaning_of(order, near, kinematics)});
   }

@@ -116,6 +116,14 @@ analysis::Kinematics with_limits(analysis::Kinematics kinematics,
   return kinematics;
 }
 
+std::vector<analysis::Examination> examined_points(const Judgement& judgement) {
+  std::vector<analysis::Examination> examined;
+  for (const JudgedPoint& point : judgement.points) {
+    if (point.status == "ok") examined.push_back(point.examination);
+  }
+  return examined;
+}
+
 analysis::Kinematics of_specimen(analysis::Kinematics kinematics,
                                  const sequences::Specimen& specimen) {
   kinematics.gear_ratio = specimen.gear_ratio;
@@ -177,12 +185,8 @@ JudgedPoint judge_point(const Recording& record, const analysis::Kinematics& kin
 void conclude(Judgement& judgement, const analysis::Kinematics& kinematics,
               const std::vector<sequences::Limit>& limits, const Ending& measured) {
   hold_against_earlier(judgement.points);
-  std::vector<analysis::Examination> examined;
-  for (const JudgedPoint& point : judgement.points) {
-    if (point.status == "ok") examined.push_back(point.examination);
-  }
   judgement.machine = kinematics.machine;
-  judgement.diagnosis = analysis::conclude(examined, kinematics);
+  judgement.diagnosis = analysis::conclude(examined_points(judgement), kinematics);
   for (const sequences::Limit& limit : limits)
     judgement.limits.push_back(check_of(limit, judgement));
   // Of two that are as grave the first: data that cannot be trusted is why a value is missing.

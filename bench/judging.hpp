@@ -15,6 +15,9 @@ namespace rvbench::bench {
 analysis::Kinematics with_limits(analysis::Kinematics kinematics,
                                  const std::vector<sequences::Limit>& limits);
 
+/// The examinations of all points that were measured.
+std::vector<analysis::Examination> examined_points(const Judgement& judgement);
+
 /// The kinematics with the gear ratio and the rated torque of the plan in place of its own.
 analysis::Kinematics of_specimen(analysis::Kinematics kinematics,
                                  const sequences::Specimen& specimen);

@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <stop_token>
 #include <string>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "bench/campaign.hpp"
 #include "bench/plant_family.hpp"
 #include "bench/pushed_features.hpp"
+#include "bench/stop_on_signal.hpp"
 #include "sim/plant_spec.hpp"
 #include "sim/term_library.hpp"
 
@@ -24,9 +24,6 @@ class Twin : public analysis::ForwardModel {
  public:
   /// From now on residuals() throws Interrupted once a stop is requested.
   void stop_on(std::stop_token stop) { stop_ = std::move(stop); }
-  struct Interrupted : std::runtime_error {
-    Interrupted() : std::runtime_error("interrupted") {}
-  };
 
   const std::vector<analysis::ObservedUnit>& units() const final { return units_; }
   const std::vector<analysis::ModelParameter>& base() const final { return base_; }
@@ -89,9 +86,7 @@ class Twin : public analysis::ForwardModel {
       : plant_(std::move(plant)), terms_(library) {}
 
   /// @throws Interrupted if a stop is requested
-  void stop_if_asked() const {
-    if (stop_.stop_requested()) throw Interrupted();
-  }
+  void stop_if_asked() const { end_if_stopped(stop_); }
 
   sim::PlantSpec plant_;
   const sim::TermLibrary& terms_;

@@ -52,7 +52,7 @@ struct LinesOf {
   bool locked;          // to the period: else those that stray from it, or all where there is none
 
   double within(const Quantity& q) const {
-    return (q.stray + (angle.is_measured() ? 0 : stated_speed_error)) * q.order;
+    return (q.stray + speed_error(angle.is_measured())) * q.order;
   }
   bool holds(const Quantity& q) const {
     const bool is_of_kind = period_turns == 1 || locked == (q.stray == 0);

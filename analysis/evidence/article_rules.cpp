@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "analysis/evidence/record_resolution.hpp"
 #include "analysis/order/resolution.hpp"
 
 namespace rvbench::analysis {
@@ -17,8 +18,7 @@ constexpr double same_line = 0.6;  // of a record's resolution
 
 // Where the angle was not measured, orders are as far off as the stated speed.
 bool has_line(const Examination& point, double order, double resolution) {
-  const double off = point.angle_measured ? 0 : stated_speed_error * std::abs(order);
-  const double near = same_line * resolution + off;
+  const double near = same_line * resolution + speed_error(point.angle_measured) * std::abs(order);
   return std::ranges::any_of(point.channels, [&](const ChannelExamination& channel) {
     return std::ranges::any_of(channel.lines, [&](const SpectralLine& line) {
       return std::abs(line.order - order) <= near;
@@ -50,7 +50,7 @@ ArticleRule stationary(const std::vector<Examination>& points, const Finding& fi
   for (const Examination& point : points) {
     if (!point.resolvable) continue;
     ++judged;
-    const double resolution = 1 / (point.periods * kinematics.period_turns);
+    const double resolution = record_resolution(point, kinematics);
     with_sidebands += has_sidebands(point, finding.order, resolution, kinematics) ? 1 : 0;
     bool rotation = false;
     for (int k = 1; k <= multiples; ++k) {

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "analysis/evidence/lines_by_depth.hpp"
+#include "analysis/signature_lines.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -11,6 +13,22 @@ namespace {
 constexpr double carried = 0.9;  // of the signature's squared depth
 
 }  // namespace
+
+const Signature& signature_of(const SignatureScore& score, const Kinematics& kinematics) {
+  const auto index = static_cast<std::size_t>(score.signature);
+  if (score.signature < 0 || index >= kinematics.signatures.size()) {
+    throw std::invalid_argument("signature_of: no such signature");
+  }
+  return kinematics.signatures[index];
+}
+
+std::vector<double> comb_lines(const Signature& signature, int first, double stretch) {
+  std::vector<double> orders;
+  for (int h = first; h <= signature.harmonics; ++h) {
+    for (const double order : harmonic_lines(signature, h)) orders.push_back(order * stretch);
+  }
+  return orders;
+}
 
 std::vector<double> carrying_lines(const SignatureScore& score, const Signature& signature) {
   double total = 0;

@@ -6,6 +6,22 @@
 
 namespace rvbench::analysis {
 
+/// Lines of a spectrum that lie closer than this share of its resolution are the same.
+inline constexpr double same_carrying_line = 0.75;
+
+/// The signature that a score is of.
+/// Errors  throws std::invalid_argument: the kinematics has no such one
+const Signature& signature_of(const SignatureScore& score, const Kinematics& kinematics);
+
+/// Every line that a signature may have, sidebands that other parts claim among them.
+///
+/// @param first    harmonic; 0 begins with the spacings of the sidebands
+/// @param stretch  of all its orders, as slip stretches them
+/// Units   orders of the input shaft
+/// Errors  none thrown
+/// Source  harmonic_lines()
+std::vector<double> comb_lines(const Signature& signature, int first, double stretch);
+
 /// The deepest lines of a signature that together hold nine tenths of its squared depth, where they
 /// were found: slip moves them off their nominal orders.
 ///

@@ -96,14 +96,18 @@ class RecordEvidence {
   // Share of what noise moves the sum by that also moves the decoys' centre: they are made of so
   // many lines of the spectrum, and no more.
   double lines_per_decoy_line(Eigen::Index stretch) const {
-    std::set<Eigen::Index> taken;
+    std::vector<Eigen::Index> taken;
     Eigen::Index lines = 0;
     for (Eigen::Index i = 0; i < open_.rows(); ++i) {
       if (!open_(i, stretch)) continue;
       ++lines;
-      for (const Eigen::Index shift : shifts_) taken.insert(comb_.bins(i, comb_.nominal) + shift);
+      for (const Eigen::Index shift : shifts_)
+        taken.push_back(comb_.bins(i, comb_.nominal) + shift);
     }
-    return static_cast<double>(lines) / static_cast<double>(std::max<std::size_t>(taken.size(), 1));
+    std::ranges::sort(taken);
+    const auto copies = std::ranges::unique(taken);
+    const auto different = std::max<std::size_t>(taken.size() - copies.size(), 1);
+    return static_cast<double>(lines) / static_cast<double>(different);
   }
 
   // The channel where the signature is deepest speaks for its depth.

@@ -194,7 +194,7 @@ ChannelIndicators channel_indicators(const Channel& x, const OrderLines& lines,
       spectrum, static_cast<Eigen::Index>(std::lround(lines.turns() / kinematics.period_turns)));
   const Task task{lines, spectrum, floor, kinematics, heard};
   add_bands(lines, kinematics, list);
-  add_orders(lines, spectrum, lines.angle_is_measured() ? 0 : stated_speed_error, kinematics, list);
+  add_orders(lines, spectrum, speed_error(lines.angle_is_measured()), kinematics, list);
   add_sidebands(task, list);
   std::vector<GearResidual> residuals = add_gears(task, list);
   return {list.sorted(), std::move(residuals)};

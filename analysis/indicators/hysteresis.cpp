@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/indicators/torsion_turns.hpp"
+#include "analysis/smallest_step.hpp"
 #include "analysis/statistics.hpp"
 #include "hal/types/recording.hpp"
 #include "hal/types/require.hpp"
@@ -100,16 +101,6 @@ LoopMean mean_of(const std::vector<double>& values) {
   if (values.size() < 2) return {x.mean(), not_known};
   const double deviation = std::sqrt((x.array() - x.mean()).square().sum() / (n - 1));
   return {x.mean(), t_of_p_value(interval_p, n - 1) * deviation / std::sqrt(n)};
-}
-
-// Smallest step of the angle; 0 of one that never moves.
-double resolution_of(const Signal& torsion_rad) {
-  double least = 0;
-  for (Eigen::Index i = 1; i < torsion_rad.size(); ++i) {
-    const double step = std::abs(torsion_rad[i] - torsion_rad[i - 1]);
-    if (step > 0 && (least == 0 || step < least)) least = step;
-  }
-  return least;
 }
 
 // One record of a test, cut into branches.
@@ -233,7 +224,7 @@ class LoopTest {
 
   void conclude() {
     const LoopMean lost_rad = mean_of(lost_motions_);
-    const double step_rad = resolution_of(torsion_rad_);
+    const double step_rad = smallest_step(torsion_rad_);
     if (lost_rad.value < steps_to_tell * step_rad) {
       result_.cannot_tell.push_back(fmt::format(
           "lost motion and hysteresis width: the angle is read in steps of {:.3g} arcmin at the "

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/indicators/one_clock.hpp"
+#include "analysis/smallest_step.hpp"
 #include "hal/types/measure.hpp"
 #include "hal/types/units.hpp"
 
@@ -14,11 +16,6 @@ using namespace channel_names;
 constexpr double most_of_range = 0.5;
 constexpr double steps_of_motion = 10;
 
-bool has_clock_of(const Channel* x, const Channel& other) {
-  return x != nullptr && x->rate_Hz == other.rate_Hz && x->start_s == other.start_s &&
-         x->samples.size() == other.samples.size();
-}
-
 // How far an angle went each way, by its largest return, and its smallest step.
 struct Travel {
   double up_rad = 0, down_rad = 0, range_rad = 0, step_rad = 0;
@@ -26,12 +23,10 @@ struct Travel {
 
 Travel travel_of(const Eigen::VectorXd& angle_rad) {
   Travel t;
-  double least = not_known, most = not_known, before = not_known;
+  t.step_rad = smallest_step(angle_rad);
+  double least = not_known, most = not_known;
   for (const double rad : angle_rad) {
     if (!std::isfinite(rad)) continue;
-    const double step = std::abs(rad - before);  // NaN at first: no step
-    if (step > 0 && (t.step_rad == 0 || step < t.step_rad)) t.step_rad = step;
-    before = rad;
     least = std::fmin(least, rad);
     most = std::fmax(most, rad);
     t.up_rad = std::max(t.up_rad, rad - least);
@@ -67,15 +62,15 @@ Hysteresis hysteresis_of(const Recording& record, const Kinematics& kinematics) 
   }
   const Channel* angle = record.find(input_angle);
   const Channel* driving = record.find(input_torque);
-  if (angle == nullptr || !has_clock_of(driving, *angle)) {
+  if (!have_one_clock(driving, angle)) {
     return nothing_of("torque and angle of the input do not have one clock");
   }
   const Channel* output_at = record.find(output_angle);
   const Channel* output = record.find(output_torque);
   Eigen::VectorXd torsion_rad = angle->samples / ratio;
-  if (has_clock_of(output_at, *angle)) torsion_rad -= output_at->samples;
+  if (have_one_clock(output_at, angle)) torsion_rad -= output_at->samples;
   const Eigen::VectorXd torque_Nm =
-      has_clock_of(output, *angle) ? output->samples : Eigen::VectorXd(ratio * driving->samples);
+      have_one_clock(output, angle) ? output->samples : Eigen::VectorXd(ratio * driving->samples);
   Eigen::VectorXd known_Nm(torque_Nm.size()), known_rad(torque_Nm.size());
   Eigen::Index known = 0;
   for (Eigen::Index i = 0; i < torque_Nm.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "analysis/indicators/one_clock.hpp"
 #include "analysis/indicators/power_transmission.hpp"
 #include "analysis/indicators/transmission_error.hpp"
 #include "hal/types/measure.hpp"
@@ -33,11 +34,8 @@ Eigen::VectorXd whole_periods(const Recording& record, std::string_view name,
 
 bool one_clock(const Recording& record, std::initializer_list<std::string_view> channels) {
   const Channel* first = record.find(*channels.begin());
-  return std::ranges::all_of(channels, [&](std::string_view name) {
-    const Channel* x = record.find(name);
-    return x != nullptr && x->rate_Hz == first->rate_Hz && x->start_s == first->start_s &&
-           x->samples.size() == first->samples.size();
-  });
+  return std::ranges::all_of(
+      channels, [&](std::string_view name) { return have_one_clock(record.find(name), first); });
 }
 
 // Mean power of a shaft, by central differences of its angle.

@@ -11,6 +11,12 @@ inline constexpr double lines_to_part = 4;
 /// Source  ours: 0.2 rpm of 605
 inline constexpr double stated_speed_error = 3e-4;
 
+/// Relative: how far orders may be off for the speed that they were made with.
+/// Units  dimensionless. Errors  none thrown. Source  of stated_speed_error
+constexpr double speed_error(bool angle_is_measured) {
+  return angle_is_measured ? 0 : stated_speed_error;
+}
+
 /// Turns of the reference shaft that a record must span to part two orders: 4 / |a − b|. Orders
 /// 120/121 and 1 take 484 input turns, four of the output.
 ///

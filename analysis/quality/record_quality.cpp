@@ -61,7 +61,7 @@ Complaint of_hum(const std::vector<Heard>& all, std::size_t one, const ShaftAngl
   const double speed_Hz = angle.mean_speed_Hz();
   const auto is_of_machine = [&](double frequency_Hz, double within_Hz) {
     const double order = frequency_Hz / speed_Hz;
-    const double off = angle.is_measured() ? 0 : stated_speed_error * order;
+    const double off = speed_error(angle.is_measured()) * order;
     return !meaning_of(order, within_Hz / speed_Hz + off, kinematics).empty();
   };
   const std::optional<MainsHum> hum = find_mains_hum(all, one, is_of_machine);

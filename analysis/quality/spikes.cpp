@@ -3,8 +3,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
+
+#include "analysis/smallest_step.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -23,16 +24,6 @@ Eigen::VectorXd off_the_cubic(const Eigen::Ref<const Eigen::VectorXd>& x) {
   r.segment(2, n) =
       x.segment(2, n) - (4 * (x.segment(1, n) + x.segment(3, n)) - x.head(n) - x.tail(n)) / 6;
   return r;
-}
-
-// The smallest step from one sample to the next, if they differ.
-double smallest_step(const Eigen::Ref<const Eigen::VectorXd>& x) {
-  double step = std::numeric_limits<double>::infinity();
-  for (Eigen::Index i = 1; i < x.size(); ++i) {
-    const double change = std::abs(x[i] - x[i - 1]);
-    if (change > 0) step = std::min(step, change);
-  }
-  return step;
 }
 
 // Takes what surrounds a sample, and the sample after it, to what is left beside the cubic through

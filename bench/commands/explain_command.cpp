@@ -103,7 +103,7 @@ void ExplainCommand::write_out(const Twin& twin, const analysis::Explanation& ex
   if (!run_.empty() && std::filesystem::equivalent(folder, run_, apart)) write_sums(folder);
 }
 
-// @throws Twin::Interrupted
+// @throws Interrupted
 analysis::Explanation ExplainCommand::explained(Console& console, Twin& twin) const {
   const StopOnSignal signals;
   twin.stop_on(signals.token());
@@ -227,7 +227,7 @@ int ExplainCommand::run(Console& console) {
   }
   try {
     return tell(console, campaign, twin, explained(console, twin));
-  } catch (const Twin::Interrupted&) {
+  } catch (const Interrupted&) {
     return tell_interrupted(console, name());
   }
 }

@@ -1,4 +1,5 @@
 #include "analysis/evidence/article_rules.hpp"
+#include "bench/judging.hpp"
 #include "bench/report/html.hpp"
 #include "bench/report/sections.hpp"
 #include "bench/xml_text.hpp"
@@ -6,13 +7,9 @@
 namespace rvbench::bench::report {
 
 std::string article_section(const ReportInput& input) {
-  std::vector<analysis::Examination> points;
-  for (const JudgedPoint& point : input.judgement.points) {
-    if (point.status == "ok") points.push_back(point.examination);
-  }
   std::vector<std::vector<std::string>> rows;
-  for (const analysis::ArticleRule& rule :
-       analysis::article_rules(points, input.judgement.diagnosis, input.kinematics)) {
+  for (const analysis::ArticleRule& rule : analysis::article_rules(
+           examined_points(input.judgement), input.judgement.diagnosis, input.kinematics)) {
     rows.push_back({xml_escaped(rule.question), xml_escaped(rule.answer), xml_escaped(rule.why)});
   }
   if (rows.empty()) return "";
