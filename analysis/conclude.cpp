@@ -24,10 +24,16 @@ constexpr double fits_at = 0.05;         // p of a growth that contradicts its m
 struct Evidence {
   std::vector<const Examination*> shown_by;
   std::vector<const SignatureScore*> scores;  // of shown_by
-  std::vector<const SignatureScore*> all;     // of all resolvable points
+  std::vector<const SignatureScore*> all;     // of all resolvable points that could read it
 
-  // A bad part shows in most of what was measured, not in one record of many.
-  bool shows() const { return !scores.empty() && 2 * scores.size() >= all.size(); }
+  // A bad part shows in half of what was measured, or in more than one record even if all that
+  // were looked at, for all parts, are paid for: at high load, say. One record of many is none.
+  bool shows(double tests) const {
+    if (2 * scores.size() >= all.size()) return !scores.empty();
+    const double paid = significant_p / (tests * static_cast<double>(all.size()));
+    return std::ranges::count_if(
+               scores, [&](const SignatureScore* score) { return score->p_value < paid; }) > 1;
+  }
 
   // Index of the point that shows it deepest.
   std::size_t deepest() const {
@@ -41,6 +47,7 @@ Evidence gather(const std::vector<Examination>& points, std::size_t signature) {
   for (const Examination& point : points) {
     if (!point.resolvable) continue;
     const SignatureScore& score = point.scores[signature];
+    if (!score.is_read()) continue;
     evidence.all.push_back(&score);
     if (score.p_value < significant_p && score.depth > 0) {
       evidence.shown_by.push_back(&point);
@@ -91,10 +98,10 @@ Finding weigh(const Signature& signature, const Evidence& evidence, double tests
   }
   f.p_value = std::min(1.0, combined_p_value(p_values) * tests);
   for (const Examination* point : evidence.shown_by) f.points.push_back(point->source);
-  if (evidence.all.empty()) return f;
   const bool is_shown = !evidence.scores.empty();
-  const Severity severity =
-      is_shown ? severity_of(evidence.scores) : Severity{0, 0, depth_bound(evidence.all)};
+  const Severity severity = is_shown               ? severity_of(evidence.scores)
+                            : evidence.all.empty() ? Severity{0, not_known, not_known}
+                                                   : Severity{0, 0, depth_bound(evidence.all)};
   f.severity = severity.depth;
   f.severity_low = severity.low;
   f.severity_high = severity.high;
@@ -105,7 +112,7 @@ Finding weigh(const Signature& signature, const Evidence& evidence, double tests
 void describe(Finding& f, const Evidence& evidence, const Kinematics& kinematics,
               std::size_t signature) {
   f.order = evidence.scores.front()->order;
-  f.frequency_Hz = f.order * evidence.shown_by.front()->speed_rpm / 60;
+  f.frequency_Hz = f.order * std::abs(evidence.shown_by.front()->speed_rpm) / 60;
   for (const SignatureScore* score : evidence.scores) {
     if (std::find(f.imfs.begin(), f.imfs.end(), score->imf) == f.imfs.end()) {
       f.imfs.push_back(score->imf);
@@ -119,10 +126,10 @@ void describe(Finding& f, const Evidence& evidence, const Kinematics& kinematics
   f.cannot_tell_from = rivals_of(evidence, f.growth.load, kinematics);
 }
 
-// Severity over its limit, as far as its growth speaks for it; finite where the limit allows
+// Severity over its limit, less what its growth speaks against it; finite where the limit allows
 // nothing at all.
 double weight(const Finding& finding) {
-  return std::max(finding.growth_p_value, 1e-6) * finding.severity / std::max(finding.limit, 1e-6);
+  return odds_at_most(finding.growth_p_value) * finding.severity / std::max(finding.limit, 1e-6);
 }
 
 // A hypothesis that shows.
@@ -179,7 +186,7 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
   for (std::size_t s = 0; s < kinematics.signatures.size(); ++s) {
     Evidence evidence = gather(points, s);
     Finding f = weigh(kinematics.signatures[s], evidence, tests);
-    if (!evidence.shows() || f.p_value >= significant_p) {
+    if (!evidence.shows(tests) || f.p_value >= significant_p) {
       d.not_shown.push_back(std::move(f));
       continue;
     }

@@ -72,6 +72,18 @@ std::string first_beyond(const Judgement& judgement) {
                      check->where);
 }
 
+// The first part that is neither shown nor known to be within its limit; empty if there is none.
+std::string first_open(const analysis::Diagnosis& diagnosis) {
+  const auto open = std::ranges::find_if(diagnosis.not_shown, &analysis::Finding::is_open);
+  if (!diagnosis.resolvable || open == diagnosis.not_shown.end()) return "";
+  const std::string part = "cannot tell " + open->component + ": " + open->mechanism;
+  if (std::isnan(open->severity_high)) {
+    return part + fmt::format(": no line of its order {:.4g} can be read", open->order);
+  }
+  return part + fmt::format(": noise hides depths up to {:.2f}, its limit is {:.2f}",
+                            open->severity_high, open->limit);
+}
+
 // What the limits make of the findings. A limit that could not be held against the data outweighs
 // one that is exceeded, but both are said.
 Ending weighed(const Judgement& judgement) {
@@ -82,6 +94,7 @@ Ending weighed(const Judgement& judgement) {
                    first_lacking(*unmeasured) + (bad.empty() ? "" : "; beside it " + bad));
   }
   if (!bad.empty()) return {Outcome::fail, ErrorKind::none, bad};
+  if (const std::string open = first_open(judgement.diagnosis); !open.empty()) return invalid(open);
   return {Outcome::pass, ErrorKind::none, "no finding above its limit"};
 }
 

@@ -54,9 +54,8 @@ class RecordEvidence {
     SignatureScore score;
     score.signature = signature;
     score.line_depths.assign(comb_.lines.size(), 0.0);
-    for (const SignatureLine& line : comb_.lines) score.line_orders.push_back(line.order);
     score.channel_depths.assign(channels_.size(), 0.0);
-    score.order = comb_.order;
+    put_lines(comb_.nominal, score);
     if (envelopes_ == 0 || comb_.lines.empty()) return score;
 
     const Eigen::VectorXd sums =
@@ -65,7 +64,7 @@ class RecordEvidence {
     for (Eigen::Index t = 0; t < sums.size(); ++t) {
       if (sums[t] > sums[best]) best = t;
     }
-    score.order = comb_.order * comb_.stretches[best];
+    put_lines(best, score);
     const Eigen::VectorXd decoys = decoys_of_open_lines(best);
     score.log_likelihood_ratio = sums[best] - median({decoys.begin(), decoys.end()});
     score.p_value = std::min(1.0, decoy_p_value(sums[best], decoys, lines_per_decoy_line(best)) *
@@ -75,6 +74,16 @@ class RecordEvidence {
   }
 
  private:
+  // Where the signature and its lines are at this stretch.
+  void put_lines(Eigen::Index stretch, SignatureScore& score) const {
+    const double stretched = stretch < comb_.stretches.size() ? comb_.stretches[stretch] : 1;
+    score.order = comb_.order * stretched;
+    score.line_orders.clear();
+    for (const SignatureLine& line : comb_.lines) {
+      score.line_orders.push_back(line.order * stretched);
+    }
+  }
+
   // As many lines as the sum has, each harmonic with its sidebands at a shift of its own: shifted
   // as a whole, a comb of evenly spaced lines would meet itself, and its decoys be copies of a few.
   // The offsets grow quadratically, so that no two decoys meet at one harmonic as they do at the

@@ -252,6 +252,47 @@ TEST_CASE("a record that is not ok is listed, not examined", "[bench]") {
   CHECK(point.examination.channels.empty());
 }
 
+namespace {
+
+// One part in one point, whose squared depth scatters with this deviation.
+Judgement of_silent_crank(double deviation, const std::vector<Limit>& limits) {
+  analysis::Kinematics machine;
+  analysis::Signature& crank = machine.signatures.emplace_back();
+  crank.component = "crank";
+  crank.mechanism = "eccentricity";
+  crank.order = 0.5;
+  crank.depth_limit = 0.2;
+  JudgedPoint point = point_with_peak(0.1);
+  point.examination.scores.resize(1);
+  point.examination.scores[0].depth2_variance = deviation * deviation;
+  Judgement judgement;
+  judgement.points = {point};
+  conclude(judgement, with_limits(machine, limits), limits, measured);
+  return judgement;
+}
+
+}  // namespace
+
+TEST_CASE("what noise could hide is no pass", "[bench][limits]") {
+  const Limit strict{"modulation_depth", "crank", "1", 0.05, "as the maker says"};
+  const Judgement quiet = of_silent_crank(0.001, {strict});
+  CHECK(quiet.ending.outcome == Outcome::pass);
+  CHECK(quiet.limits.at(0).measured == 0);
+  CHECK(of_silent_crank(0.02, {}).ending.outcome == Outcome::pass);
+
+  const Judgement noisy = of_silent_crank(0.04, {});
+  CHECK(noisy.ending.outcome == Outcome::invalid);
+  CHECK(noisy.ending.reason ==
+        "cannot tell crank: eccentricity: noise hides depths up to 0.26, its limit is 0.20");
+  const Judgement blind = of_silent_crank(0, {});
+  CHECK(blind.ending.outcome == Outcome::invalid);
+  CHECK(blind.ending.reason ==
+        "cannot tell crank: eccentricity: no line of its order 0.5 can be read");
+  const Judgement limited = of_silent_crank(0.02, {strict});
+  CHECK(limited.ending.outcome == Outcome::invalid);
+  CHECK(limited.ending.reason == "modulation_depth of crank could not be measured");
+}
+
 TEST_CASE("a limit on a part that the machine does not have is a fault of the plan", "[bench]") {
   analysis::Kinematics kinematics;
   kinematics.machine = "RV-20E";
