@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include "analysis/diagnosis.hpp"
+#include "analysis/evidence/carrying_lines.hpp"
 #include "analysis/evidence/consequence.hpp"
 #include "analysis/evidence/equal_explanations.hpp"
 #include "analysis/evidence/growth_law.hpp"
@@ -66,6 +68,18 @@ void list_lines(const Evidence& evidence, Finding& finding) {
   }
 }
 
+// Gears of one shaft have all their lines in common, and the first of them speaks for all.
+std::optional<std::size_t> spoken_for_by(std::size_t signature, const Kinematics& kinematics) {
+  constexpr double near = 1e-6;
+  const Signature& own = kinematics.signatures[signature];
+  const std::vector<double> lines = comb_lines(own, own.first_harmonic, 1);
+  for (std::size_t s = 0; s < signature; ++s) {
+    const Signature& other = kinematics.signatures[s];
+    if (holds_all(comb_lines(other, other.first_harmonic, 1), lines, near)) return s;
+  }
+  return std::nullopt;
+}
+
 // What explains the finding as well at the point that shows it deepest, and grows as it does.
 std::vector<std::string> rivals_of(const Evidence& evidence, const Growth& load,
                                    const Kinematics& kinematics) {
@@ -106,6 +120,17 @@ Finding weigh(const Signature& signature, const Evidence& evidence, double tests
   f.severity_low = severity.low;
   f.severity_high = severity.high;
   return f;
+}
+
+// What is known of the other is all that is known of it.
+void be_spoken_for(Finding& f, const std::vector<Examination>& points, const Kinematics& kinematics,
+                   std::size_t speaker) {
+  const Signature& other = kinematics.signatures[speaker];
+  const Finding known = weigh(other, gather(points, speaker), 1);
+  f.severity_low = 0;
+  f.severity_high = known.severity_high;
+  f.cannot_tell_from = {
+      fmt::format("{}: {} at order {:.4g}", other.component, other.mechanism, other.order)};
 }
 
 // Adds where and how the points show it.
@@ -186,6 +211,9 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
   for (std::size_t s = 0; s < kinematics.signatures.size(); ++s) {
     Evidence evidence = gather(points, s);
     Finding f = weigh(kinematics.signatures[s], evidence, tests);
+    if (const auto speaker = spoken_for_by(s, kinematics); speaker && evidence.all.empty()) {
+      be_spoken_for(f, points, kinematics, *speaker);
+    }
     if (!evidence.shows(tests) || f.p_value >= significant_p) {
       d.not_shown.push_back(std::move(f));
       continue;

@@ -40,10 +40,27 @@ Eigen::Index longest_standstill(const Eigen::VectorXd& x) {
 }
 
 bool is_locked(const Finding& finding, const Kinematics& kinematics) {
-  return std::any_of(
-      kinematics.signatures.begin(), kinematics.signatures.end(), [&](const Signature& s) {
-        return s.slip == 0 && s.component == finding.component && s.mechanism == finding.mechanism;
+  return std::ranges::any_of(kinematics.signatures, [&](const Signature& s) {
+    return s.slip == 0 && s.component == finding.component && s.mechanism == finding.mechanism;
+  });
+}
+
+// Whether the line is on the first harmonic of what turns with the shaft, or of a mesh.
+bool is_witness(const SpectralLine& line, const Kinematics& kinematics) {
+  const bool slips = std::ranges::any_of(kinematics.signatures, [&](const Signature& s) {
+    return s.slip > 0 && std::abs(line.order - s.order) <= s.slip * s.order;
+  });
+  return !slips && is_characteristic(line, kinematics);
+}
+
+// One line on a wrong speed's order is soon met by chance: half of the channels must have one.
+bool shows_machine(const Examination& point, const Kinematics& kinematics) {
+  const auto showing =
+      std::ranges::count_if(point.channels, [&](const ChannelExamination& channel) {
+        return std::ranges::any_of(
+            channel.lines, [&](const SpectralLine& line) { return is_witness(line, kinematics); });
       });
+  return showing > 0 && 2 * showing >= std::ssize(point.channels);
 }
 
 }  // namespace
@@ -92,20 +109,11 @@ std::vector<QualityNote> accelerometer_quality(const Channel& channel, double cl
 
 bool shows_machine(const std::vector<Examination>& points, const Diagnosis& diagnosis,
                    const Kinematics& kinematics) {
-  if (!diagnosis.findings.empty()) return true;
-  const std::vector<Finding>& within = diagnosis.below_limit;
-  if (std::any_of(within.begin(), within.end(),
-                  [&](const Finding& finding) { return is_locked(finding, kinematics); })) {
-    return true;
-  }
-  const auto shows = [&](const ChannelExamination& channel) {
-    return std::any_of(channel.lines.begin(), channel.lines.end(), [&](const SpectralLine& line) {
-      return is_characteristic(line, kinematics);
-    });
-  };
-  return std::any_of(points.begin(), points.end(), [&](const Examination& point) {
-    return std::any_of(point.channels.begin(), point.channels.end(), shows);
-  });
+  const auto locked = [&](const Finding& finding) { return is_locked(finding, kinematics); };
+  if (std::ranges::any_of(diagnosis.findings, locked)) return true;
+  if (std::ranges::any_of(diagnosis.below_limit, locked)) return true;
+  return std::ranges::any_of(
+      points, [&](const Examination& point) { return shows_machine(point, kinematics); });
 }
 
 }  // namespace rvbench::analysis

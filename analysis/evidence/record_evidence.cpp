@@ -119,7 +119,8 @@ class RecordEvidence {
     return static_cast<double>(lines) / static_cast<double>(different);
   }
 
-  // The channel where the signature is deepest speaks for its depth.
+  // The channel where the signature is deepest speaks for its depth; where none shows it, the one
+  // whose noise could hide most, lest one that hears nothing of it seem to know.
   void read_depths(Eigen::Index stretch, SignatureScore& score) const {
     double deepest2 = -1;
     for (std::size_t c = 0; c < channels_.size(); ++c) {
@@ -128,12 +129,13 @@ class RecordEvidence {
       const auto open = open_.col(stretch);
       const Eigen::ArrayXd depth2 = open.select(evidence.sum.depth2.col(stretch).array(), 0.0);
       const double sum = std::max(depth2.sum(), 0.0);
+      const double variance = open.select(evidence.sum.variance.col(stretch).array(), 0.0).sum();
       score.channel_depths[c] = std::sqrt(sum);
-      if (sum <= deepest2) continue;
+      if (sum < deepest2 || (sum == deepest2 && variance <= score.depth2_variance)) continue;
       deepest2 = sum;
       score.channel = static_cast<int>(c);
       score.depth = std::sqrt(sum);
-      score.depth2_variance = open.select(evidence.sum.variance.col(stretch).array(), 0.0).sum();
+      score.depth2_variance = variance;
       for (std::size_t i = 0; i < score.line_depths.size(); ++i) {
         score.line_depths[i] = std::sqrt(std::max(depth2[static_cast<Eigen::Index>(i)], 0.0));
       }

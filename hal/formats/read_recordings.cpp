@@ -21,6 +21,7 @@ using formats::bad_file;
 using formats::Format;
 
 constexpr double rate_tolerance = 1e-3;  // crystals agree far better
+constexpr double most_slip = 0.05;       // of an asynchronous motor under load
 
 std::vector<Format> known_formats() {
   return {formats::hdf5_format(), formats::mat5_format(), formats::csv_format()};
@@ -93,6 +94,18 @@ void apply_rate(double rate_Hz, Recording& recording) {
   }
 }
 
+// What the file says against a speed that was given; empty if one motor may have both.
+std::string contradiction(double speed_rpm, const Recording& recording) {
+  const double stated_rpm = std::abs(recording.speed_rpm);
+  const bool measured = recording.find(channel_names::input_angle) != nullptr;
+  if (measured || !(stated_rpm > 0) || !differs(speed_rpm, stated_rpm, most_slip)) return "";
+  return fmt::format(
+      "says {:.5g} rpm, {} rpm were given: one of them is wrong, and with it every order. Leave "
+      "the "
+      "one out, or write the file anew without the other",
+      stated_rpm, speed_rpm);
+}
+
 void apply_speed(double speed_rpm, Recording& recording) {
   const double stated_rpm = std::abs(recording.speed_rpm);
   if (stated_rpm > 0 && differs(speed_rpm, stated_rpm, speed_tolerance)) {
@@ -145,7 +158,10 @@ Result<std::vector<Recording>> read_recordings(const std::filesystem::path& file
   for (Recording& recording : recordings) {
     make_printable(recording);
     if (!std::isnan(hints.rate_Hz)) apply_rate(hints.rate_Hz, recording);
-    if (!std::isnan(hints.speed_rpm)) apply_speed(hints.speed_rpm, recording);
+    if (std::isnan(hints.speed_rpm)) continue;
+    const std::string against = contradiction(hints.speed_rpm, recording);
+    if (!against.empty()) return bad_file(file, against);
+    apply_speed(hints.speed_rpm, recording);
   }
   return recordings;
 }

@@ -12,7 +12,8 @@ namespace rvbench::hal {
 inline constexpr double speed_tolerance = 1e-2;
 
 /// What the user knows about a file. It goes before what the file says; a note tells if the two
-/// differ, rates by more than 0.1 % or speeds by more than 1 %.
+/// differ, rates by more than 0.1 % or speeds by more than 1 %. Speeds that differ by more than a
+/// motor's slip are an error, unless the file has the shaft's angle.
 struct RecordingHints {
   double rate_Hz = not_known;
   double speed_rpm = not_known;

@@ -158,6 +158,20 @@ TEST_CASE("a part whose lines no record can read is open, and its depth not know
   CHECK(d.not_shown[0].is_open());
 }
 
+TEST_CASE("of two gears on one shaft the first speaks for the other", "[analysis][conclude]") {
+  Kinematics k = two_parts();
+  k.signatures[1].order = k.signatures[0].order;
+  Examination silent = point("a", {0, 0.5}, {0, 1});
+  silent.scores[0].depth2_variance = 0.02 * 0.02;
+  const Diagnosis d = conclude({silent}, k);
+  REQUIRE(d.not_shown.size() == 2);
+  const analysis::Finding& gear = d.not_shown[1];
+  CHECK(gear.component == "gear");
+  CHECK_FALSE(gear.is_open());
+  CHECK(gear.severity_high == Approx(d.not_shown[0].severity_high));
+  CHECK(gear.cannot_tell_from == std::vector<std::string>{"shaft: wear at order 2"});
+}
+
 TEST_CASE("a shaft that turns backwards has its lines at the same frequencies",
           "[analysis][conclude]") {
   Examination backwards = point("a", {0.5, 1e-12}, nothing);

@@ -99,20 +99,25 @@ TEST_CASE("what is judged at a wrong speed, rate or machine is INVALID, not PASS
   CHECK(notes(answer, "cannot tell: no line of this machine"));
 }
 
-TEST_CASE("a speed that contradicts the file stays in force, and is told", "[bench]") {
+TEST_CASE("a speed that is a motor's slip off the file's stays in force, and is told", "[bench]") {
   const ScratchFolder scratch;
   std::vector<double> samples;
   for (int i = 0; i < 8000; ++i) samples.push_back(tone(1, i / rate_Hz * speed_rpm / 60) + i % 7);
   const std::string file = (scratch.path() / "a.mat").string();
   write_file(file, rvbench::test::mat5_file({rvbench::test::mat5_array("x", 8000, 1, samples),
                                              rvbench::test::mat5_array("XRPM", 1, 1, {1815})}));
-  const std::string told = "speed 1600 rpm as given: the file says 1815 rpm";
-  const Answer answer = judge(file, "cwru_6205", {"--rate", "2000", "--speed", "1600"});
+  const std::string told = "speed 1750 rpm as given: the file says 1815 rpm";
+  const Answer answer = judge(file, "cwru_6205", {"--rate", "2000", "--speed", "1750"});
   CHECK_THAT(answer.err, Contains(told));
   CHECK(notes(answer, told));
-  CHECK(nlohmann::json::parse(answer.out).at("points").at(0).at("speed_rpm") == 1600);
+  CHECK(nlohmann::json::parse(answer.out).at("points").at(0).at("speed_rpm") == 1750);
   const Answer nominal = judge(file, "cwru_6205", {"--rate", "2000", "--speed", "1800"});
   CHECK_THAT(nominal.err, !Contains("as given"));  // within 1 %
+  // Two thirds: order 2 would be taken for order 3, and one race for the other.
+  const Answer wrong = judge(file, "cwru_6205", {"--rate", "2000", "--speed", "1210"});
+  CHECK(wrong.code == 20);
+  CHECK_THAT(wrong.err,
+             Contains("a.mat: says 1815 rpm, 1210 rpm were given: one of them is wrong"));
 }
 
 TEST_CASE("a rate at which the shaft could not be seen is refused before the analysis", "[bench]") {
