@@ -72,9 +72,10 @@ LimitCheck limit_from_json(const nlohmann::ordered_json& json) {
   json.at("where").get_to(check.where);
   json.at("passed").get_to(check.passed);
   json.at("why").get_to(check.why);
-  check.of = json.value("of", "");  // not stated by an rvbench that limited accelerations only
+  // Keys that may be absent: of anything, not bounded from below, measured wherever it was asked.
+  check.of = json.value("of", "");
   check.min = number_or_nan(json.value("min", nlohmann::ordered_json()));
-  check.points = json.value("points", check.points);  // likewise, where one value was enough
+  check.points = json.value("points", check.points);
   check.lacking = json.value("not_measured_at", check.lacking);
   return check;
 }
@@ -95,7 +96,7 @@ JudgedPoint point_from_json(const nlohmann::ordered_json& json) {
   json.at("status").get_to(point.status);
   point.planned_speed_rpm = number_or_nan(json.at("planned_speed_rpm"));
   point.torque_Nm = number_or_nan(json.at("torque_Nm"));
-  const nlohmann::ordered_json unknown;  // to an rvbench that did not yet state them
+  const nlohmann::ordered_json unknown;  // these keys may be absent
   point.acceleration_time_uncertainty_s =
       number_or_nan(json.value("acceleration_time_uncertainty_s", unknown));
   point.torque_time_uncertainty_s = number_or_nan(json.value("torque_time_uncertainty_s", unknown));

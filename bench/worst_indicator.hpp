@@ -29,6 +29,11 @@ struct WorstIndicator {
   std::vector<std::string> lacking;
 };
 
+/// Looks for the worst value of one indicator at all points that were examined.
+///
+/// Shape   any number of points and channels → one value, with the points that lack it
+/// Units   WorstOf::unit; a value in a unit that does not lead to it is not measured
+/// Errors  none thrown. Source  ours
 WorstIndicator worst_indicator(const Judgement& judgement, const WorstOf& asked);
 
 }  // namespace rvbench::bench

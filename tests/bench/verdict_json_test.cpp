@@ -35,7 +35,8 @@ TEST_CASE("indicators are told per point and channel, one entry per measure", "[
   CHECK(point.at("indicators").at(0).at("values").at("input_torque") == 0.12);
 }
 
-TEST_CASE("a verdict from before each hypothesis was weighed is still read", "[bench]") {
+TEST_CASE("a verdict without intervals, growth and hypotheses that are not shown is read",
+          "[bench]") {
   auto json = nlohmann::ordered_json::parse(judgement_to_json(test::failed_run()));
   json.erase("not_shown");
   for (const char* key : {"severity_interval", "growth_with_load", "growth_with_speed",
@@ -56,7 +57,7 @@ TEST_CASE("a verdict from before each hypothesis was weighed is still read", "[b
   CHECK(again->diagnosis.not_shown.empty());
 }
 
-TEST_CASE("a verdict from before there were indicators is still read", "[bench]") {
+TEST_CASE("a verdict without indicators is read, and its limits without a place", "[bench]") {
   auto json = nlohmann::ordered_json::parse(judgement_to_json(test::failed_run()));
   for (auto& point : json["points"]) {
     point.erase("indicators");

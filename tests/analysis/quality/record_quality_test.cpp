@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analysis/quality/heard.hpp"
+#include "analysis/quality/iepe_bias.hpp"
 #include "analysis/rv_reducer.hpp"
 #include "tests/analysis/order_signals.hpp"
 
@@ -195,6 +196,10 @@ TEST_CASE("the bias of an open cable is seen where it was recorded", "[analysis]
   CHECK(bench.complaints() == "");
   c.samples.array() += 13 / c.info.sensitivity;
   CHECK_THAT(bench.complaints(), Contains("accel_2x: IEPE bias: 24.0 V"));
+  CHECK(analysis::open_cable_bias_V(c) == Approx(24).margin(0.1));
+  Channel with_gap = c;
+  with_gap.samples[7] = not_known;
+  CHECK_FALSE(analysis::open_cable_bias_V(with_gap).has_value());
   // Gravity under a sensitivity that someone stated in mV is no bias.
   c.samples.array() -= 24 / c.info.sensitivity - 2;
   c.info.sensitivity = 10.2;
