@@ -151,10 +151,11 @@ void describe(Finding& f, const Evidence& evidence, const Kinematics& kinematics
   f.cannot_tell_from = rivals_of(evidence, f.growth.load, kinematics);
 }
 
-// Severity over its limit, less what its growth speaks against it; finite where the limit allows
-// nothing at all.
+// Severity over its limit, less what its growth speaks against it: at most nine tenths, as the
+// ranges are rules of thumb. Finite where the limit allows nothing at all.
 double weight(const Finding& finding) {
-  return odds_at_most(finding.growth_p_value) * finding.severity / std::max(finding.limit, 1e-6);
+  const double odds = std::max(odds_at_most(finding.growth_p_value), 0.1);
+  return odds * finding.severity / std::max(finding.limit, 1e-6);
 }
 
 // A hypothesis that shows.

@@ -129,7 +129,7 @@ std::vector<Signature> carried_signatures(const Rates& r) {
        .first_harmonic = 2,  // once per crank turn is what eccentricity does, too
        .harmonics = 24,
        .sidebands = {r.unit},
-       .load_growth = grows_as_blows,
+       .load_growth = any_growth,
        .depth_limit = 0.3,
        .limit_why = "assumed: one tooth among many may not stand out by more than its share",
        .advice = "open the reducer and look at the planets' flanks; replace the planet pair"},
@@ -140,7 +140,7 @@ std::vector<Signature> carried_signatures(const Rates& r) {
        .first_harmonic = 2,  // the load zones of sound discs pass a sensor twice per orbit, too
        .harmonics = 8,
        .sidebands = {r.orbit},
-       .load_growth = grows_as_blows,
+       .load_growth = any_growth,
        .depth_limit = 0.15,
        .limit_why = "assumed: pins of one class share the load alike",
        .advice = "look at the pins and their grooves in the shell; replace pins as a set"},
