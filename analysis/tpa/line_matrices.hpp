@@ -20,6 +20,17 @@ struct LineMatrices {
         lines(line_count),
         values(Eigen::VectorXcd::Zero(row_count * column_count * line_count)) {}
 
+  /// Not set: for whoever sets each element.
+  static LineMatrices unset(Eigen::Index row_count, Eigen::Index column_count,
+                            Eigen::Index line_count) {
+    LineMatrices made;
+    made.rows = row_count;
+    made.columns = column_count;
+    made.lines = line_count;
+    made.values.resize(row_count * column_count * line_count);
+    return made;
+  }
+
   Eigen::Map<const Eigen::MatrixXcd> operator[](Eigen::Index line) const {
     return {values.data() + line * rows * columns, rows, columns};
   }

@@ -1,5 +1,7 @@
 #include "analysis/tpa/svd_kernels.hpp"
 
+#include <algorithm>
+
 // Bodies are compiled once per kind of processor, into its own function: that is what the
 // attributes are for. They call nothing that could be shared with code for another kind.
 #define RVBENCH_INTO_KERNEL [[gnu::always_inline]] inline
@@ -97,39 +99,74 @@ RVBENCH_INTO_KERNEL void make_reflector(Complexes* x, int count, Complexes& diag
   re(strength) = is_there ? one / (is_there ? half : one) : Lanes{};
 }
 
-RVBENCH_INTO_KERNEL void factorise(SvdWorkspace& w) {
-  for (int k = 0; k < w.columns; ++k) {
-    const auto below = [&](int column) { return w.a.data() + column * w.rows + k; };
-    make_reflector(below(k), w.rows - k, w.diagonal[std::size_t(k)], w.strengths[std::size_t(k)]);
+// In each lane for itself, the longest of the columns from k on becomes column k.
+RVBENCH_INTO_KERNEL void pivot(SvdWorkspace& w, int k) {
+  for (int lane = 0; lane < SvdWorkspace::lanes; ++lane) {
+    int longest = k;
     for (int j = k + 1; j < w.columns; ++j) {
-      reflect(below(k), w.strengths[std::size_t(k)], w.rows - k, below(j));
+      const bool is_longer =
+          w.squares[std::size_t(j)].re[lane] > w.squares[std::size_t(longest)].re[lane];
+      if (is_longer) longest = j;
+    }
+    w.order[std::size_t(k)][std::size_t(lane)] = longest;
+    if (longest == k) continue;
+    w.squares[std::size_t(longest)].re[lane] = w.squares[std::size_t(k)].re[lane];
+    Complexes* x = w.a.data() + k * w.rows;
+    Complexes* y = w.a.data() + longest * w.rows;
+    for (int row = 0; row < w.rows; ++row) {
+      const double real = x[row].re[lane], imag = x[row].im[lane];
+      x[row].re[lane] = y[row].re[lane];
+      x[row].im[lane] = y[row].im[lane];
+      y[row].re[lane] = real;
+      y[row].im[lane] = imag;
     }
   }
 }
 
-// Rᴴ, and below it a unit matrix.
-RVBENCH_INTO_KERNEL void set_up_rotated(SvdWorkspace& w) {
+// Squares of what is left of the columns are carried on by differences: good enough to choose by.
+RVBENCH_INTO_KERNEL void factorise(SvdWorkspace& w) {
+  for (int j = 0; j < w.columns; ++j) {
+    square_norm(w.a.data() + j * w.rows, w.rows, re(w.squares[std::size_t(j)]));
+  }
+  for (int k = 0; k < w.columns; ++k) {
+    pivot(w, k);
+    const auto below = [&](int column) { return w.a.data() + column * w.rows + k; };
+    make_reflector(below(k), w.rows - k, w.diagonal[std::size_t(k)], w.strengths[std::size_t(k)]);
+    for (int j = k + 1; j < w.columns; ++j) {
+      reflect(below(k), w.strengths[std::size_t(k)], w.rows - k, below(j));
+      const Complexes& done = *below(j);
+      re(w.squares[std::size_t(j)]) -= re(done) * re(done) + im(done) * im(done);
+    }
+  }
+}
+
+// L = Rᴴ, and a unit matrix for J.
+RVBENCH_INTO_KERNEL void set_up_triangle(SvdWorkspace& w) {
   const int n = w.columns;
   for (int column = 0; column < n; ++column) {
-    Complexes* to = w.rotated.data() + column * 2 * n;
-    for (int row = 0; row < 2 * n; ++row) to[row] = Complexes{};
+    Complexes* to = w.rotated.data() + column * n;
+    Complexes* unit = w.rotations.data() + column * n;
+    for (int row = 0; row < n; ++row) {
+      to[row] = Complexes{};
+      unit[row] = Complexes{};
+    }
+    re(unit[column]) = Lanes{} + 1;
     to[column] = w.diagonal[std::size_t(column)];
     for (int row = column + 1; row < n; ++row) {
       to[row] = w.a[std::size_t(row * w.rows + column)];
     }
     for (int row = column; row < n; ++row) im(to[row]) = -im(to[row]);
-    re(to[n + column]) = Lanes{} + 1;
   }
 }
 
-// Makes columns p and q orthogonal and the longer one p, where they are not orthogonal yet.
-RVBENCH_INTO_KERNEL bool rotate(Complexes* p, Complexes* q, int n, Complexes& square_p,
-                                Complexes& square_q) {
-  Complexes product;
-  dot(p, q, n, product);
+// Chooses the turn that makes columns p and q orthogonal and the longer one p, where they are not
+// orthogonal yet, from their product pᴴ·q; elsewhere the one that leaves them.
+RVBENCH_INTO_KERNEL void choose(const Complexes& product, Complexes& square_p, Complexes& square_q,
+                                SvdWorkspace::Turn& turn) {
   const Lanes square = re(product) * re(product) + im(product) * im(product);
   const Mask turns = square > orthogonal * re(square_p) * re(square_q);
-  if ((turns[0] | turns[1] | turns[2] | turns[3]) == 0) return false;
+  turn.is_none = (turns[0] | turns[1] | turns[2] | turns[3]) == 0;
+  if (turn.is_none) return;
   const Lanes one = Lanes{} + 1;
   Lanes size = turns ? square : one;
   take_root(size);
@@ -147,39 +184,61 @@ RVBENCH_INTO_KERNEL bool rotate(Complexes* p, Complexes* q, int n, Complexes& sq
   const Lanes phase_im = turns ? -im(product) * inverse : Lanes{};
   // Where q would become the longer one, the two change places.
   const Mask swaps = turns & is_rising;
-  const Lanes p_of_p = swaps ? sine : cosine, p_of_q = swaps ? cosine : -sine;
-  const Lanes q_of_p = swaps ? cosine : sine, q_of_q = swaps ? -sine : cosine;
-  const Lanes a = p_of_q * phase_re, b = p_of_q * phase_im;
-  const Lanes c = q_of_q * phase_re, d = q_of_q * phase_im;
-  for (int i = 0; i < 2 * n; ++i) {
+  const Lanes p_of_q = swaps ? cosine : -sine, q_of_q = swaps ? -sine : cosine;
+  re(turn.of_p) = swaps ? sine : cosine;
+  im(turn.of_p) = swaps ? cosine : sine;
+  re(turn.q_to_p) = p_of_q * phase_re;
+  im(turn.q_to_p) = p_of_q * phase_im;
+  re(turn.q_to_q) = q_of_q * phase_re;
+  im(turn.q_to_q) = q_of_q * phase_im;
+  const Lanes moved = turns ? tangent * size : Lanes{};
+  const Lanes new_p = re(square_p) - moved, new_q = re(square_q) + moved;
+  re(square_p) = swaps ? new_q : new_p;
+  re(square_q) = swaps ? new_p : new_q;
+}
+
+RVBENCH_INTO_KERNEL void apply(const SvdWorkspace::Turn& turn, int n, Complexes* columns) {
+  if (turn.is_none) return;
+  Complexes* p = columns + turn.p * n;
+  Complexes* q = columns + turn.q * n;
+  const Lanes p_of_p = re(turn.of_p), q_of_p = im(turn.of_p);
+  const Lanes a = re(turn.q_to_p), b = im(turn.q_to_p);
+  const Lanes c = re(turn.q_to_q), d = im(turn.q_to_q);
+  for (int i = 0; i < n; ++i) {
     const Lanes pr = re(p[i]), pi = im(p[i]), qr = re(q[i]), qi = im(q[i]);
     re(p[i]) = p_of_p * pr + a * qr - b * qi;
     im(p[i]) = p_of_p * pi + a * qi + b * qr;
     re(q[i]) = q_of_p * pr + c * qr - d * qi;
     im(q[i]) = q_of_p * pi + c * qi + d * qr;
   }
-  const Lanes moved = turns ? tangent * size : Lanes{};
-  const Lanes new_p = re(square_p) - moved, new_q = re(square_q) + moved;
-  re(square_p) = swaps ? new_q : new_p;
-  re(square_q) = swaps ? new_p : new_q;
-  return true;
 }
 
-// One-sided Jacobi. Squares are taken anew before each sweep; the last one turns nothing, so that
-// they, and what it found orthogonal, hold for what is left.
+// One-sided Jacobi. A sweep is rounds of pairs that share no column: the roots of one pair need not
+// wait for the other's. J follows when a sweep is over, so that each of the two stays in the cache.
+// Squares are taken anew before each sweep; the last one turns nothing, so that they, and what it
+// found orthogonal, hold for what is left.
 RVBENCH_INTO_KERNEL bool diagonalise(SvdWorkspace& w) {
   const int n = w.columns;
-  const auto column = [&](int k) { return w.rotated.data() + k * 2 * n; };
+  Complexes* columns = w.rotated.data();
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-    for (int k = 0; k < n; ++k) square_norm(column(k), n, re(w.squares[std::size_t(k)]));
-    bool turned = false;
-    for (int p = 0; p < n; ++p) {
-      for (int q = p + 1; q < n; ++q) {
-        turned |= rotate(column(p), column(q), n, w.squares[std::size_t(p)],
-                         w.squares[std::size_t(q)]);
+    for (int k = 0; k < n; ++k) square_norm(columns + k * n, n, re(w.squares[std::size_t(k)]));
+    bool is_done = true;
+    for (std::size_t first = 0; first < w.turns.size(); first += std::size_t(w.pairs_per_round)) {
+      SvdWorkspace::Turn* round = w.turns.data() + first;
+      for (int i = 0; i < w.pairs_per_round; ++i) {
+        dot(columns + round[i].p * n, columns + round[i].q * n, n, w.products[std::size_t(i)]);
+      }
+      for (int i = 0; i < w.pairs_per_round; ++i) {
+        choose(w.products[std::size_t(i)], w.squares[std::size_t(round[i].p)],
+               w.squares[std::size_t(round[i].q)], round[i]);
+      }
+      for (int i = 0; i < w.pairs_per_round; ++i) {
+        apply(round[i], n, columns);
+        is_done &= round[i].is_none;
       }
     }
-    if (!turned) return true;
+    if (is_done) return true;
+    for (const SvdWorkspace::Turn& turn : w.turns) apply(turn, n, w.rotations.data());
   }
   return false;
 }
@@ -190,7 +249,7 @@ RVBENCH_INTO_KERNEL void make_left(SvdWorkspace& w) {
   for (int column = 0; column < n; ++column) {
     Complexes* to = w.left.data() + column * w.rows;
     for (int row = 0; row < n; ++row) {
-      to[row] = w.rotated[std::size_t(column * 2 * n + n + row)];
+      to[row] = w.rotations[std::size_t(column * n + row)];
     }
     for (int row = n; row < w.rows; ++row) to[row] = Complexes{};
     for (int k = n - 1; k >= 0; --k) {
@@ -201,15 +260,16 @@ RVBENCH_INTO_KERNEL void make_left(SvdWorkspace& w) {
 
 RVBENCH_INTO_KERNEL bool decompose_lanes(SvdWorkspace& w) {
   factorise(w);
-  set_up_rotated(w);
+  set_up_triangle(w);
   const bool is_done = diagonalise(w);
   make_left(w);
   return is_done;
 }
 
-RVBENCH_INTO_KERNEL void invert_line(const double* left, const double* right, const double* weights,
-                                     int rows, int columns, int kept, double* scratch,
-                                     double* inverse) {
+RVBENCH_INTO_KERNEL void invert_line(const double* __restrict left, const double* __restrict right,
+                                     const double* __restrict weights, int rows, int columns,
+                                     int kept, double* __restrict scratch,
+                                     double* __restrict inverse) {
   // Twice V: times its weight, and that times i. Then a complex product is two real ones.
   double* straight = scratch;
   double* turned = scratch + 2 * columns * kept;
@@ -222,13 +282,25 @@ RVBENCH_INTO_KERNEL void invert_line(const double* left, const double* right, co
     }
   }
   for (int row = 0; row < rows; ++row) {
-    double* to = inverse + 2 * columns * row;
+    double* __restrict to = inverse + 2 * columns * row;
     for (int i = 0; i < 2 * columns; ++i) to[i] = 0;
-    for (int k = 0; k < kept; ++k) {
+    int k = 0;
+    for (; k + 2 <= kept; k += 2) {
+      const double* u = left + 2 * (k * rows + row);
+      const double* next_u = u + 2 * rows;
+      const double r = u[0], s = -u[1], next_r = next_u[0], next_s = -next_u[1];
+      const double* __restrict v = straight + 2 * columns * k;
+      const double* __restrict iv = turned + 2 * columns * k;
+      for (int i = 0; i < 2 * columns; ++i) {
+        to[i] +=
+            (r * v[i] + s * iv[i]) + (next_r * v[i + 2 * columns] + next_s * iv[i + 2 * columns]);
+      }
+    }
+    if (k < kept) {
       const double r = left[2 * (k * rows + row)], s = -left[2 * (k * rows + row) + 1];
-      const double* v = straight + 2 * columns * k;
-      const double* iv = turned + 2 * columns * k;
-      for (int i = 0; i < 2 * columns; ++i) to[i] += r * v[i] + s * iv[i];
+      for (int i = 0; i < 2 * columns; ++i) {
+        to[i] += r * straight[2 * columns * k + i] + s * turned[2 * columns * k + i];
+      }
     }
   }
 }
@@ -259,14 +331,30 @@ RVBENCH_AVX2 void avx2_invert(const Complex* left, const Complex* right, const d
 
 }  // namespace
 
-SvdWorkspace::SvdWorkspace(int row_count, int column_count) : rows(row_count), columns(column_count) {
+SvdWorkspace::SvdWorkspace(int row_count, int column_count)
+    : rows(row_count), columns(column_count), pairs_per_round(column_count / 2) {
   const auto m = std::size_t(rows), n = std::size_t(columns);
   a.resize(m * n);
-  rotated.resize(2 * n * n);
+  rotated.resize(n * n);
+  rotations.resize(n * n);
   left.resize(m * n);
   diagonal.resize(n);
   strengths.resize(n);
   squares.resize(n);
+  products.resize(n / 2);
+  order.resize(n);
+  // Everybody meets everybody: one stays, the others move on around the table; with an odd number
+  // whoever meets the one that is not there has a free round.
+  const int seats = columns + columns % 2;
+  const auto at_seat = [&](int seat, int round) {
+    return seat == 0 ? seats - 1 : (seat + round) % (seats - 1);
+  };
+  for (int round = 0; round < seats - 1; ++round) {
+    for (int seat = 0; seat < seats / 2; ++seat) {
+      const int i = at_seat(seat, round), j = at_seat(seats - 1 - seat, round);
+      if (std::max(i, j) < columns) turns.push_back({.p = std::min(i, j), .q = std::max(i, j)});
+    }
+  }
 }
 
 const SvdKernels& portable_svd_kernels() {

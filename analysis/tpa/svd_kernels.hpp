@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <complex>
 #include <vector>
 
@@ -13,16 +14,31 @@ struct SvdWorkspace {
     alignas(32) double im[lanes];
   };
 
+  /// Of two columns: p becomes of_p.re·p + q_to_p·q, and q becomes of_p.im·p + q_to_q·q.
+  struct Turn {
+    int p = 0;
+    int q = 0;
+    bool is_none = false;
+    Complexes of_p{};
+    Complexes q_to_p{};
+    Complexes q_to_q{};
+  };
+
   SvdWorkspace(int row_count, int column_count);
 
   int rows;
   int columns;
-  std::vector<Complexes> a;          ///< rows x columns: the matrices; then reflectors
-  std::vector<Complexes> rotated;    ///< 2·columns x columns: V·diag(s), and below it J
-  std::vector<Complexes> left;       ///< rows x columns: U
-  std::vector<Complexes> diagonal;   ///< of R
-  std::vector<Complexes> strengths;  ///< of the reflectors, real
-  std::vector<Complexes> squares;    ///< squared norms of the columns of `rotated`, real
+  int pairs_per_round;
+  std::vector<Complexes> a;        ///< rows x columns: the matrices; then R and the reflectors
+  std::vector<Complexes> rotated;  ///< columns x columns: Rᴴ·J = V·diag(s), V's rows as ordered
+  std::vector<Complexes> rotations;           ///< columns x columns: J
+  std::vector<Complexes> left;                ///< rows x columns: U
+  std::vector<Complexes> diagonal;            ///< of R
+  std::vector<Complexes> strengths;           ///< of the reflectors, real
+  std::vector<Complexes> squares;             ///< squared norms of the columns of `rotated`, real
+  std::vector<Complexes> products;            ///< of the pairs of one round
+  std::vector<std::array<int, lanes>> order;  ///< with which column k changed places, k = 0, 1 ...
+  std::vector<Turn> turns;                    ///< of one sweep, round after round
 };
 
 /// The inner loops of singular value decompositions, for one kind of processor. The kinds agree to
