@@ -9,9 +9,9 @@ struct FilterDesign {
   double rate_Hz = 0;
   Eigen::Index taps = 0;           ///< at most rate/step of the lines
   Eigen::Index delay_samples = 0;  ///< room for what comes before its cause: 0 to taps - 1
-  double from_Hz = 0;              ///< the band; 0 at both edges if it reaches to 0 Hz, or half the
-  double to_Hz = 0;                ///< rate: no fade there
-  double edge_Hz = 0;              ///< width, inside the band, over which it fades; 0: none
+  double from_Hz = 0;  ///< the band; from 0 it does not fade in, to half the rate not out
+  double to_Hz = 0;
+  double edge_Hz = 0;  ///< width, inside the band, over which it fades
 };
 
 /// Filters of a band, causal and with the phase kept, and what that cost.

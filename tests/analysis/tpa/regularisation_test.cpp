@@ -153,11 +153,11 @@ TEST_CASE("a truncated inverse is the one of the matrix without its small parts"
   const LineSvd svd = line_svd(one_line(whole), 1, *kernels);
   const Eigen::MatrixXcd inverse = regularised_inverse(svd, {{.kept = 12}}, 1, *kernels).values[0];
   const Eigen::MatrixXcd there = kept * inverse, back = inverse * kept;
-  // Vectors of what is small are known to rounding over its size: 1e-16/3e-7.
-  CHECK((there * kept - kept).norm() < 1e-9);
-  CHECK((inverse * there - inverse).norm() < 1e-9 * inverse.norm());
-  CHECK((there - there.adjoint()).norm() < 1e-9);
-  CHECK((back - back.adjoint()).norm() < 1e-9);
+  // Rounding times the condition of what is kept, 3e6, over 36 rows.
+  CHECK((there * kept - kept).norm() < 1e-8);
+  CHECK((inverse * there - inverse).norm() < 1e-8 * inverse.norm());
+  CHECK((there - there.adjoint()).norm() < 1e-8);
+  CHECK((back - back.adjoint()).norm() < 1e-8);
 }
 
 TEST_CASE("Tikhonov's inverse solves its normal equations", "[analysis][tpa][law]") {
@@ -230,8 +230,9 @@ TEST_CASE("singular values of noise lie below its floor, those of paths above", 
     kept_of_noise += truncate_by_noise(of_noise.singular_values.col(line), floor).kept;
     wrong += truncate_by_noise(of_paths.singular_values.col(line), floor).kept != 6;
   }
-  CHECK(kept_of_noise <= 5);
-  CHECK(wrong <= 5);
+  // By Tracy & Widom's law the largest one is above the floor in 3 % of lines.
+  CHECK(kept_of_noise <= 8);
+  CHECK(wrong <= 8);
   CHECK(of_noise.singular_values.row(0).mean() > 0.9 * floor);  // no lower than it need be
 }
 
