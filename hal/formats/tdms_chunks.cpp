@@ -26,10 +26,11 @@ struct Row {
 template <typename Number>
 void append_as(const Row& row, std::endian order, std::vector<double>& values) {
   const std::size_t before = values.size();
-  values.resize(before + row.found(sizeof(Number)));
-  const char* bytes = row.bytes.data();
-  for (std::size_t i = before; i < values.size(); ++i, bytes += row.stride) {
-    values[i] = static_cast<double>(number_at<Number>(bytes, order));
+  const auto found = static_cast<std::size_t>(row.found(sizeof(Number)));
+  values.resize(before + found);
+  for (std::size_t i = 0; i < found; ++i) {
+    const char* bytes = row.bytes.data() + i * row.stride;
+    values[before + i] = static_cast<double>(number_at<Number>(bytes, order));
   }
 }
 

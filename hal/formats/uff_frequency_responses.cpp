@@ -14,11 +14,14 @@
 namespace rvbench::hal::formats {
 namespace {
 
+constexpr int frequency_code = 18;
+
 // Hz per unit of the abscissa; nothing if it is no frequency.
 std::optional<double> hertz_of(const UffAxis& axis) {
   const std::optional<SiUnit> unit = si_unit(axis.unit);
-  if (!unit || unit->symbol == "Hz") return unit ? unit->factor : 1;
-  if (unit->symbol == "rad/s") return unit->factor / units::two_pi;
+  if (!unit && (axis.unit.empty() || axis.quantity == frequency_code)) return 1;
+  if (unit && unit->symbol == "Hz") return unit->factor;
+  if (unit && unit->symbol == "rad/s") return unit->factor / units::two_pi;
   return std::nullopt;
 }
 

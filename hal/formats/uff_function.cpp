@@ -17,6 +17,8 @@ namespace {
 
 using Fault = std::optional<std::string>;
 
+constexpr double least_step = 1e-100;  // so that a rate is finite
+
 // Header lines of one data set, with their numbers in the file.
 struct Header {
   std::string_view rest;
@@ -102,7 +104,7 @@ Fault read_shape(const Field& field, UffFunction& function, Shape& shape) {
   function.is_complex = data_type >= 5;
   shape = {data_type == 4 || data_type == 6, is_even != 1};
   if (shape.has_abscissa) return std::nullopt;
-  if (!(step > 0)) return fmt::format("{}: abscissa in steps of {}", field.number, step);
+  if (!(step > least_step)) return fmt::format("{}: abscissa in steps of {}", field.number, step);
   function.step = step;
   return std::nullopt;
 }

@@ -34,8 +34,8 @@ struct Chunks {
 };
 
 bool recognises(std::string_view head) {
-  return (head.starts_with("RIFF") || head.starts_with("RF64")) &&
-         head.substr(0, 12).ends_with("WAVE");
+  const bool is_riff = head.starts_with("RIFF") || head.starts_with("RF64");
+  return is_riff && head.size() >= 12 && head.substr(8, 4) == "WAVE";
 }
 
 Layout layout_of(std::string_view bytes) {
