@@ -6,7 +6,9 @@
 #include <fstream>
 #include <optional>
 
+#include "hal/formats/foreign_file.hpp"
 #include "hal/formats/format.hpp"
+#include "hal/formats/time_column.hpp"
 
 namespace rvbench::hal::formats {
 namespace {
@@ -55,6 +57,7 @@ char separator_of(std::string_view line) {
 // Samples column by column, as they are gathered line by line.
 struct Table {
   std::vector<std::string> names;
+  bool has_names = true;  // of its own
   std::vector<std::vector<double>> columns;
 
   // The fault of one line of numbers, or none: then the line was added.
@@ -87,6 +90,7 @@ std::optional<std::string> start(const std::vector<std::string_view>& cells, Tab
     table.names.push_back(name);
   }
   table.columns.resize(cells.size());
+  table.has_names = !headless;
   return headless ? table.add(cells, 1) : std::nullopt;
 }
 
@@ -131,6 +135,7 @@ Result<std::vector<Recording>> read(const std::filesystem::path& file) {
         Eigen::Map<const Eigen::VectorXd>(column.data(), static_cast<Eigen::Index>(column.size()));
     recording.channels.push_back(std::move(channel));
   }
+  set_rate_by_time_column(table.has_names, recording);
   return std::vector<Recording>{std::move(recording)};
 }
 

@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <optional>
 
+#include "hal/formats/foreign_file.hpp"
 #include "hal/formats/format.hpp"
 #include "hal/formats/mat5_check.hpp"
 #include "hal/hdf5/hdf5_handle.hpp"
@@ -149,9 +148,7 @@ void add_channels(const NamedArray& array, std::vector<Channel>& channels) {
 bool recognises(std::string_view head) { return head.starts_with("MATLAB 5.0"); }
 
 std::optional<std::string> find_fault(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  return find_mat5_fault(bytes);
+  return find_mat5_fault(bytes_of(file));
 }
 
 std::optional<std::string> read_variables(mat_t* mat, std::vector<NamedArray>& arrays,
