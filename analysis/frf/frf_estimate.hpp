@@ -39,7 +39,8 @@ struct FrfEstimates {
 ///     standard error² = (1 - γ²)·Gyy·[Gxx⁻¹]ᵢᵢ / (2·(n - E))
 ///
 /// For one excitation that is |H|²·(1 - γ²) / (2·γ²·(n - 1)). Hv is then the geometric mean of H1
-/// and H2, with the phase of both. H2 and Hv are given the relative error of H1.
+/// and H2, with the phase of both. H2 and Hv are given the relative error of H1, which is a little
+/// more than the magnitude of Hv has: (1 - γ²) / (2·n).
 ///
 /// Shape   lines of `spectra`
 /// Units   those of the setup

@@ -15,8 +15,8 @@ struct HammerSeries {
 
 /// How hits are windowed, judged and averaged.
 struct HammerOptions {
-  HitWindows windows;
-  HitLimits limits;
+  HitWindows windows = {};
+  HitLimits limits = {};
   double least_share_of_median = 0.2;  ///< of the session's median peak; weaker hits are rejected
   FrfEstimator estimator = FrfEstimator::h1;
 };

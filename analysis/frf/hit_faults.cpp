@@ -7,6 +7,7 @@
 
 #include "analysis/fft.hpp"
 #include "analysis/smallest_step.hpp"
+#include "analysis/statistics.hpp"
 #include "hal/types/require.hpp"
 
 namespace rvbench::analysis {
@@ -16,6 +17,7 @@ namespace {
 constexpr Eigen::Index shortest_flat_top = 3;
 constexpr double steps_of_a_cut = 4;
 constexpr Eigen::Index fewest_at_rest = 8;
+constexpr double surely_no_noise = 1e-6;  // p-value
 
 std::string place_of(const FrfChannel& channel) {
   return channel.place.point + channel.place.direction;
@@ -150,8 +152,9 @@ class Judge {
       if (rest >= fewest_at_rest) {
         const Eigen::VectorXd before = record_.responses.col(Eigen::Index(r)).head(rest);
         const double noise = (before.array() - before.mean()).square().mean() * at_end * at_end;
-        const double surest = 1 + 4 * std::sqrt(2.0 / double(rest) + 2.0 / double(end));
-        power = power > surest * noise ? power - noise : 0;
+        const double p =
+            line_p_value(double(end) / 2 * power / noise, double(end) / 2, double(rest - 1) / 2);
+        power = p < surely_no_noise ? power - noise : 0;
       }
       const double share = std::sqrt(power) / x.cwiseAbs().maxCoeff();
       if (!(share > limits_.undecayed_share)) continue;

@@ -56,7 +56,7 @@ struct JudgedHit {
 /// where three samples or more stay exactly at the largest magnitude and a neighbour is far from
 /// it: four of the channel's smallest steps, which a quantised top of a wave is not.
 /// A response has not decayed if the rms of its last twentieth, in the exponential window, is above
-/// the limit and above the noise before the hit by four standard deviations of either.
+/// the limit and above what the noise before the hit reaches once in a million (F test).
 ///
 /// Shape   one excitation; any number of responses
 /// Units   of the setup
