@@ -23,8 +23,8 @@ struct RecordingHints {
 /// HDF5, MAT v5 (numeric arrays), TDMS, WAV, UFF (time responses of 58 and 58b), CSV.
 ///
 /// Rate     of channels is 0 if neither file nor hints give it: it is never guessed, ask the user
-/// Units    SI where they are known, with a note of what values were multiplied by; else as the file
-///          says, "" if it says none
+/// Units    SI where they are known, with a note of what values were multiplied by; else as the
+///          file says, "" if it says none
 /// Samples  NaN where the file says so: a lost sample
 /// Status   "ok"; "INVALID: ..." where the file holds other counts than it declares
 /// Errors   "<file>: <variable or line:column>: <what>"; at least one recording with samples
