@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -94,6 +95,43 @@ std::optional<std::string> start(const std::vector<std::string_view>& cells, Tab
   return headless ? table.add(cells, 1) : std::nullopt;
 }
 
+struct UnitName {
+  std::string_view written;
+  std::string_view unit;
+};
+
+// Of what a vibration may be in, or be mistaken for. A voltage may be anything's, so it says
+// nothing; a unit of time belongs to no signal.
+constexpr std::array<UnitName, 16> unit_names = {{{"m/s²", "m/s²"},
+                                                  {"m/s2", "m/s²"},
+                                                  {"m/s^2", "m/s²"},
+                                                  {"g", "g"},
+                                                  {"m/s", "m/s"},
+                                                  {"mm/s", "mm/s"},
+                                                  {"in/s", "in/s"},
+                                                  {"ips", "in/s"},
+                                                  {"mm", "mm"},
+                                                  {"µm", "µm"},
+                                                  {"um", "µm"},
+                                                  {"N", "N"},
+                                                  {"N·m", "N·m"},
+                                                  {"Nm", "N·m"},
+                                                  {"rpm", "rpm"},
+                                                  {"°C", "°C"}}};
+
+// The unit that a column's name ends in, as "a [g]" and "a (mm/s)", or, where it cannot be a word
+// of the name, "a_mm/s"; empty if it ends in none.
+std::string_view unit_in(std::string_view name) {
+  const bool bracketed = name.ends_with(']') || name.ends_with(')');
+  if (bracketed) name.remove_suffix(1);
+  const std::size_t before = name.find_last_of(bracketed ? "[(" : "_ ");
+  if (before == std::string_view::npos) return "";
+  const std::string_view written = trimmed(name.substr(before + 1));
+  if (!bracketed && written.find('/') == std::string_view::npos) return "";
+  const auto found = std::ranges::find(unit_names, written, &UnitName::written);
+  return found == unit_names.end() ? "" : found->unit;
+}
+
 std::optional<std::string> fill(std::istream& stream, Table& table) {
   std::string text;
   char separator = ',';
@@ -131,6 +169,7 @@ Result<std::vector<Recording>> read(const std::filesystem::path& file) {
     const std::vector<double>& column = table.columns[i];
     Channel channel;
     channel.info.name = table.names[i];
+    channel.info.unit = unit_in(table.names[i]);
     channel.samples =
         Eigen::Map<const Eigen::VectorXd>(column.data(), static_cast<Eigen::Index>(column.size()));
     recording.channels.push_back(std::move(channel));
