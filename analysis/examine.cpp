@@ -168,6 +168,24 @@ void gather(std::vector<ChannelResult> results, Examination& e) {
   }
 }
 
+// What indicators leave out for a speed that was stated, and why.
+void tell_unplaced(const ShaftAngle& angle, const Kinematics& kinematics, Examination& e) {
+  std::string meshes;
+  for (const CharacteristicOrder& o : kinematics.orders) {
+    if (!o.mesh) continue;
+    if (is_placed(o.order, e.periods * kinematics.period_turns, speed_error(angle.is_measured()))) {
+      continue;
+    }
+    meshes += (meshes.empty() ? "" : ", ") + o.name;
+  }
+  if (meshes.empty()) return;
+  e.quality.push_back(
+      {e.source,
+       "no sideband ratio, FM0, FM4 and NA4 of " + meshes +
+           ": the speed is stated, and no angle measured that would place its lines",
+       false});
+}
+
 // A shaft that goes to and fro tells of the reducer's torsion, and nothing of what turns.
 void examine_hysteresis(const Recording& record, const Kinematics& kinematics, Examination& e) {
   e.of_hysteresis = true;
@@ -218,6 +236,7 @@ Examination examine(const Recording& record, const Kinematics& kinematics,
   });
   mark_repeated(channels, results);
   gather(std::move(results), e);
+  tell_unplaced(*angle, kinematics, e);
   e.indicators = shaft_indicators(record, *angle, kinematics);
   e.resolvable = e.periods >= fewest_periods;
   if (!e.resolvable) {

@@ -191,6 +191,26 @@ TEST_CASE("the report says first what the verdict is", "[bench]") {
   }
 }
 
+TEST_CASE("the matrix trusts a hysteresis test that could tell, and no other", "[bench]") {
+  ReportInput input;
+  input.kinematics = rv20e();
+  input.judgement = test::passed_run();
+  const auto boxes = [&](const JudgedPoint& point) {
+    input.judgement.points = {point};
+    const std::string html = make_report(input);
+    const auto map = html.find("<div class=\"map\">");
+    REQUIRE(map != std::string::npos);
+    return html.substr(map, html.find("<p class=\"note\">", map) - map);
+  };
+  JudgedPoint wound = test::wound_point();
+  CHECK_THAT(boxes(wound), Contains(">loop</span>") && !Contains("spoiled"));
+  wound.examination.quality = {{"recording.h5#001", "cannot tell: the output slips", true}};
+  CHECK_THAT(boxes(wound), Contains("cell spoiled") && Contains(">data</span>"));
+  JudgedPoint brief = test::recorded_point();
+  brief.examination.resolvable = false;
+  CHECK_THAT(boxes(brief), Contains("cell spoiled") && Contains(">short</span>"));
+}
+
 TEST_CASE("the report shows beside each other what four ways find in an envelope", "[bench]") {
   ReportInput input = failed_input();
   input.kinematics.signatures[0].order = 1;
