@@ -23,7 +23,7 @@ PeriodGrid period_grid(const RobotOptions& options);
 /// f(t) = Σ Re(F·e^{iωt}).
 ///
 /// Each joint  its input shaft (orders 1, 2) and a 100 Hz family (harmonics 1-4), a harmonic
-///             drive's family at 0.4 of the others'; each path within a factor of 1.35, phases
+///             drive's family at 0.4 of the others'; each path within a factor of 2, phases
 ///             drawn
 /// Joint 3     a faulty input shaft adds orders 1-3 of the shaft, order 1 four times that of a
 /// sound shaft, and sidebands of first and second order at the family's harmonics Broadband density

@@ -312,7 +312,7 @@ TEST_CASE("what noise could hide is no pass", "[bench][limits]") {
   const Judgement noisy = of_silent_crank(0.04, {});
   CHECK(noisy.ending.outcome == Outcome::invalid);
   CHECK(noisy.ending.reason ==
-        "cannot tell crank: eccentricity: noise hides depths up to 0.26, its limit is 0.20");
+        "cannot tell crank: eccentricity: noise hides depths up to 0.257, its limit is 0.2");
   const Judgement blind = of_silent_crank(0, {});
   CHECK(blind.ending.outcome == Outcome::invalid);
   CHECK(blind.ending.reason ==
