@@ -9,8 +9,7 @@ namespace rvbench::analysis {
 struct FrozenSamples {
   Eigen::Index first = 0;
   Eigen::Index count = 0;
-  Eigen::Index usual =
-      0;  ///< samples: as many are the same elsewhere, but for one run in a thousand
+  Eigen::Index usual = 0;  ///< as many are the same elsewhere, but for one run in a thousand
 };
 
 /// The longest run of identical samples, if it is more than ten times as long as the converter's

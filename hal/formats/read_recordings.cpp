@@ -73,9 +73,8 @@ std::string contradiction(double speed_rpm, const Recording& recording) {
   const bool measured = recording.find(channel_names::input_angle) != nullptr;
   if (measured || !(stated_rpm > 0) || !differs(speed_rpm, stated_rpm, most_slip)) return "";
   return fmt::format(
-      "says {:.5g} rpm, {} rpm were given: one of them is wrong, and with it every order. Leave "
-      "the "
-      "one out, or write the file anew without the other",
+      "says {:.5g} rpm, {} rpm were given: one of them is wrong, and with it every order. "
+      "Leave the one out, or write the file anew without the other",
       stated_rpm, speed_rpm);
 }
 
