@@ -174,6 +174,10 @@ std::vector<hal::ConfigFault> limits_on_unknown_parts(const std::vector<sequence
   return faults;
 }
 
+bool can_be_trusted(const Judgement& judgement) {
+  return trust_in(judgement).outcome == Outcome::pass;
+}
+
 JudgedPoint judge_point(const Recording& record, const analysis::Kinematics& kinematics,
                         const analysis::ExamineOptions& options) {
   JudgedPoint point;

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "analysis/frf/force_pulse.hpp"
-#include "analysis/statistics.hpp"
 #include "hal/types/require.hpp"
 
 namespace rvbench::analysis {
@@ -19,7 +18,6 @@ std::vector<FrfRecord> find_hits(const FrfRecord& record, const HitSearch& searc
   require(search.least_share > 0 && search.least_share < 1, "least_share must be within 0 and 1");
   const ForcePulse strongest = force_pulse(record.excitations.col(0));
   const Eigen::VectorXd raw = record.excitations.col(0);
-  const double rest = median(std::vector<double>(raw.data(), raw.data() + raw.size()));
   const double sign = strongest.height < 0 ? -1 : 1;
   const double trigger = std::max(search.least_share * std::abs(strongest.height),
                                   ForcePulse::noise_widths * strongest.noise);
@@ -27,7 +25,7 @@ std::vector<FrfRecord> find_hits(const FrfRecord& record, const HitSearch& searc
   const auto length = Eigen::Index(std::lround(search.length_s * record.rate_Hz));
 
   std::vector<FrfRecord> hits;
-  const auto is_up = [&](Eigen::Index i) { return sign * (raw[i] - rest) > trigger; };
+  const auto is_up = [&](Eigen::Index i) { return sign * (raw[i] - strongest.rest) > trigger; };
   for (Eigen::Index i = 0; i < raw.size(); ++i) {
     if (!is_up(i) || (i > 0 && is_up(i - 1))) continue;
     const Eigen::Index from = std::max<Eigen::Index>(i - before, 0);

@@ -39,9 +39,9 @@ double median_of(const Eigen::VectorXd& x) {
 ForcePulse force_pulse(const Eigen::Ref<const Eigen::VectorXd>& force) {
   constexpr Require require{"force_pulse"};
   require(force.size() >= 16 && force.allFinite(), "needs 16 finite samples or more");
-  const double rest = median_of(force);
-  Eigen::VectorXd x = force.array() - rest;
   ForcePulse pulse;
+  pulse.rest = median_of(force);
+  Eigen::VectorXd x = force.array() - pulse.rest;
   x.cwiseAbs().maxCoeff(&pulse.peak);
   pulse.height = x[pulse.peak];
   pulse.noise = sigma_of_deviation * median_of(x.cwiseAbs());

@@ -9,12 +9,19 @@ struct ForcePulse {
   Eigen::Index first = 0;  ///< where it rises above a tenth of its peak
   Eigen::Index peak = 0;
   Eigen::Index last = 0;     ///< last sample above a tenth
-  double height = 0;         ///< at the peak, over what rests before it; signed, in [u]
+  double rest = 0;           ///< median of the force, in [u]
+  double height = 0;         ///< at the peak, over rest; signed, in [u]
   double noise = 0;          ///< standard deviation away from the pulse, in [u]
   double second_height = 0;  ///< largest rise after the force had fallen, before or after the pulse
   Eigen::Index second = 0;   ///< where that is
 
   Eigen::Index width() const { return last - first + 1; }
+  /// Samples from the record's first on that are surely before the hit; 0 if they are too few for
+  /// a mean to be told.
+  Eigen::Index samples_at_rest() const {
+    constexpr Eigen::Index fewest = 8;
+    return first - width() < fewest ? 0 : first - width();
+  }
   /// How much of the pulse the second one is.
   double second_share() const { return second_height / std::abs(height); }
   /// A second pulse of less than this share cannot be told from noise.

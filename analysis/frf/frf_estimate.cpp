@@ -79,10 +79,10 @@ LineEstimate estimate_line(const Eigen::MatrixXcd& gxx, const Eigen::MatrixXcd& 
 }
 
 EstimatedResponse pair_of(const std::vector<LineEstimate>& lines, const CrossSpectra& spectra,
-                          Eigen::Index i, Eigen::Index j) {
+                          double freedom, Eigen::Index i, Eigen::Index j) {
   const auto n = Eigen::Index(lines.size());
   EstimatedResponse pair;
-  pair.freedom = std::max(spectra.averages - double(spectra.cross.front().cols()), 0.0);
+  pair.freedom = freedom;
   FrequencyResponse& frf = pair.response;
   frf.step_Hz = spectra.step_Hz;
   frf.averages = spectra.records;
@@ -134,7 +134,7 @@ FrfEstimates estimate_responses(const CrossSpectra& spectra, const FrfSetup& set
   FrfEstimates estimates;
   for (Eigen::Index i = 0; i < r; ++i) {
     for (Eigen::Index j = 0; j < e; ++j) {
-      EstimatedResponse pair = pair_of(lines, spectra, i, j);
+      EstimatedResponse pair = pair_of(lines, spectra, freedom, i, j);
       pair.response.source = fmt::format("{}: {}", source, to_string(estimator));
       pair.response.response = setup.responses[std::size_t(i)].place;
       pair.response.response_unit = setup.responses[std::size_t(i)].unit;

@@ -16,7 +16,6 @@ namespace {
 
 constexpr Eigen::Index shortest_flat_top = 3;
 constexpr double steps_of_a_cut = 4;
-constexpr Eigen::Index fewest_at_rest = 8;
 constexpr double surely_no_noise = 1e-6;  // p-value
 
 std::string place_of(const FrfChannel& channel) {
@@ -144,12 +143,12 @@ class Judge {
   void judge_decay(const FrfRecord& windowed) {
     const Eigen::Index n = windowed.responses.rows();
     const Eigen::Index end = std::max<Eigen::Index>(n / 20, 4);
-    const Eigen::Index rest = hit_.pulse.first - hit_.pulse.width();
+    const Eigen::Index rest = hit_.pulse.samples_at_rest();
     const double at_end = exponential_window(n, record_.rate_Hz, windows_.decay_s)[n - end / 2];
     for (std::size_t r = 0; r < setup_.responses.size(); ++r) {
       const Eigen::VectorXd x = windowed.responses.col(Eigen::Index(r));
       double power = x.tail(end).squaredNorm() / double(end);
-      if (rest >= fewest_at_rest) {
+      if (rest > 0) {
         const Eigen::VectorXd before = record_.responses.col(Eigen::Index(r)).head(rest);
         const double noise = (before.array() - before.mean()).square().mean() * at_end * at_end;
         const double p =

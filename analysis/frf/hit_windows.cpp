@@ -12,12 +12,10 @@ namespace rvbench::analysis {
 
 namespace {
 
-constexpr Eigen::Index fewest_at_rest = 8;
-
 // Mean of what comes before the pulse and its foot; 0 if that is too short to tell.
 Eigen::RowVectorXd rest_before(const Eigen::MatrixXd& x, const ForcePulse& pulse) {
-  const Eigen::Index at_rest = pulse.first - pulse.width();
-  if (at_rest < fewest_at_rest) return Eigen::RowVectorXd::Zero(x.cols());
+  const Eigen::Index at_rest = pulse.samples_at_rest();
+  if (at_rest == 0) return Eigen::RowVectorXd::Zero(x.cols());
   return x.topRows(at_rest).colwise().mean();
 }
 

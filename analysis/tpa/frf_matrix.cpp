@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/frf/signed_axis.hpp"
+
 namespace rvbench::analysis {
 namespace {
 
@@ -18,11 +20,9 @@ struct Signed {
 };
 
 Signed positive(DegreeOfFreedom place) {
-  if (place.direction.empty()) return {place, 1};
-  const char first = place.direction.front();
-  if (first != '-' && first != '+') place.direction.insert(0, 1, '+');
-  if (first == '-') place.direction[0] = '+';
-  return {place, first == '-' ? -1. : 1.};
+  const SignedAxis along = axis_of(place.direction);
+  if (!place.direction.empty()) place.direction = "+" + along.axis;
+  return {place, along.sign};
 }
 
 std::string name_of(const DegreeOfFreedom& place) {

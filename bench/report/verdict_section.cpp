@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/judging.hpp"
 #include "bench/limit_checks.hpp"
 #include "bench/report/html.hpp"
 #include "bench/report/sections.hpp"
@@ -16,17 +17,11 @@ const char* class_of(Outcome outcome) {
   return outcome == Outcome::fail ? "fail" : "other";
 }
 
-// Whether what was recorded is why nothing can be said.
+// Whether what was recorded is why nothing can be said: a point, or that nothing in any of them
+// confirms the machine.
 bool is_spoiled(const Judgement& judgement) {
-  const auto invalidates = [](const std::vector<analysis::QualityNote>& notes) {
-    return std::ranges::any_of(notes, &analysis::QualityNote::invalidates);
-  };
-  bool turned = false;  // a shaft that was wound to and fro has no orders to resolve
-  for (const JudgedPoint& point : judgement.points) {
-    if (point.status != "ok" || invalidates(point.examination.quality)) return true;
-    turned |= !point.examination.of_hysteresis;
-  }
-  return invalidates(judgement.diagnosis.quality) || (turned && !judgement.diagnosis.resolvable);
+  return !can_be_trusted(judgement) ||
+         std::ranges::any_of(judgement.diagnosis.quality, &analysis::QualityNote::invalidates);
 }
 
 const char* meaning_of_invalid(const Judgement& judgement) {

@@ -155,11 +155,11 @@ Result<std::vector<Recording>> read(const std::filesystem::path& file) {
   }
   std::vector<Recording>& recordings = gathered.recordings;
   if (recordings.empty()) return bad_file(file, holds_instead(datasets, other_types));
+  const std::vector<std::string> notes = header_notes(datasets);
   for (std::size_t i = 0; i < recordings.size(); ++i) {
     Recording& recording = recordings[i];
     recording.source = file.string();
     if (recordings.size() > 1) recording.source += fmt::format("#{}", i + 1);
-    const std::vector<std::string> notes = header_notes(datasets);
     recording.notes.insert(recording.notes.begin(), notes.begin(), notes.end());
     name_apart(recording.channels);
   }

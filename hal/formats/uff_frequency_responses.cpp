@@ -123,8 +123,8 @@ Result<std::vector<FrequencyResponse>> read_uff_frequency_responses(
         file, fmt::format("holds {}{}, no frequency response", contents_of(datasets), others));
   }
   for (const FrequencyResponse& coherence : coherences) attach(coherence, responses);
+  const std::vector<std::string> notes = header_notes(datasets);
   for (FrequencyResponse& response : responses) {
-    const std::vector<std::string> notes = header_notes(datasets);
     response.notes.insert(response.notes.begin(), notes.begin(), notes.end());
   }
   return responses;
