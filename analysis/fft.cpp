@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -12,28 +13,27 @@
 namespace rvbench::analysis {
 namespace {
 
-struct DestroyPlan {
-  void operator()(fftw_plan plan) const { fftw_destroy_plan(plan); }
-};
-using Plan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, DestroyPlan>;
-
-// Planning costs about as much as executing, so each thread keeps the plans of its last lengths.
-// FFTW's planner shares state between threads; its own lock makes planning and destroying safe,
-// executing is so anyway.
+// Keeps the plans of the last lengths, for all threads: planning costs about as much as executing,
+// and executing one plan at several places at once is safe.
 class Plans {
  public:
+  using Plan = std::shared_ptr<std::remove_pointer_t<fftw_plan>>;
+
   template <class Make>
-  fftw_plan find_or_make(Eigen::Index n, Make make) {
+  Plan find_or_make(Eigen::Index n, Make make) {
+    // The planner is shared by all kinds of transforms.
     static const bool planner_is_safe = (fftw_make_planner_thread_safe(), true);
     static_cast<void>(planner_is_safe);
-    if (const auto known = plans_.find(n); known != plans_.end()) return known->second.get();
+    const std::lock_guard lock(mutex_);
+    if (const auto known = plans_.find(n); known != plans_.end()) return known->second;
     if (plans_.size() == most_lengths) plans_.clear();
-    return plans_.emplace(n, Plan(make(static_cast<int>(n)))).first->second.get();
+    return plans_.emplace(n, Plan(make(static_cast<int>(n)), fftw_destroy_plan)).first->second;
   }
 
  private:
-  // More than one channel of a judgement asks for: it would plan each length anew per channel.
-  static constexpr std::size_t most_lengths = 24;
+  // More than the channels of a judgement ask for: each length would be planned anew per channel.
+  static constexpr std::size_t most_lengths = 48;
+  std::mutex mutex_;
   std::map<Eigen::Index, Plan> plans_;
 };
 
@@ -43,10 +43,10 @@ fftw_complex* as_fftw(Eigen::VectorXcd& lines) {
 
 Eigen::VectorXcd transformed(Plans& plans, Eigen::VectorXcd x, int sign) {
   if (x.size() == 0) return x;
-  const fftw_plan plan = plans.find_or_make(x.size(), [&](int n) {
+  const Plans::Plan plan = plans.find_or_make(x.size(), [&](int n) {
     return fftw_plan_dft_1d(n, as_fftw(x), as_fftw(x), sign, FFTW_ESTIMATE);
   });
-  fftw_execute_dft(plan, as_fftw(x), as_fftw(x));
+  fftw_execute_dft(plan.get(), as_fftw(x), as_fftw(x));
   return x;
 }
 
@@ -56,11 +56,11 @@ Eigen::VectorXcd fft(const Eigen::Ref<const Eigen::VectorXd>& x) {
   // A copy, aligned as Eigen aligns all: a plan holds for one alignment, and rounds alike then.
   Eigen::VectorXd in = x;
   Eigen::VectorXcd lines(x.size() / 2 + 1);
-  thread_local Plans plans;
-  const fftw_plan plan = plans.find_or_make(x.size(), [&](int n) {
+  static Plans plans;
+  const Plans::Plan plan = plans.find_or_make(x.size(), [&](int n) {
     return fftw_plan_dft_r2c_1d(n, in.data(), as_fftw(lines), FFTW_ESTIMATE);
   });
-  fftw_execute_dft_r2c(plan, in.data(), as_fftw(lines));
+  fftw_execute_dft_r2c(plan.get(), in.data(), as_fftw(lines));
   return lines;
 }
 
@@ -70,21 +70,21 @@ Eigen::VectorXd inverse_fft(Eigen::VectorXcd lines, Eigen::Index n) {
                                 " lines cannot make " + std::to_string(n) + " samples");
   }
   Eigen::VectorXd x(n);
-  thread_local Plans plans;
-  const fftw_plan plan = plans.find_or_make(n, [&](int size) {
+  static Plans plans;
+  const Plans::Plan plan = plans.find_or_make(n, [&](int size) {
     return fftw_plan_dft_c2r_1d(size, as_fftw(lines), x.data(), FFTW_ESTIMATE);
   });
-  fftw_execute_dft_c2r(plan, as_fftw(lines), x.data());
+  fftw_execute_dft_c2r(plan.get(), as_fftw(lines), x.data());
   return x / static_cast<double>(n);
 }
 
 Eigen::VectorXcd complex_fft(Eigen::VectorXcd x) {
-  thread_local Plans plans;
+  static Plans plans;
   return transformed(plans, std::move(x), FFTW_FORWARD);
 }
 
 Eigen::VectorXcd inverse_complex_fft(Eigen::VectorXcd lines) {
-  thread_local Plans plans;
+  static Plans plans;
   const auto n = static_cast<double>(lines.size());
   Eigen::VectorXcd x = transformed(plans, std::move(lines), FFTW_BACKWARD);
   x /= n;
