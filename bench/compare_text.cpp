@@ -75,7 +75,7 @@ std::string unchanged_sentence(const analysis::ChangeCounts& counts) {
                         counts.cannot_tell);
   }
   if (counts.noise_changed > 0) {
-    text += fmt::format("The noise changed at {} where neither shows a line. ",
+    text += fmt::format("The noise changed at {} where no line is seen. ",
                         counted(counts.noise_changed, "place"));
   }
   return text;
@@ -85,7 +85,7 @@ std::string unchanged_sentence(const analysis::ChangeCounts& counts) {
 std::string scatter_sentence(const Comparison& comparison) {
   const auto has = [&](analysis::ScatterSource source) {
     return std::ranges::any_of(comparison.changes,
-                               [&](const Change& c) { return c.source == source; });
+                               [&](const Change& c) { return c.source == source && !c.taken; });
   };
   std::string text;
   if (has(analysis::ScatterSource::parts)) {
@@ -101,6 +101,11 @@ std::string scatter_sentence(const Comparison& comparison) {
 
 std::string p_text(double p_value) {
   return p_value < 1e-15 ? "p < 1e-15" : fmt::format("p {:.1e}", p_value);
+}
+
+// "planet gear (tooth damage)"
+std::string signature_text(const analysis::Signature& signature) {
+  return report::spoken(signature.component) + " (" + report::spoken(signature.mechanism) + ")";
 }
 
 std::string order_of(const analysis::Quantity& quantity, double period_turns) {
@@ -168,10 +173,12 @@ std::string spoken_word(analysis::ChangeWord word) {
 
 std::string family_text(const analysis::FamilyHeadline& family,
                         const analysis::Kinematics& kinematics) {
-  const analysis::Signature& signature = kinematics.signatures.at(family.family);
-  return report::spoken(signature.component) + " (" + report::spoken(signature.mechanism) +
-         fmt::format("): {:.0f} % of its lines, by {}", 100 * family.share(),
-                     change_text(family.median_dB));
+  std::string text = signature_text(kinematics.signatures.at(family.family));
+  for (const std::size_t other : family.or_of) {
+    text += " or " + signature_text(kinematics.signatures.at(other));
+  }
+  return text + fmt::format(": {:.0f} % of its lines, by {}", 100 * family.share(),
+                            change_text(family.median_dB));
 }
 
 std::string compare_sentence(const Comparison& comparison, const analysis::Kinematics& kinematics) {
@@ -190,6 +197,8 @@ std::string compare_reservation(const Comparison& comparison) {
   return text;
 }
 
+double ratio_from_dB(double dB) { return std::pow(10, dB / 20); }
+
 std::string change_text(double change_dB) {
   return std::isfinite(change_dB) ? fmt::format("{:+.1f} dB", change_dB) : "–";
 }
@@ -197,8 +206,8 @@ std::string change_text(double change_dB) {
 std::string levels_text(const Change& change, const Comparison& comparison) {
   const bool has_unit = comparison.quantities[change.quantity].is_line() || change.quantity < 2;
   const std::string& unit = comparison.channels[change.channel].unit;
-  return fmt::format("{:.3g} → {:.3g}{}", std::pow(10, change.a_dB / 20),
-                     std::pow(10, change.b_dB / 20), has_unit && !unit.empty() ? " " + unit : "");
+  return fmt::format("{:.3g} → {:.3g}{}", ratio_from_dB(change.a_dB), ratio_from_dB(change.b_dB),
+                     has_unit && !unit.empty() ? " " + unit : "");
 }
 
 std::string place_text(const Change& change, const Comparison& comparison) {

@@ -25,6 +25,9 @@ std::string compare_reservation(const analysis::Comparison& comparison);
 std::string family_text(const analysis::FamilyHeadline& family,
                         const analysis::Kinematics& kinematics);
 
+/// Of two amplitudes that are so many dB apart; of a level the amplitude itself, in its unit.
+double ratio_from_dB(double dB);
+
 /// "+6.1 dB"
 std::string change_text(double change_dB);
 

@@ -20,7 +20,7 @@ struct Gathered {
 
 void gather(const Comparison& comparison, std::size_t index, Gathered& into) {
   const Change& change = comparison.changes[index];
-  if (!change.is_seen()) return;
+  if (!change.seen) return;
   ++into.headline.compared;
   if (change.word != ChangeWord::changed) return;
   const bool first = into.changes_dB.empty();
@@ -41,6 +41,15 @@ Headline completed(Gathered gathered) {
   headline.most_dB = *most;
   headline.median_dB = median(std::move(gathered.changes_dB));
   return headline;
+}
+
+std::vector<std::size_t> unparted_from(std::size_t family, const Comparison& comparison) {
+  std::vector<std::size_t> others;
+  for (const auto& [one, other] : comparison.unparted) {
+    if (one == family) others.push_back(other);
+    if (other == family) others.push_back(one);
+  }
+  return others;
 }
 
 double weight(const Headline& h) { return static_cast<double>(h.changed) * std::abs(h.median_dB); }
@@ -70,7 +79,7 @@ std::vector<FamilyHeadline> family_headlines(const Comparison& comparison) {
       FamilyHeadline& headline = families[family];
       headline.family = family;
       ++headline.compared;
-      if (!change.is_seen() || change.word != ChangeWord::changed) continue;
+      if (!change.seen || change.word != ChangeWord::changed) continue;
       ++headline.changed;
       changes_dB[family].push_back(change.change_dB);
     }
@@ -79,6 +88,7 @@ std::vector<FamilyHeadline> family_headlines(const Comparison& comparison) {
   for (auto& [family, changes] : changes_dB) {
     told.push_back(families[family]);
     told.back().median_dB = median(std::move(changes));
+    told.back().or_of = unparted_from(family, comparison);
   }
   std::ranges::stable_sort(told, std::greater<>(), [](const FamilyHeadline& f) {
     return f.share() * std::min(std::abs(f.median_dB), strong_dB);
@@ -91,7 +101,7 @@ ChangeCounts counts_of(const Comparison& comparison) {
   std::vector<double> detectable_dB;
   for (const Change& change : comparison.changes) {
     const bool changed = change.word == ChangeWord::changed;
-    if (!change.is_seen()) {
+    if (!change.seen) {
       counts.noise_changed += changed ? 1 : 0;
     } else if (changed) {
       ++counts.changed;

@@ -25,9 +25,10 @@ std::vector<Headline> headlines(const Comparison& comparison);
 /// Lines of one signature of the kinematics, over points and channels.
 struct FamilyHeadline {
   std::size_t family = 0;        ///< index into Kinematics::signatures
-  std::size_t compared = 0;      ///< cells of its lines, seen or not
+  std::size_t compared = 0;      ///< cells of its lines, seen or not, and those that are taken
   std::size_t changed = 0;       ///< of these, seen and changed
   double median_dB = not_known;  ///< of those changed
+  std::vector<std::size_t> or_of = {};  ///< other signatures whose lines these may as well be
 
   double share() const { return static_cast<double>(changed) / static_cast<double>(compared); }
 };
@@ -38,10 +39,10 @@ struct FamilyHeadline {
 /// Shape   at most one per signature. Units  dB. Errors  none thrown. Source  ours
 std::vector<FamilyHeadline> family_headlines(const Comparison& comparison);
 
-/// Cells by their word; lines that neither A nor B shows are counted apart.
+/// Cells by their word; lines that are not seen are counted apart.
 struct ChangeCounts {
   std::size_t changed = 0, not_changed = 0, cannot_tell = 0;
-  std::size_t noise_changed = 0;            ///< at places of lines that neither shows
+  std::size_t noise_changed = 0;            ///< at places of lines that are not seen
   double median_detectable_dB = not_known;  ///< of those not changed
 };
 

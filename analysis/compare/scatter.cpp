@@ -69,7 +69,7 @@ std::vector<Scatter> drawn_together(std::vector<Scatter> estimates) {
   for (const Scatter& s : estimates) all += s.freedom;
   const double weight = std::min(prior.freedom, all);
   for (Scatter& s : estimates) {
-    if (!(s.freedom > 0)) continue;
+    if (!(s.freedom > 0) || s.freedom > prior.freedom) continue;
     s.variance = (weight * prior.variance + s.freedom * s.variance) / (weight + s.freedom);
     s.freedom = std::min(weight + s.freedom, all);
   }

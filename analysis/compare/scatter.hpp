@@ -24,7 +24,9 @@ Scatter pooled_scatter(const std::vector<double>& a, const std::vector<double>& 
 /// is next to 0 and each stays itself.
 ///
 /// Shape   one for each, in their order. Units  one, for all. Errors  none thrown
-/// Limits  fewer than 10 that are above 0 and have freedom: all stay as they are. A sum is never
+/// Limits  an estimate of more freedom than d₀ stays itself: where they are of so many kinds they
+///         need not be of this distribution, and p-values of the larger ones would be too small.
+///         Fewer than 10 that are above 0 and have freedom: all stay as they are. A sum is never
 ///         worth more freedom than all estimates have together
 /// Source  Smyth, Stat. Appl. Genet. Mol. Biol. 3(1), article 3 (2004), section 6.2
 std::vector<Scatter> drawn_together(std::vector<Scatter> estimates);
