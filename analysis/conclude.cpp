@@ -68,6 +68,10 @@ void list_lines(const Evidence& evidence, Finding& finding) {
   }
 }
 
+std::string name_of(const Signature& s) {
+  return fmt::format("{}: {} at order {:.4g}", s.component, s.mechanism, s.order);
+}
+
 // Gears of one shaft have all their lines in common, and the first of them speaks for all.
 std::optional<std::size_t> spoken_for_by(std::size_t signature, const Kinematics& kinematics) {
   constexpr double near = 1e-6;
@@ -90,8 +94,7 @@ std::vector<std::string> rivals_of(const Evidence& evidence, const Growth& load,
        equal_explanations(*evidence.scores[deepest], kinematics, resolution)) {
     const Signature& rival = kinematics.signatures[s];
     if (p_value_of_growth(load, rival.load_growth) < fits_at) continue;
-    rivals.push_back(
-        fmt::format("{}: {} at order {:.4g}", rival.component, rival.mechanism, rival.order));
+    rivals.push_back(name_of(rival));
   }
   return rivals;
 }
@@ -129,8 +132,7 @@ void be_spoken_for(Finding& f, const std::vector<Examination>& points, const Kin
   const Finding known = weigh(other, gather(points, speaker), 1);
   f.severity_low = 0;
   f.severity_high = known.severity_high;
-  f.cannot_tell_from = {
-      fmt::format("{}: {} at order {:.4g}", other.component, other.mechanism, other.order)};
+  f.cannot_tell_from = {name_of(other)};
 }
 
 // Adds where and how the points show it.
@@ -212,8 +214,10 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
   for (std::size_t s = 0; s < kinematics.signatures.size(); ++s) {
     Evidence evidence = gather(points, s);
     Finding f = weigh(kinematics.signatures[s], evidence, tests);
-    if (const auto speaker = spoken_for_by(s, kinematics); speaker && evidence.all.empty()) {
-      be_spoken_for(f, points, kinematics, *speaker);
+    if (evidence.all.empty()) {
+      if (const auto speaker = spoken_for_by(s, kinematics)) {
+        be_spoken_for(f, points, kinematics, *speaker);
+      }
     }
     if (!evidence.shows(tests) || f.p_value >= significant_p) {
       d.not_shown.push_back(std::move(f));

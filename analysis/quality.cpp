@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/quality/clipping.hpp"
 #include "analysis/spectral_lines.hpp"
 
 namespace rvbench::analysis {
@@ -11,22 +12,6 @@ namespace {
 constexpr Eigen::Index fewest_samples = 256;
 // No accelerometer on a machine that turns shows one and the same value for that long.
 constexpr double standstill_s = 0.5;
-
-// Samples in runs of three or more that stay at the largest magnitude: what clipping leaves.
-Eigen::Index samples_at_extreme(const Eigen::VectorXd& x) {
-  const double top = x.cwiseAbs().maxCoeff();
-  Eigen::Index count = 0;
-  Eigen::Index run = 0;
-  for (Eigen::Index i = 0; i <= x.size(); ++i) {
-    if (i < x.size() && std::abs(x[i]) >= top * (1 - 1e-9)) {
-      ++run;
-    } else {
-      if (run >= 3) count += run;
-      run = 0;
-    }
-  }
-  return count;
-}
 
 // The longest stretch of samples that are all the same.
 Eigen::Index longest_standstill(const Eigen::VectorXd& x) {
@@ -90,7 +75,7 @@ std::vector<QualityNote> channel_quality(const Channel& channel, double clip_lev
   if (x.maxCoeff() == x.minCoeff()) return bad("dead: every sample is the same");
   const Eigen::Index clipped = std::isfinite(clip_level)
                                    ? (x.array().abs() >= 0.999 * clip_level).count()
-                                   : samples_at_extreme(x);
+                                   : clipped_samples(x);
   if (clipped > 0) return bad("clipped: " + std::to_string(clipped) + " samples at full scale");
   return {};
 }

@@ -13,7 +13,7 @@ namespace rvbench::analysis {
 std::vector<const Channel*> acceleration_channels(const Recording& record);
 
 /// What is wrong with the data of one channel: lost samples, dead, clipped, too few samples.
-/// @param clip_level  full scale; NaN: clipping is recognised by runs at the extreme value
+/// @param clip_level  full scale; NaN: clipping is what clipped_samples() finds
 /// Shape   at most one note, the gravest; units of the channel
 /// Errors  none thrown: what is not finite counts as lost
 /// Source  ours: each is what no sensor's own noise leaves

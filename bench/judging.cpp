@@ -62,8 +62,9 @@ Ending trust_in(const Judgement& judgement) {
 std::string first_beyond(const Judgement& judgement) {
   if (!judgement.diagnosis.findings.empty()) {
     const analysis::Finding& worst = judgement.diagnosis.findings.front();
-    return fmt::format("{}: {} at order {:.4g}, modulation depth {:.2f} above its limit {:.2f}",
-                       worst.component, worst.mechanism, worst.order, worst.severity, worst.limit);
+    return fmt::format("{}: {} at order {:.4g}, modulation depth {:.3g} above its limit {:.3g}{}",
+                       worst.component, worst.mechanism, worst.order, worst.severity, worst.limit,
+                       worst.severity_low <= worst.limit ? ", but not surely" : "");
   }
   const auto check = std::ranges::find_if(judgement.limits, is_beyond);
   if (check == judgement.limits.end()) return "";
@@ -80,7 +81,7 @@ std::string first_open(const analysis::Diagnosis& diagnosis) {
   if (std::isnan(open->severity_high)) {
     return part + fmt::format(": no line of its order {:.4g} can be read", open->order);
   }
-  return part + fmt::format(": noise hides depths up to {:.2f}, its limit is {:.2f}",
+  return part + fmt::format(": noise hides depths up to {:.3g}, its limit is {:.3g}",
                             open->severity_high, open->limit);
 }
 
@@ -171,6 +172,10 @@ std::vector<hal::ConfigFault> limits_on_unknown_parts(const std::vector<sequence
                                              hal::in_quotes(of), hal::what_there_is(of, places)));
   }
   return faults;
+}
+
+bool can_be_trusted(const Judgement& judgement) {
+  return trust_in(judgement).outcome == Outcome::pass;
 }
 
 JudgedPoint judge_point(const Recording& record, const analysis::Kinematics& kinematics,

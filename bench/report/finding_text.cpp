@@ -23,6 +23,11 @@ std::string severity_text(const analysis::Finding& finding) {
                      finding.severity_high);
 }
 
+std::string p_text(double p_value) {
+  if (!std::isfinite(p_value)) return "–";
+  return p_value < 1e-15 ? "< 1e-15" : fmt::format("{:.1e}", p_value);
+}
+
 std::string growth_text(const analysis::Finding& finding) {
   std::string text;
   if (std::isfinite(finding.growth.load.exponent)) text = power_of("load", finding.growth.load);

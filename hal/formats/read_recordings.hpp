@@ -20,11 +20,13 @@ struct RecordingHints {
 };
 
 /// Reads a recording of any supported format, chosen by content, then by extension: rvbench's own
-/// HDF5, MAT v5 (numeric arrays), CSV.
+/// HDF5, MAT v5 (numeric arrays), TDMS, WAV, UFF (time responses of 58 and 58b), CSV.
 ///
 /// Rate     of channels is 0 if neither file nor hints give it: it is never guessed, ask the user
-/// Units    as the file says; "" if it says none
+/// Units    SI where they are known, with a note of what values were multiplied by; else as the
+///          file says, "" if it says none
 /// Samples  NaN where the file says so: a lost sample
+/// Status   "ok"; "INVALID: ..." where the file holds other counts than it declares
 /// Errors   "<file>: <variable or line:column>: <what>"; at least one recording with samples
 ///          otherwise. @throws std::invalid_argument if a hint is not above 0
 Result<std::vector<Recording>> read_recordings(const std::filesystem::path& file,

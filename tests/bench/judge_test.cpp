@@ -159,6 +159,56 @@ TEST_CASE("a column that only rises is time, not vibration", "[bench]") {
   CHECK_THAT(no_rate.err, Contains("give it with --rate HZ (" + told + ")"));
 }
 
+TEST_CASE("a column of time is read in the unit that its name ends in", "[bench]") {
+  const ScratchFolder scratch;
+  const auto [name, per_s] = GENERATE(table<std::string, double>(
+      {{"time_ms", 1e3}, {"time_us", 1e6}, {"t [ms]", 1e3}, {"time (µs)", 1e6}, {"time_s", 1}}));
+  CAPTURE(name);
+  const auto file = scratch.path() / "timed.csv";
+  std::ofstream out(file);
+  out << name << ",a\n";
+  for (int i = 0; i < 1000; ++i) {
+    out << i * per_s / rate_Hz << ',' << std::sin(i) << '\n';
+  }
+  out.close();
+  CHECK_THAT(judge(file.string(), "cwru_6205", {"--speed", "1815"}).err,
+             Contains(name + " only rises, as no vibration does, and is left out; by the unit "
+                             "in its name it says 2000 Hz"));
+}
+
+TEST_CASE("a velocity is not judged as an acceleration", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string unit = GENERATE("v [mm/s]", "v_mm/s", "v (m/s)");
+  CAPTURE(unit);
+  std::ifstream in(unbalanced(scratch));
+  const auto file = scratch.path() / "v.csv";
+  std::ofstream out(file);
+  std::string line;
+  std::getline(in, line);
+  out << unit << ",a\n";
+  while (std::getline(in, line)) out << line << ',' << line << '\n';
+  out.close();
+  const Answer answer = judge(file.string(), "cwru_6205", right);
+  const auto channels = nlohmann::json::parse(answer.out).at("points").at(0).at("channels");
+  REQUIRE(channels.size() == 1);
+  CHECK(channels.at(0).at("name") == "a");
+  CHECK_THAT(answer.err,
+             Contains(unit + " is in ") && Contains("no acceleration, and is left out"));
+}
+
+TEST_CASE("a speed that the file states and that is none is told", "[bench]") {
+  const ScratchFolder scratch;
+  const double stated_rpm = GENERATE(0.0, -1797.0);
+  const auto file = scratch.path() / "a.mat";
+  std::ofstream(file, std::ios::binary)
+      << rvbench::test::mat5_file({rvbench::test::mat5_array("x", 3, 1, {1, 2, 3}),
+                                   rvbench::test::mat5_array("X105RPM", 1, 1, {stated_rpm})});
+  const Answer answer = judge(file.string(), "cwru_6205", {"--rate", "12000"});
+  CHECK(answer.code == 2);
+  CHECK_THAT(answer.err, Contains("give it with --speed RPM (X105RPM: ") &&
+                             Contains(" is no speed of a shaft that turns forward"));
+}
+
 TEST_CASE("time that jumps is no single rate: INVALID, unless a channel is asked for", "[bench]") {
   const ScratchFolder scratch;
   const std::string file = timed(scratch, [](double t_s) { return t_s < 2 ? t_s : t_s + 0.1; });

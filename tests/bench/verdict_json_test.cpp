@@ -103,6 +103,10 @@ TEST_CASE("what is not known is null, not zero", "[bench]") {
   CHECK(json.at("run").at("duration_s").is_null());
   CHECK(json.at("seed").is_null());
   CHECK(json.at("findings").at(0).at("table4_item").is_null());
+  const auto& limit = json.at("limits").at(0);
+  CHECK(limit.at("component").is_null());
+  CHECK(limit.at("of").is_null());
+  CHECK(limit.at("where") == "recording.h5#000, accel_1x");
 }
 
 TEST_CASE("a judgement read back says the same", "[bench]") {
