@@ -108,6 +108,7 @@ ordered_json families_json(const Comparison& comparison, const analysis::Kinemat
                     {"order", signature.order},
                     {"share_changed", f.share()},
                     {"median_dB", f.median_dB},
+                    {"range_dB", {f.least_dB, f.most_dB}},
                     {"or", ordered_json::array()}});
     for (const std::size_t other : f.or_of) {
       json.back()["or"].push_back({{"component", kinematics.signatures.at(other).component},

@@ -26,16 +26,29 @@ std::string counted(std::size_t count, const std::string& what) {
 }
 
 std::string named(const Headline& h, const Comparison& comparison) {
-  return fmt::format("{} by {} at {} of {}", comparison.quantities[h.quantity].name,
-                     change_text(h.median_dB), h.points,
-                     counted(comparison.points.size(), "point"));
+  const std::string text =
+      comparison.quantities[h.quantity].name + " by " + change_text(h.median_dB);
+  const std::size_t points = comparison.points.size();
+  return points == 1 ? text : fmt::format("{} at {} of {} points", text, h.points, points);
 }
 
-// Whose lines they are, if enough of a part's have changed.
+bool share_lines(std::size_t one, std::size_t other, const Comparison& comparison) {
+  return std::ranges::any_of(comparison.quantities, [&](const analysis::Quantity& q) {
+    return q.is_in(one) && q.is_in(other);
+  });
+}
+
+// Whose lines they are, if enough of a part's have changed; and of one that shares none with it.
 std::string family_sentence(const Comparison& comparison, const analysis::Kinematics& kinematics) {
-  const auto families = analysis::family_headlines(comparison);
-  if (families.empty() || families.front().share() < worth_naming) return "";
-  return "Most changed: " + family_text(families.front(), kinematics) + ". ";
+  std::vector<analysis::FamilyHeadline> families = analysis::family_headlines(comparison);
+  std::erase_if(families, [](const auto& f) { return f.share() < worth_naming; });
+  if (families.empty()) return "";
+  const std::size_t first = families.front().family;
+  const auto next = std::ranges::find_if(families, [&](const auto& f) {
+    return f.family != first && !share_lines(first, f.family, comparison);
+  });
+  return "Most changed: " + family_text(families.front(), kinematics) +
+         (next == families.end() ? "" : "; then " + family_text(*next, kinematics)) + ". ";
 }
 
 // "3 lines and 2 levels"
@@ -116,14 +129,18 @@ void print_headline(Console& console, const Headline& h, const Comparison& compa
                     double period_turns) {
   const analysis::Quantity& quantity = comparison.quantities[h.quantity];
   const Change& most = comparison.changes[h.strongest];
-  console.out << fmt::format(
-      "  {:>9}  {} ({}{})\n             {} to {}, in {} of {}, at {} of {}\n"
-      "             most at {}: {}, {:+.1f} ± {:.2g} dB, {}\n",
-      change_text(h.median_dB), quantity.name, order_of(quantity, period_turns),
-      quantity.component.empty() ? "" : ", " + quantity.component, change_text(h.least_dB),
-      change_text(h.most_dB), h.changed, counted(h.compared, "cell"), h.points,
-      counted(comparison.points.size(), "point"), place_text(most, comparison),
-      levels_text(most, comparison), most.change_dB, most.uncertainty_dB, p_text(most.adjusted_p));
+  console.out << fmt::format("  {:>9}  {} ({}{})\n", change_text(h.median_dB), quantity.name,
+                             order_of(quantity, period_turns),
+                             quantity.component.empty() ? "" : ", " + quantity.component);
+  if (h.compared > 1) {
+    console.out << fmt::format("             {} to {}, in {} of {} cells, at {} of {}\n",
+                               change_text(h.least_dB), change_text(h.most_dB), h.changed,
+                               h.compared, h.points, counted(comparison.points.size(), "point"));
+  }
+  console.out << fmt::format("             {}{}: {}, {:+.1f} ± {:.2g} dB, {}\n",
+                             h.compared > 1 ? "most at " : "", place_text(most, comparison),
+                             levels_text(most, comparison), most.change_dB, most.uncertainty_dB,
+                             p_text(most.adjusted_p));
 }
 
 // Whose lines they are; parts share lines, so several.
@@ -177,8 +194,11 @@ std::string family_text(const analysis::FamilyHeadline& family,
   for (const std::size_t other : family.or_of) {
     text += " or " + signature_text(kinematics.signatures.at(other));
   }
+  const bool one_way = family.least_dB > 0 || family.most_dB < 0;
   return text + fmt::format(": {:.0f} % of its lines, by {}", 100 * family.share(),
-                            change_text(family.median_dB));
+                            one_way ? change_text(family.median_dB)
+                                    : fmt::format("{:+.1f} to {}", family.least_dB,
+                                                  change_text(family.most_dB)));
 }
 
 std::string compare_sentence(const Comparison& comparison, const analysis::Kinematics& kinematics) {

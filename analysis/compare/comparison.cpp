@@ -70,20 +70,22 @@ void hold(const std::vector<double>& a, const std::vector<double>& b, ScatterSou
   cell.scatter = pooled_scatter(a, b);
 }
 
-bool is_seen(const std::vector<double>& of_line, const std::vector<double>& of_part) {
-  return combined_p_value(of_line) <= seen_p && combined_p_value(of_part) <= found_p;
-}
-
 std::vector<double> joined(std::vector<double> a, const std::vector<double>& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
 }
 
-// Where the line stands out of the noise. A sum over both sides does not know which is higher.
+bool is_seen(const std::vector<double>& of_line, double of_part) {
+  return combined_p_value(of_line) <= seen_p && of_part <= found_p;
+}
+
+// Where the line stands out of the noise. A sum over both sides does not know which is higher. Of
+// where a part's peaks lie repeats are one witness, and A and B no two: they hear the same.
 void look_for_line(const Levels& a, const Levels& b, Change& change) {
-  change.seen_a = is_seen(a.p_values, a.part_p_values);
-  change.seen_b = is_seen(b.p_values, b.part_p_values);
-  change.seen = is_seen(joined(a.p_values, b.p_values), joined(a.part_p_values, b.part_p_values));
+  const double of_a = median(a.part_p_values), of_b = median(b.part_p_values);
+  change.seen_a = is_seen(a.p_values, of_a);
+  change.seen_b = is_seen(b.p_values, of_b);
+  change.seen = is_seen(joined(a.p_values, b.p_values), 2 * std::min(of_a, of_b));
 }
 
 // The quantity is in neither's band, or only in one's, if either has no level that is its own.

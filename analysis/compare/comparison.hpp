@@ -40,7 +40,7 @@ struct Change {
   bool seen_a = false, seen_b = false;  ///< a line stands out of the noise of A's records, of B's
   bool seen = false;   ///< of all records of both taken together; else only the noise at its place
                        ///< is known. A level is always seen
-  bool taken = false;  ///< in A, B or both another part's line stands there: not held
+  bool taken = false;  ///< in A, B or both another part's line stands there, too: not held
   ChangeWord word = ChangeWord::cannot_tell;
 };
 
@@ -61,7 +61,8 @@ struct Comparison {
 ///     Δ = mean of B's levels − mean of A's levels, in dB
 ///
 /// A line is seen where noise alone would show as much once in 10 000, by combined_p_value() of the
-/// records; one of a part that slips, where the part is found as well. Cells that are seen and
+/// records; one of a part that slips, where the part is found as well, by the median of a side's
+/// p-values, of either of two. Cells that are seen and
 /// cells that are not pay each for themselves: of the former alone headlines are made, and noise
 /// that changed everywhere must not make their calls cheap. Which cells are seen is told by the
 /// records of both together: the sum of powers of noise knows nothing of their ratio, which is what

@@ -54,6 +54,23 @@ std::vector<std::size_t> unparted_from(std::size_t family, const Comparison& com
 
 double weight(const Headline& h) { return static_cast<double>(h.changed) * std::abs(h.median_dB); }
 
+// Two lines of two say less than eleven of twelve.
+double weight(const FamilyHeadline& f) {
+  const double share = static_cast<double>(f.changed + 1) / static_cast<double>(f.compared + 2);
+  return share * std::min(std::abs(f.median_dB), strong_dB);
+}
+
+// Without those that an earlier one is named with.
+std::vector<FamilyHeadline> each_named_once(std::vector<FamilyHeadline> sorted) {
+  std::set<std::size_t> named;
+  std::erase_if(sorted, [&](const FamilyHeadline& f) {
+    const bool is_known = !named.insert(f.family).second;
+    if (!is_known) named.insert(f.or_of.begin(), f.or_of.end());
+    return is_known;
+  });
+  return sorted;
+}
+
 }  // namespace
 
 std::vector<Headline> headlines(const Comparison& comparison) {
@@ -67,7 +84,7 @@ std::vector<Headline> headlines(const Comparison& comparison) {
   for (Gathered& one : all) {
     if (!one.changes_dB.empty()) told.push_back(completed(std::move(one)));
   }
-  std::ranges::stable_sort(told, std::greater<>(), weight);
+  std::ranges::stable_sort(told, std::greater<>(), [](const Headline& h) { return weight(h); });
   return told;
 }
 
@@ -87,13 +104,15 @@ std::vector<FamilyHeadline> family_headlines(const Comparison& comparison) {
   std::vector<FamilyHeadline> told;
   for (auto& [family, changes] : changes_dB) {
     told.push_back(families[family]);
+    const auto [least, most] = std::ranges::minmax_element(changes);
+    told.back().least_dB = *least;
+    told.back().most_dB = *most;
     told.back().median_dB = median(std::move(changes));
     told.back().or_of = unparted_from(family, comparison);
   }
-  std::ranges::stable_sort(told, std::greater<>(), [](const FamilyHeadline& f) {
-    return f.share() * std::min(std::abs(f.median_dB), strong_dB);
-  });
-  return told;
+  std::ranges::stable_sort(told, std::greater<>(),
+                           [](const FamilyHeadline& f) { return weight(f); });
+  return each_named_once(std::move(told));
 }
 
 ChangeCounts counts_of(const Comparison& comparison) {

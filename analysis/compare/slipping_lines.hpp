@@ -4,20 +4,17 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/compare/quantities.hpp"
+#include "analysis/compare/slipping_comb.hpp"
 #include "analysis/line_floor.hpp"
 #include "analysis/spectrum.hpp"
 
 namespace rvbench::analysis {
 
-/// p-value up to which a part is found: of the four of a bearing one by chance once in 25.
-inline constexpr double found_p = 0.01;
-
 /// Where a line of a part that slips stands in a spectrum.
 struct SlippingLine {
   double order = not_known;  ///< NaN: the line is of no such part
   double p_value = 1;        ///< of all lines of the part together
-  bool taken = false;        ///< what stands there is the line of another part
+  bool taken = false;        ///< what stands there is the line of another part, or may be
 };
 
 /// Two signatures, by their indices in the kinematics; the lower one first.
@@ -33,7 +30,10 @@ struct SlippingLines {
 /// All lines of a signature are stretched together, to where they stand out most: a part has one
 /// slip. They are believed as far as the same search finds no as strong a sum where no such part
 /// has lines: the spectrum may be full of peaks. The part that is surest takes its peaks first, the
-/// others are looked for in what is left; whole orders are the input shaft's.
+/// others are looked for in what is left; a peak at which lines of two stand that are both found is
+/// neither's, and whole orders are the input shaft's. All are looked for up
+/// to one order, the highest line that is compared, those of few harmonics in the further ones: the
+/// sixth of an outer race lies next to the fourth of the inner one.
 ///
 /// A part whose lines, looked for alone, lie on more than half of the peaks of the first cannot be
 /// parted from it, and keeps them, too. Nor can two that are both found, of which one repeats a
@@ -48,7 +48,7 @@ struct SlippingLines {
 /// Limits  two bearings of which one's lines fall on more than half of the other's cannot be told
 ///         apart, whatever else they show
 /// Errors  none thrown
-/// Source  ours; who explains first: of score_signatures(); p-values: decoy_p_value()
+/// Source  ours; who explains first: of score_signatures(); where each stands: SlippingComb
 SlippingLines find_slipping_lines(const Kinematics& kinematics,
                                   const std::vector<Quantity>& quantities, const Spectrum& spectrum,
                                   const LineFloor& floor, double blocks, double speed_error);

@@ -30,16 +30,23 @@ Kinematics motor(std::vector<Signature> signatures) {
   return k;
 }
 
-// Amplitudes of the four harmonics of each part, whose true orders are these.
+// Amplitudes of the harmonics of each part, whose true orders are these, and of their sidebands.
 struct Part {
   double order, amplitude;
+  int harmonics = 4;
+  double at_shaft = 0;  // sidebands at the shaft's speed
 };
 
 RecordLevels record(const Kinematics& kinematics, const std::vector<Part>& parts, unsigned seed) {
   const test::OrderSignals signals{.count = 30000};  // 300 turns
   Eigen::VectorXd x = 0.3 * signals.noise(seed) + 0.5 * signals.tone(1, seed);
   for (const Part& part : parts) {
-    for (int h = 1; h <= 4; ++h) x += part.amplitude * signals.tone(h * part.order, h * seed + h);
+    for (int h = 1; h <= part.harmonics; ++h) {
+      x += part.amplitude * signals.tone(h * part.order, h * seed + h);
+      for (const double side : {-1.0, 1.0}) {
+        x += part.at_shaft * signals.tone(h * part.order + side, h * seed + 2 * side);
+      }
+    }
   }
   Recording heard = signals.recording(x);
   heard.planned_speed_rpm = 1200;
@@ -82,6 +89,18 @@ TEST_CASE("of two parts with near lines the one that changed is named", "[analys
         Names{"outer"});
   CHECK(named(change(k, {{inner, 0.3}}, {{inner, 0.9}}), k) == Names{"inner"});
   CHECK(named(change(k, {}, {{outer, 0.3}}), k) == Names{"outer"});
+}
+
+TEST_CASE("further harmonics of an outer race do not lead to the inner one", "[analysis]") {
+  // 3·3.585 and 6·3.585 lie within 1 % of 2·5.415 and 4·5.415, and so do their sidebands.
+  Signature inner = spall_of("inner", 5.415);
+  inner.sidebands = {1};
+  const Kinematics k = motor({inner, spall_of("outer", 3.585)});
+  const Part small{3.585, 0.1, 6, 0.1}, large{3.585, 0.3, 6, 0.3};
+  REQUIRE_FALSE(named(change(k, {small}, {large}), k).empty());
+  CHECK(named(change(k, {small}, {large}), k).front() == "outer");
+  CHECK(named(change(k, {}, {large}), k).front() == "outer");
+  CHECK(named(change(k, {{5.415, 0.1, 4, 0.1}}, {{5.415, 0.3, 4, 0.3}}), k) == Names{"inner"});
 }
 
 TEST_CASE("of parts that did not change none is named", "[analysis]") {
