@@ -36,8 +36,10 @@ std::string families_section(const Comparison& comparison, const analysis::Kinem
   }
   if (items.empty()) return "";
   return section("Whose lines changed",
-                 report::paragraph("Most first. Parts share lines, so that what one of them did "
-                                   "others show as well.") +
+                 report::paragraph("Most first. Parts of the gear train share lines, so that what "
+                                   "one of them did others show as well; a peak of parts that slip "
+                                   "is counted for one of them, or for both where they cannot be "
+                                   "told apart.") +
                      "<ul>\n" + items + "</ul>\n");
 }
 
@@ -55,7 +57,8 @@ std::string headlines_section(const Comparison& comparison, double period_turns)
                     xml_escaped(place_text(most, comparison)),
                     xml_escaped(levels_text(most, comparison)),
                     fmt::format("{:+.1f} ± {:.2g}", most.change_dB, most.uncertainty_dB),
-                    report::p_value_text(most.adjusted_p)});
+                    "<span style=\"white-space:nowrap\">" + report::p_value_text(most.adjusted_p) +
+                        "</span>"});
   }
   if (rows.empty()) return "";
   return section("Each line and level that changed",
@@ -90,7 +93,7 @@ std::string method_section(const Comparison& comparison, const CompareFacts& fac
       "Compared are levels of the signals, and the lines that the kinematics names. A change is "
       "the difference of mean levels in dB. Its scatter is that of the repeats of A and B, pooled, "
       "and drawn towards what cells of the same kind say (Smyth 2004). Changed: more than {:g} dB "
-      "by Student's test, at a false discovery rate of {:g} % over all that was compared "
+      "by Student's test, at a false discovery rate of {:g} % over all that is seen "
       "(Benjamini & Hochberg 1995). Not changed: a change above {:g} dB, or less where it is told, "
       "would have been seen in nine of ten cases. Else it cannot be told. What changed may be the "
       "unit, its mounting or the bench.",

@@ -52,6 +52,18 @@ std::vector<std::string> files_in(const std::filesystem::path& path) {
   return files;
 }
 
+// A run folder in this one, or in one of its folders: "runs" and "runs/A17" are parents of some.
+std::optional<std::filesystem::path> run_within(const std::filesystem::path& folder) {
+  constexpr int deepest = 2;
+  std::error_code unknown;  // a file has none
+  for (std::filesystem::recursive_directory_iterator at(folder, unknown), end; at != end;
+       at.increment(unknown)) {
+    if (at.depth() >= deepest) at.disable_recursion_pending();
+    if (at->path().filename() == "plan.json") return at->path().parent_path();
+  }
+  return std::nullopt;
+}
+
 // Without lines where the channel is missing, too short or has lost samples.
 analysis::Spectrum spectrum_of(const Recording& record, const std::string& name,
                                const analysis::Kinematics& kinematics) {
@@ -99,6 +111,11 @@ std::variant<CompareSide, JudgeRefusal> CompareSide::open_run(const std::filesys
 std::variant<CompareSide, JudgeRefusal> CompareSide::open_files(const std::filesystem::path& path,
                                                                 const hal::RecordingHints& hints,
                                                                 const std::stop_token& stop) {
+  if (const auto run = run_within(path)) {
+    return JudgeRefusal{
+        exit_codes::data_refused,
+        path.string() + " is a parent of run folders: give one, as " + run->string()};
+  }
   CompareSide side;
   side.files_ = files_in(path);
   if (side.files_.empty()) {
@@ -121,6 +138,14 @@ Result<Recording> CompareSide::read(std::size_t index) {
     if (name != names_.end()) channel.info.name = name->second;
   }
   return renamed;
+}
+
+bool CompareSide::has_channel(const std::string& name) {
+  for (std::size_t i = 0; i < size(); ++i) {
+    const Result<Recording> record = read(i);
+    if (record && record.value().find(name) != nullptr) return true;
+  }
+  return false;
 }
 
 std::optional<analysis::Spectrum> CompareSide::mean_spectrum(

@@ -26,7 +26,7 @@ class CompareSide {
  public:
   /// @param hints  of plain recordings only
   /// @return refused: what `judge` refuses; a run folder whose kinematics.json is damaged, that is
-  ///         still at work, or that has no record
+  ///         still at work, or that has no record; a folder of run folders
   /// @throws Interrupted between two plain recordings, if `stop` is requested
   static std::variant<CompareSide, JudgeRefusal> open(const std::string& path,
                                                       const hal::RecordingHints& hints,
@@ -35,6 +35,10 @@ class CompareSide {
   const std::string& path() const { return path_; }
   /// That of a run folder; a plain recording does not know its machine.
   const std::optional<analysis::Kinematics>& kinematics() const { return kinematics_; }
+  /// Whether it states speed and rate by itself, whatever the hints say.
+  bool is_run() const { return run_.has_value(); }
+  /// Whether any record has a channel that the files call so.
+  bool has_channel(const std::string& name);
   std::size_t size() const { return points_.empty() ? records_.size() : points_.size(); }
   /// @param index  below size()
   Result<Recording> read(std::size_t index);

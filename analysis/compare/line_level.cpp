@@ -50,7 +50,7 @@ NearNoise near_noise(const Eigen::VectorXd& power, Eigen::Index line) {
 }  // namespace
 
 std::optional<LineLevel> line_level(const Spectrum& spectrum, const LineFloor& floor, double blocks,
-                                    double order, double within) {
+                                    double order, double within, double searched) {
   const auto reach = reach_of(spectrum, order, within, lowest_hann);
   if (!reach) return std::nullopt;
   LineLevel level;
@@ -65,9 +65,9 @@ std::optional<LineLevel> line_level(const Spectrum& spectrum, const LineFloor& f
     if (near.power > noise.power) noise = near;
   }
   level.above_floor = floor.power[highest] / noise.power;
-  const double searched = static_cast<double>(reach->to - reach->from + 1);
+  const double chances = 2 * std::ceil(std::max(within, searched) / spectrum.resolution - 1e-9) + 1;
   level.p_value = std::min(
-      1.0, searched * line_p_value(blocks * level.above_floor, blocks, blocks * noise.lines));
+      1.0, chances * line_p_value(blocks * level.above_floor, blocks, blocks * noise.lines));
   return level;
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <system_error>
 
 #include "analysis/compare/comparison.hpp"
@@ -71,6 +72,7 @@ class CompareCommand final : public Command {
   std::variant<Answer, int> held_against(Console& console);
   int check_options(Console& console);
   int open_sides(Console& console);
+  int join_names(Console& console);
   int find_kinematics(Console& console);
   std::optional<std::vector<RecordLevels>> measured(Console& console, CompareSide& side,
                                                     const std::string& name) const;
@@ -167,6 +169,27 @@ int CompareCommand::open_sides(Console& console) {
       return refusal->exit_code;
     }
     sides_.push_back(std::get<0>(std::move(opened)));
+    if (sides_.back().is_run() && (speed_rpm_ || rate_Hz_)) {
+      console.err << "rvbench: note: " << path
+                  << " is a run folder, which states its own speeds and rates: --speed and --rate "
+                     "are not used\n";
+    }
+  }
+  return join_names(console);
+}
+
+// Each name is that of one sensor.
+int CompareCommand::join_names(Console& console) {
+  std::set<std::string> of_a, of_b;
+  for (const std::string& names : same_) {
+    const auto [a, b] = *split(names);
+    const auto refuse = [&](const std::string& why) {
+      return refuse_usage(console, "compare: --same " + names + ": " + why);
+    };
+    if (!sides_[0].has_channel(a)) return refuse(a_ + " has no channel " + a);
+    if (!sides_[1].has_channel(b)) return refuse(b_ + " has no channel " + b);
+    if (!of_a.insert(a).second) return refuse(a + " is given twice");
+    if (!of_b.insert(b).second) return refuse(b + " is given twice");
   }
   for (const std::string& names : same_) sides_[1].rename(split(names)->b, split(names)->a);
   return exit_codes::done;

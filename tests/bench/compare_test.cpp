@@ -128,6 +128,13 @@ TEST_CASE("one sensor by two names is one channel if the user says so", "[bench]
   for (const char* wrong : {"accel_1x", "=DE_130", "accel_1x="}) {
     CHECK(compare(a, b, {"--same", wrong}).code == 2);
   }
+  const Answer absent = compare(a, b, {"--same", "accel_1x=DE_131"});
+  CHECK(absent.code == 2);
+  CHECK_THAT(absent.err, Contains("has no channel DE_131"));
+  CHECK(compare(a, b, {"--same", "accel_2x=DE_130"}).code == 2);
+  const Answer twice = compare(a, b, {"--same", "accel_1x=DE_130", "--same", "accel_1x=DE_130"});
+  CHECK(twice.code == 2);
+  CHECK_THAT(twice.err, Contains("accel_1x is given twice"));
 }
 
 TEST_CASE("compare writes a page that stands for itself, and not over an older one", "[bench]") {
@@ -172,6 +179,18 @@ TEST_CASE("compare refuses what cannot be compared, and says why", "[bench]") {
     const Answer answer = compare(a, (scratch.path() / "empty").string());
     CHECK(answer.code == 20);
     CHECK_THAT(answer.err, Contains("holds no recording"));
+  }
+  SECTION("a folder of run folders") {
+    const std::filesystem::path runs = scratch.path() / "runs";
+    std::filesystem::create_directories(runs / "A17" / "20260102T030405Z");
+    write_file(runs / "results.db", "");
+    write_file(runs / "A17" / "20260102T030405Z" / "plan.json", "{}");
+    for (const auto& parent : {runs, runs / "A17"}) {
+      const Answer answer = compare(a, parent.string());
+      CHECK(answer.code == 20);
+      CHECK_THAT(answer.err,
+                 Contains("is a parent of run folders") && Contains("A17/20260102T030405Z"));
+    }
   }
   SECTION("a file that is none") {
     write_file(scratch.path() / "b.csv", "\x01\x02 nonsense");

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <stdexcept>
 
 #include "analysis/compare/headlines.hpp"
+#include "analysis/indicators/signal_levels.hpp"
 #include "tests/analysis/compare/compared_records.hpp"
 
 // What is said of records whose difference is known.
@@ -56,7 +58,7 @@ SCENARIO("a line that doubled is told by 6 dB and by name", "[analysis]") {
     }
     THEN("no other line is named, as none is there") {
       CHECK(names_of_changed_lines(c) == std::vector<std::string>{"mesh"});
-      CHECK_FALSE(change_of(c, "mesh x2")->is_seen());
+      CHECK_FALSE(change_of(c, "mesh x2")->seen);
     }
     THEN("the level rose by what the mesh adds to it") {
       // A: 0.5²/2 + 1/2 + 0.09; B: 0.5²/2 + 4/2 + 0.09
@@ -128,6 +130,20 @@ TEST_CASE("of one record each the parts of it tell the scatter, and that is said
   CHECK(std::abs(mesh.change_dB - doubled_dB) < mesh.uncertainty_dB);
   CHECK(change_of(c, "rms")->source == ScatterSource::parts);
   CHECK(change_of(c, "input shaft")->word == ChangeWord::not_changed);
+}
+
+TEST_CASE("of one record each the levels told are those of the records", "[analysis]") {
+  const GearRecord of{.noise = 1};
+  const Recording a = test::gear_record(of, 1), b = test::gear_record(of, 2);
+  const Comparison c = compared({a}, {b});
+  const SignalLevels in_a = signal_levels(a.channels.front().samples);
+  const SignalLevels in_b = signal_levels(b.channels.front().samples);
+  const auto dB = [](double level) { return Approx(20 * std::log10(level)).margin(1e-9); };
+  CHECK(change_of(c, "peak")->source == ScatterSource::parts);
+  CHECK(change_of(c, "peak")->a_dB == dB(in_a.peak));
+  CHECK(change_of(c, "peak")->b_dB == dB(in_b.peak));
+  CHECK(change_of(c, "crest factor")->a_dB == dB(in_a.crest_factor));
+  CHECK(change_of(c, "kurtosis")->b_dB == dB(in_b.kurtosis));
 }
 
 TEST_CASE("one record against three takes the scatter of the three", "[analysis]") {
