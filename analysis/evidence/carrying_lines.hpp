@@ -32,6 +32,7 @@ std::vector<double> comb_lines(const Signature& signature, int first, double str
 std::vector<double> carrying_lines(const SignatureScore& score);
 
 /// Whether each of the lines found lies within `near` of one of the comb.
+/// Units   orders of the input shaft. Errors  none thrown. Source  definition
 bool holds_all(const std::vector<double>& comb, const std::vector<double>& found, double near);
 
 }  // namespace rvbench::analysis
