@@ -86,7 +86,7 @@ TEST_CASE("of an ensemble as little is reliable as of its worst member", "[analy
   };
   // Each member has other noise, so that the worst of many is hardly the first one.
   for (const Method method : {analysis::eemd, analysis::ceemdan, analysis::iceemdan}) {
-    CHECK(ends(method, 20).front() > ends(method, 1).front());
+    CHECK(ends(method, 20).back() > ends(method, 1).back());
   }
   for (int members = 1; members < 16; ++members) {  // one more can only make it less
     CAPTURE(members);
