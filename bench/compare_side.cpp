@@ -38,18 +38,34 @@ std::variant<analysis::Kinematics, JudgeRefusal> machine_of(const std::filesyste
 }
 
 // Hidden files are notes of the system, not recordings.
-std::vector<std::string> files_in(const std::filesystem::path& path) {
+// @param why  set if the folder cannot be read
+std::vector<std::string> files_in(const std::filesystem::path& path, std::error_code& why) {
   std::error_code unknown;  // then reading the file tells why
   if (!std::filesystem::is_directory(path, unknown)) return {path.string()};
   std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(path)) {
-    const std::string name = entry.path().filename().string();
-    if (entry.is_regular_file(unknown) && !name.starts_with(".")) {
-      files.push_back(entry.path().string());
+  for (std::filesystem::directory_iterator at(path, why), end; !why && at != end;
+       at.increment(why)) {
+    const std::string name = at->path().filename().string();
+    if (at->is_regular_file(unknown) && !name.starts_with(".")) {
+      files.push_back(at->path().string());
     }
   }
   std::ranges::sort(files);
   return files;
+}
+
+// A recording that is there twice has not been repeated.
+std::vector<analysis::NotCompared> leave_out_copies(std::vector<std::string>& files) {
+  std::map<std::string, std::string> known;  // hash → file
+  std::vector<analysis::NotCompared> copies;
+  std::erase_if(files, [&](const std::string& file) {
+    const auto hash = sha256_of_file(file);
+    if (!hash) return false;  // reading it tells why
+    const auto [first, is_new] = known.emplace(*hash, file);
+    if (!is_new) copies.push_back({file, "a copy of " + first->second + ", no repeat"});
+    return !is_new;
+  });
+  return copies;
 }
 
 // A run folder in this one, or in one of its folders: "runs" and "runs/A17" are parents of some.
@@ -117,7 +133,12 @@ std::variant<CompareSide, JudgeRefusal> CompareSide::open_files(const std::files
         path.string() + " is a parent of run folders: give one, as " + run->string()};
   }
   CompareSide side;
-  side.files_ = files_in(path);
+  std::error_code why;
+  side.files_ = files_in(path, why);
+  if (why) {
+    return JudgeRefusal{exit_codes::data_refused, path.string() + ": " + why.message()};
+  }
+  side.left_out_ = leave_out_copies(side.files_);
   if (side.files_.empty()) {
     return JudgeRefusal{exit_codes::data_refused, path.string() + " holds no recording"};
   }
@@ -140,10 +161,11 @@ Result<Recording> CompareSide::read(std::size_t index) {
   return renamed;
 }
 
-bool CompareSide::has_channel(const std::string& name) {
+Result<bool> CompareSide::has_channel(const std::string& name) {
   for (std::size_t i = 0; i < size(); ++i) {
     const Result<Recording> record = read(i);
-    if (record && record.value().find(name) != nullptr) return true;
+    if (!record) return record.error();
+    if (record.value().find(name) != nullptr) return true;
   }
   return false;
 }

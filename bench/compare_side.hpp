@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "analysis/compare/record_levels.hpp"
 #include "analysis/kinematics.hpp"
 #include "analysis/spectrum.hpp"
 #include "bench/recordings_to_judge.hpp"
@@ -37,8 +38,10 @@ class CompareSide {
   const std::optional<analysis::Kinematics>& kinematics() const { return kinematics_; }
   /// Whether it states speed and rate by itself, whatever the hints say.
   bool is_run() const { return run_.has_value(); }
-  /// Whether any record has a channel that the files call so.
-  bool has_channel(const std::string& name);
+  /// Whether any record has a channel that the files call so; the error of one that cannot be read.
+  Result<bool> has_channel(const std::string& name);
+  /// Files that are not read: copies of others.
+  const std::vector<analysis::NotCompared>& left_out() const { return left_out_; }
   std::size_t size() const { return points_.empty() ? records_.size() : points_.size(); }
   /// @param index  below size()
   Result<Recording> read(std::size_t index);
@@ -61,6 +64,7 @@ class CompareSide {
   std::string path_;
   std::optional<analysis::Kinematics> kinematics_;
   std::vector<std::string> files_;
+  std::vector<analysis::NotCompared> left_out_;
   std::vector<Recording> records_;  ///< of plain recordings
   std::vector<int> points_;         ///< of a run: those recorded
   std::optional<RunRecordings> run_;

@@ -19,7 +19,7 @@ using analysis::Headline;
 constexpr std::size_t most_named = 4;
 constexpr std::size_t most_rows = 12;
 constexpr std::size_t most_families = 3;
-constexpr double worth_naming = 0.25;  // of the lines of a part
+constexpr double worth_naming = 0.25;  // of the cells of a part
 
 std::string counted(std::size_t count, const std::string& what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
@@ -73,7 +73,21 @@ std::string changed_sentence(const Comparison& comparison) {
   return fmt::format("From A to B {} changed: {}{}.", kinds_text(all, comparison), names, more);
 }
 
-std::string unchanged_sentence(const analysis::ChangeCounts& counts) {
+// Of values that are seen: no scatter is known of them, or one that hides what matters.
+std::string why_it_cannot_be_told(const Comparison& comparison) {
+  bool unknown = false, large = false;
+  for (const Change& change : comparison.changes) {
+    if (!change.seen || change.word != analysis::ChangeWord::cannot_tell) continue;
+    (change.freedom > 0 ? large : unknown) = true;
+  }
+  const std::string hides =
+      fmt::format("their scatter would hide {:g} dB", comparison.options.blind_dB);
+  if (!unknown) return hides;
+  return large ? "no scatter is known of them, or " + hides : "no scatter is known of them";
+}
+
+std::string unchanged_sentence(const Comparison& comparison) {
+  const analysis::ChangeCounts counts = analysis::counts_of(comparison);
   std::string text;
   if (counts.not_changed > 0) {
     text = fmt::format(
@@ -84,8 +98,8 @@ std::string unchanged_sentence(const analysis::ChangeCounts& counts) {
         counts.median_detectable_dB);
   }
   if (counts.cannot_tell > 0) {
-    text += fmt::format("Of {} it cannot be told: too few repeats for their scatter. ",
-                        counts.cannot_tell);
+    text += fmt::format("Of {} it cannot be told: {}. ", counts.cannot_tell,
+                        why_it_cannot_be_told(comparison));
   }
   if (counts.noise_changed > 0) {
     text += fmt::format("The noise changed at {} where no line is seen. ",
@@ -107,7 +121,10 @@ std::string scatter_sentence(const Comparison& comparison) {
         "start to start is not in it. ";
   }
   if (has(analysis::ScatterSource::none)) {
-    text += "Where the one record is too short for parts, no scatter is known. ";
+    text +=
+        "Where one record is too short for parts, or repeats agree to the last digit, no scatter "
+        "is "
+        "known. ";
   }
   return text;
 }
@@ -195,7 +212,7 @@ std::string family_text(const analysis::FamilyHeadline& family,
     text += " or " + signature_text(kinematics.signatures.at(other));
   }
   const bool one_way = family.least_dB > 0 || family.most_dB < 0;
-  return text + fmt::format(": {:.0f} % of its lines, by {}", 100 * family.share(),
+  return text + fmt::format(": {:.0f} % of its cells, by {}", 100 * family.share(),
                             one_way ? change_text(family.median_dB)
                                     : fmt::format("{:+.1f} to {}", family.least_dB,
                                                   change_text(family.most_dB)));
@@ -210,8 +227,7 @@ std::string compare_sentence(const Comparison& comparison, const analysis::Kinem
 }
 
 std::string compare_reservation(const Comparison& comparison) {
-  std::string text =
-      unchanged_sentence(analysis::counts_of(comparison)) + scatter_sentence(comparison);
+  std::string text = unchanged_sentence(comparison) + scatter_sentence(comparison);
   if (text.empty()) return "All that was compared changed.";
   text.pop_back();
   return text;
@@ -224,7 +240,9 @@ std::string change_text(double change_dB) {
 }
 
 std::string levels_text(const Change& change, const Comparison& comparison) {
-  const bool has_unit = comparison.quantities[change.quantity].is_line() || change.quantity < 2;
+  const bool has_unit = comparison.quantities[change.quantity].is_line() ||
+                        change.quantity == std::size_t(analysis::LevelIndex::rms) ||
+                        change.quantity == std::size_t(analysis::LevelIndex::peak);
   const std::string& unit = comparison.channels[change.channel].unit;
   return fmt::format("{:.3g} → {:.3g}{}", ratio_from_dB(change.a_dB), ratio_from_dB(change.b_dB),
                      has_unit && !unit.empty() ? " " + unit : "");

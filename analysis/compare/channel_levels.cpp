@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/compare/block_floor.hpp"
 #include "analysis/compare/block_spectrum.hpp"
 #include "analysis/compare/line_level.hpp"
 #include "analysis/indicators/signal_levels.hpp"
@@ -51,6 +52,10 @@ struct LinesOf {
   double period_turns;  // 1: the train has none
   bool locked;          // to the period: else those that stray from it, or all where there is none
 
+  // Lines from one that repeats with the train, or that was taken out with it, to the next.
+  Eigen::Index every() const {
+    return period_turns == 1 ? 0 : static_cast<Eigen::Index>(std::lround(block / period_turns));
+  }
   double within(const Quantity& q) const {
     return (q.stray + speed_error(angle.is_measured())) * q.order;
   }
@@ -94,11 +99,13 @@ Places measure_whole(const LinesOf& of, ChannelLevels& measured) {
   Places places = nominal_places(of);
   const Spectrum spectrum = block_spectrum(of.even, of.angle, of.block);
   if (spectrum.amplitude.size() == 0) return places;
-  const auto every = static_cast<Eigen::Index>(std::lround(of.block / of.period_turns));
-  const LineFloor floor = line_floor(spectrum, of.locked ? every : 0);
   const double blocks =
       std::floor(double(of.even.samples.size()) / of.even.samples_per_turn / of.block);
-  if (!of.locked) find_slipping(of, spectrum, floor, blocks, places, measured);
+  const LineFloor floor = block_floor(spectrum, of.every(), blocks);
+  // The search for parts weighs lines over the higher floor, of one block: decoys are of that kind.
+  if (!of.locked) {
+    find_slipping(of, spectrum, line_floor(spectrum, of.every()), blocks, places, measured);
+  }
   for (std::size_t i = 0; i < of.quantities.size(); ++i) {
     const Quantity& q = of.quantities[i];
     if (!of.holds(q) || levels[i].taken) continue;

@@ -66,6 +66,29 @@ std::string why_not(const ChannelPair& pair) {
   return "";
 }
 
+bool is_stated(const std::vector<const ChannelLevels*>& side, std::string ChannelInfo::*what) {
+  return std::ranges::all_of(side, [&](const auto* one) { return !(one->info.*what).empty(); });
+}
+
+bool is_unstated(const std::vector<const ChannelLevels*>& side, std::string ChannelInfo::*what) {
+  return std::ranges::all_of(side, [&](const auto* one) { return (one->info.*what).empty(); });
+}
+
+// What some state and others do not is taken to be the same, and that is told.
+void tell_unstated(const ChannelPair& pair, const std::string& where,
+                   std::vector<NotCompared>& left_out) {
+  const auto tell = [&](const char* name, std::string ChannelInfo::*what) {
+    const bool all = is_stated(pair.a, what) && is_stated(pair.b, what);
+    const bool none = is_unstated(pair.a, what) && is_unstated(pair.b, what);
+    if (all || none) return;
+    left_out.push_back({where, fmt::format("compared, but not every file states its {}: it is "
+                                           "taken to be the same in A and B",
+                                           name)});
+  };
+  tell("unit", &ChannelInfo::unit);
+  tell("direction", &ChannelInfo::direction);
+}
+
 }  // namespace
 
 std::string point_text(double speed_rpm, double load_pct) {
@@ -92,6 +115,7 @@ std::vector<ChannelPair> compared_channels(const MatchedPoint& point,
     if (const std::string why = why_not(pair); !why.empty()) {
       left_out.push_back({where + name, why});
     } else {
+      tell_unstated(pair, where + name, left_out);
       pairs.push_back(std::move(pair));
     }
   }

@@ -10,7 +10,6 @@
 #include "analysis/compare/change_test.hpp"
 #include "analysis/compare/compared_channels.hpp"
 #include "analysis/compare/false_discovery.hpp"
-#include "analysis/compare/line_level.hpp"
 #include "analysis/compare/scatter.hpp"
 #include "analysis/statistics.hpp"
 #include "hal/types/require.hpp"
@@ -20,6 +19,7 @@ namespace {
 
 constexpr double same_length = 0.1;      // relative: longer records have higher peaks
 constexpr double same_speed = 1e-2;      // relative
+constexpr double rounding_dB2 = 1e-18;   // levels that were measured twice differ by more
 constexpr double class_of_lines_dB = 6;  // that are alike in scatter: it follows from the noise
 
 // A change and what it was estimated from.
@@ -68,6 +68,9 @@ void hold(const std::vector<double>& a, const std::vector<double>& b, ScatterSou
   cell.values_a = a.size();
   cell.values_b = b.size();
   cell.scatter = pooled_scatter(a, b);
+  if (cell.scatter.variance > rounding_dB2) return;
+  cell.change.source = ScatterSource::none;
+  cell.scatter = {};
 }
 
 std::vector<double> joined(std::vector<double> a, const std::vector<double>& b) {
@@ -75,21 +78,23 @@ std::vector<double> joined(std::vector<double> a, const std::vector<double>& b) 
   return a;
 }
 
-bool is_seen(const std::vector<double>& of_line, double of_part) {
-  return combined_p_value(of_line) <= seen_p && of_part <= found_p;
+bool is_seen(const std::vector<double>& of_line, double of_part, const CompareOptions& options) {
+  return combined_p_value(of_line) <= options.seen_p && of_part <= options.found_p;
 }
 
 // Where the line stands out of the noise. A sum over both sides does not know which is higher. Of
 // where a part's peaks lie repeats are one witness, and A and B no two: they hear the same.
-void look_for_line(const Levels& a, const Levels& b, Change& change) {
+void look_for_line(const Levels& a, const Levels& b, const CompareOptions& options,
+                   Change& change) {
   const double of_a = median(a.part_p_values), of_b = median(b.part_p_values);
-  change.seen_a = is_seen(a.p_values, of_a);
-  change.seen_b = is_seen(b.p_values, of_b);
-  change.seen = is_seen(joined(a.p_values, b.p_values), 2 * std::min(of_a, of_b));
+  change.seen_a = is_seen(a.p_values, of_a, options);
+  change.seen_b = is_seen(b.p_values, of_b, options);
+  change.seen = is_seen(joined(a.p_values, b.p_values), 2 * std::min(of_a, of_b), options);
 }
 
 // The quantity is in neither's band, or only in one's, if either has no level that is its own.
-bool make_cell(const ChannelPair& pair, const Quantity& quantity, Cell& cell) {
+bool make_cell(const ChannelPair& pair, const Quantity& quantity, const CompareOptions& options,
+               Cell& cell) {
   const Levels a = levels_of(pair.a, cell.change.quantity);
   const Levels b = levels_of(pair.b, cell.change.quantity);
   if (a.whole_dB.empty() || b.whole_dB.empty()) {
@@ -99,7 +104,7 @@ bool make_cell(const ChannelPair& pair, const Quantity& quantity, Cell& cell) {
   cell.change.a_dB = mean(a.whole_dB);
   cell.change.b_dB = mean(b.whole_dB);
   cell.change.seen_a = cell.change.seen_b = cell.change.seen = true;
-  if (quantity.is_line()) look_for_line(a, b, cell.change);
+  if (quantity.is_line()) look_for_line(a, b, options, cell.change);
   cell.above_floor_dB = (a.above_floor_dB + b.above_floor_dB) / 2;
   if (a.whole_dB.size() + b.whole_dB.size() > 2) {
     hold(a.whole_dB, b.whole_dB, ScatterSource::repeats, cell);
@@ -177,7 +182,7 @@ void add_cells(std::size_t point, const ChannelPair& pair, Comparison& compariso
     cell.change.point = point;
     cell.change.channel = channel;
     cell.change.quantity = q;
-    if (make_cell(pair, comparison.quantities[q], cell)) cells.push_back(cell);
+    if (make_cell(pair, comparison.quantities[q], comparison.options, cell)) cells.push_back(cell);
   }
 }
 
@@ -208,17 +213,17 @@ ChangeTest test_of(const Cell& cell, double least_dB) {
                      cell.scatter, least_dB);
 }
 
-// The p-value up to which one more would have been called.
+// The p-value up to which one more would have been called, beside those that were.
 double called_p(const std::vector<double>& adjusted, double false_share) {
   double asked = 0, called = 0;
   for (const double p : adjusted) {
     asked += std::isnan(p) ? 0 : 1;
     called += p <= false_share ? 1 : 0;
   }
-  return false_share * std::max(called, 1.0) / std::max(asked, 1.0);
+  return false_share * std::min(1.0, (called + 1) / std::max(asked, 1.0));
 }
 
-ChangeWord word_of(const Change& change, const CompareOptions& options) {
+ChangeWord word_for(const Change& change, const CompareOptions& options) {
   if (change.adjusted_p <= options.false_share) return ChangeWord::changed;
   return change.detectable_dB <= options.blind_dB ? ChangeWord::not_changed
                                                   : ChangeWord::cannot_tell;
@@ -241,7 +246,7 @@ void judge(const CompareOptions& options, const std::vector<Cell*>& cells) {
     const ChangeTest test = test_of(*cells[i], options.least_dB);
     change.uncertainty_dB = half_width(test);
     change.detectable_dB = detectable_change(test, options.least_dB, p);
-    change.word = word_of(change, options);
+    change.word = word_for(change, options);
   }
 }
 
@@ -258,6 +263,8 @@ void check(const CompareOptions& options) {
   require(options.least_dB >= 0 && std::isfinite(options.least_dB), "least_dB must be 0 or above");
   require(options.false_share > 0 && options.false_share < 1, "false_share must be in (0, 1)");
   require(options.blind_dB > options.least_dB, "blind_dB must be above least_dB");
+  require(options.seen_p > 0 && options.seen_p < 1, "seen_p must be in (0, 1)");
+  require(options.found_p > 0 && options.found_p < 1, "found_p must be in (0, 1)");
 }
 
 }  // namespace

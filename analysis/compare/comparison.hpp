@@ -3,9 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "analysis/compare/line_level.hpp"
 #include "analysis/compare/matched_points.hpp"
 #include "analysis/compare/quantities.hpp"
 #include "analysis/compare/record_levels.hpp"
+#include "analysis/compare/slipping_comb.hpp"
 
 namespace rvbench::analysis {
 
@@ -13,6 +15,8 @@ struct CompareOptions {
   double least_dB = 1;        ///< a change that nobody minds; >= 0
   double false_share = 0.05;  ///< expected, of what is called changed; in (0, 1)
   double blind_dB = 6;        ///< where smaller changes would be missed nothing is told; > least_dB
+  double seen_p = analysis::seen_p;    ///< of noise alone, up to which a line is seen; in (0, 1)
+  double found_p = analysis::found_p;  ///< likewise, of all lines of a part that slips
 };
 
 enum class ChangeWord { changed, not_changed, cannot_tell };
@@ -21,7 +25,7 @@ enum class ChangeWord { changed, not_changed, cannot_tell };
 enum class ScatterSource {
   repeats,  ///< of the point
   parts,    ///< of the one record that either has: what differs from start to start is not in it
-  none
+  none      ///< too short for parts, or repeats that agree to the last digit: copies, no scatter
 };
 
 /// One quantity of one channel at one point, B against A.
@@ -62,11 +66,10 @@ struct Comparison {
 ///
 /// A line is seen where noise alone would show as much once in 10 000, by combined_p_value() of the
 /// records; one of a part that slips, where the part is found as well, by the median of a side's
-/// p-values, of either of two. Cells that are seen and
-/// cells that are not pay each for themselves: of the former alone headlines are made, and noise
-/// that changed everywhere must not make their calls cheap. Which cells are seen is told by the
-/// records of both together: the sum of powers of noise knows nothing of their ratio, which is what
-/// is tested.
+/// p-values, of the surer side. Cells that are seen and cells that are not pay each for themselves:
+/// of the former alone headlines are made, and noise that changed everywhere must not make their
+/// calls cheap. Which lines are seen is told by the records of both together: the sum of powers of
+/// noise knows nothing of their ratio, which is what is tested.
 ///
 /// Shape    any number of records → changes by point, channel and quantity; each record has one
 ///          level per quantity
@@ -77,7 +80,9 @@ struct Comparison {
 ///          level everywhere; lines that stand equally high above their noise
 /// Test     test_change() against least_dB; called by adjusted_p_values() up to false_share
 /// Limits   false_share is what to expect of all seen cells together that are called changed; of
-///          those of one quantity, part or point alone it says nothing
+///          those of one quantity, part or point alone it says nothing. Of a part that slips and is
+///          just found, the surer side is rather the higher one: among such cells changes are met
+///          more often than among all
 /// Errors   throws std::invalid_argument: options out of range
 /// Source   of each of these; cells chosen by what is independent of the test: Bourgon, Gentleman &
 ///          Huber, PNAS 107(21), 9546-9551 (2010); sums and ratios of powers: Lukacs, Ann. Math.

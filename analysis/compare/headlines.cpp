@@ -56,7 +56,7 @@ double weight(const Headline& h) { return static_cast<double>(h.changed) * std::
 
 // Two lines of two say less than eleven of twelve.
 double weight(const FamilyHeadline& f) {
-  const double share = static_cast<double>(f.changed + 1) / static_cast<double>(f.compared + 2);
+  const double share = static_cast<double>(f.changed + 1) / static_cast<double>(f.cells + 2);
   return share * std::min(std::abs(f.median_dB), strong_dB);
 }
 
@@ -95,7 +95,7 @@ std::vector<FamilyHeadline> family_headlines(const Comparison& comparison) {
     for (const std::size_t family : comparison.quantities[change.quantity].families) {
       FamilyHeadline& headline = families[family];
       headline.family = family;
-      ++headline.compared;
+      ++headline.cells;
       if (!change.seen || change.word != ChangeWord::changed) continue;
       ++headline.changed;
       changes_dB[family].push_back(change.change_dB);

@@ -34,10 +34,11 @@ std::vector<Peak> SlippingComb::found() const {
   std::vector<Peak> found;
   if (p_value_ > found_p) return found;
   const auto add = [&](double order) {
-    const Index bin = peaks_->bin_of(order);
+    const Index line = peaks_->line_of(order);
     const bool is_known =
-        std::ranges::any_of(found, [&](const Peak& peak) { return peak.holds(bin); });
-    if (is_known || bin >= peaks_->size() || taken_[static_cast<std::size_t>(bin)]) return;
+        std::ranges::any_of(found, [&](const Peak& peak) { return peak.holds(line); });
+    if (is_known || line < 0 || line >= peaks_->size() || taken_[static_cast<std::size_t>(line)])
+      return;
     if (const auto peak = peaks_->at(order, reach_)) found.push_back(*peak);
   };
   for (const double order : orders_) add(order * stretch_);
@@ -52,7 +53,7 @@ std::vector<Peak> SlippingComb::found() const {
 bool SlippingComb::shares(const std::vector<Peak>& peaks) const {
   const auto shared = std::ranges::count_if(peaks, [&](const Peak& peak) {
     return std::ranges::any_of(
-        orders_, [&](double order) { return peak.holds(peaks_->bin_of(order * alone_)); });
+        orders_, [&](double order) { return peak.holds(peaks_->line_of(order * alone_)); });
   });
   return 2 * static_cast<std::size_t>(shared) > peaks.size();
 }
@@ -70,7 +71,7 @@ void SlippingComb::leave_out(const std::vector<Peak>& peaks) {
 }
 
 bool SlippingComb::is_taken_at(double order) const {
-  return taken_[static_cast<std::size_t>(peaks_->bin_of(order * stretch_))];
+  return taken_[static_cast<std::size_t>(peaks_->line_of(order * stretch_))];
 }
 
 void SlippingComb::add_harmonics(double highest) {
@@ -98,8 +99,8 @@ SlippingComb::Best SlippingComb::best_of(const std::vector<double>& orders) cons
 double SlippingComb::sum_at(const std::vector<double>& orders, double stretch) const {
   double sum = 0;
   for (const double order : orders) {
-    const Index bin = std::min(peaks_->bin_of(order * stretch), peaks_->size() - 1);
-    if (!taken_[static_cast<std::size_t>(bin)]) sum += peaks_->log_ratio(bin);
+    const Index line = std::min(peaks_->line_of(order * stretch), peaks_->size() - 1);
+    if (!taken_[static_cast<std::size_t>(line)]) sum += peaks_->log_ratio(line);
   }
   return sum;
 }

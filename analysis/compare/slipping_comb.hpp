@@ -63,7 +63,7 @@ class SlippingComb {
   double order_;
   double reach_;  // relative
   const SpectralPeaks* peaks_;
-  std::vector<bool> taken_;  // bins
+  std::vector<bool> taken_;  // lines
   std::vector<std::size_t> quantities_;
   std::vector<double> orders_;  // of the quantities, then of further harmonics
   double stretch_ = 1, alone_ = 1, p_value_ = 1;

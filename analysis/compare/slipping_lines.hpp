@@ -42,7 +42,7 @@ struct SlippingLines {
 ///
 /// Shape   one line per quantity, in their order
 /// Units   orders of the input shaft; relative
-/// @param floor        of the spectrum
+/// @param floor        line_floor() of the spectrum: decoys are compared over the same
 /// @param blocks       independent ones that the spectrum is the mean of, in power; >= 1
 /// @param speed_error  how far orders may be off besides
 /// Limits  two bearings of which one's lines fall on more than half of the other's cannot be told

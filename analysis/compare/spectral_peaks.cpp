@@ -17,7 +17,7 @@ SpectralPeaks::SpectralPeaks(const Spectrum& spectrum, const LineFloor& floor, d
       blocks_(blocks),
       log_ratio_((floor.power.array() / floor.floor.array()).max(1).log()) {}
 
-Index SpectralPeaks::bin_of(double order) const {
+Index SpectralPeaks::line_of(double order) const {
   return static_cast<Index>(std::lround(order / spectrum_.resolution));
 }
 
@@ -25,9 +25,9 @@ std::optional<Peak> SpectralPeaks::at(double order, double smear) const {
   const auto level =
       line_level(spectrum_, floor_, blocks_, order, spectrum_.resolution, smear * order);
   if (!level || level->p_value > seen_p) return std::nullopt;
-  Index highest = bin_of(order);
-  for (const Index bin : {highest - 1, highest + 1}) {
-    if (floor_.power[bin] > floor_.power[highest]) highest = bin;
+  Index highest = line_of(order);
+  for (const Index line : {highest - 1, highest + 1}) {
+    if (floor_.power[line] > floor_.power[highest]) highest = line;
   }
   constexpr auto hann = static_cast<Index>(lines_to_part) - 1;
   const auto reach = std::max(hann, static_cast<Index>(smear * static_cast<double>(highest)));
@@ -41,9 +41,9 @@ std::optional<Peak> SpectralPeaks::at(double order, double smear) const {
   return peak;
 }
 
-bool SpectralPeaks::stands_out(Index bin) const {
-  return line_p_value(blocks_ * floor_.power[bin] / floor_.floor[bin], blocks_,
-                      blocks_ * floor_.floor_lines[bin]) <= seen_p;
+bool SpectralPeaks::stands_out(Index line) const {
+  return line_p_value(blocks_ * floor_.power[line] / floor_.floor[line], blocks_,
+                      blocks_ * floor_.floor_lines[line]) <= seen_p;
 }
 
 }  // namespace rvbench::analysis

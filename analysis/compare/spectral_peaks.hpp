@@ -8,16 +8,16 @@
 
 namespace rvbench::analysis {
 
-/// A line found in a spectrum, from its first bin to its last.
+/// A line found in a spectrum, and the lines around that stand out with it.
 struct Peak {
   Eigen::Index from, to;
-  bool holds(Eigen::Index bin) const { return bin >= from && bin <= to; }
+  bool holds(Eigen::Index line) const { return line >= from && line <= to; }
 };
 
 /// A Hann spectrum in which peaks are looked for.
 ///
 /// Units   orders; powers over their floor
-/// Errors  none thrown; bins must be below size()
+/// Errors  none thrown; lines must be below size()
 /// Source  ours; what stands out: line_level() and line_p_value(), up to seen_p
 class SpectralPeaks {
  public:
@@ -27,18 +27,18 @@ class SpectralPeaks {
 
   Eigen::Index size() const { return log_ratio_.size(); }
   double resolution() const { return spectrum_.resolution; }
-  Eigen::Index bin_of(double order) const;
+  Eigen::Index line_of(double order) const;
   /// Whether a peak at the order has a neighbour above it.
-  bool reaches(double order) const { return bin_of(order) + 2 < size(); }
+  bool reaches(double order) const { return line_of(order) + 2 < size(); }
   /// ln(power / floor), 0 below the floor.
-  double log_ratio(Eigen::Index bin) const { return log_ratio_[bin]; }
+  double log_ratio(Eigen::Index line) const { return log_ratio_[line]; }
   /// What stands out of the noise at an order: as wide as a Hann line at least, as far as it is
   /// smeared at most.
   /// @param smear  relative
   std::optional<Peak> at(double order, double smear) const;
 
  private:
-  bool stands_out(Eigen::Index bin) const;
+  bool stands_out(Eigen::Index line) const;
 
   const Spectrum& spectrum_;
   const LineFloor& floor_;

@@ -13,8 +13,9 @@ namespace {
 using test::compared;
 using test::repeats;
 
-// At most: the stated rate, and three standard deviations of the count.
+// The stated rate, and three standard deviations of the count to either side.
 double most_of(double rate, int draws) { return rate * draws + 3 * std::sqrt(rate * draws); }
+double fewest_of(double rate, int draws) { return rate * draws - 3 * std::sqrt(rate * draws); }
 
 // Draws in which a change was called: of what is seen, and of the noise where no line is.
 struct Calls {
@@ -90,6 +91,30 @@ TEST_CASE("two draws of one unit are called changed once in twenty at most", "[a
   INFO(count << " repeats");
   CHECK(calls.seen <= most_of(0.05, draws));
   CHECK(calls.noise <= most_of(0.05, draws));
+}
+
+TEST_CASE("where scatter is of one size nothing is called changed more rarely than stated",
+          "[analysis]") {
+  // Then all estimates are of one variance, tests are independent, and the rate is exact.
+  const std::vector<Quantity> quantities = quantities_to_compare(test::small_gear());
+  std::mt19937 engine(23);
+  std::normal_distribution<double> gaussian;
+  const auto draw = [&] {
+    auto records = drawn_matrix(4, 3, quantities.size(), engine);
+    for (RecordLevels& record : records) {
+      for (ChannelLevels& channel : record.channels) {
+        for (Level& level : channel.levels) {
+          level = {.whole_dB = 10 + gaussian(engine), .above_floor_dB = 30, .p_value = 0};
+        }
+      }
+    }
+    return records;
+  };
+  Calls calls;
+  constexpr int draws = 300;
+  for (int i = 0; i < draws; ++i) calls.add(compare(draw(), draw(), quantities, {.least_dB = 0}));
+  CHECK(calls.seen <= most_of(0.05, draws));
+  CHECK(calls.seen >= fewest_of(0.05, draws));
 }
 
 TEST_CASE("of many changes one in twenty is false at most", "[analysis]") {

@@ -6,6 +6,7 @@
 
 #include "analysis/compare/headlines.hpp"
 #include "tests/analysis/compare/compared_records.hpp"
+#include "tests/support/under_sanitizer.hpp"
 
 // Lines of two parts that slip, of which one changes: that one is named, and no other.
 namespace rvbench::analysis {
@@ -110,6 +111,35 @@ TEST_CASE("of parts that did not change none is named", "[analysis]") {
   CHECK(named(change(k, {}, {}), k).empty());
 }
 
+TEST_CASE("of two draws of a part that is found a change is told once in twenty at most",
+          "[analysis][null]") {
+  const auto repeats = GENERATE(1u, 2u);
+  CAPTURE(repeats);
+  const Kinematics k = motor({spall_of("outer", 3.585)});
+  const std::vector<Quantity> quantities = quantities_to_compare(k);
+  // As low as the smallest that the other tests name.
+  const std::vector<Part> part = {{3.6, 0.1}};
+  constexpr int draws = test::under_sanitizer ? 2 : 60;
+  int seen = 0, changed = 0;
+  for (unsigned draw = 0; draw < draws; ++draw) {
+    std::vector<RecordLevels> a, b;
+    for (unsigned i = 0; i < repeats; ++i) {
+      a.push_back(record(k, part, 1000 + 4 * draw + i));
+      b.push_back(record(k, part, 1002 + 4 * draw + i));
+    }
+    int told = 0;
+    for (const Change& one : compare(a, b, quantities, {.least_dB = 0}).changes) {
+      if (!one.seen || !quantities[one.quantity].is_in(0)) continue;
+      ++seen;
+      told += one.word == ChangeWord::changed ? 1 : 0;
+    }
+    changed += told > 0 ? 1 : 0;
+  }
+  CHECK(seen > 0);
+  if (test::under_sanitizer) return;
+  CHECK(changed <= 0.05 * draws + 3 * std::sqrt(0.05 * draws));
+}
+
 TEST_CASE("of parts that are both as good as one another neither is named alone", "[analysis]") {
   const Kinematics k = motor({spall_of("drive end", 5.415), spall_of("fan end", 5.44)});
   for (const std::string& one : named(change(k, {{5.42, 0.3}}, {{5.42, 0.9}}), k)) {
@@ -124,6 +154,15 @@ TEST_CASE("lines of a cage may be those of an outer race that its balls pass", "
   REQUIRE(named(c, k).size() >= 1);
   CHECK(named(c, k).front() == "cage or outer");
   CHECK(named(change(k, {{3.6, 0.3}}, {{3.6, 0.9}}), k) == Names{"outer"});
+}
+
+TEST_CASE("a part that turns about as fast as the shaft has no sideband below order 0",
+          "[analysis]") {
+  // Its slip takes order 1.01 to 0.995, and the sideband at the shaft's speed below 0.
+  const Kinematics k = motor({spall_of("cage", 1.012)});
+  const double order = 1.012 * 0.9815;
+  const Comparison c = change(k, {{order, 0.3}}, {{order, 0.9}});
+  for (const std::string& one : named(c, k)) CHECK(one == "cage");
 }
 
 TEST_CASE("peaks without a part are lent to none", "[analysis]") {
