@@ -2,13 +2,11 @@
 
 #include <cstdint>
 
+#include "analysis/kernel.hpp"
+
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
-
-// Bodies are compiled once per kind of processor, into its own function: that is what the
-// attributes are for. They call nothing that could be shared with code for another kind.
-#define RVBENCH_INTO_KERNEL [[gnu::always_inline]] inline
 
 namespace rvbench::analysis {
 namespace {
@@ -250,8 +248,7 @@ const SiftKernels& portable_sift_kernels() {
 const SiftKernels& sift_kernels() {
 #if defined(__x86_64__)
   static constexpr SiftKernels kernels{avx2_scan, avx2_mean_cubics, avx2_subtract};
-  static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
-  if (has_avx2) return kernels;
+  if (has_avx2()) return kernels;
 #endif
   return portable_sift_kernels();
 }
