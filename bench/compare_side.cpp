@@ -54,16 +54,29 @@ std::vector<std::string> files_in(const std::filesystem::path& path, std::error_
   return files;
 }
 
+using Hashes = std::vector<std::pair<std::string, std::string>>;  // file, SHA-256
+
+// Of those that can be read: reading the others tells why not.
+Hashes hashes_of(const std::vector<std::string>& files) {
+  Hashes hashes;
+  for (const std::string& file : files) {
+    if (const auto hash = sha256_of_file(file)) hashes.emplace_back(file, *hash);
+  }
+  return hashes;
+}
+
 // A recording that is there twice has not been repeated.
-std::vector<analysis::NotCompared> leave_out_copies(std::vector<std::string>& files) {
+std::vector<analysis::NotCompared> leave_out_copies(std::vector<std::string>& files,
+                                                    Hashes& hashes) {
   std::map<std::string, std::string> known;  // hash → file
   std::vector<analysis::NotCompared> copies;
-  std::erase_if(files, [&](const std::string& file) {
-    const auto hash = sha256_of_file(file);
-    if (!hash) return false;  // reading it tells why
-    const auto [first, is_new] = known.emplace(*hash, file);
-    if (!is_new) copies.push_back({file, "a copy of " + first->second + ", no repeat"});
-    return !is_new;
+  std::erase_if(hashes, [&](const auto& hashed) {
+    const auto& [file, hash] = hashed;
+    const auto [first, is_new] = known.emplace(hash, file);
+    if (is_new) return false;
+    copies.push_back({file, "a copy of " + first->second + ", no repeat"});
+    std::erase(files, file);
+    return true;
   });
   return copies;
 }
@@ -118,9 +131,11 @@ std::variant<CompareSide, JudgeRefusal> CompareSide::open_run(const std::filesys
   if (side.points_.empty()) {
     return JudgeRefusal{exit_codes::data_refused, folder.string() + " holds no record"};
   }
+  std::vector<std::string> files;
   for (const std::string& name : recording_names(folder)) {
-    side.files_.push_back((folder / name).string());
+    files.push_back((folder / name).string());
   }
+  side.hashes_ = hashes_of(files);
   return side;
 }
 
@@ -134,16 +149,16 @@ std::variant<CompareSide, JudgeRefusal> CompareSide::open_files(const std::files
   }
   CompareSide side;
   std::error_code why;
-  side.files_ = files_in(path, why);
+  std::vector<std::string> files = files_in(path, why);
   if (why) {
     return JudgeRefusal{exit_codes::data_refused, path.string() + ": " + why.message()};
   }
-  side.left_out_ = leave_out_copies(side.files_);
-  if (side.files_.empty()) {
+  side.hashes_ = hashes_of(files);
+  side.left_out_ = leave_out_copies(files, side.hashes_);
+  if (files.empty()) {
     return JudgeRefusal{exit_codes::data_refused, path.string() + " holds no recording"};
   }
-  auto read =
-      recordings_to_judge({.files = side.files_, .hints = hints, .channel = "", .stop = stop});
+  auto read = recordings_to_judge({.files = files, .hints = hints, .channel = "", .stop = stop});
   if (read.index() == 1) return std::get<1>(std::move(read));
   side.records_ = std::get<0>(std::move(read));
   return side;
@@ -188,14 +203,6 @@ std::optional<analysis::Spectrum> CompareSide::mean_spectrum(
   for (const analysis::Spectrum& one : spectra) power += one.amplitude.head(lines).cwiseAbs2();
   return analysis::Spectrum{spectra.front().resolution,
                             (power / static_cast<double>(spectra.size())).cwiseSqrt()};
-}
-
-std::vector<std::pair<std::string, std::string>> CompareSide::hashes() const {
-  std::vector<std::pair<std::string, std::string>> all;
-  for (const std::string& file : files_) {
-    if (const auto hash = sha256_of_file(file)) all.emplace_back(file, *hash);
-  }
-  return all;
 }
 
 bool is_same_machine(const analysis::Kinematics& a, const analysis::Kinematics& b) {

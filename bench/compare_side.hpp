@@ -53,7 +53,7 @@ class CompareSide {
                                                   const std::string& channel,
                                                   const analysis::Kinematics& kinematics);
   /// Files that were read, each with its SHA-256.
-  std::vector<std::pair<std::string, std::string>> hashes() const;
+  const std::vector<std::pair<std::string, std::string>>& hashes() const { return hashes_; }
 
  private:
   static std::variant<CompareSide, JudgeRefusal> open_run(const std::filesystem::path& folder);
@@ -63,7 +63,7 @@ class CompareSide {
 
   std::string path_;
   std::optional<analysis::Kinematics> kinematics_;
-  std::vector<std::string> files_;
+  std::vector<std::pair<std::string, std::string>> hashes_;
   std::vector<analysis::NotCompared> left_out_;
   std::vector<Recording> records_;  ///< of plain recordings
   std::vector<int> points_;         ///< of a run: those recorded

@@ -131,7 +131,7 @@ std::variant<CompareCommand::Answer, int> CompareCommand::held_against(Console& 
                 {a_, b_, kinematics_, software_version(), {}}};
   for (const CompareSide& side : sides_) {
     std::ranges::copy(side.left_out(), std::back_inserter(answer.comparison.left_out));
-    std::ranges::move(side.hashes(), std::back_inserter(answer.facts.hashes));
+    std::ranges::copy(side.hashes(), std::back_inserter(answer.facts.hashes));
   }
   if (answer.comparison.changes.empty()) {
     return refuse_nothing_in_common(console, answer.comparison);
