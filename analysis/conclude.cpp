@@ -161,10 +161,13 @@ double weight(const Finding& finding) {
 
 // A hypothesis that shows.
 struct Shown {
+  std::size_t signature;
   Finding finding;
   Evidence evidence;
-  double weight = 0;
+  double weight;
   bool is_cause = false;  // of one that by itself would weigh more
+
+  bool is_bad() const { return finding.severity > finding.limit; }
 };
 
 // Whether the other makes all its lines, where it is deepest.
@@ -172,9 +175,8 @@ bool follows(const Shown& lesser, const Shown& graver, const Kinematics& kinemat
   if (lesser.finding.component == graver.finding.component) return false;
   const std::size_t deepest = lesser.evidence.deepest();
   const Examination& point = *lesser.evidence.shown_by[deepest];
-  const auto signature = static_cast<std::size_t>(graver.evidence.scores.front()->signature);
-  return may_follow_from(*lesser.evidence.scores[deepest], point.scores[signature], kinematics,
-                         record_resolution(point, kinematics));
+  return may_follow_from(*lesser.evidence.scores[deepest], point.scores[graver.signature],
+                         kinematics, record_resolution(point, kinematics));
 }
 
 // A spall that turns through the load makes its shaft's lines, too; the shaft makes none of the
@@ -182,9 +184,7 @@ bool follows(const Shown& lesser, const Shown& graver, const Kinematics& kinemat
 // eccentric shaft makes sidebands of their meshes.
 void raise_causes(std::vector<Shown>& shown, const Kinematics& kinematics) {
   for (Shown& cause : shown) {
-    const auto signature = static_cast<std::size_t>(cause.evidence.scores.front()->signature);
-    const bool is_bad = cause.finding.severity > cause.finding.limit;
-    if (!(kinematics.signatures[signature].slip > 0) || !is_bad) continue;
+    if (!(kinematics.signatures[cause.signature].slip > 0) || !cause.is_bad()) continue;
     for (const Shown& other : shown) {
       if (other.weight <= cause.weight || !follows(other, cause, kinematics)) continue;
       cause.weight = other.weight;
@@ -249,17 +249,17 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
     }
     describe(f, evidence, kinematics, s);
     const double own = weight(f);
-    shown.push_back({std::move(f), std::move(evidence), own});
+    shown.push_back({s, std::move(f), std::move(evidence), own});
   }
   raise_causes(shown, kinematics);
   std::ranges::stable_sort(shown, is_graver);
   relate(shown, kinematics);
   double total = 0;
-  for (const Shown& s : shown) total += s.finding.severity > s.finding.limit ? s.weight : 0;
+  for (const Shown& s : shown) total += s.is_bad() ? s.weight : 0;
   for (Shown& s : shown) {
-    if (s.finding.severity > s.finding.limit) s.finding.confidence = s.weight / total;
-    (s.finding.severity > s.finding.limit ? d.findings : d.below_limit)
-        .push_back(std::move(s.finding));
+    const bool is_bad = s.is_bad();
+    if (is_bad) s.finding.confidence = s.weight / total;
+    (is_bad ? d.findings : d.below_limit).push_back(std::move(s.finding));
   }
   std::ranges::sort(d.not_shown, {}, &Finding::p_value);
   d.unexplained = unexplained_families(points, kinematics);

@@ -66,21 +66,18 @@ std::string why_not(const ChannelPair& pair) {
   return "";
 }
 
-bool is_stated(const std::vector<const ChannelLevels*>& side, std::string ChannelInfo::*what) {
-  return std::ranges::all_of(side, [&](const auto* one) { return !(one->info.*what).empty(); });
-}
-
-bool is_unstated(const std::vector<const ChannelLevels*>& side, std::string ChannelInfo::*what) {
-  return std::ranges::all_of(side, [&](const auto* one) { return (one->info.*what).empty(); });
+std::size_t count_stated(const std::vector<const ChannelLevels*>& side,
+                         std::string ChannelInfo::*what) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(side, [&](const auto* one) { return !(one->info.*what).empty(); }));
 }
 
 // What some state and others do not is taken to be the same, and that is told.
 void tell_unstated(const ChannelPair& pair, const std::string& where,
                    std::vector<NotCompared>& left_out) {
   const auto tell = [&](const char* name, std::string ChannelInfo::*what) {
-    const bool all = is_stated(pair.a, what) && is_stated(pair.b, what);
-    const bool none = is_unstated(pair.a, what) && is_unstated(pair.b, what);
-    if (all || none) return;
+    const std::size_t stated = count_stated(pair.a, what) + count_stated(pair.b, what);
+    if (stated == 0 || stated == pair.a.size() + pair.b.size()) return;
     left_out.push_back({where, fmt::format("compared, but not every file states its {}: it is "
                                            "taken to be the same in A and B",
                                            name)});
