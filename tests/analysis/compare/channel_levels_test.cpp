@@ -6,6 +6,7 @@
 #include "analysis/compare/record_levels.hpp"
 #include "tests/analysis/null_rates.hpp"
 #include "tests/analysis/order_signals.hpp"
+#include "tests/analysis/spall.hpp"
 #include "tests/support/under_sanitizer.hpp"
 
 // How high lines stand where there is noise alone.
@@ -18,13 +19,7 @@ Kinematics train_with_bearing(double period_turns) {
   k.machine = "train";
   k.period_turns = period_turns;
   k.orders = {{"input shaft", 1, {}, "input_shaft", ""}};
-  Signature spall;
-  spall.component = "bearing_outer";
-  spall.mechanism = "spall";
-  spall.order = 3.585;
-  spall.harmonics = 4;
-  spall.slip = 0.02;
-  k.signatures = {spall};
+  k.signatures = {test::spall_of("bearing_outer", 3.585, 4)};
   return k;
 }
 

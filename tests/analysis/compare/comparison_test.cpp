@@ -9,6 +9,7 @@
 #include "analysis/indicators/signal_levels.hpp"
 #include "analysis/statistics.hpp"
 #include "tests/analysis/compare/compared_records.hpp"
+#include "tests/analysis/spall.hpp"
 
 // What is said of records whose difference is known.
 namespace rvbench::analysis {
@@ -316,12 +317,7 @@ namespace {
 Kinematics gear_with_bearing() {
   Kinematics k = test::small_gear();
   k.orders.push_back({"bearing", 2.5, {}, "bearing_outer", ""});
-  Signature spall;
-  spall.component = "bearing_outer";
-  spall.mechanism = "spall";
-  spall.order = 2.5;
-  spall.slip = 0.1;
-  k.signatures = {spall};
+  k.signatures = {test::spall_of("bearing_outer", 2.5, 1, 0.1)};
   return k;
 }
 

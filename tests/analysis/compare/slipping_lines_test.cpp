@@ -6,6 +6,7 @@
 
 #include "analysis/compare/headlines.hpp"
 #include "tests/analysis/compare/compared_records.hpp"
+#include "tests/analysis/spall.hpp"
 #include "tests/support/under_sanitizer.hpp"
 
 // Lines of two parts that slip, of which one changes: that one is named, and no other.
@@ -13,13 +14,7 @@ namespace rvbench::analysis {
 namespace {
 
 Signature spall_of(const char* component, double order) {
-  Signature s;
-  s.component = component;
-  s.mechanism = "spall";
-  s.order = order;
-  s.harmonics = 4;
-  s.slip = 0.02;
-  return s;
+  return test::spall_of(component, order, 4);
 }
 
 // A motor with two bearings' races.
