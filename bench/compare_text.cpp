@@ -123,8 +123,7 @@ std::string scatter_sentence(const Comparison& comparison) {
   if (has(analysis::ScatterSource::none)) {
     text +=
         "Where one record is too short for parts, or repeats agree to the last digit, no scatter "
-        "is "
-        "known. ";
+        "is known. ";
   }
   return text;
 }
