@@ -8,6 +8,7 @@
 #include "analysis/indicators/earlier_records.hpp"
 #include "analysis/indicators/indicator_places.hpp"
 #include "analysis/quality.hpp"
+#include "analysis/quality/gear_train_fit.hpp"
 #include "bench/limit_checks.hpp"
 #include "hal/did_you_mean.hpp"
 #include "hal/types/measure.hpp"
@@ -113,6 +114,40 @@ void hold_against_earlier(std::vector<JudgedPoint>& points) {
   }
 }
 
+// What the same lines would say of another speed; empty if nothing.
+std::string at_better_speed(const analysis::GearTrainFit& fit,
+                            const std::vector<analysis::Examination>& points) {
+  if (std::isnan(fit.best_speed)) return "";
+  std::string speeds;
+  for (const analysis::Examination& point : points) {
+    if (point.angle_measured) return "";
+    const std::string speed = fmt::format("{:.1f}", fit.best_speed * point.speed_rpm);
+    if (speeds.find(speed) == std::string::npos) speeds += (speeds.empty() ? "" : ", ") + speed;
+  }
+  return fmt::format("; at {} rpm it would be {:.0f} %: is that the speed?", speeds,
+                     100 * fit.best_share);
+}
+
+// Why it may be another machine, another speed or another rate; empty if it is this one.
+std::string why_not_this_machine(const Judgement& judgement,
+                                 const analysis::Kinematics& kinematics) {
+  std::vector<analysis::Examination> examined;
+  for (const JudgedPoint& point : judgement.points) examined.push_back(point.examination);
+  if (!analysis::shows_shaft(examined, judgement.diagnosis, kinematics)) {
+    return "no line of this machine is in the data, so nothing confirms its speed, the sample rate "
+           "or that it is this machine";
+  }
+  if (!analysis::has_own_lines(kinematics)) return "";
+  const analysis::GearTrainFit fit = analysis::gear_train_fit(examined, kinematics);
+  if (fit.is_shown()) return "";
+  return fmt::format(
+      "the lines in the data are not this machine's: {:.0f} % of their power lies on its orders, "
+      "no "
+      "more than by chance (as much at {:.0f} % of other speeds): it is another machine, or the "
+      "speed or the sample rate is wrong{}",
+      100 * fit.share, 100 * fit.chance, at_better_speed(fit, examined));
+}
+
 }  // namespace
 
 analysis::Kinematics with_limits(analysis::Kinematics kinematics,
@@ -212,15 +247,13 @@ void conclude(Judgement& judgement, const analysis::Kinematics& kinematics,
 }
 
 void demand_confirmation(Judgement& judgement, const analysis::Kinematics& kinematics) {
-  std::vector<analysis::Examination> examined;
-  for (const JudgedPoint& point : judgement.points) examined.push_back(point.examination);
   analysis::Diagnosis& diagnosis = judgement.diagnosis;
-  if (!diagnosis.resolvable || analysis::shows_machine(examined, diagnosis, kinematics)) return;
-  const std::string what =
-      "cannot tell: no line of this machine is in the data, so nothing confirms its speed, the "
-      "sample rate or that it is this machine";
-  diagnosis.quality.push_back({kinematics.machine, what, true});
-  judgement.ending = graver(judgement.ending, invalid(kinematics.machine + ": " + what));
+  if (!diagnosis.resolvable) return;
+  const std::string what = why_not_this_machine(judgement, kinematics);
+  if (what.empty()) return;
+  diagnosis.quality.push_back({kinematics.machine, "cannot tell: " + what, true});
+  judgement.ending =
+      graver(judgement.ending, invalid(kinematics.machine + ": cannot tell: " + what));
 }
 
 }  // namespace rvbench::bench

@@ -56,12 +56,12 @@ std::string timed(const ScratchFolder& scratch, double (*clock_s)(double t_s)) {
   return file.string();
 }
 
-// An RV-20E with a damaged planet: its mesh swings twice and three times per turn of the planet
-// against the carrier, 40/121 of the shaft's.
+// An RV-20E with a damaged planet: the second harmonic of its mesh swings twice and three times per
+// turn of the planet against the carrier, 40/121 of the shaft's.
 std::string damaged_planet(const ScratchFolder& scratch) {
   return recorded(scratch, 17, [](double turns) {
     const double swing = 0.5 * tone(80.0 / 121, turns) + 0.5 * tone(120.0 / 121, turns);
-    return 0.2 * tone(1, turns) + (1 + swing) * tone(20, turns);
+    return 0.2 * tone(1, turns) + (1 + swing) * tone(2160.0 / 121, turns);
   });
 }
 
@@ -97,6 +97,27 @@ TEST_CASE("what is judged at a wrong speed, rate or machine is INVALID, not PASS
   const Answer answer = judge(file, "cwru_6205", wrong);
   CHECK(answer.code == 20);
   CHECK(notes(answer, "cannot tell: no line of this machine"));
+}
+
+TEST_CASE("a machine whose own lines are not in the data is INVALID, though its shaft's is",
+          "[bench]") {
+  const ScratchFolder scratch;
+  const std::string file = unbalanced(scratch);
+  for (const char* machine : {"gear0", "two_stage"}) {
+    const Answer answer = judge(file, machine, right);
+    CHECK(answer.code == 20);
+    CHECK(notes(answer, "the lines in the data are not this machine's: 0 %"));
+  }
+}
+
+TEST_CASE("at a speed a little off, the one that the machine's lines fit is named", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string file =
+      recorded(scratch, 17, [](double turns) { return 0.2 * tone(1, turns) + tone(23, turns); });
+  CHECK(judge(file, "gear0", right).code == 0);
+  const Answer answer = judge(file, "gear0", {"--rate", "2000", "--speed", "1800"});
+  CHECK(answer.code == 20);
+  CHECK(notes(answer, "at 1815"));
 }
 
 TEST_CASE("a speed that is a motor's slip off the file's stays in force, and is told", "[bench]") {
