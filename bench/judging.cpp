@@ -133,19 +133,23 @@ std::string why_not_this_machine(const Judgement& judgement,
                                  const analysis::Kinematics& kinematics) {
   std::vector<analysis::Examination> examined;
   for (const JudgedPoint& point : judgement.points) examined.push_back(point.examination);
-  if (!analysis::shows_shaft(examined, judgement.diagnosis, kinematics)) {
-    return "no line of this machine is in the data, so nothing confirms its speed, the sample rate "
-           "or that it is this machine";
-  }
-  if (!analysis::has_own_lines(kinematics)) return "";
+  const bool has_own_lines = analysis::has_own_lines(kinematics);
+  const bool shows_shaft = analysis::shows_shaft(examined, judgement.diagnosis, kinematics);
+  if (!has_own_lines && shows_shaft) return "";
   const analysis::GearTrainFit fit = analysis::gear_train_fit(examined, kinematics);
-  if (fit.is_shown()) return "";
+  if (has_own_lines && fit.is_shown()) return "";
+  const std::string better = at_better_speed(fit, examined);
+  if (!shows_shaft) {
+    return "no line of this machine is in the data, so nothing confirms its speed, the sample rate "
+           "or that it is this machine" +
+           better;
+  }
   return fmt::format(
       "the lines in the data are not this machine's: {:.0f} % of their power lies on its orders, "
       "no "
       "more than by chance (as much at {:.0f} % of other speeds): it is another machine, or the "
       "speed or the sample rate is wrong{}",
-      100 * fit.share, 100 * fit.chance, at_better_speed(fit, examined));
+      100 * fit.share, 100 * fit.chance, better);
 }
 
 }  // namespace

@@ -160,11 +160,17 @@ double share_as_good(double share, const std::vector<Tried>& tried) {
 
 void find_better_speed(const std::vector<Tried>& tried, GearTrainFit& fit) {
   const Tried best = *std::ranges::max_element(tried, {}, &Tried::share);
-  const bool is_alone = std::ranges::all_of(tried, [&](const Tried& t) {
-    return std::abs(t.speed - best.speed) < 2 * nearest || stands_out * t.share < best.share;
-  });
-  if (!is_alone || best.share <= std::max(worth_a_hint, stands_out * fit.share)) return;
-  fit.best_speed = best.speed;
+  if (best.share <= std::max(worth_a_hint, stands_out * fit.share)) return;
+  double sum = 0;
+  int equals = 0;
+  for (const Tried& t : tried) {
+    const bool is_near = std::abs(t.speed - best.speed) < 2 * nearest;
+    if (!is_near && stands_out * t.share >= best.share) return;
+    if (!is_near || t.share < best.share) continue;
+    sum += t.speed;
+    ++equals;
+  }
+  fit.best_speed = sum / equals;
   fit.best_share = best.share;
 }
 

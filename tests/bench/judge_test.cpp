@@ -56,12 +56,14 @@ std::string timed(const ScratchFolder& scratch, double (*clock_s)(double t_s)) {
   return file.string();
 }
 
-// An RV-20E with a damaged planet: the second harmonic of its mesh swings twice and three times per
+// An RV-20E with a damaged planet: its mesh swings twice and three times per
 // turn of the planet against the carrier, 40/121 of the shaft's.
 std::string damaged_planet(const ScratchFolder& scratch) {
   return recorded(scratch, 17, [](double turns) {
     const double swing = 0.5 * tone(80.0 / 121, turns) + 0.5 * tone(120.0 / 121, turns);
-    return 0.2 * tone(1, turns) + (1 + swing) * tone(2160.0 / 121, turns);
+    const double mesh = 1080.0 / 121;
+    return 0.2 * tone(1, turns) + (1 + swing) * (0.3 * tone(mesh, turns) + tone(2 * mesh, turns) +
+                                                 0.4 * tone(3 * mesh, turns));
   });
 }
 
