@@ -160,7 +160,8 @@ TEST_CASE("a name of A that B has for another sensor is not given twice", "[benc
   CHECK_THAT(merged.err, Contains("has both s1 and s2"));
   const Answer swapped = compare(a, b, {"--same", "s1=s2", "--same", "s2=s1", "--json"});
   REQUIRE(swapped.code == 0);
-  for (const auto& change : told(swapped).at("points").at(0).at("changes")) {
+  const nlohmann::json answer = told(swapped);
+  for (const auto& change : answer.at("points").at(0).at("changes")) {
     if (change.at("quantity") != "rms") continue;
     const double by_dB = change.at("channel") == "s1" ? 20 : -20;
     CHECK(change.at("change_dB").get<double>() == Approx(by_dB).margin(1));
