@@ -59,6 +59,15 @@ Judgement concluded(std::vector<JudgedPoint> points, const std::vector<Limit>& l
 
 }  // namespace
 
+TEST_CASE("what refuses the data comes before what is only noted of them", "[bench]") {
+  JudgedPoint point = point_with_peak(0.1);
+  point.examination.quality = {{"a", "speed as given", false}, {"a", "clipped", true}};
+  const Judgement judgement = concluded({point}, {});
+  CHECK(judgement.ending.outcome == Outcome::invalid);
+  REQUIRE(judgement.diagnosis.quality.size() == 2);
+  CHECK(judgement.diagnosis.quality.front().what == "clipped");
+}
+
 TEST_CASE("a limit in g is held against m/s²", "[bench]") {
   CHECK(concluded({point_with_peak(9.8)}, {peak_in_g}).ending.outcome == Outcome::pass);
   const Judgement above = concluded({point_with_peak(1), point_with_peak(19.6133)}, {peak_in_g});
