@@ -197,7 +197,10 @@ void conclude(Judgement& judgement, const analysis::Kinematics& kinematics,
   for (const sequences::Limit& limit : limits)
     judgement.limits.push_back(check_of(limit, judgement));
   // Of two that are as grave the first: data that cannot be trusted is why a value is missing.
-  judgement.ending = graver(graver(trust_in(judgement), weighed(judgement)), measured);
+  const Ending trust = trust_in(judgement);
+  const Ending judged = weighed(judgement);
+  judgement.ending =
+      graver(trust.outcome == Outcome::pass ? judged : graver(trust, judged), measured);
 }
 
 void demand_confirmation(Judgement& judgement, const analysis::Kinematics& kinematics) {

@@ -53,7 +53,7 @@ Ending trust_in(const Judgement& judgement) {
   if (!needs_no_orders && !judgement.diagnosis.resolvable) {
     return invalid("not resolvable: no record is long enough to part the orders of this machine");
   }
-  return {Outcome::pass, ErrorKind::none, "no finding above its limit"};
+  return {Outcome::pass, ErrorKind::none, "every record can be trusted"};
 }
 
 bool can_be_trusted(const Judgement& judgement) {
