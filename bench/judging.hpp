@@ -37,11 +37,6 @@ std::vector<hal::ConfigFault> limits_on_unknown_parts(const std::vector<sequence
 JudgedPoint judge_point(const Recording& record, const analysis::Kinematics& kinematics,
                         const analysis::ExamineOptions& options);
 
-/// Whether every point was recorded and is sound, and a record is long enough to part the orders of
-/// what turned.
-/// Errors  none thrown. Source  ours
-bool can_be_trusted(const Judgement& judgement);
-
 /// Draws the conclusion from judgement.points: diagnosis, limits, and the ending.
 /// @param measured  how the sequence itself ended; the graver of both becomes the ending
 /// Errors  none thrown: what cannot be judged ends INVALID, with the reason

@@ -74,9 +74,10 @@ void prefer_speed(double speed_rpm, Recording& record) {
   if (!angle || !angle->is_measured()) return;
   const double measured_rpm = units::rpm_from_Hz(angle->mean_speed_Hz());
   if (std::abs(speed_rpm - measured_rpm) <= hal::speed_tolerance * measured_rpm) return;
-  record.notes.push_back(
-      fmt::format("speed {} rpm as given: the shaft's angle, which says {:.5g} rpm, is left out",
-                  speed_rpm, measured_rpm));
+  record.notes.push_back(fmt::format(
+      "speed {} rpm as given: the shaft's angle, which says {:.5g} rpm and so differs by "
+      "{:.1f} %, is left out",
+      speed_rpm, measured_rpm, 100 * std::abs(speed_rpm / measured_rpm - 1)));
   std::erase_if(record.channels, [](const Channel& channel) {
     return channel.info.name == channel_names::input_angle;
   });

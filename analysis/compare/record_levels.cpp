@@ -25,13 +25,16 @@ std::string unfit(const Recording& record, const std::optional<ShaftAngle>& angl
 
 void tell_short(const ShaftAngle& angle, const Kinematics& kinematics, const Channel& x,
                 RecordLevels& levels) {
-  const double turns = angle.mean_speed_Hz() * double(x.samples.size()) / x.rate_Hz;
+  const double length_s = double(x.samples.size()) / x.rate_Hz;
+  const double turns = angle.mean_speed_Hz() * length_s;
   const int needed = block_turns(kinematics);
   if (turns >= needed) return;
+  levels.too_short = {length_s, needed / angle.mean_speed_Hz(), levels.measured_rpm};
   levels.left_out.push_back(
-      {levels.source, fmt::format("spans {:.0f} turns of the input shaft, and {} part its lines: "
-                                  "only its levels are compared",
-                                  turns, needed)});
+      {levels.source,
+       fmt::format("spans {:.0f} turns of the input shaft, and {} part its lines: {:.3g} s are too "
+                   "short, {:.3g} s are needed, only its levels are compared",
+                   turns, needed, length_s, levels.too_short->needed_s)});
 }
 
 // Of two channels that have one name nobody knows which is held against which.
@@ -45,7 +48,7 @@ bool is_one_of_two(const Channel* channel, const std::vector<const Channel*>& al
 RecordLevels measure_levels(const Recording& record, const Kinematics& kinematics,
                             const std::vector<Quantity>& quantities) {
   RecordLevels levels{
-      record.source, record.planned_speed_rpm, record.speed_rpm, record.load_pct, {}, {}};
+      record.source, record.planned_speed_rpm, record.speed_rpm, record.load_pct, {}, {}, {}};
   const std::optional<ShaftAngle> angle = ShaftAngle::of(record);
   if (angle) levels.measured_rpm = units::rpm_from_Hz(angle->mean_speed_Hz());
   for (const double known_rpm : {record.speed_rpm, levels.measured_rpm}) {

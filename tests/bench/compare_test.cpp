@@ -187,6 +187,50 @@ TEST_CASE("copies of a recording are no repeats", "[bench]") {
   CHECK(json.at("left_out").at(0).at("why") == "a copy of " + a + "/0.csv, no repeat");
 }
 
+TEST_CASE("one recording by two names cannot have changed, and that is the answer", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string a = (scratch.path() / "a.csv").string();
+  const std::string b = (scratch.path() / "b.csv").string();
+  write_csv(a, {}, 1);
+  std::filesystem::copy_file(a, b);
+  const std::string same = "A and B are the same recording: nothing can have changed.";
+  const auto json = told(compare(a, b, {"--json"}));
+  CHECK(json.at("verdict") == "not_changed");
+  CHECK(json.at("sentence") == same);
+  CHECK(json.at("left_out").at(0).at("why").get<std::string>().find(a) != std::string::npos);
+  CHECK_THAT(compare(a, b).out, Contains(same));
+  std::filesystem::remove(b);
+  write_csv(b, {}, 2);
+  CHECK_THAT(compare(a, b).out, !Contains("same recording"));
+}
+
+TEST_CASE("of several recordings the one that is in A as well is told", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string a = repeats(scratch, "a", {}, 2, 1), b = repeats(scratch, "b", {}, 2, 2);
+  const std::string told_of_one = "1 of the 2 records of B is in A as well";
+  CHECK_THAT(compare(a, b).out, !Contains(told_of_one));
+  std::filesystem::copy_file(a + "/0.csv", b + "/0.csv",
+                             std::filesystem::copy_options::overwrite_existing);
+  CHECK_THAT(compare(a, b).out, Contains(told_of_one) && !Contains("A and B are the same"));
+}
+
+TEST_CASE("records too short for lines say so in the answer, with the length it takes", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string a = (scratch.path() / "a.csv").string();
+  const std::string b = (scratch.path() / "b.csv").string();
+  const auto compared_of = [&](double length_s) {
+    write_csv(a, {.length_s = length_s}, 1);
+    write_csv(b, {.length_s = length_s}, 2);
+    return compare(a, b).out;
+  };
+  CHECK_THAT(compared_of(1),
+             Contains("From A to B no level is known to have changed by more than 1 dB.") &&
+                 Contains("Lines were not compared, only levels: to part them a record must last "
+                          "2.13 s at 1800 rpm, and one lasts 1 s."));
+  CHECK_THAT(compared_of(8),
+             Contains("nothing is known to have changed") && !Contains("Lines were not compared"));
+}
+
 TEST_CASE("why it cannot be told is said as it is", "[bench]") {
   analysis::Comparison comparison;
   comparison.quantities = {{"rms"}};
