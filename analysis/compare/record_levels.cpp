@@ -43,6 +43,16 @@ bool is_one_of_two(const Channel* channel, const std::vector<const Channel*>& al
              all, [&](const Channel* other) { return other->info.name == channel->info.name; }) > 1;
 }
 
+void tell_no_acceleration(const Recording& record, const std::vector<const Channel*>& accelerations,
+                          RecordLevels& levels) {
+  for (const Channel& channel : record.channels) {
+    if (is_of_shaft(channel.info)) continue;
+    if (std::ranges::find(accelerations, &channel) != accelerations.end()) continue;
+    levels.left_out.push_back({record.source + ", " + channel.info.name,
+                               "is in " + channel.info.unit + ", no acceleration"});
+  }
+}
+
 }  // namespace
 
 RecordLevels measure_levels(const Recording& record, const Kinematics& kinematics,
@@ -59,6 +69,7 @@ RecordLevels measure_levels(const Recording& record, const Kinematics& kinematic
     return levels;
   }
   const std::vector<const Channel*> channels = acceleration_channels(record);
+  tell_no_acceleration(record, channels, levels);
   const auto notes = record_quality(channels, *angle, kinematics, not_known);
   std::vector<const Channel*> trusted;
   for (std::size_t i = 0; i < channels.size(); ++i) {

@@ -28,6 +28,7 @@ struct Motor {
   double shaft = 0.5, outer = 0.1;
   double length_s = 8;
   std::string channel = "accel_1x";
+  double unit = 1;  // of the file
 };
 
 void write_csv(const std::filesystem::path& file, const Motor& motor, unsigned seed) {
@@ -39,9 +40,9 @@ void write_csv(const std::filesystem::path& file, const Motor& motor, unsigned s
   std::ofstream out(file);
   out << motor.channel << '\n';
   for (int i = 0; i < motor.length_s * rate_Hz; ++i) {
-    out << motor.shaft * tone(1, i / rate_Hz) + motor.outer * tone(3.58, i / rate_Hz) +
-               noise(engine)
-        << '\n';
+    const double vibration =
+        motor.shaft * tone(1, i / rate_Hz) + motor.outer * tone(3.58, i / rate_Hz) + noise(engine);
+    out << vibration / motor.unit << '\n';
   }
 }
 
@@ -166,6 +167,37 @@ TEST_CASE("a name of A that B has for another sensor is not given twice", "[benc
     const double by_dB = change.at("channel") == "s1" ? 20 : -20;
     CHECK(change.at("change_dB").get<double>() == Approx(by_dB).margin(1));
   }
+}
+
+TEST_CASE("one motor in g and in m/s² is one motor", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string a = repeats(scratch, "a", {.channel = "accel_1x [m/s²]"}, 3, 1);
+  const Motor in_g{.channel = "accel_1x [g]", .unit = 9.80665};
+  const Answer same = compare(a, repeats(scratch, "b", in_g, 3, 2));
+  INFO(same.err << same.out);
+  CHECK(same.code == 0);
+  CHECK_THAT(same.out, Contains("NOT CHANGED"));
+  Motor spoilt = in_g;
+  spoilt.outer = 0.2;
+  const Answer other = compare(a, repeats(scratch, "c", spoilt, 3, 2));
+  CHECK_THAT(other.out, Contains("drive end bearing_outer by +6.") && !Contains("unit"));
+}
+
+TEST_CASE("a unit that only one side states is told", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string a = repeats(scratch, "a", {.channel = "accel_1x [m/s²]"}, 3, 1);
+  const std::string b = repeats(scratch, "b", {}, 3, 2);
+  CHECK_THAT(compare(a, b).out, Contains("accel_1x: compared, but not every file states its unit"));
+  CHECK_THAT(compare(b, repeats(scratch, "c", {}, 3, 3)).out, !Contains("states its unit"));
+}
+
+TEST_CASE("a column that is no acceleration is not compared as one", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string a = repeats(scratch, "a", {.channel = "accel_1x [V]"}, 3, 1);
+  const std::string b = repeats(scratch, "b", {.channel = "accel_1x [V]"}, 3, 2);
+  const Answer answer = compare(a, b);
+  CHECK(answer.code == 20);
+  CHECK_THAT(answer.err, Contains("no acceleration"));
 }
 
 TEST_CASE("copies of a recording are no repeats", "[bench]") {

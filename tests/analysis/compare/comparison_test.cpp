@@ -232,6 +232,19 @@ TEST_CASE("channels that are not the same are told, not compared", "[analysis]")
     change([](Channel& channel) { channel.info.unit = "g"; });
     CHECK(is_told(compared(a, b), "accel_1x: in m/s² in A and g in B"));
   }
+  SECTION("no acceleration") {
+    auto two = a;
+    for (auto* side : {&two, &b}) {
+      for (Recording& record : *side) {
+        record.channels.push_back(record.channels.front());
+        record.channels.back().info = {"proximity", "V", "", not_known};
+      }
+    }
+    const Comparison c = compared(two, b);
+    CHECK(c.channels.size() == 1);
+    CHECK(is_told(c, "record 20, proximity: is in V, no acceleration"));
+    CHECK_FALSE(is_told(c, "accel_1x: is in"));
+  }
   SECTION("mounted another way") {
     change([](Channel& channel) { channel.info.direction = "-Z"; });
     CHECK(is_told(compared(a, b), "points to +X in A and -Z in B"));
