@@ -18,8 +18,9 @@ constexpr double least_jump = 0.03;    // of the rms change from sample to sampl
 constexpr double at_rest = 0.75;       // of all samples
 constexpr double least_moving = 0.01;  // of all samples, in no run
 constexpr Eigen::Index fewest_repeats = 10;
-constexpr double far_oftener = 10;      // than any of the next values
-constexpr std::size_t next_values = 5;  // further in
+constexpr double far_oftener = 10;           // than any of the next values
+constexpr std::size_t next_values = 5;       // further in
+constexpr std::ptrdiff_t few_enough = 1000;  // samples
 
 struct Run {
   Eigen::Index first, size;
@@ -65,16 +66,33 @@ struct Value {
   Eigen::Index count;
 };
 
-// The values that samples have, from the largest on.
-std::vector<Value> values_from_top(const Eigen::VectorXd& x, double equal) {
-  std::vector<double> falling(x.begin(), x.end());
-  std::ranges::sort(falling, std::ranges::greater{});
+// The values that so many samples have, from the largest on.
+std::vector<Value> values_of_largest(std::vector<double>& x, std::ptrdiff_t most, double equal) {
+  const auto end = x.begin() + most;
+  if (end != x.end()) std::ranges::nth_element(x, end, std::ranges::greater{});
+  std::sort(x.begin(), end, std::ranges::greater{});
   std::vector<Value> values;
-  for (const double one : falling) {
-    if (values.empty() || values.back().value - one > equal) values.push_back({one, 0});
+  for (auto one = x.begin(); one != end; ++one) {
+    if (values.empty() || values.back().value - *one > equal) values.push_back({*one, 0});
     ++values.back().count;
   }
   return values;
+}
+
+// The outermost values that samples have, from the largest on: as few as can show a rail, for to
+// sort all takes long.
+std::vector<Value> values_from_top(const Eigen::VectorXd& x, double equal) {
+  std::vector<double> all(x.begin(), x.end());
+  const std::ptrdiff_t n = std::ssize(all);
+  for (std::ptrdiff_t most = std::min(n, std::max(few_enough, n / 50));;
+       most = std::min(n, 4 * most)) {
+    std::vector<Value> values = values_of_largest(all, most, equal);
+    const bool may_be_held = 4 * values.back().count > most || values.size() < next_values + 2;
+    if (most == n) return values;
+    if (may_be_held) continue;
+    values.pop_back();  // it may go on
+    return values;
+  }
 }
 
 // Whether what is beside the samples at a rail is off by more than a crest would be.
