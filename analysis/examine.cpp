@@ -189,8 +189,8 @@ void tell_unplaced(const ShaftAngle& angle, const Kinematics& kinematics, Examin
 }
 
 // A record is as long as its channels, also where none of them can be used.
-void tell_too_short(const std::string& source, const std::vector<const Channel*>& channels,
-                    const Task& task, Examination& e) {
+void tell_why_unresolvable(const std::string& source, const std::vector<const Channel*>& channels,
+                           const Task& task, Examination& e) {
   const double period_turns = task.kinematics.period_turns;
   double periods = 0;
   for (const Channel* channel : channels) {
@@ -198,7 +198,12 @@ void tell_too_short(const std::string& source, const std::vector<const Channel*>
     periods = std::max(periods, task.angle.whole_periods(channel->samples.size(), channel->rate_Hz,
                                                          channel->start_s, period_turns));
   }
-  if (periods >= fewest_periods) return;
+  if (periods >= fewest_periods) {
+    if (!e.resolvable && std::ranges::none_of(e.quality, &QualityNote::invalidates)) {
+      e.quality.push_back({source, "no channel has an envelope that could be read", true});
+    }
+    return;
+  }
   e.quality.push_back(
       {source,
        fmt::format("too short: {:.0f} whole periods of the gear train, {:.0f} are needed to part "
@@ -261,7 +266,7 @@ Examination examine(const Recording& record, const Kinematics& kinematics,
   tell_unplaced(*angle, kinematics, e);
   e.indicators = shaft_indicators(record, *angle, kinematics);
   e.resolvable = e.periods >= fewest_periods;
-  tell_too_short(record.source, channels, task, e);
+  tell_why_unresolvable(record.source, channels, task, e);
   return e;
 }
 

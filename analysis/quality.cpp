@@ -93,7 +93,7 @@ std::vector<QualityNote> accelerometer_quality(const Channel& channel, double cl
 }
 
 bool shows_shaft(const std::vector<Examination>& points, const Diagnosis& diagnosis,
-                   const Kinematics& kinematics) {
+                 const Kinematics& kinematics) {
   const auto locked = [&](const Finding& finding) { return is_locked(finding, kinematics); };
   if (std::ranges::any_of(diagnosis.findings, locked)) return true;
   if (std::ranges::any_of(diagnosis.below_limit, locked)) return true;

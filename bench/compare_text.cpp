@@ -87,7 +87,8 @@ std::string why_it_cannot_be_told(const Comparison& comparison) {
 }
 
 bool is_one_recording(const Comparison& comparison) {
-  return comparison.records_b > 0 && comparison.same_in_both.size() == comparison.records_b;
+  return comparison.records_b > 0 && comparison.same_in_both.size() == comparison.records_b &&
+         comparison.records_a == comparison.records_b;
 }
 
 bool has_lines(const Comparison& comparison, std::size_t point) {

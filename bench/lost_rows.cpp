@@ -46,11 +46,12 @@ double jump_of_earliest(const Eigen::VectorXd& late, Eigen::Index at) {
 }  // namespace
 
 std::optional<LostRows> find_lost_rows(const Eigen::VectorXd& time) {
-  if (time.size() < fewest_rows) return std::nullopt;
+  if (time.size() < fewest_rows || !time.allFinite()) return std::nullopt;
   const double step = step_of(time);
   if (!(step > 0)) return std::nullopt;
   const Eigen::VectorXd late = lateness(time, step);
   std::vector<double> sizes;
+  sizes.reserve(static_cast<std::size_t>(late.size()));
   for (Eigen::Index at = 1; at < late.size(); ++at) {
     sizes.push_back(std::abs(jump_of_mean(late, at)));
   }

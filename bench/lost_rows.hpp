@@ -16,7 +16,7 @@ struct LostRows {
 /// eightfold from how that of a clock that drifts, jitters or is printed coarsely wanders anyway.
 /// And so does the earliest one of 200, which a stamp that is late now and then is not.
 ///
-/// Shape   N stamps in any unit; nothing of fewer than 100
+/// Shape   N stamps in any unit; nothing of fewer than 100, nor of any that are not finite
 /// Limits  a gap of few rows is not seen among stamps that jitter by about a step or are the same
 ///         for many rows, nor any where gaps come every hundred rows: that is the clock's own step
 /// Errors  none thrown. Source  ours

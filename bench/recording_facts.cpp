@@ -75,6 +75,9 @@ std::variant<RecordingFacts, std::string> recording_facts(const std::filesystem:
   if (const auto refused = leave_out_what_is_no_acceleration("", first)) {
     facts.warnings.push_back("judge refuses it: " + *refused);
   }
+  if (analysis::acceleration_channels(first).empty()) {
+    facts.warnings.push_back("judge refuses it: no acceleration channel");
+  }
   add_warnings(first, facts.warnings);
   facts.notes = std::move(first.notes);
   return facts;

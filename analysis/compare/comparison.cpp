@@ -153,10 +153,16 @@ void tell_speeds(const MatchedPoint& point, const std::vector<RecordLevels>& a,
 
 void tell_same(const std::vector<RecordLevels>& a, const std::vector<RecordLevels>& b,
                Comparison& comparison) {
+  std::vector<std::size_t> compared;  // of B
   for (const MatchedPoint& point : comparison.points) {
+    comparison.records_a += point.a.records.size();
     comparison.records_b += point.b.records.size();
+    compared.insert(compared.end(), point.b.records.begin(), point.b.records.end());
   }
   comparison.same_in_both = same_records(a, b);
+  std::erase_if(comparison.same_in_both, [&](const SameRecord& same) {
+    return std::ranges::find(compared, same.b) == compared.end();
+  });
   for (const SameRecord& same : comparison.same_in_both) {
     comparison.left_out.push_back(
         {b[same.b].source, "the same recording as " + a[same.a].source +

@@ -59,8 +59,9 @@ struct Comparison {
   std::vector<SignaturePair> unparted;        ///< whose lines are the same in some record
   std::vector<NotCompared> left_out;          ///< records and channels, A first
   std::vector<ShortRecord> too_short = {};    ///< those whose lines are not compared
-  std::vector<SameRecord> same_in_both = {};  ///< B's that are A's, too: nothing can have changed
-  std::size_t records_b = 0;                  ///< those of B that are compared at some point
+  std::vector<SameRecord> same_in_both = {};  ///< of those compared, B's that are A's, too
+  std::size_t records_a = 0;                  ///< that are compared at some point
+  std::size_t records_b = 0;
 };
 
 /// Holds the records of B against those of A, point by point, each channel against that of the same

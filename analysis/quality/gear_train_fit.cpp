@@ -11,8 +11,11 @@ namespace rvbench::analysis {
 namespace {
 
 constexpr int most_harmonics = 12;
-constexpr double same_line = 0.6;                                 // of the resolution
-constexpr double nearest = 1e-3, furthest = 0.05, step = 2.5e-4;  // relative, of other speeds
+constexpr double same_line = 0.6;                  // of the resolution
+constexpr double nearest = 1e-3, furthest = 0.05;  // relative, of other speeds, at the least
+constexpr double too_far = 0.1;                    // the nearest, of a record that is too short
+constexpr int tries_each_way = 197;
+constexpr double hint_step = 2.5e-4;
 constexpr double stands_out = 1.5;     // a share, over that at any other speed
 constexpr double worth_a_hint = 0.25;  // of the lines' power
 
@@ -79,27 +82,40 @@ class OwnOrders {
 struct Line {
   double order;
   double power;
-  double near_lines;     // orders
+  double near_order;
   double near_relative;  // of its order
-  double near(double at) const { return std::max(near_lines, near_relative * at); }
+  double near(double at) const { return std::max(near_order, near_relative * at); }
 };
 
 using ChannelLines = std::vector<Line>;
+
+// Whether a line is the input shaft's, as any machine has them: a whole order, unless it is a
+// mesh's that stands out from the shaft's own harmonics to either side.
+bool is_of_any_shaft(const SpectralLine& line, double near, const ChannelExamination& channel,
+                     const OwnOrders& own) {
+  if (distance_to_multiple(line.order, 1) > near) return false;
+  if (!own.list(line.order, near)) return true;
+  constexpr double beside = 3;  // orders
+  constexpr double loud = 2;
+  return std::ranges::any_of(channel.lines, [&](const SpectralLine& other) {
+    return std::abs(other.order - line.order) < beside + near && &other != &line &&
+           distance_to_multiple(other.order, 1) <= near && !own.list(other.order, near) &&
+           loud * other.amplitude > line.amplitude;
+  });
+}
 
 std::vector<ChannelLines> lines_of(const std::vector<Examination>& points,
                                    const Kinematics& kinematics, const OwnOrders& own) {
   std::vector<ChannelLines> channels;
   for (const Examination& point : points) {
     if (!(point.periods > 0)) continue;
-    const double near_lines = same_line * record_resolution(point, kinematics);
+    const double near_order = same_line * record_resolution(point, kinematics);
     const double near_relative = speed_error(point.angle_measured);
     for (const ChannelExamination& channel : point.channels) {
       ChannelLines& lines = channels.emplace_back();
       for (const SpectralLine& l : channel.lines) {
-        const Line line{l.order, l.amplitude * l.amplitude, near_lines, near_relative};
-        const double near = line.near(l.order);
-        const bool of_any_shaft = distance_to_multiple(l.order, 1) <= near;
-        if (!of_any_shaft || own.list(l.order, near)) lines.push_back(line);
+        const Line line{l.order, l.amplitude * l.amplitude, near_order, near_relative};
+        if (!is_of_any_shaft(l, line.near(l.order), channel, own)) lines.push_back(line);
       }
       if (lines.empty()) channels.pop_back();
     }
@@ -135,27 +151,53 @@ double share_at(double speed, const std::vector<ChannelLines>& channels, const O
   return sum / static_cast<double>(channels.size());
 }
 
+// How far a speed must be off so that the lines that fit at the one used do no more: twice what
+// their orders may be off.
+double parted_from(const std::vector<ChannelLines>& channels, const OwnOrders& own) {
+  double sum = 0, power = 0;
+  for (const ChannelLines& lines : channels) {
+    for (const Line& line : lines) {
+      const double near = line.near(line.order);
+      if (!own.explain(line.order, near)) continue;
+      sum += line.power * 2 * near / line.order;
+      power += line.power;
+    }
+  }
+  return power > 0 ? std::max(sum / power, nearest) : nearest;
+}
+
 struct Tried {
   double speed;
   double share;
 };
 
-// Speeds that are off, and what they explain.
-std::vector<Tried> tried_speeds(const std::vector<ChannelLines>& channels, const OwnOrders& own) {
+// Speeds that are off by `from` and more, evenly, and what they explain.
+std::vector<Tried> tried_speeds(double from, const std::vector<ChannelLines>& channels,
+                                const OwnOrders& own) {
   std::vector<Tried> tried;
-  const int first = static_cast<int>(std::lround(nearest / step));
-  const int last = static_cast<int>(std::lround(furthest / step));
-  for (int i = -last; i <= last; ++i) {
-    const double speed = 1 + i * step;
-    if (std::abs(i) >= first) tried.push_back({speed, share_at(speed, channels, own)});
+  const double to = std::max(furthest, 5 * from);
+  for (int i = 0; i < tries_each_way; ++i) {
+    const double off = from + (to - from) * i / (tries_each_way - 1);
+    for (const double speed : {1 - off, 1 + off}) {
+      tried.push_back({speed, share_at(speed, channels, own)});
+    }
   }
   return tried;
 }
 
-double share_as_good(double share, const std::vector<Tried>& tried) {
-  const auto as_good =
-      std::ranges::count_if(tried, [&](const Tried& t) { return t.share >= share; });
-  return static_cast<double>(as_good) / static_cast<double>(tried.size());
+int count_as_good(double share, const std::vector<Tried>& tried) {
+  return static_cast<int>(
+      std::ranges::count_if(tried, [&](const Tried& t) { return t.share >= share; }));
+}
+
+// Closer than those that are tried for chance: as far off as a rounded speed.
+void add_near_speeds(double from, const std::vector<ChannelLines>& channels, const OwnOrders& own,
+                     std::vector<Tried>& tried) {
+  for (double off = 2 * stated_speed_error; off < from; off += hint_step) {
+    for (const double speed : {1 - off, 1 + off}) {
+      tried.push_back({speed, share_at(speed, channels, own)});
+    }
+  }
 }
 
 void find_better_speed(const std::vector<Tried>& tried, GearTrainFit& fit) {
@@ -184,10 +226,15 @@ GearTrainFit gear_train_fit(const std::vector<Examination>& points, const Kinema
   const std::vector<ChannelLines> channels = lines_of(points, kinematics, own);
   if (channels.empty()) return fit;
   fit.share = share_at(1, channels, own);
-  const std::vector<Tried> tried = tried_speeds(channels, own);
+  const double from = parted_from(channels, own);
+  fit.is_too_short = from > too_far;
+  if (fit.is_too_short) return fit;
+  std::vector<Tried> tried = tried_speeds(from, channels, own);
   const std::vector<ChannelLines> even = evened(channels);
-  fit.chance = std::min(share_as_good(fit.share, tried),
-                        share_as_good(share_at(1, even, own), tried_speeds(even, own)));
+  fit.tried = static_cast<int>(tried.size());
+  fit.as_good = std::min(count_as_good(fit.share, tried),
+                         count_as_good(share_at(1, even, own), tried_speeds(from, even, own)));
+  add_near_speeds(from, channels, own, tried);
   find_better_speed(tried, fit);
   return fit;
 }
