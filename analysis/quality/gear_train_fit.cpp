@@ -29,10 +29,11 @@ bool slips(double order, const Kinematics& kinematics) {
   });
 }
 
-// Orders that this machine has, and not any that turns, in ascending order.
+// Orders that this machine has, and not any that turns, in ascending order. Not all that repeats
+// with the gear train: so close a comb lies on itself again at speeds that are a little off.
 class OwnOrders {
  public:
-  explicit OwnOrders(const Kinematics& kinematics) : period_turns_(kinematics.period_turns) {
+  explicit OwnOrders(const Kinematics& kinematics) {
     for (const CharacteristicOrder& o : kinematics.orders) {
       if (slips(o.order, kinematics)) continue;
       for (int h = 1; h <= most_harmonics; ++h) add(h * o.order, o.mesh);
@@ -43,16 +44,9 @@ class OwnOrders {
 
   bool empty() const { return orders_.empty(); }
 
-  bool list(double order, double near) const {
+  bool hold(double order, double near) const {
     const auto from = std::ranges::lower_bound(orders_, order - near);
     return from != orders_.end() && *from <= order + near;
-  }
-
-  // Of those listed, or what repeats with the gear train, unless orders are so uncertain that half
-  // of all lines do.
-  bool explain(double order, double near) const {
-    return list(order, near) || (period_turns_ > 1 && near * period_turns_ < 0.25 &&
-                                 distance_to_multiple(order, 1 / period_turns_) <= near);
   }
 
  private:
@@ -74,7 +68,6 @@ class OwnOrders {
     }
   }
 
-  double period_turns_;
   std::vector<double> orders_;
 };
 
@@ -94,12 +87,12 @@ using ChannelLines = std::vector<Line>;
 bool is_of_any_shaft(const SpectralLine& line, double near, const ChannelExamination& channel,
                      const OwnOrders& own) {
   if (distance_to_multiple(line.order, 1) > near) return false;
-  if (!own.list(line.order, near)) return true;
+  if (!own.hold(line.order, near)) return true;
   constexpr double beside = 3;  // orders
   constexpr double loud = 2;
   return std::ranges::any_of(channel.lines, [&](const SpectralLine& other) {
     return std::abs(other.order - line.order) < beside + near && &other != &line &&
-           distance_to_multiple(other.order, 1) <= near && !own.list(other.order, near) &&
+           distance_to_multiple(other.order, 1) <= near && !own.hold(other.order, near) &&
            loud * other.amplitude > line.amplitude;
   });
 }
@@ -144,7 +137,7 @@ double share_at(double speed, const std::vector<ChannelLines>& channels, const O
     for (const Line& line : lines) {
       const double order = line.order / speed;
       all += line.power;
-      if (own.explain(order, line.near(order))) fits += line.power;
+      if (own.hold(order, line.near(order))) fits += line.power;
     }
     sum += fits / all;
   }
@@ -158,7 +151,7 @@ double parted_from(const std::vector<ChannelLines>& channels, const OwnOrders& o
   for (const ChannelLines& lines : channels) {
     for (const Line& line : lines) {
       const double near = line.near(line.order);
-      if (!own.explain(line.order, near)) continue;
+      if (!own.hold(line.order, near)) continue;
       sum += line.power * 2 * near / line.order;
       power += line.power;
     }
@@ -185,9 +178,15 @@ std::vector<Tried> tried_speeds(double from, const std::vector<ChannelLines>& ch
   return tried;
 }
 
-int count_as_good(double share, const std::vector<Tried>& tried) {
-  return static_cast<int>(
-      std::ranges::count_if(tried, [&](const Tried& t) { return t.share >= share; }));
+// At how many speeds the lines fit as well as at 1, by their power and with the loudest evened
+// together: of few loud lines alone many speeds explain as much.
+int count_as_good(double share, const std::vector<Tried>& tried, double even_share,
+                  const std::vector<Tried>& even) {
+  int count = 0;
+  for (std::size_t i = 0; i < tried.size(); ++i) {
+    count += tried[i].share + even[i].share >= share + even_share ? 1 : 0;
+  }
+  return count;
 }
 
 // Closer than those that are tried for chance: as far off as a rounded speed.
@@ -232,8 +231,8 @@ GearTrainFit gear_train_fit(const std::vector<Examination>& points, const Kinema
   std::vector<Tried> tried = tried_speeds(from, channels, own);
   const std::vector<ChannelLines> even = evened(channels);
   fit.tried = static_cast<int>(tried.size());
-  fit.as_good = std::min(count_as_good(fit.share, tried),
-                         count_as_good(share_at(1, even, own), tried_speeds(from, even, own)));
+  fit.as_good =
+      count_as_good(fit.share, tried, share_at(1, even, own), tried_speeds(from, even, own));
   add_near_speeds(from, channels, own, tried);
   find_better_speed(tried, fit);
   return fit;

@@ -11,8 +11,8 @@ namespace rvbench::analysis {
 struct GearTrainFit {
   double share = 0;  ///< of the power of all lines but the input shaft's own; mean over channels
   int tried = 0;     ///< other speeds; 0 where there are no such lines
-  int as_good = 0;   ///< of these the same lines fit as well at so many, by their power or with the
-                     ///< loudest evened, whichever are fewer
+  int as_good = 0;   ///< of these the same lines fit as well at so many, by their power and with the
+                     ///< loudest evened together
   bool is_too_short = false;      ///< the records: at all other speeds the lines would fit as well
   double best_speed = not_known;  ///< where they fit so much better that it stands out from all
                                   ///< others: relative to the speed that was used; NaN: nowhere
@@ -31,8 +31,7 @@ bool has_own_lines(const Kinematics& kinematics);
 /// for those that are a mesh's and stand out from the others: whatever turns has them. The same
 /// orders at speeds 0.1 to 5 % off, or as much more as the records need to part them, are gear
 /// trains that are not there: what they explain is what chance, and the density of the orders,
-/// explain. There are 394 of them and two ways to count: of records with lines anywhere about one
-/// in 200 passes.
+/// explain. There are 394 of them: of records with lines anywhere about one in 400 passes.
 ///
 /// Shape    any number of points; no line beside the input shaft's: share 0, none tried
 /// Units    orders of the input shaft; shares of power
