@@ -32,10 +32,7 @@ bool is_locked(const Finding& finding, const Kinematics& kinematics) {
 
 // Whether the line is on the first harmonic of what turns with the shaft, or of a mesh.
 bool is_witness(const SpectralLine& line, const Kinematics& kinematics) {
-  const bool slips = std::ranges::any_of(kinematics.signatures, [&](const Signature& s) {
-    return s.slip > 0 && std::abs(line.order - s.order) <= s.slip * s.order;
-  });
-  return !slips && is_characteristic(line, kinematics);
+  return !slips(line.order, kinematics) && is_characteristic(line, kinematics);
 }
 
 // One line on a wrong speed's order is soon met by chance: half of the channels must have one.

@@ -27,10 +27,6 @@ bool is_among(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-Ending invalid(std::string reason) {
-  return {Outcome::invalid, ErrorKind::none, std::move(reason)};
-}
-
 // The first thing that is beyond its limit; empty if nothing is.
 std::string first_beyond(const Judgement& judgement) {
   if (!judgement.diagnosis.findings.empty()) {

@@ -9,10 +9,6 @@
 namespace rvbench::bench {
 namespace {
 
-Ending invalid(std::string reason) {
-  return {Outcome::invalid, ErrorKind::none, std::move(reason)};
-}
-
 // "clipped", of "clipped: 31 samples at full scale"
 std::string kind_of(const analysis::QualityNote& note) {
   return note.what.substr(0, note.what.find(':'));
@@ -33,6 +29,10 @@ std::string faults_of(const JudgedPoint& point) {
 }
 
 }  // namespace
+
+Ending invalid(std::string reason) {
+  return {Outcome::invalid, ErrorKind::none, std::move(reason)};
+}
 
 Ending trust_in(const Judgement& judgement) {
   int spoiled = 0;

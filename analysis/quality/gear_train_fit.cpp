@@ -6,6 +6,7 @@
 
 #include "analysis/evidence/record_resolution.hpp"
 #include "analysis/order/resolution.hpp"
+#include "analysis/spectral_lines.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -21,12 +22,6 @@ constexpr double worth_a_hint = 0.25;  // of the lines' power
 
 double distance_to_multiple(double order, double of) {
   return std::abs(order - std::round(order / of) * of);
-}
-
-bool slips(double order, const Kinematics& kinematics) {
-  return std::ranges::any_of(kinematics.signatures, [&](const Signature& s) {
-    return s.slip > 0 && std::abs(order - s.order) <= s.slip * s.order;
-  });
 }
 
 // Orders that this machine has, and not any that turns, in ascending order. Not all that repeats
@@ -159,45 +154,47 @@ double parted_from(const std::vector<ChannelLines>& channels, const OwnOrders& o
   return power > 0 ? std::max(sum / power, nearest) : nearest;
 }
 
+// What a speed explains, by the lines' power and with the loudest evened: of few loud lines alone
+// many speeds explain as much.
 struct Tried {
   double speed;
   double share;
+  double even_share;
+  double both() const { return share + even_share; }
 };
 
-// Speeds that are off by `from` and more, evenly, and what they explain.
-std::vector<Tried> tried_speeds(double from, const std::vector<ChannelLines>& channels,
-                                const OwnOrders& own) {
-  std::vector<Tried> tried;
-  const double to = std::max(furthest, 5 * from);
-  for (int i = 0; i < tries_each_way; ++i) {
-    const double off = from + (to - from) * i / (tries_each_way - 1);
-    for (const double speed : {1 - off, 1 + off}) {
-      tried.push_back({speed, share_at(speed, channels, own)});
+class Trials {
+ public:
+  Trials(const std::vector<ChannelLines>& channels, const OwnOrders& own)
+      : channels_(channels), even_(evened(channels)), own_(own) {}
+
+  Tried at(double speed) const {
+    return {speed, share_at(speed, channels_, own_), share_at(speed, even_, own_)};
+  }
+
+  // At speeds that are off by `from` and more, evenly.
+  std::vector<Tried> beyond(double from) const {
+    std::vector<Tried> tried;
+    const double to = std::max(furthest, 5 * from);
+    for (int i = 0; i < tries_each_way; ++i) {
+      const double off = from + (to - from) * i / (tries_each_way - 1);
+      for (const double speed : {1 - off, 1 + off}) tried.push_back(at(speed));
+    }
+    return tried;
+  }
+
+  // Closer than those that are tried for chance: as far off as a rounded speed.
+  void add_nearer(double than, std::vector<Tried>& tried) const {
+    for (double off = 2 * stated_speed_error; off < than; off += hint_step) {
+      for (const double speed : {1 - off, 1 + off}) tried.push_back(at(speed));
     }
   }
-  return tried;
-}
 
-// At how many speeds the lines fit as well as at 1, by their power and with the loudest evened
-// together: of few loud lines alone many speeds explain as much.
-int count_as_good(double share, const std::vector<Tried>& tried, double even_share,
-                  const std::vector<Tried>& even) {
-  int count = 0;
-  for (std::size_t i = 0; i < tried.size(); ++i) {
-    count += tried[i].share + even[i].share >= share + even_share ? 1 : 0;
-  }
-  return count;
-}
-
-// Closer than those that are tried for chance: as far off as a rounded speed.
-void add_near_speeds(double from, const std::vector<ChannelLines>& channels, const OwnOrders& own,
-                     std::vector<Tried>& tried) {
-  for (double off = 2 * stated_speed_error; off < from; off += hint_step) {
-    for (const double speed : {1 - off, 1 + off}) {
-      tried.push_back({speed, share_at(speed, channels, own)});
-    }
-  }
-}
+ private:
+  const std::vector<ChannelLines>& channels_;
+  std::vector<ChannelLines> even_;
+  const OwnOrders& own_;
+};
 
 void find_better_speed(const std::vector<Tried>& tried, GearTrainFit& fit) {
   const Tried best = *std::ranges::max_element(tried, {}, &Tried::share);
@@ -224,16 +221,17 @@ GearTrainFit gear_train_fit(const std::vector<Examination>& points, const Kinema
   const OwnOrders own(kinematics);
   const std::vector<ChannelLines> channels = lines_of(points, kinematics, own);
   if (channels.empty()) return fit;
-  fit.share = share_at(1, channels, own);
+  const Trials trials(channels, own);
+  const Tried here = trials.at(1);
+  fit.share = here.share;
   const double from = parted_from(channels, own);
   fit.is_too_short = from > too_far;
   if (fit.is_too_short) return fit;
-  std::vector<Tried> tried = tried_speeds(from, channels, own);
-  const std::vector<ChannelLines> even = evened(channels);
+  std::vector<Tried> tried = trials.beyond(from);
   fit.tried = static_cast<int>(tried.size());
-  fit.as_good =
-      count_as_good(fit.share, tried, share_at(1, even, own), tried_speeds(from, even, own));
-  add_near_speeds(from, channels, own, tried);
+  fit.as_good = static_cast<int>(
+      std::ranges::count_if(tried, [&](const Tried& t) { return t.both() >= here.both(); }));
+  trials.add_nearer(from, tried);
   find_better_speed(tried, fit);
   return fit;
 }

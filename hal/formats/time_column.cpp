@@ -18,7 +18,7 @@ constexpr Eigen::Index fewest_nameless = 100;  // fewer may rise evenly by chanc
 constexpr std::string_view separators = "_ [](),";
 constexpr std::array<std::string_view, 5> time_names = {"time", "times", "t", "ts", "seconds"};
 
-// In lower case, without blanks, brackets and strokes.
+// In lower case, without blanks, brackets and underscores.
 std::string plain(std::string_view text) {
   std::string out;
   for (const char c : text) {
