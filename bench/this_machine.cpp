@@ -46,8 +46,7 @@ std::string why_not_shown(const analysis::GearTrainFit& fit) {
   return fmt::format(
       "the lines in the data are not shown to be this machine's: {:.0f} % of their power lies on "
       "its orders, and at {} of {} other speeds they fit as well: it may be another machine, or "
-      "the "
-      "speed or the sample rate is wrong",
+      "the speed or the sample rate is wrong",
       100 * fit.share, fit.as_good, fit.tried);
 }
 
@@ -58,8 +57,7 @@ std::string what_confirms_it(const Judgement& judgement, const analysis::Kinemat
   const std::vector<analysis::Examination> examined = examined_points(judgement);
   if (std::ranges::all_of(examined, &analysis::Examination::angle_measured)) return "";
   return "it has no teeth whose lines would tell: that speed and sample rate are right rests on "
-         "the "
-         "line of its shaft alone";
+         "the line of its shaft alone";
 }
 
 std::string why_not_this_machine(const Judgement& judgement,

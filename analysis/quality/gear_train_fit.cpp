@@ -74,9 +74,7 @@ class OwnOrders {
 struct Line {
   double order;
   double power;
-  double resolution;
-  bool angle_is_measured;
-  double near() const { return near_order(order, resolution, angle_is_measured); }
+  double near;
 };
 
 using ChannelLines = std::vector<Line>;
@@ -106,8 +104,9 @@ std::vector<ChannelLines> lines_of(const std::vector<Examination>& points,
       ChannelLines& lines = channels.emplace_back();
       // Weaker ones are listed only where they lie on orders of the speed that was used.
       for (const SpectralLine& l : channel.lines | std::views::take(most_lines)) {
-        const Line line{l.order, l.amplitude * l.amplitude, resolution, point.angle_measured};
-        if (!is_of_any_shaft(l, line.near(), channel, own)) lines.push_back(line);
+        const double near = near_order(l.order, resolution, point.angle_measured);
+        if (is_of_any_shaft(l, near, channel, own)) continue;
+        lines.push_back({l.order, l.amplitude * l.amplitude, near});
       }
       if (lines.empty()) channels.pop_back();
     }
@@ -138,7 +137,7 @@ double share_at(std::initializer_list<double> speeds, const std::vector<ChannelL
     for (const Line& line : lines) {
       all += line.power;
       const bool fits_all = std::ranges::all_of(
-          speeds, [&](double speed) { return own.hold(line.order / speed, line.near() / speed); });
+          speeds, [&](double speed) { return own.hold(line.order / speed, line.near / speed); });
       if (fits_all) fits += line.power;
     }
     sum += fits / all;
@@ -152,8 +151,8 @@ double parted_from(double speed, const std::vector<ChannelLines>& channels, cons
   double sum = 0, power = 0;
   for (const ChannelLines& lines : channels) {
     for (const Line& line : lines) {
-      if (!own.hold(line.order / speed, line.near() / speed)) continue;
-      sum += line.power * 2 * line.near() / line.order;
+      if (!own.hold(line.order / speed, line.near / speed)) continue;
+      sum += line.power * 2 * line.near / line.order;
       power += line.power;
     }
   }
