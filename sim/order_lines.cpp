@@ -1,23 +1,14 @@
-#define EIGEN_FFTW_DEFAULT
 #include "sim/order_lines.hpp"
 
 #include <complex>
-#include <unsupported/Eigen/FFT>
 #include <vector>
+
+#include "sim/real_transform.hpp"
 
 namespace rvbench::sim {
 namespace {
 
 using Complex = std::complex<double>;
-
-// Plans are kept, one set for each thread.
-Eigen::FFT<double>& transform() {
-  static const bool planner_is_safe = (fftw_make_planner_thread_safe(), true);
-  static_cast<void>(planner_is_safe);
-  thread_local Eigen::FFT<double> fft(Eigen::default_fft_impl<double>(),
-                                      Eigen::FFT<double>::HalfSpectrum);
-  return fft;
-}
 
 // Where a line of some order stands in the half spectrum of so few samples.
 struct Place {
@@ -45,7 +36,7 @@ Signals over_period(const Eigen::MatrixXcd& lines, const PeriodOrders& at) {
       const Complex line = half * lines(row, k);
       spectrum[place.index] = place.is_conjugate ? std::conj(line) : line;
     }
-    transform().inv(signals.row(row).data(), spectrum.data(), samples);
+    samples_from_lines(signals.row(row).data(), spectrum.data(), samples);
   }
   return signals;
 }
@@ -56,7 +47,7 @@ Eigen::MatrixXcd lines_of(const Signals& signals, const PeriodOrders& at) {
   Eigen::VectorXcd spectrum(samples / 2 + 1);
   const double scale = 2 / static_cast<double>(samples);
   for (Eigen::Index row = 0; row < lines.rows(); ++row) {
-    transform().fwd(spectrum.data(), signals.row(row).data(), samples);
+    lines_from_samples(spectrum.data(), signals.row(row).data(), samples);
     lines(row, 0) = 0.5 * scale * spectrum[0];
     for (Eigen::Index k = 1; k < lines.cols(); ++k) {
       const Place place = place_of(at.orders()[static_cast<std::size_t>(k - 1)], samples);

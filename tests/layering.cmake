@@ -16,7 +16,8 @@ foreach(file IN ITEMS  # the only users of sim
     twin_candidates.hpp twin_check.cpp twin_check.hpp
     commands/check_command.cpp commands/devices_command.cpp commands/explain_command.cpp
     commands/simulate_command.cpp
-    benchmarks/plant_engine.cpp benchmarks/simulation.cpp)
+    benchmarks/plant_engine.cpp benchmarks/simulation.cpp
+    benchmarks/virtual_robot.cpp)
   set(may_bench/${file} ${may_bench} sim)
 endforeach()
 
