@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/tpa/signed_place.hpp"
+
 namespace rvbench::analysis {
 namespace {
 
@@ -12,24 +14,7 @@ using Places = std::vector<DegreeOfFreedom>;
 // Frequencies come from files as decimal numbers.
 constexpr double same_Hz = 1e-6;
 
-struct Signed {
-  DegreeOfFreedom place;
-  double sign = 1;
-};
-
-Signed positive(DegreeOfFreedom place) {
-  if (place.direction.empty()) return {place, 1};
-  const char first = place.direction.front();
-  if (first != '-' && first != '+') place.direction.insert(0, 1, '+');
-  if (first == '-') place.direction[0] = '+';
-  return {place, first == '-' ? -1. : 1.};
-}
-
-std::string name_of(const DegreeOfFreedom& place) {
-  return place.direction.empty() ? place.point : place.point + " " + place.direction;
-}
-
-std::string name_of(const DegreeOfFreedom& response, const DegreeOfFreedom& excitation) {
+std::string pair_name(const DegreeOfFreedom& response, const DegreeOfFreedom& excitation) {
   return name_of(response) + " per " + name_of(excitation);
 }
 
@@ -48,7 +33,7 @@ class Assembly {
  public:
   Assembly(const std::vector<FrequencyResponse>& set, const Places& columns) : set_(set) {
     for (const DegreeOfFreedom& column : columns) {
-      matrix_.excitations.push_back(positive(column).place);
+      matrix_.excitations.push_back(signed_place(column).place);
     }
     may_add_columns_ = columns.empty();
   }
@@ -66,12 +51,13 @@ class Assembly {
  private:
   void fault(const FrequencyResponse& frf, const std::string& what) {
     const std::string from = frf.source.empty() ? "" : " (" + frf.source + ")";
-    faults_.push_back(name_of(frf.response, frf.excitation) + from + ": " + what);
+    faults_.push_back(pair_name(frf.response, frf.excitation) + from + ": " + what);
   }
 
   void find_places() {
     for (const FrequencyResponse& frf : set_) {
-      const Signed response = positive(frf.response), excitation = positive(frf.excitation);
+      const SignedPlace response = signed_place(frf.response),
+                        excitation = signed_place(frf.excitation);
       const bool is_column = may_add_columns_ || index_of(matrix_.excitations, excitation.place) <
                                                      Index(matrix_.excitations.size());
       if (!is_column) fault(frf, "its excitation is none of the paths");
@@ -84,7 +70,7 @@ class Assembly {
 
   void note_flip(const std::string& what, const DegreeOfFreedom& place) {
     const std::string note = what + " " + name_of(place) + " is taken as " +
-                             name_of(positive(place).place) + ", with the other sign";
+                             name_of(signed_place(place).place) + ", with the other sign";
     const auto& known = matrix_.notes;
     if (std::find(known.begin(), known.end(), note) == known.end()) matrix_.notes.push_back(note);
   }
@@ -100,7 +86,7 @@ class Assembly {
           frf.values.size() == first.values.size() &&
           std::abs(frf.first_Hz - first.first_Hz) <= tolerance_Hz &&
           std::abs(last_Hz - first.frequency_Hz(first.values.size() - 1)) <= tolerance_Hz;
-      if (!same_lines) fault(frf, "other lines than " + name_of(first.response, first.excitation));
+      if (!same_lines) fault(frf, "other lines than " + pair_name(first.response, first.excitation));
       check_unit(frf, frf.response_unit, first.response_unit);
       check_unit(frf, frf.excitation_unit, first.excitation_unit);
       check_values(frf);
@@ -131,16 +117,16 @@ class Assembly {
     const Index rows = Index(matrix_.responses.size()), columns = Index(matrix_.excitations.size());
     pairs_.assign(std::size_t(rows * columns), nullptr);
     for (const FrequencyResponse& frf : set_) {
-      const Index column = index_of(matrix_.excitations, positive(frf.excitation).place);
+      const Index column = index_of(matrix_.excitations, signed_place(frf.excitation).place);
       if (column == columns) continue;
-      const Index row = index_of(matrix_.responses, positive(frf.response).place);
+      const Index row = index_of(matrix_.responses, signed_place(frf.response).place);
       const FrequencyResponse*& pair = pairs_[std::size_t(column * rows + row)];
       if (pair != nullptr) fault(frf, "given twice");
       pair = &frf;
     }
     for (Index i = 0; i < rows * columns; ++i) {
       if (pairs_[std::size_t(i)] != nullptr) continue;
-      faults_.push_back(name_of(matrix_.responses[std::size_t(i % rows)],
+      faults_.push_back(pair_name(matrix_.responses[std::size_t(i % rows)],
                                 matrix_.excitations[std::size_t(i / rows)]) +
                         ": missing");
     }
@@ -161,7 +147,7 @@ class Assembly {
     if (errors_are_known) matrix_.variances.resize(rows * columns, lines);
     for (Index i = 0; i < rows * columns; ++i) {
       const FrequencyResponse& frf = *pairs_[std::size_t(i)];
-      const double sign = positive(frf.response).sign * positive(frf.excitation).sign;
+      const double sign = signed_place(frf.response).sign * signed_place(frf.excitation).sign;
       for (Index line = 0; line < lines; ++line) {
         matrix_.values.values[line * rows * columns + i] = sign * frf.values[line];
         if (errors_are_known) matrix_.variances(i, line) = variance(frf, line);
