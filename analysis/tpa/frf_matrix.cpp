@@ -86,7 +86,8 @@ class Assembly {
           frf.values.size() == first.values.size() &&
           std::abs(frf.first_Hz - first.first_Hz) <= tolerance_Hz &&
           std::abs(last_Hz - first.frequency_Hz(first.values.size() - 1)) <= tolerance_Hz;
-      if (!same_lines) fault(frf, "other lines than " + pair_name(first.response, first.excitation));
+      if (!same_lines)
+        fault(frf, "other lines than " + pair_name(first.response, first.excitation));
       check_unit(frf, frf.response_unit, first.response_unit);
       check_unit(frf, frf.excitation_unit, first.excitation_unit);
       check_values(frf);
@@ -127,7 +128,7 @@ class Assembly {
     for (Index i = 0; i < rows * columns; ++i) {
       if (pairs_[std::size_t(i)] != nullptr) continue;
       faults_.push_back(pair_name(matrix_.responses[std::size_t(i % rows)],
-                                matrix_.excitations[std::size_t(i / rows)]) +
+                                  matrix_.excitations[std::size_t(i / rows)]) +
                         ": missing");
     }
   }
