@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "analysis/tpa/contribution_ranking.hpp"
+
+namespace rvbench::analysis {
+
+/// How often an analysis is done again.
+struct Resampling {
+  int replicates = 100;  ///< 20 at least
+  std::uint64_t seed = 1;
+};
+
+/// Bounds that hold a value in 95 % of cases.
+struct Interval95 {
+  double low = 0, high = 0;
+};
+
+/// How sure a ranking is; paths in the ranking's order.
+struct RankingCertainty {
+  std::vector<Interval95> rms;     ///< of each path
+  std::vector<double> order_held;  ///< [i]: share of replicates with path i above path i + 1
+  double leader_led = 0;           ///< share of replicates in which the first path led all others
+
+  /// Whether path i can be told to contribute more than the one after it.
+  bool can_tell(std::size_t i) const { return order_held.at(i) >= 0.95; }
+};
+
+/// Does the analysis anew with blocks drawn with replacement and FRFs drawn within their variances.
+///
+/// A FRF's error has one draw for all lines, each scaled to the line's variance: what makes a
+/// hammer's hits differ, place and direction, shifts neighbouring lines alike, and errors that
+/// average out over a band would make the result look surer than it is.
+///
+/// Replicates err about the estimate as that does about the truth, by the ratio of RMS values: what
+/// errors add to a contribution they add twice, so that the interval lies estimate² / quantile.
+///
+/// @param rankings  of rank_contributions(), of the same data
+/// Shape   one per ranking
+/// Units   those of the ranking
+/// Errors  throws std::invalid_argument of matrix_inverse_contributions(), or fewer than 20
+///         replicates. Without variances of the FRFs only blocks are drawn
+/// Threads up to `threads` (0: the free cores); the result does not depend on them
+/// Limits  blocks that overlap are not quite independent; steady lines do not vary by blocks
+/// Source  Davison & Hinkley, Bootstrap Methods and their Application (1997), sec. 2.4, 5.2
+std::vector<RankingCertainty> ranking_certainty(
+    const FrfMatrix& frfs, const OperatingSpectra& operating, const SensorRoles& roles,
+    const RegularisationRule& rule, const std::vector<bool>& is_used,
+    const std::vector<TargetRanking>& rankings, const Resampling& resampling = {},
+    unsigned threads = 0);
+
+}  // namespace rvbench::analysis
