@@ -86,8 +86,9 @@ class Assembly {
           frf.values.size() == first.values.size() &&
           std::abs(frf.first_Hz - first.first_Hz) <= tolerance_Hz &&
           std::abs(last_Hz - first.frequency_Hz(first.values.size() - 1)) <= tolerance_Hz;
-      if (!same_lines)
+      if (!same_lines) {
         fault(frf, "other lines than " + pair_name(first.response, first.excitation));
+      }
       check_unit(frf, frf.response_unit, first.response_unit);
       check_unit(frf, frf.excitation_unit, first.excitation_unit);
       check_values(frf);
