@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include "analysis/diagnosis.hpp"
+#include "analysis/evidence/carrying_lines.hpp"
 #include "analysis/evidence/consequence.hpp"
 #include "analysis/evidence/equal_explanations.hpp"
 #include "analysis/evidence/growth_law.hpp"
@@ -24,10 +26,16 @@ constexpr double fits_at = 0.05;         // p of a growth that contradicts its m
 struct Evidence {
   std::vector<const Examination*> shown_by;
   std::vector<const SignatureScore*> scores;  // of shown_by
-  std::vector<const SignatureScore*> all;     // of all resolvable points
+  std::vector<const SignatureScore*> all;     // of all resolvable points that could read it
 
-  // A bad part shows in most of what was measured, not in one record of many.
-  bool shows() const { return !scores.empty() && 2 * scores.size() >= all.size(); }
+  // A bad part shows in half of what was measured, or in more than one record even if all that
+  // were looked at, for all parts, are paid for: at high load, say. One record of many is none.
+  bool shows(double tests) const {
+    if (2 * scores.size() >= all.size()) return !scores.empty();
+    const double paid = significant_p / (tests * static_cast<double>(all.size()));
+    return std::ranges::count_if(
+               scores, [&](const SignatureScore* score) { return score->p_value < paid; }) > 1;
+  }
 
   // Index of the point that shows it deepest.
   std::size_t deepest() const {
@@ -41,6 +49,7 @@ Evidence gather(const std::vector<Examination>& points, std::size_t signature) {
   for (const Examination& point : points) {
     if (!point.resolvable) continue;
     const SignatureScore& score = point.scores[signature];
+    if (!score.is_read()) continue;
     evidence.all.push_back(&score);
     if (score.p_value < significant_p && score.depth > 0) {
       evidence.shown_by.push_back(&point);
@@ -59,6 +68,22 @@ void list_lines(const Evidence& evidence, Finding& finding) {
   }
 }
 
+std::string name_of(const Signature& s) {
+  return fmt::format("{}: {} at order {:.4g}", s.component, s.mechanism, s.order);
+}
+
+// Gears of one shaft have all their lines in common, and the first of them speaks for all.
+std::optional<std::size_t> spoken_for_by(std::size_t signature, const Kinematics& kinematics) {
+  constexpr double near = 1e-6;
+  const Signature& own = kinematics.signatures[signature];
+  const std::vector<double> lines = comb_lines(own, own.first_harmonic, 1);
+  for (std::size_t s = 0; s < signature; ++s) {
+    const Signature& other = kinematics.signatures[s];
+    if (holds_all(comb_lines(other, other.first_harmonic, 1), lines, near)) return s;
+  }
+  return std::nullopt;
+}
+
 // What explains the finding as well at the point that shows it deepest, and grows as it does.
 std::vector<std::string> rivals_of(const Evidence& evidence, const Growth& load,
                                    const Kinematics& kinematics) {
@@ -69,8 +94,7 @@ std::vector<std::string> rivals_of(const Evidence& evidence, const Growth& load,
        equal_explanations(*evidence.scores[deepest], kinematics, resolution)) {
     const Signature& rival = kinematics.signatures[s];
     if (p_value_of_growth(load, rival.load_growth) < fits_at) continue;
-    rivals.push_back(
-        fmt::format("{}: {} at order {:.4g}", rival.component, rival.mechanism, rival.order));
+    rivals.push_back(name_of(rival));
   }
   return rivals;
 }
@@ -91,21 +115,31 @@ Finding weigh(const Signature& signature, const Evidence& evidence, double tests
   }
   f.p_value = std::min(1.0, combined_p_value(p_values) * tests);
   for (const Examination* point : evidence.shown_by) f.points.push_back(point->source);
-  if (evidence.all.empty()) return f;
   const bool is_shown = !evidence.scores.empty();
-  const Severity severity =
-      is_shown ? severity_of(evidence.scores) : Severity{0, 0, depth_bound(evidence.all)};
+  const Severity severity = is_shown               ? severity_of(evidence.scores)
+                            : evidence.all.empty() ? Severity{0, not_known, not_known}
+                                                   : Severity{0, 0, depth_bound(evidence.all)};
   f.severity = severity.depth;
   f.severity_low = severity.low;
   f.severity_high = severity.high;
   return f;
 }
 
+// What is known of the other is all that is known of it.
+void be_spoken_for(Finding& f, const std::vector<Examination>& points, const Kinematics& kinematics,
+                   std::size_t speaker) {
+  const Signature& other = kinematics.signatures[speaker];
+  const Finding known = weigh(other, gather(points, speaker), 1);
+  f.severity_low = 0;
+  f.severity_high = known.severity_high;
+  f.cannot_tell_from = {name_of(other)};
+}
+
 // Adds where and how the points show it.
 void describe(Finding& f, const Evidence& evidence, const Kinematics& kinematics,
               std::size_t signature) {
   f.order = evidence.scores.front()->order;
-  f.frequency_Hz = f.order * evidence.shown_by.front()->speed_rpm / 60;
+  f.frequency_Hz = f.order * std::abs(evidence.shown_by.front()->speed_rpm) / 60;
   for (const SignatureScore* score : evidence.scores) {
     if (std::find(f.imfs.begin(), f.imfs.end(), score->imf) == f.imfs.end()) {
       f.imfs.push_back(score->imf);
@@ -119,10 +153,11 @@ void describe(Finding& f, const Evidence& evidence, const Kinematics& kinematics
   f.cannot_tell_from = rivals_of(evidence, f.growth.load, kinematics);
 }
 
-// Severity over its limit, as far as its growth speaks for it; finite where the limit allows
-// nothing at all.
+// Severity over its limit, less what its growth speaks against it: at most nine tenths, as the
+// ranges are rules of thumb. Finite where the limit allows nothing at all.
 double weight(const Finding& finding) {
-  return std::max(finding.growth_p_value, 1e-6) * finding.severity / std::max(finding.limit, 1e-6);
+  const double odds = std::max(odds_at_most(finding.growth_p_value), 0.1);
+  return odds * finding.severity / std::max(finding.limit, 1e-6);
 }
 
 // A hypothesis that shows.
@@ -179,7 +214,12 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
   for (std::size_t s = 0; s < kinematics.signatures.size(); ++s) {
     Evidence evidence = gather(points, s);
     Finding f = weigh(kinematics.signatures[s], evidence, tests);
-    if (!evidence.shows() || f.p_value >= significant_p) {
+    if (evidence.all.empty()) {
+      if (const auto speaker = spoken_for_by(s, kinematics)) {
+        be_spoken_for(f, points, kinematics, *speaker);
+      }
+    }
+    if (!evidence.shows(tests) || f.p_value >= significant_p) {
       d.not_shown.push_back(std::move(f));
       continue;
     }

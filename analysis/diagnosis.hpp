@@ -32,9 +32,12 @@ struct SignatureScore {
   double p_value = 1;                  ///< of the ratio, for all orders searched
   int imf = 0;                         ///< 1-based: where the channel shows it most
   int channel = 0;                     ///< index into Examination::channels: where it is deepest
-  std::vector<double> line_orders;     ///< the lines of the signature, and
+  std::vector<double> line_orders;     ///< the lines of the signature where they were found, and
   std::vector<double> line_depths;     ///< the modulation depth of each
   std::vector<double> channel_depths;  ///< depth in each channel
+
+  /// Whether any line of it could be read: noise moves whatever was.
+  bool is_read() const { return depth > 0 || depth2_variance > 0; }
 };
 
 /// A line of the order spectrum of the signal itself, well above its surroundings.
@@ -78,7 +81,8 @@ struct Examination {
 /// Exponent with which something grows; NaN if it is not known.
 struct Growth {
   double exponent = not_known;
-  double error = not_known;  ///< half of the 95 % interval
+  double error = not_known;    ///< half of the 95 % interval
+  double freedom = not_known;  ///< degrees of freedom of the error
 };
 
 /// How what a part modulates grows over the matrix.
@@ -99,11 +103,12 @@ struct Finding {
   double log_likelihood_ratio = 0;  ///< against noise, summed over all points
   double p_value = 1;               ///< over all points, for everything searched
   double severity = 0;      ///< modulation depth, median over the points that show it; 0 if none
-  double severity_low = 0;  ///< of its 95 % interval; where none shows it 0 to what it is below
+  double severity_low = 0;  ///< of its 95 % interval; where none shows it 0 to what it is below,
+                            ///< NaN if no line of it could be read
   double severity_high = 0;
   double limit = 0;       ///< of severity
-  double confidence = 0;  ///< 0..1: share of severity over its limit, times growth_p_value, among
-                          ///< all findings
+  double confidence = 0;  ///< 0..1: share of severity over its limit, less what its growth
+                          ///< speaks against it, among all findings
   std::string advice;
   std::vector<double> line_orders;  ///< evidence: the envelope lines, strongest first
   std::vector<double> line_depths;
@@ -112,6 +117,9 @@ struct Finding {
   bool growth_fits = true;    ///< false: it is, at 5 %
   std::vector<std::string> cannot_tell_from;  ///< "component: mechanism" that explain it as well
   std::string may_follow_from;  ///< "component: mechanism" of a graver one that makes all its lines
+
+  /// Whether no point shows it, and none could have shown that it is within its limit.
+  bool is_open() const { return points.empty() && !(severity_high <= limit); }
 };
 
 struct Diagnosis {

@@ -9,10 +9,11 @@
 namespace rvbench::analysis {
 namespace {
 
-// Even angle steps fine enough for all the envelope's bandwidth, rate/4 at the most.
+// Even angle steps fine enough for all the envelope's bandwidth, rate/4 at the most, at whatever
+// rate and speed: what wider ones cannot hold would fold onto the lines that are searched.
 int samples_per_turn(double rate_Hz, double speed_Hz) {
   int samples = 32;
-  while (samples < 1024 && samples * speed_Hz < rate_Hz / 2) samples *= 2;
+  while (samples * speed_Hz < rate_Hz / 2) samples *= 2;
   return samples;
 }
 
@@ -31,6 +32,7 @@ LineFloor floor_up_to(const Spectrum& spectrum, double highest_order, Eigen::Ind
 EnvelopeSpectra envelope_spectra(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz,
                                  double start_s, const ShaftAngle& angle, double period_turns) {
   EnvelopeSpectra result;
+  if (angle.whole_periods(x.size(), rate_Hz, start_s, period_turns) < 1) return result;
   const int per_turn = samples_per_turn(rate_Hz, angle.mean_speed_Hz());
   const Eigen::VectorXd over_angle =
       angle.resample(envelope(x), rate_Hz, start_s, period_turns, per_turn);

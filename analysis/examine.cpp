@@ -15,6 +15,7 @@
 #include "analysis/order/resolution.hpp"
 #include "analysis/quality.hpp"
 #include "analysis/quality/record_quality.hpp"
+#include "analysis/quality/same_samples.hpp"
 #include "analysis/shaft_angle.hpp"
 #include "analysis/spectral_lines.hpp"
 #include "analysis/statistics.hpp"
@@ -33,6 +34,7 @@ struct ChannelResult {
   std::vector<ChannelEvidence> evidence;  // one per comb
   std::vector<QualityNote> quality;
   double periods = 0;
+  bool repeats_another = false;  // sample by sample: what it shows is no evidence of its own
 };
 
 struct Task {
@@ -40,6 +42,10 @@ struct Task {
   const ShaftAngle& angle;
   const ExamineOptions& options;
 };
+
+bool is_spoiled(const std::vector<QualityNote>& notes) {
+  return std::ranges::any_of(notes, &QualityNote::invalidates);
+}
 
 void describe_signal(const Channel& channel, ChannelExamination& e) {
   const SignalLevels levels = signal_levels(channel.samples);
@@ -86,7 +92,7 @@ ChannelResult examine_channel(const Channel& channel, std::vector<QualityNote> q
   out.quality = std::move(quality);
   out.examination.name = channel.info.name;
   out.examination.unit = channel.info.unit;
-  if (!out.quality.empty()) return out;
+  if (is_spoiled(out.quality)) return out;
 
   describe_signal(channel, out.examination);
   const Emd modes = emd(channel.samples, {.imfs = task.options.imfs, .sifts = task.options.sifts});
@@ -126,8 +132,8 @@ void score(std::vector<ChannelResult>& results, Examination& e) {
   e.periods = longest->periods;
   std::vector<std::vector<ChannelEvidence>> evidence;
   for (ChannelResult& result : results) {
-    const bool counts = alike(result, *longest);
-    if (!counts && result.quality.empty()) {
+    const bool counts = alike(result, *longest) && !result.repeats_another;
+    if (!counts && !result.repeats_another && !is_spoiled(result.quality)) {
       result.quality.push_back(
           {result.examination.name, "shorter than the longest channel: not weighed", false});
     }
@@ -135,6 +141,20 @@ void score(std::vector<ChannelResult>& results, Examination& e) {
                               : std::vector<ChannelEvidence>(longest->combs.size()));
   }
   e.scores = score_signatures(evidence, longest->combs);
+}
+
+void mark_repeated(const std::vector<const Channel*>& channels,
+                   std::vector<ChannelResult>& results) {
+  const std::vector<std::size_t> first = first_of_same(channels);
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    results[i].repeats_another = first[i] != i;
+    if (first[i] == i || is_spoiled(results[i].quality)) continue;
+    results[i].quality.push_back(
+        {channels[i]->info.name,
+         "the same samples as " + channels[first[i]]->info.name +
+             ": one signal in two channels, weighed once; was one sensor not recorded?",
+         false});
+  }
 }
 
 void gather(std::vector<ChannelResult> results, Examination& e) {
@@ -146,6 +166,24 @@ void gather(std::vector<ChannelResult> results, Examination& e) {
     }
     e.channels.push_back(std::move(result.examination));
   }
+}
+
+// What indicators leave out for a speed that was stated, and why.
+void tell_unplaced(const ShaftAngle& angle, const Kinematics& kinematics, Examination& e) {
+  std::string meshes;
+  for (const CharacteristicOrder& o : kinematics.orders) {
+    if (!o.mesh) continue;
+    if (is_placed(o.order, e.periods * kinematics.period_turns, speed_error(angle.is_measured()))) {
+      continue;
+    }
+    meshes += (meshes.empty() ? "" : ", ") + o.name;
+  }
+  if (meshes.empty()) return;
+  e.quality.push_back(
+      {e.source,
+       "no sideband ratio, FM0, FM4 and NA4 of " + meshes +
+           ": the speed is stated, and no angle measured that would place its lines",
+       false});
 }
 
 // A shaft that goes to and fro tells of the reducer's torsion, and nothing of what turns.
@@ -196,7 +234,9 @@ Examination examine(const Recording& record, const Kinematics& kinematics,
   parallel_for(channels.size(), [&](std::size_t i) {
     results[i] = examine_channel(*channels[i], std::move(quality[i]), task);
   });
+  mark_repeated(channels, results);
   gather(std::move(results), e);
+  tell_unplaced(*angle, kinematics, e);
   e.indicators = shaft_indicators(record, *angle, kinematics);
   e.resolvable = e.periods >= fewest_periods;
   if (!e.resolvable) {

@@ -36,7 +36,7 @@ Signature shaft_signature(const GearTrain::Shaft& shaft, double order) {
           .harmonics = 2,
           .sidebands = {},
           .depth_limit = 0.5,
-          .limit_why = "a true shaft loads its gears and bearings alike all the way round",
+          .limit_why = "assumed: a true shaft loads its gears and bearings alike all the way round",
           .advice = "check balance, run-out and alignment of the " + shaft.name};
 }
 
@@ -48,7 +48,7 @@ Signature gear_signature(const std::string& component, double order) {
           .harmonics = 12,
           .sidebands = {},
           .depth_limit = 0.6,
-          .limit_why = "one tooth among many may not stand out by more than its share",
+          .limit_why = "assumed: one tooth among many may not stand out by more than its share",
           .advice = "look at the teeth of the " + component};
 }
 

@@ -20,7 +20,8 @@ inline constexpr GrowthRange grows_as_shape{-0.25, 1.25};
 /// Source  Johnson, Contact Mechanics (1985), ch. 4: a Hertzian approach goes as load^(2/3)
 inline constexpr GrowthRange grows_as_blows{0.25, 1.5};
 
-/// Where it is not known whether the load goes through the part at all.
+/// What a flank lacks is an error of shape until the load presses it to the ground, and a blow
+/// then; and where it is not known whether the load goes through the part at all.
 inline constexpr GrowthRange any_growth{-0.25, 1.5};
 
 }  // namespace rvbench::analysis

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/quality/clipping.hpp"
 #include "analysis/spectral_lines.hpp"
 
 namespace rvbench::analysis {
@@ -11,22 +12,6 @@ namespace {
 constexpr Eigen::Index fewest_samples = 256;
 // No accelerometer on a machine that turns shows one and the same value for that long.
 constexpr double standstill_s = 0.5;
-
-// Samples in runs of three or more that stay at the largest magnitude: what clipping leaves.
-Eigen::Index samples_at_extreme(const Eigen::VectorXd& x) {
-  const double top = x.cwiseAbs().maxCoeff();
-  Eigen::Index count = 0;
-  Eigen::Index run = 0;
-  for (Eigen::Index i = 0; i <= x.size(); ++i) {
-    if (i < x.size() && std::abs(x[i]) >= top * (1 - 1e-9)) {
-      ++run;
-    } else {
-      if (run >= 3) count += run;
-      run = 0;
-    }
-  }
-  return count;
-}
 
 // The longest stretch of samples that are all the same.
 Eigen::Index longest_standstill(const Eigen::VectorXd& x) {
@@ -40,10 +25,27 @@ Eigen::Index longest_standstill(const Eigen::VectorXd& x) {
 }
 
 bool is_locked(const Finding& finding, const Kinematics& kinematics) {
-  return std::any_of(
-      kinematics.signatures.begin(), kinematics.signatures.end(), [&](const Signature& s) {
-        return s.slip == 0 && s.component == finding.component && s.mechanism == finding.mechanism;
+  return std::ranges::any_of(kinematics.signatures, [&](const Signature& s) {
+    return s.slip == 0 && s.component == finding.component && s.mechanism == finding.mechanism;
+  });
+}
+
+// Whether the line is on the first harmonic of what turns with the shaft, or of a mesh.
+bool is_witness(const SpectralLine& line, const Kinematics& kinematics) {
+  const bool slips = std::ranges::any_of(kinematics.signatures, [&](const Signature& s) {
+    return s.slip > 0 && std::abs(line.order - s.order) <= s.slip * s.order;
+  });
+  return !slips && is_characteristic(line, kinematics);
+}
+
+// One line on a wrong speed's order is soon met by chance: half of the channels must have one.
+bool shows_machine(const Examination& point, const Kinematics& kinematics) {
+  const auto showing =
+      std::ranges::count_if(point.channels, [&](const ChannelExamination& channel) {
+        return std::ranges::any_of(
+            channel.lines, [&](const SpectralLine& line) { return is_witness(line, kinematics); });
       });
+  return showing > 0 && 2 * showing >= std::ssize(point.channels);
 }
 
 }  // namespace
@@ -73,7 +75,7 @@ std::vector<QualityNote> channel_quality(const Channel& channel, double clip_lev
   if (x.maxCoeff() == x.minCoeff()) return bad("dead: every sample is the same");
   const Eigen::Index clipped = std::isfinite(clip_level)
                                    ? (x.array().abs() >= 0.999 * clip_level).count()
-                                   : samples_at_extreme(x);
+                                   : clipped_samples(x);
   if (clipped > 0) return bad("clipped: " + std::to_string(clipped) + " samples at full scale");
   return {};
 }
@@ -92,20 +94,11 @@ std::vector<QualityNote> accelerometer_quality(const Channel& channel, double cl
 
 bool shows_machine(const std::vector<Examination>& points, const Diagnosis& diagnosis,
                    const Kinematics& kinematics) {
-  if (!diagnosis.findings.empty()) return true;
-  const std::vector<Finding>& within = diagnosis.below_limit;
-  if (std::any_of(within.begin(), within.end(),
-                  [&](const Finding& finding) { return is_locked(finding, kinematics); })) {
-    return true;
-  }
-  const auto shows = [&](const ChannelExamination& channel) {
-    return std::any_of(channel.lines.begin(), channel.lines.end(), [&](const SpectralLine& line) {
-      return is_characteristic(line, kinematics);
-    });
-  };
-  return std::any_of(points.begin(), points.end(), [&](const Examination& point) {
-    return std::any_of(point.channels.begin(), point.channels.end(), shows);
-  });
+  const auto locked = [&](const Finding& finding) { return is_locked(finding, kinematics); };
+  if (std::ranges::any_of(diagnosis.findings, locked)) return true;
+  if (std::ranges::any_of(diagnosis.below_limit, locked)) return true;
+  return std::ranges::any_of(
+      points, [&](const Examination& point) { return shows_machine(point, kinematics); });
 }
 
 }  // namespace rvbench::analysis

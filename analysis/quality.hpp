@@ -13,7 +13,7 @@ namespace rvbench::analysis {
 std::vector<const Channel*> acceleration_channels(const Recording& record);
 
 /// What is wrong with the data of one channel: lost samples, dead, clipped, too few samples.
-/// @param clip_level  full scale; NaN: clipping is recognised by runs at the extreme value
+/// @param clip_level  full scale; NaN: clipping is what clipped_samples() finds
 /// Shape   at most one note, the gravest; units of the channel
 /// Errors  none thrown: what is not finite counts as lost
 /// Source  ours: each is what no sensor's own noise leaves
@@ -25,11 +25,11 @@ std::vector<QualityNote> channel_quality(const Channel& channel, double clip_lev
 std::vector<QualityNote> accelerometer_quality(const Channel& channel, double clip_level);
 
 /// Whether anything in the records says that they are of this machine, at this speed and rate: a
-/// finding above its limit, a significant signature of what is locked to the shaft, or in any
-/// channel a line of the spectrum on a characteristic order. Every machine that turns shows its
-/// shaft or its teeth; where nothing does, the orders were looked for in the wrong places, and
-/// their silence means nothing. What slips is no such witness while it is within its limit: its
-/// many lines, stretched by a few percent, meet some line of any recording.
+/// significant signature of what is locked to the shaft, or in half of a point's channels a line of
+/// the spectrum at the turn of a shaft or at a mesh. Every machine that turns shows its shafts or
+/// its teeth; where nothing does, the orders were looked for in the wrong places: their silence
+/// means nothing, and what was found there has the wrong name. What slips is no witness, not of
+/// itself either: its many lines, stretched by a few percent, meet some line of any recording.
 /// Shape, errors  any number of points; nothing thrown. Source  ours
 bool shows_machine(const std::vector<Examination>& points, const Diagnosis& diagnosis,
                    const Kinematics& kinematics);

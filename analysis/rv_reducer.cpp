@@ -1,6 +1,7 @@
 #include "analysis/rv_reducer.hpp"
 
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -31,15 +32,16 @@ double ratio(const RvGeometry& g) {
   return 1 + static_cast<double>(g.planet_teeth) / g.sun_teeth * g.pins;
 }
 
-// "1080/121" where the ratio is whole, else empty.
-std::string fraction(double order, double i) {
-  const double numerator = order * i;
-  if (std::abs(i - std::round(i)) > 1e-9 || std::abs(numerator - std::round(numerator)) > 1e-6) {
-    return {};
-  }
-  const auto whole = std::lround(numerator);
-  const auto denominator = std::lround(i);
-  return whole == denominator ? "1" : std::to_string(whole) + "/" + std::to_string(denominator);
+// Input turns after which sun, planets and carrier stand as before: the numerator of i.
+int period(const RvGeometry& g) {
+  const int numerator = g.sun_teeth + g.planet_teeth * g.pins;
+  return numerator / std::gcd(numerator, g.sun_teeth);
+}
+
+// "1080/121"
+std::string fraction(double order, int turns) {
+  const auto events = std::lround(order * turns);
+  return events == turns ? "1" : std::to_string(events) + "/" + std::to_string(turns);
 }
 
 std::vector<CharacteristicOrder> order_table(const RvGeometry& g, const Rates& r) {
@@ -64,7 +66,7 @@ std::vector<CharacteristicOrder> order_table(const RvGeometry& g, const Rates& r
        "carrier",
        "Pin tooth shell characteristic frequency"},
   };
-  for (CharacteristicOrder& o : orders) o.fraction = fraction(o.order, 1 / r.unit);
+  for (CharacteristicOrder& o : orders) o.fraction = fraction(o.order, period(g));
   return orders;
 }
 
@@ -90,8 +92,8 @@ std::vector<Signature> input_signatures(const Rates& r) {
        .sidebands = {},
        .load_growth = grows_as_shape,
        .depth_limit = 0.15,
-       .limit_why =
-           "a shaft within tolerance leans on its bearing by less than a sixth of its preload",
+       .limit_why = "assumed: a shaft within tolerance leans on its bearing by less than a sixth "
+                    "of its preload",
        .advice = "stiffen or shorten the input shaft, or support its free end with a bearing; "
                  "check the run-out at the sun and the alignment of the coupling"},
       {.component = "sun_gear",
@@ -102,7 +104,7 @@ std::vector<Signature> input_signatures(const Rates& r) {
        .sidebands = {r.unit, 2 * r.unit},
        .load_growth = grows_as_shape,
        .depth_limit = 0.1,
-       .limit_why = "teeth of one quality class share the load within a tenth",
+       .limit_why = "assumed: teeth of one quality class share the load within a tenth",
        .advice = "measure the sun gear's tooth profile and pitch; replace the input gear"},
   };
 }
@@ -118,7 +120,7 @@ std::vector<Signature> carried_signatures(const Rates& r) {
        .sidebands = {r.unit},
        .load_growth = grows_as_shape,
        .depth_limit = 0.3,
-       .limit_why = "equal cranks load the discs alike all the way round",
+       .limit_why = "assumed: equal cranks load the discs alike all the way round",
        .advice = "measure the eccentricity of the cranks against each other"},
       {.component = "planet_gear",
        .mechanism = "tooth_damage",
@@ -127,9 +129,9 @@ std::vector<Signature> carried_signatures(const Rates& r) {
        .first_harmonic = 2,  // once per crank turn is what eccentricity does, too
        .harmonics = 24,
        .sidebands = {r.unit},
-       .load_growth = grows_as_blows,
+       .load_growth = any_growth,
        .depth_limit = 0.3,
-       .limit_why = "one tooth among many may not stand out by more than its share",
+       .limit_why = "assumed: one tooth among many may not stand out by more than its share",
        .advice = "open the reducer and look at the planets' flanks; replace the planet pair"},
       {.component = "pin_housing",
        .mechanism = "pin_damage",
@@ -138,9 +140,9 @@ std::vector<Signature> carried_signatures(const Rates& r) {
        .first_harmonic = 2,  // the load zones of sound discs pass a sensor twice per orbit, too
        .harmonics = 8,
        .sidebands = {r.orbit},
-       .load_growth = grows_as_blows,
+       .load_growth = any_growth,
        .depth_limit = 0.15,
-       .limit_why = "pins of one class share the load alike",
+       .limit_why = "assumed: pins of one class share the load alike",
        .advice = "look at the pins and their grooves in the shell; replace pins as a set"},
   };
 }
@@ -155,7 +157,7 @@ Kinematics rv_reducer(const std::string& machine, const RvGeometry& geometry,
       .unit = 1 / i, .sun = (i - 1) / i, .crank = geometry.pins / i, .orbit = geometry.lobes / i};
   Kinematics k;
   k.machine = machine;
-  k.period_turns = i;
+  k.period_turns = period(geometry);
   k.gear_ratio = i;
   k.orders = order_table(geometry, rates);
   k.meshes = meshes(geometry, rates);
@@ -184,13 +186,14 @@ std::vector<Signature> bearing_signatures(const BearingGeometry& bearing, double
         .sidebands = std::move(sidebands),
         .slip = slip,
         .depth_limit = 0.15,
-        .limit_why = "a sound race leaves no periodic blows; what noise leaves is less",
+        .limit_why = "assumed: a sound race leaves no periodic blows; what noise leaves is less",
         .advice = "replace the bearing; look for the cause in load, fit and grease"};
   };
   Signature cage = signature("bearing_cage", o.cage, {});
   cage.mechanism = "wear";
   cage.depth_limit = 0.3;
-  cage.limit_why = "rolling elements of unequal size shift the load once per cage turn, too";
+  cage.limit_why =
+      "assumed: rolling elements of unequal size shift the load once per cage turn, too";
   return {signature("bearing_inner", o.inner, {race_order}),
           signature("bearing_outer", o.outer, {}),
           signature("bearing_ball", o.ball, {o.cage * race_order}), std::move(cage)};

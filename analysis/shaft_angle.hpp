@@ -42,8 +42,8 @@ class ShaftAngle {
   /// largest whole number of periods that fits. Empty if not even one fits.
   ///
   /// N → whole periods, in the unit of x. A windowed sinc: within 0.1 % up to 0.4 of rate_Hz,
-  /// images 60 dB down. Even steps wider than 1/rate_Hz fold what they cannot hold: nothing filters
-  /// it out before. over_angle() does.
+  /// images 60 dB down. For even steps no wider than 1/rate_Hz, or of a signal that has nothing
+  /// beyond what they hold: it would be folded. over_angle() filters it out, at a price.
   /// @param period_turns      input turns per period
   /// @param samples_per_turn  > 0; their product with period_turns is whole
   Eigen::VectorXd resample(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz,

@@ -35,8 +35,9 @@ struct ShaftSpeed {
 ///         half the sample rate, a block of less than 64 samples, channels of unequal length
 /// Limits  a family in the same ratios at another order looks the same; a change of speed within a
 ///         block is averaged
-/// Source  Leclère, André & Antoni, Mech. Syst. Signal Process. (2016); errors: Huber, Proc. 5th
-///         Berkeley Symp. 1, 221-233 (1967)
+/// Source  Leclère, André & Antoni, A multi-order probabilistic approach for Instantaneous Angular
+///         Speed tracking: debriefing of the CMMNO'14 diagnosis contest, Mech. Syst. Signal
+///         Process. (2016); errors: Huber, Proc. 5th Berkeley Symp. 1, 221-233 (1967)
 std::vector<ShaftSpeed> shaft_speeds(const std::vector<Channel>& channels, const ShaftLines& lines,
                                      Eigen::Index block);
 

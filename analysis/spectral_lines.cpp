@@ -17,6 +17,7 @@ namespace {
 
 constexpr int most_harmonics = 12;
 constexpr int most_sidebands = 3;
+constexpr int most_slipping = 3;      // harmonics of what slips
 constexpr double same_line = 0.6;     // of the resolution
 constexpr double same_family = 5e-4;  // relative: what one line of an estimate may be off
 
@@ -132,6 +133,19 @@ std::string meaning_of(double order, double near, const Kinematics& kinematics) 
   return {};
 }
 
+std::string may_be(double order, const Kinematics& kinematics) {
+  for (const Signature& s : kinematics.signatures) {
+    const auto h = static_cast<int>(std::lround(order / s.order));
+    if (h < 1 || h > most_slipping) continue;
+    if (s.slip == 0 || !same(order, h * s.order, s.slip * h * s.order)) continue;
+    const auto named = std::ranges::find_if(kinematics.orders, [&](const CharacteristicOrder& o) {
+      return o.component == s.component && o.order == s.order;
+    });
+    return "may be " + times(named == kinematics.orders.end() ? s.component : named->name, h);
+  }
+  return {};
+}
+
 std::vector<SpectralLine> spectral_lines(const Channel& x, const ShaftAngle& angle,
                                          const Kinematics& kinematics, std::size_t most) {
   return spectral_lines(OrderLines(x, angle, kinematics.period_turns), kinematics, most);
@@ -154,8 +168,10 @@ std::vector<SpectralLine> spectral_lines(const OrderLines& x, const Kinematics& 
     const double order = line.place * spectrum.resolution;
     const double near =
         std::max(same_line * spectrum.resolution, speed_error(x.angle_is_measured()) * order);
-    lines.push_back({order, order * x.mean_speed_Hz(), line.amplitude, line.p_value,
-                     meaning_of(order, near, kinematics)});
+    std::string meaning = meaning_of(order, near, kinematics);
+    if (meaning.empty()) meaning = may_be(order, kinematics);
+    lines.push_back(
+        {order, order * x.mean_speed_Hz(), line.amplitude, line.p_value, std::move(meaning)});
   }
   const auto rest = lines.begin() + static_cast<std::ptrdiff_t>(std::min(most, lines.size()));
   lines.erase(std::remove_if(

@@ -15,7 +15,7 @@ namespace rvbench::analysis {
 ///
 /// A line is explained if it is a harmonic of a characteristic order, or a sideband of a mesh line
 /// at up to three times the order of a shaft. Orders must agree within 0.6 lines, and 0.3 ‰ where
-/// the speed was stated instead of measured.
+/// the speed was stated instead of measured. Of others may_be() is asked.
 ///
 /// Shape   none if less than one period, or 64 samples of it, are there
 /// Units   orders, Hz, that of the channel
@@ -39,6 +39,12 @@ bool is_characteristic(const SpectralLine& line, const Kinematics& kinematics);
 /// Errors  none thrown
 /// Source  ours; sidebands of a mesh: McFadden, J. Vib. Acoust. 108(2), 165-170 (1986)
 std::string meaning_of(double order, double near, const Kinematics& kinematics);
+
+/// What the order may be though no characteristic order is there: up to the third harmonic of a
+/// rolling element's that slips, as "may be bearing inner race x2"; empty if it is none. That is no
+/// more than a hint: a few percent of slip reach many orders, and is_characteristic() is false of
+/// it. Units   orders of the input shaft. Errors  none thrown. Source  slip of the signatures
+std::string may_be(double order, const Kinematics& kinematics);
 
 /// Unexplained lines that are harmonics of a common fundamental, or sidebands of a mesh line at up
 /// to three times it, become one line each: the fundamental's, with the strongest amplitude, and

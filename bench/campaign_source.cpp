@@ -33,13 +33,10 @@ std::string name_columns(Recording& recording, const std::vector<std::string>& c
   return {};
 }
 
-// The column of time stamps: the one that is named, or, where nobody states a rate, time_s, which
-// is what rvbench calls it.
+// The column of time stamps: the one that is named, or, where no rate is stated for the file,
+// time_s, which is what rvbench calls it.
 std::string time_column_of(const Recording& recording, const CampaignSource& source) {
-  const bool states_rate =
-      !std::isnan(source.rate_Hz) ||
-      std::ranges::all_of(recording.channels, [](const Channel& c) { return c.rate_Hz > 0; });
-  if (!source.time_column.empty() || states_rate) return source.time_column;
+  if (!source.time_column.empty() || !std::isnan(source.rate_Hz)) return source.time_column;
   return recording.find(own_time_column) == nullptr ? "" : std::string(own_time_column);
 }
 

@@ -169,6 +169,15 @@ int dispatch(const std::vector<std::string>& arguments,
       console, "unknown command " + hal::in_quotes(word) + hal::did_you_mean(word, names), "");
 }
 
+// Whether the code speaks of what standard output was to hold; any other tells of the bench, or
+// why there is no answer, and standard error says so.
+bool is_answer(int code) {
+  const auto is_code_of = [code](Outcome outcome) {
+    return code == exit_code({outcome, ErrorKind::none, ""});
+  };
+  return is_code_of(Outcome::pass) || is_code_of(Outcome::fail) || is_code_of(Outcome::invalid);
+}
+
 }  // namespace
 
 int run_cli(const std::vector<std::string>& arguments,
@@ -180,7 +189,7 @@ int run_cli(const std::vector<std::string>& arguments,
   }
   if (console.out.flush()) return code;
   console.err << "rvbench: standard output cannot be written\n";
-  return code == exit_codes::done ? exit_codes::internal_error : code;
+  return is_answer(code) ? exit_codes::internal_error : code;
 }
 
 }  // namespace rvbench::bench

@@ -40,9 +40,23 @@ struct Comparisons {
   std::vector<UnseenRecord> unseen;             ///< some of them: as they are predicted
 };
 
-/// Empty if nothing was fitted, or one of the plants cannot be simulated.
+/// Sets every record of the twin beside the plant as it was, and beside what was found; of those
+/// that are only predicted, and some that are learned from, also by fits without their condition.
+///
+/// Shape   one pair per record and output, in the twin's order; empty if nothing was fitted, or one
+///         of the plants cannot be simulated
+/// Units   those of the channels
+/// Errors  throws Interrupted, of the twin, when a stop is requested
+/// Source  of the twin; which records are shown is ours
 Comparisons compare(const Twin& twin, const analysis::Selection& found);
 
+/// How far each of them is from what was measured: root mean squares, and, of records that are only
+/// predicted and compared sample by sample, the mean with its interval.
+///
+/// Shape   one per pair of `comparisons`, in their order
+/// Units   those of the channels; relative errors none
+/// Errors  throws Interrupted, of the twin; std::invalid_argument of PredictiveError
+/// Source  PredictiveError for the interval
 std::vector<RecordError> record_errors(const Twin& twin, const analysis::Selection& found,
                                        const Comparisons& comparisons);
 

@@ -109,7 +109,7 @@ Finding finding_from(const Json& json) {
   finding.log_likelihood_ratio = number_or_nan(json.at("statistic"));
   finding.p_value = number_or_nan(json.at("p_value"));
   finding.severity = number_or_nan(json.at("severity"));
-  // Not stated by an rvbench that judged each IMF by itself, like all that follows with a default.
+  // May be absent, like each key that is read with a default: then it is not known.
   const Json interval = json.value("severity_interval", Json::array({nullptr, nullptr}));
   finding.severity_low = number_or_nan(interval.at(0));
   finding.severity_high = number_or_nan(interval.at(1));

@@ -12,7 +12,7 @@ namespace rvbench::bench {
 /// interval. What is of the whole signal is at "whole".
 nlohmann::ordered_json indicators_to_json(const std::vector<analysis::Indicator>& indicators);
 
-/// Those of a channel or point that has them; none of one that was written before there were any.
+/// Those of a channel or point; none where it states none.
 /// @throws nlohmann::json::exception if they are something else
 std::vector<analysis::Indicator> indicators_from_json(const nlohmann::ordered_json& judged);
 

@@ -34,7 +34,7 @@ struct LimitCheck {
   std::string why;
   std::string of = {};                    ///< the band, order or mesh it is narrowed to; empty: any
   double min = not_known;                 ///< NaN: it is a limit from above
-  std::size_t points = 0;                 ///< it was looked for at; 0 of a finding's depth
+  std::size_t points = 0;                 ///< that could show it; 0 of a finding's depth
   std::vector<std::string> lacking = {};  ///< where of these it could not be measured, one each
 };
 

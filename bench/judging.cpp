@@ -62,14 +62,27 @@ Ending trust_in(const Judgement& judgement) {
 std::string first_beyond(const Judgement& judgement) {
   if (!judgement.diagnosis.findings.empty()) {
     const analysis::Finding& worst = judgement.diagnosis.findings.front();
-    return fmt::format("{}: {} at order {:.4g}, modulation depth {:.2f} above its limit {:.2f}",
-                       worst.component, worst.mechanism, worst.order, worst.severity, worst.limit);
+    return fmt::format("{}: {} at order {:.4g}, modulation depth {:.3g} above its limit {:.3g}{}",
+                       worst.component, worst.mechanism, worst.order, worst.severity, worst.limit,
+                       worst.severity_low <= worst.limit ? ", but not surely" : "");
   }
   const auto check = std::ranges::find_if(judgement.limits, is_beyond);
   if (check == judgement.limits.end()) return "";
   return fmt::format("{} {} {} its {} at {}", check->measure,
                      with_unit(check->measured, check->unit), beyond(*check), bound_text(*check),
                      check->where);
+}
+
+// The first part that is neither shown nor known to be within its limit; empty if there is none.
+std::string first_open(const analysis::Diagnosis& diagnosis) {
+  const auto open = std::ranges::find_if(diagnosis.not_shown, &analysis::Finding::is_open);
+  if (!diagnosis.resolvable || open == diagnosis.not_shown.end()) return "";
+  const std::string part = "cannot tell " + open->component + ": " + open->mechanism;
+  if (std::isnan(open->severity_high)) {
+    return part + fmt::format(": no line of its order {:.4g} can be read", open->order);
+  }
+  return part + fmt::format(": noise hides depths up to {:.3g}, its limit is {:.3g}",
+                            open->severity_high, open->limit);
 }
 
 // What the limits make of the findings. A limit that could not be held against the data outweighs
@@ -82,6 +95,7 @@ Ending weighed(const Judgement& judgement) {
                    first_lacking(*unmeasured) + (bad.empty() ? "" : "; beside it " + bad));
   }
   if (!bad.empty()) return {Outcome::fail, ErrorKind::none, bad};
+  if (const std::string open = first_open(judgement.diagnosis); !open.empty()) return invalid(open);
   return {Outcome::pass, ErrorKind::none, "no finding above its limit"};
 }
 
@@ -158,6 +172,10 @@ std::vector<hal::ConfigFault> limits_on_unknown_parts(const std::vector<sequence
                                              hal::in_quotes(of), hal::what_there_is(of, places)));
   }
   return faults;
+}
+
+bool can_be_trusted(const Judgement& judgement) {
+  return trust_in(judgement).outcome == Outcome::pass;
 }
 
 JudgedPoint judge_point(const Recording& record, const analysis::Kinematics& kinematics,

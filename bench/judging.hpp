@@ -12,32 +12,46 @@ namespace rvbench::bench {
 
 /// The kinematics with the plan's limits on "modulation_depth" in place of its own: first those
 /// for every component, then those for one.
+/// Units  of depths: 1. Errors  none thrown. Source  the plan
 analysis::Kinematics with_limits(analysis::Kinematics kinematics,
                                  const std::vector<sequences::Limit>& limits);
 
 /// The examinations of all points that were measured.
+/// Errors  none thrown. Source  judge_point()
 std::vector<analysis::Examination> examined_points(const Judgement& judgement);
 
 /// The kinematics with the gear ratio and the rated torque of the plan in place of its own.
+/// Units  N·m at the output. Errors  none thrown. Source  the plan
 analysis::Kinematics of_specimen(analysis::Kinematics kinematics,
                                  const sequences::Specimen& specimen);
 
 /// Limits on parts, bands, orders or meshes that the machine does not have, as faults of the plan:
 /// never found, such a part would always be within its limit.
+/// Errors  none thrown: each is a fault in the answer. Source  the names of the kinematics
 std::vector<hal::ConfigFault> limits_on_unknown_parts(const std::vector<sequences::Limit>& limits,
                                                       const analysis::Kinematics& kinematics);
 
 /// Examines one record. One whose status is not "ok" is not examined: it is listed, and invalid.
+/// Units   those of analysis::examine(). Errors  none thrown for what was measured, as there
+/// Source  analysis::examine()
 JudgedPoint judge_point(const Recording& record, const analysis::Kinematics& kinematics,
                         const analysis::ExamineOptions& options);
 
+/// Whether every point was recorded and is sound, and a record is long enough to part the orders of
+/// what turned.
+/// Errors  none thrown. Source  ours
+bool can_be_trusted(const Judgement& judgement);
+
 /// Draws the conclusion from judgement.points: diagnosis, limits, and the ending.
 /// @param measured  how the sequence itself ended; the graver of both becomes the ending
+/// Errors  none thrown: what cannot be judged ends INVALID, with the reason
+/// Source  analysis::conclude() and check_of(); which ending is the graver: README, exit codes
 void conclude(Judgement& judgement, const analysis::Kinematics& kinematics,
               const std::vector<sequences::Limit>& limits, const Ending& measured);
 
 /// After conclude(): where not a single line of the machine is in the data, the judgement ends
 /// INVALID, with a quality note. Orders that were looked for at a wrong speed are silent, too.
+/// Errors  none thrown. Source  ours
 void demand_confirmation(Judgement& judgement, const analysis::Kinematics& kinematics);
 
 }  // namespace rvbench::bench

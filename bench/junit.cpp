@@ -44,7 +44,7 @@ TestCase case_of(const JudgedPoint& point) {
     if (note.invalidates)
       return {test.group, test.name, Result::error, note.where + ": " + note.what};
   }
-  if (!seen.resolvable) {
+  if (!seen.resolvable && !seen.of_hysteresis) {
     return {test.group, test.name, Result::error,
             fmt::format("not resolvable: {:.2f} periods recorded", seen.periods)};
   }

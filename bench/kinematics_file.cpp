@@ -50,7 +50,8 @@ analysis::Kinematics read_rv_reducer(const std::string& machine, hal::ConfigRead
                                       .planets = rv.integer("planets", {1, 12}, 2),
                                       .lobes = rv.integer("lobes", teeth),
                                       .pins = rv.integer("pins", teeth)};
-  if (geometry.pins != geometry.lobes + 1) {
+  const bool both_stated = rv.has("lobes") && rv.has("pins");
+  if (both_stated && geometry.pins != geometry.lobes + 1) {
     rv.fault("pins", "must be one more than lobes (" + std::to_string(geometry.lobes) + ")");
   }
   analysis::BearingGeometry bearing;

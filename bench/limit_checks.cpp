@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <vector>
@@ -19,13 +20,30 @@ std::string_view absent_when(const LimitCheck& check) {
   return measure == nullptr ? "" : measure->absent_when;
 }
 
+bool is_about(const LimitCheck& check, const analysis::Finding& finding) {
+  return check.component.empty() || check.component == finding.component;
+}
+
 void check_findings(LimitCheck& check, const std::vector<analysis::Finding>& findings) {
   for (const analysis::Finding& finding : findings) {
-    if (!check.component.empty() && check.component != finding.component) continue;
+    if (!is_about(check, finding)) continue;
     if (finding.severity <= check.measured) continue;  // never of what is not measured yet: NaN
     check.measured = finding.severity;
     check.where = finding.component + ": " + finding.mechanism;
   }
+}
+
+// Without a finding there is nothing above the noise: a depth of zero, if all that was asked for
+// was judged, and noise could not hide more than the limit allows.
+void check_depths(LimitCheck& check, const analysis::Diagnosis& diagnosis) {
+  if (!diagnosis.resolvable) return;
+  check.measured = 0;
+  check_findings(check, diagnosis.findings);
+  check_findings(check, diagnosis.below_limit);
+  const bool open = std::ranges::any_of(diagnosis.not_shown, [&](const analysis::Finding& part) {
+    return is_about(check, part) && part.is_open();
+  });
+  if (open && !is_beyond(check)) check.measured = not_known;
 }
 
 void check_indicators(LimitCheck& check, const Judgement& judgement) {
@@ -45,10 +63,7 @@ LimitCheck check_of(const sequences::Limit& limit, const Judgement& judgement) {
   LimitCheck check{limit.measure, limit.component, limit.unit, limit.max, not_known, "",
                    false,         limit.why,       limit.of,   limit.min};
   if (limit.measure == measure_names::modulation_depth) {
-    // Without a finding there is nothing above the noise: a depth of zero, if anything was judged.
-    if (judgement.diagnosis.resolvable) check.measured = 0;
-    check_findings(check, judgement.diagnosis.findings);
-    check_findings(check, judgement.diagnosis.below_limit);
+    check_depths(check, judgement.diagnosis);
   } else {
     check_indicators(check, judgement);
   }

@@ -5,6 +5,9 @@
 #include "bench/judgement.hpp"
 #include "sequences/plan.hpp"
 
+/// Limits of a plan, held against what was measured.
+/// Units   of each limit. Errors  none thrown
+/// Source  the bounds are the plan's; what counts as measured is ours
 namespace rvbench::bench {
 
 /// Holds a limit against the worst that was measured, over all points and channels; for

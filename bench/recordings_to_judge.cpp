@@ -37,9 +37,20 @@ std::optional<std::string> what_is_beyond(const Recording& record, const std::st
   return std::nullopt;
 }
 
+// A velocity or a force is judged as no acceleration, and nobody should think that it was.
+void note_other_units(Recording& record) {
+  const std::vector<const Channel*> judged = analysis::acceleration_channels(record);
+  for (const Channel& channel : record.channels) {
+    if (is_of_shaft(channel.info) || std::ranges::find(judged, &channel) != judged.end()) continue;
+    record.notes.push_back(fmt::format("{} is in {}, no acceleration, and is left out",
+                                       channel.info.name, channel.info.unit));
+  }
+}
+
 std::optional<std::string> what_cannot_be_judged(Recording& record, const std::string& file,
                                                  const std::string& kept) {
   if (const auto beyond = what_is_beyond(record, file, kept)) return beyond;
+  note_other_units(record);
   const auto uneven = leave_out_rising_channels(kept, record);
   if (uneven) return file + ": " + *uneven;
   return std::nullopt;
@@ -54,7 +65,7 @@ std::optional<std::string> what_is_not_stated(const Recording& record, const std
   }
   const bool has_speed =
       std::isfinite(record.speed_rpm) || record.find(channel_names::input_angle) != nullptr;
-  if (!has_speed) return file + " states no shaft speed: give it with --speed RPM";
+  if (!has_speed) return file + " states no shaft speed: give it with --speed RPM" + hint;
   return std::nullopt;
 }
 
@@ -113,11 +124,11 @@ std::variant<std::vector<Recording>, JudgeRefusal> recordings_to_judge(const Jud
     Result<std::vector<Recording>> read = hal::read_recordings(file, input.hints);
     if (!read) return JudgeRefusal{exit_codes::data_refused, read.error().where};
     for (Recording& record : std::move(read).value()) {
-      const std::size_t known = record.notes.size();
       if (const auto spoiled = what_cannot_be_judged(record, file, input.channel)) {
         return JudgeRefusal{exit_codes::data_refused, *spoiled};
       }
-      const std::string hint = record.notes.size() > known ? " (" + record.notes.back() + ")" : "";
+      const std::string hint =
+          record.notes.empty() ? "" : fmt::format(" ({})", fmt::join(record.notes, "; "));
       if (const auto unstated = what_is_not_stated(record, file, hint)) {
         return JudgeRefusal{exit_codes::usage, *unstated};
       }

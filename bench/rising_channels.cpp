@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 #include <vector>
 
 #include "analysis/quality.hpp"
@@ -28,6 +29,18 @@ bool is_even(const Eigen::VectorXd& x) {
   return (x - line).cwiseAbs().maxCoeff() <= most_bend * rise;
 }
 
+// Seconds in the unit that the name of a column of time ends in; nothing if it ends in none.
+std::optional<double> seconds_per_unit(std::string_view name) {
+  while (!name.empty() && (name.ends_with(']') || name.ends_with(')'))) name.remove_suffix(1);
+  const std::size_t before = name.find_last_of("_ [(");
+  const std::string_view unit = before == std::string_view::npos ? "" : name.substr(before + 1);
+  if (unit == "s") return 1;
+  if (unit == "ms") return 1e-3;
+  if (unit == "us" || unit == "µs") return 1e-6;
+  if (unit == "ns") return 1e-9;
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> leave_out_rising_channels(const std::string& kept, Recording& record) {
@@ -44,9 +57,13 @@ std::optional<std::string> leave_out_rising_channels(const std::string& kept, Re
           name);
     }
     const double per_unit = static_cast<double>(x.size() - 1) / (x[x.size() - 1] - x[0]);
+    const std::optional<double> unit_s = seconds_per_unit(name);
     record.notes.push_back(
         fmt::format("{} only rises, as no vibration does, and is left out", name) +
-        (even ? fmt::format("; in seconds it says {:.6g} Hz", per_unit) : ""));
+        (even ? fmt::format("; {} it says {:.6g} Hz",
+                            unit_s ? "by the unit in its name" : "in seconds",
+                            per_unit / unit_s.value_or(1))
+              : ""));
     rising.push_back(name);
   }
   std::erase_if(record.channels, [&](const Channel& channel) {

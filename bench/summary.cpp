@@ -33,9 +33,9 @@ void print_finding(Console& console, const analysis::Finding& finding, double pe
       "  {}: {}{}\n", finding.component, finding.mechanism,
       finding.table4_item.empty() ? "" : " (Table 4: " + finding.table4_item + ")");
   console.out << fmt::format(
-      "    depth {}, limit {:.3f}; order {}, {}; p {:.1e}", report::severity_text(finding),
+      "    depth {}, limit {:.3f}; order {}, {}; p {}", report::severity_text(finding),
       finding.limit, report::order_text(finding.order, period_turns),
-      report::frequency_text(finding.frequency_Hz, finding.order), finding.p_value);
+      report::frequency_text(finding.frequency_Hz, finding.order), report::p_text(finding.p_value));
   if (finding.confidence > 0) {
     console.out << fmt::format("; confidence {:.0f} %", 100 * finding.confidence);
   }
@@ -164,9 +164,9 @@ void print_findings(Console& console, const analysis::Diagnosis& diagnosis, doub
   }
   const analysis::Finding* second = diagnosis.second();
   if (second == nullptr) return;
-  console.out << fmt::format("\nSecond hypothesis: {}: {}, depth {}, limit {:.3f}, p {:.1e}\n",
+  console.out << fmt::format("\nSecond hypothesis: {}: {}, depth {}, limit {:.3f}, p {}\n",
                              second->component, second->mechanism, report::severity_text(*second),
-                             second->limit, second->p_value);
+                             second->limit, report::p_text(second->p_value));
 }
 
 // What the teardown of a bench at fault came to; nothing if it has nothing to say.

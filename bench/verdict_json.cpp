@@ -47,34 +47,39 @@ RunFacts facts_from_json(const nlohmann::ordered_json& json) {
   return facts;
 }
 
+// What is not stated is null, in one place and read back in the next.
+nlohmann::ordered_json text_or_null(const std::string& text) {
+  return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text);
+}
+
+std::string text_or_empty(const nlohmann::ordered_json& json, const char* key) {
+  const auto found = json.find(key);
+  return found == json.end() || found->is_null() ? "" : found->get<std::string>();
+}
+
 nlohmann::ordered_json to_json(const LimitCheck& check) {
-  return {{"measure", check.measure},
-          {"component", check.component},
-          {"unit", check.unit},
-          {"max", check.max},
-          {"measured", check.measured},
-          {"where", check.where},
-          {"passed", check.passed},
-          {"why", check.why},
-          {"of", check.of},
-          {"min", check.min},
-          {"points", check.points},
-          {"not_measured_at", check.lacking}};
+  return {{"measure", check.measure},     {"component", text_or_null(check.component)},
+          {"unit", check.unit},           {"max", check.max},
+          {"measured", check.measured},   {"where", text_or_null(check.where)},
+          {"passed", check.passed},       {"why", check.why},
+          {"of", text_or_null(check.of)}, {"min", check.min},
+          {"points", check.points},       {"not_measured_at", check.lacking}};
 }
 
 LimitCheck limit_from_json(const nlohmann::ordered_json& json) {
   LimitCheck check;
   json.at("measure").get_to(check.measure);
-  json.at("component").get_to(check.component);
+  check.component = text_or_empty(json, "component");
   json.at("unit").get_to(check.unit);
   check.max = number_or_nan(json.at("max"));
   check.measured = number_or_nan(json.at("measured"));
-  json.at("where").get_to(check.where);
+  check.where = text_or_empty(json, "where");
   json.at("passed").get_to(check.passed);
   json.at("why").get_to(check.why);
-  check.of = json.value("of", "");  // not stated by an rvbench that limited accelerations only
+  // Keys that may be absent: of anything, not bounded from below, measured wherever it was asked.
+  check.of = text_or_empty(json, "of");
   check.min = number_or_nan(json.value("min", nlohmann::ordered_json()));
-  check.points = json.value("points", check.points);  // likewise, where one value was enough
+  check.points = json.value("points", check.points);
   check.lacking = json.value("not_measured_at", check.lacking);
   return check;
 }
@@ -95,7 +100,7 @@ JudgedPoint point_from_json(const nlohmann::ordered_json& json) {
   json.at("status").get_to(point.status);
   point.planned_speed_rpm = number_or_nan(json.at("planned_speed_rpm"));
   point.torque_Nm = number_or_nan(json.at("torque_Nm"));
-  const nlohmann::ordered_json unknown;  // to an rvbench that did not yet state them
+  const nlohmann::ordered_json unknown;  // these keys may be absent
   point.acceleration_time_uncertainty_s =
       number_or_nan(json.value("acceleration_time_uncertainty_s", unknown));
   point.torque_time_uncertainty_s = number_or_nan(json.value("torque_time_uncertainty_s", unknown));

@@ -27,6 +27,11 @@ std::vector<Source> sources_of(const JudgedPoint& point, const Measure& measure)
   return sources;
 }
 
+// A record of hysteresis tells nothing of what turns, and the other way round.
+bool is_asked(const JudgedPoint& point, const Measure& measure) {
+  return point.status == "ok" && point.examination.of_hysteresis == !measure.phase.empty();
+}
+
 double value_of(const Indicator& indicator, const WorstOf& asked) {
   if (indicator.measure != asked.measure.name) return not_known;
   if (!asked.of.empty() && asked.of != indicator.of) return not_known;
@@ -77,7 +82,7 @@ void take(WorstIndicator& worst, const Source& source, const WorstOf& asked) {
 WorstIndicator worst_indicator(const Judgement& judgement, const WorstOf& asked) {
   std::vector<std::vector<Source>> points;
   for (const JudgedPoint& point : judgement.points) {
-    if (point.status == "ok") points.push_back(sources_of(point, asked.measure));
+    if (is_asked(point, asked.measure)) points.push_back(sources_of(point, asked.measure));
   }
   WorstIndicator worst;
   worst.points = points.size();

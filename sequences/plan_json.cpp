@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
 
 #include "hal/did_you_mean.hpp"
 #include "hal/types/measure.hpp"
@@ -107,8 +109,24 @@ bool contradict(const Limit& a, const Limit& b) {
   return in_unit(a.min, a.unit, b.unit) > b.max || in_unit(b.min, b.unit, a.unit) > a.max;
 }
 
+// Whether both bound the same thing from the same side: then one of them says nothing.
+bool repeats(const Limit& a, const Limit& b) {
+  return a.measure == b.measure && a.of == b.of && a.component == b.component &&
+         std::isfinite(a.min) == std::isfinite(b.min);
+}
+
 void check_against_earlier(const Limit& limit, const std::vector<Limit>& earlier,
                            hal::ConfigReader& json) {
+  const auto same =
+      std::ranges::find_if(earlier, [&](const Limit& e) { return repeats(limit, e); });
+  if (same != earlier.end()) {
+    const bool both_min = std::isfinite(limit.min);
+    json.fault(both_min ? "min" : "max",
+               fmt::format("{} has a {} already, {:g} {}: one of the two says nothing",
+                           limit.measure, both_min ? "min" : "max",
+                           both_min ? same->min : same->max, hal::in_quotes(same->why)));
+    return;
+  }
   const auto other =
       std::ranges::find_if(earlier, [&](const Limit& e) { return contradict(limit, e); });
   if (other == earlier.end()) return;
@@ -138,6 +156,41 @@ std::vector<Limit> parse_limits(hal::ConfigReader& root) {
     json.disregard();
   }
   return limits;
+}
+
+// Whether the phase records what the measure is made of: a shaft that is wound to and fro tells of
+// nothing that turns, and one that turns of no torsion.
+bool shows(const Phase& phase, const Measure& measure) {
+  if (phase.points().empty()) return false;
+  if (!measure.phase.empty()) return phase.kind() == measure.phase;
+  return std::ranges::find(measures(), phase.kind(), &Measure::phase) == measures().end();
+}
+
+// Why no record of the plan can have a value to hold against a limit on it; empty if one can.
+std::string why_never_measured(const Measure& measure, const TestPlan& plan) {
+  std::set<std::pair<double, double>> points;  // of speed and load
+  bool repeated = false;
+  for (const auto& phase : plan.main) {
+    if (!shows(*phase, measure)) continue;
+    for (const hal::PlannedPoint& p : phase->points()) {
+      repeated |= !points.emplace(p.speed_rpm, p.load_pct).second;
+    }
+  }
+  if (points.empty()) {
+    return measure.phase.empty()
+               ? "needs a shaft that turns steadily, which main never records"
+               : fmt::format("needs a {} phase, and main has none", measure.phase);
+  }
+  return measure.takes_repeats && !repeated ? "needs a point that main records more than once" : "";
+}
+
+void check_against_points(const TestPlan& plan, hal::ConfigReader& root) {
+  std::size_t i = 0;
+  for (hal::ConfigReader& json : root.objects("limits", false)) {
+    const Measure* measure = find_measure(plan.limits[i++].measure);
+    const std::string why = why_never_measured(*measure, plan);
+    if (!why.empty()) json.fault("measure", fmt::format("{} {}", measure->name, why));
+  }
 }
 
 // An interlock that the plan itself must run into is a fault of the plan.
@@ -210,7 +263,10 @@ std::variant<TestPlan, std::vector<hal::ConfigFault>> parse_plan(hal::ConfigRead
   plan.limits = parse_limits(root);
   root.finish();
   if (root.faults().empty() && plan.points().empty()) root.fault("main", "it records nothing");
-  if (root.faults().empty()) check_against_interlocks(plan, interlocks);
+  if (root.faults().empty()) {
+    check_against_interlocks(plan, interlocks);
+    check_against_points(plan, root);
+  }
   if (!root.faults().empty()) return root.faults();
   return plan;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 namespace rvbench::analysis {
@@ -21,16 +22,19 @@ bool is_same_point(const PointRecords& a, double speed_rpm, double load_pct) {
 }
 
 // NaN compares with nothing: it goes first.
-std::tuple<double, double> place(const PointRecords& p) {
+std::tuple<double, double> place(const RecordLevels& record) {
   const auto or_first = [](double x) { return std::isnan(x) ? -HUGE_VAL : x; };
-  return {or_first(p.speed_rpm), or_first(p.load_pct)};
+  return {or_first(record.speed_rpm), or_first(record.load_pct)};
 }
 
 }  // namespace
 
 std::vector<PointRecords> points_of(const std::vector<RecordLevels>& records) {
+  std::vector<std::size_t> rising(records.size());
+  std::iota(rising.begin(), rising.end(), std::size_t{0});
+  std::ranges::stable_sort(rising, {}, [&](std::size_t i) { return place(records[i]); });
   std::vector<PointRecords> points;
-  for (std::size_t i = 0; i < records.size(); ++i) {
+  for (const std::size_t i : rising) {
     const RecordLevels& record = records[i];
     const auto same = std::ranges::find_if(points, [&](const PointRecords& p) {
       return is_same_point(p, record.speed_rpm, record.load_pct);
@@ -41,7 +45,7 @@ std::vector<PointRecords> points_of(const std::vector<RecordLevels>& records) {
       points.push_back({record.speed_rpm, record.load_pct, {i}});
     }
   }
-  std::ranges::stable_sort(points, {}, place);
+  for (PointRecords& point : points) std::ranges::sort(point.records);
   return points;
 }
 

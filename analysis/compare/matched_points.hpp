@@ -6,14 +6,15 @@
 
 namespace rvbench::analysis {
 
-/// Repeats of one speed and load.
+/// Repeats of one speed and load: of the slowest, and of these the least loaded of them.
 struct PointRecords {
   double speed_rpm = not_known;
-  double load_pct = not_known;  ///< NaN: nobody states it
-  std::vector<std::size_t> records;
+  double load_pct = not_known;       ///< NaN: nobody states it
+  std::vector<std::size_t> records;  ///< indices, rising
 };
 
-/// The matrix that records form, whatever their order: by rising speed, then load.
+/// The matrix that records form, whatever their order: by rising speed, then load. What is within
+/// 1 % and one percentage point of the slowest and least loaded of a point belongs to it.
 /// Shape   each record in one point. Units  rpm, %. Errors  none thrown. Source  match_points()
 std::vector<PointRecords> points_of(const std::vector<RecordLevels>& records);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -52,10 +53,12 @@ RecordLevels measure_levels(const Recording& record, const Kinematics& kinematic
   const auto notes = record_quality(channels, *angle, kinematics, not_known);
   std::vector<const Channel*> trusted;
   for (std::size_t i = 0; i < channels.size(); ++i) {
-    for (const QualityNote& note : notes[i]) {
-      levels.left_out.push_back({record.source + ", " + note.where, note.what});
+    const auto spoilt = std::ranges::find_if(notes[i], &QualityNote::invalidates);
+    if (spoilt == notes[i].end()) {
+      trusted.push_back(channels[i]);
+    } else {
+      levels.left_out.push_back({record.source + ", " + spoilt->where, spoilt->what});
     }
-    if (notes[i].empty()) trusted.push_back(channels[i]);
   }
   if (!trusted.empty()) tell_short(*angle, kinematics, *trusted.front(), levels);
   levels.channels.resize(trusted.size());

@@ -30,7 +30,7 @@ std::vector<double> comb_lines(const Signature& signature, int first, double str
   return orders;
 }
 
-std::vector<double> carrying_lines(const SignatureScore& score, const Signature& signature) {
+std::vector<double> carrying_lines(const SignatureScore& score) {
   double total = 0;
   for (const double depth : score.line_depths) total += depth * depth;
   std::vector<double> orders;
@@ -38,7 +38,7 @@ std::vector<double> carrying_lines(const SignatureScore& score, const Signature&
   for (const std::size_t i : lines_by_depth(score)) {
     if (sum >= carried * total) break;
     sum += score.line_depths[i] * score.line_depths[i];
-    orders.push_back(score.line_orders[i] * score.order / signature.order);
+    orders.push_back(score.line_orders[i]);
   }
   return orders;
 }

@@ -29,7 +29,7 @@ std::vector<double> comb_lines(const Signature& signature, int first, double str
 /// Units   orders of the input shaft
 /// Errors  none thrown
 /// Source  ours
-std::vector<double> carrying_lines(const SignatureScore& score, const Signature& signature);
+std::vector<double> carrying_lines(const SignatureScore& score);
 
 /// Whether each of the lines found lies within `near` of one of the comb.
 bool holds_all(const std::vector<double>& comb, const std::vector<double>& found, double near);

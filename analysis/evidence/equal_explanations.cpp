@@ -9,7 +9,7 @@ namespace rvbench::analysis {
 std::vector<std::size_t> equal_explanations(const SignatureScore& score,
                                             const Kinematics& kinematics, double resolution) {
   const Signature& own = signature_of(score, kinematics);
-  const std::vector<double> found = carrying_lines(score, own);
+  const std::vector<double> found = carrying_lines(score);
   std::vector<std::size_t> equal;
   if (found.empty()) return equal;
   for (std::size_t s = 0; s < kinematics.signatures.size(); ++s) {

@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "analysis/statistics.hpp"
 
@@ -92,7 +93,8 @@ GrowthLaw growth_law(const std::vector<const Examination*>& points, std::size_t 
   const double variance = (y - a * x).squaredNorm() / freedom;
   for (std::size_t k = 0; k < terms.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(k) + 1;
-    *terms[k].growth = {x[at], t_of_p_value(0.05, freedom) * std::sqrt(variance * inverse(at, at))};
+    const double deviation = std::sqrt(variance * inverse(at, at));
+    *terms[k].growth = {x[at], t_of_p_value(0.05, freedom) * deviation, freedom};
   }
   return law;
 }
@@ -101,8 +103,14 @@ double p_value_of_growth(const Growth& growth, const GrowthRange& range) {
   const double outside =
       std::max({range.least - growth.exponent, growth.exponent - range.most, 0.0});
   if (!std::isfinite(growth.exponent) || outside == 0) return 1;
-  constexpr double half_of_95_percent = 1.959964;  // standard deviations
-  return std::erfc(outside / growth.error * half_of_95_percent / std::sqrt(2.0));
+  if (growth.error == 0) return 0;
+  return t_p_value(outside / growth.error * t_of_p_value(0.05, growth.freedom), growth.freedom);
+}
+
+double odds_at_most(double p_value) {
+  constexpr double e = std::numbers::e;
+  if (p_value >= 1 / e) return 1;
+  return p_value > 0 ? -e * p_value * std::log(p_value) : 0;
 }
 
 }  // namespace rvbench::analysis

@@ -29,7 +29,12 @@ GrowthLaw growth_law(const std::vector<const Examination*>& points, std::size_t 
 /// How likely an exponent within the range would have been measured as far outside as it was, or
 /// farther: 1 inside it, and where the exponent is not known; 0.05 where its interval touches it.
 ///
-/// Source  normal errors
+/// Errors  none thrown. Source  Student's t with the degrees of freedom of the fit
 double p_value_of_growth(const Growth& growth, const GrowthRange& range);
+
+/// What a p-value leaves of the odds of a hypothesis, at most: -e·p·ln p below p = 1/e, else 1.
+/// Errors  none thrown
+/// Source  Sellke, Bayarri & Berger, The American Statistician 55(1), 62-71 (2001), eq. 3
+double odds_at_most(double p_value);
 
 }  // namespace rvbench::analysis

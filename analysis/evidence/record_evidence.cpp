@@ -54,9 +54,8 @@ class RecordEvidence {
     SignatureScore score;
     score.signature = signature;
     score.line_depths.assign(comb_.lines.size(), 0.0);
-    for (const SignatureLine& line : comb_.lines) score.line_orders.push_back(line.order);
     score.channel_depths.assign(channels_.size(), 0.0);
-    score.order = comb_.order;
+    put_lines(comb_.nominal, score);
     if (envelopes_ == 0 || comb_.lines.empty()) return score;
 
     const Eigen::VectorXd sums =
@@ -65,7 +64,7 @@ class RecordEvidence {
     for (Eigen::Index t = 0; t < sums.size(); ++t) {
       if (sums[t] > sums[best]) best = t;
     }
-    score.order = comb_.order * comb_.stretches[best];
+    put_lines(best, score);
     const Eigen::VectorXd decoys = decoys_of_open_lines(best);
     score.log_likelihood_ratio = sums[best] - median({decoys.begin(), decoys.end()});
     score.p_value = std::min(1.0, decoy_p_value(sums[best], decoys, lines_per_decoy_line(best)) *
@@ -75,6 +74,16 @@ class RecordEvidence {
   }
 
  private:
+  // Where the signature and its lines are at this stretch.
+  void put_lines(Eigen::Index stretch, SignatureScore& score) const {
+    const double stretched = stretch < comb_.stretches.size() ? comb_.stretches[stretch] : 1;
+    score.order = comb_.order * stretched;
+    score.line_orders.clear();
+    for (const SignatureLine& line : comb_.lines) {
+      score.line_orders.push_back(line.order * stretched);
+    }
+  }
+
   // As many lines as the sum has, each harmonic with its sidebands at a shift of its own: shifted
   // as a whole, a comb of evenly spaced lines would meet itself, and its decoys be copies of a few.
   // The offsets grow quadratically, so that no two decoys meet at one harmonic as they do at the
@@ -110,7 +119,8 @@ class RecordEvidence {
     return static_cast<double>(lines) / static_cast<double>(different);
   }
 
-  // The channel where the signature is deepest speaks for its depth.
+  // The channel where the signature is deepest speaks for its depth; where none shows it, the one
+  // whose noise could hide most, lest one that hears nothing of it seem to know.
   void read_depths(Eigen::Index stretch, SignatureScore& score) const {
     double deepest2 = -1;
     for (std::size_t c = 0; c < channels_.size(); ++c) {
@@ -119,12 +129,13 @@ class RecordEvidence {
       const auto open = open_.col(stretch);
       const Eigen::ArrayXd depth2 = open.select(evidence.sum.depth2.col(stretch).array(), 0.0);
       const double sum = std::max(depth2.sum(), 0.0);
+      const double variance = open.select(evidence.sum.variance.col(stretch).array(), 0.0).sum();
       score.channel_depths[c] = std::sqrt(sum);
-      if (sum <= deepest2) continue;
+      if (sum < deepest2 || (sum == deepest2 && variance <= score.depth2_variance)) continue;
       deepest2 = sum;
       score.channel = static_cast<int>(c);
       score.depth = std::sqrt(sum);
-      score.depth2_variance = open.select(evidence.sum.variance.col(stretch).array(), 0.0).sum();
+      score.depth2_variance = variance;
       for (std::size_t i = 0; i < score.line_depths.size(); ++i) {
         score.line_depths[i] = std::sqrt(std::max(depth2[static_cast<Eigen::Index>(i)], 0.0));
       }

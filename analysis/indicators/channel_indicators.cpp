@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "analysis/indicators/gear_condition.hpp"
 #include "analysis/indicators/indicator_places.hpp"
@@ -24,6 +25,7 @@ namespace names = measure_names;
 constexpr Eigen::Index fewest_samples = 16;  // of a band: its moments mean nothing below
 constexpr int sidebands = 3;
 constexpr int most_harmonics = 4;           // of the mesh, in FM0
+constexpr double same_order = 1e-6;         // relative
 constexpr double rounding = 1e-9;           // relative: what is left of an average that is all mesh
 constexpr double above_line_noise = 20;     // amplitude of a mesh, for its sideband ratio
 constexpr double above_average_noise = 12;  // sum of the mesh's harmonics, for FM0
@@ -97,8 +99,15 @@ struct Task {
   const Kinematics& kinematics;
   const std::vector<SpectralLine>& heard;
 
-  bool hears(const std::string& mesh) const {
-    return std::ranges::find(heard, mesh, &SpectralLine::meaning) != heard.end();
+  // Of several parts at one order a line bears the first one's name.
+  bool hears(double mesh_order) const {
+    return std::ranges::any_of(kinematics.orders, [&](const CharacteristicOrder& o) {
+      return std::abs(o.order - mesh_order) <= same_order * mesh_order &&
+             std::ranges::find(heard, o.name, &SpectralLine::meaning) != heard.end();
+    });
+  }
+  bool places(double order) const {
+    return is_placed(order, lines.turns(), speed_error(lines.angle_is_measured()));
   }
   Eigen::Index line_at(double order) const {
     const auto line = static_cast<Eigen::Index>(std::lround(order / spectrum.resolution));
@@ -114,7 +123,8 @@ bool stands_clear(const Task& task, double mesh_order) {
 void add_sidebands(const Task& task, List& list) {
   for (const SidebandPlace& place : sideband_places(task.kinematics)) {
     const double last = place.mesh.order + sidebands * place.spacing;
-    if (!task.hears(place.mesh.name) || last > task.lines.top_order()) continue;
+    if (!task.hears(place.mesh.order) || last > task.lines.top_order()) continue;
+    if (!task.places(last)) continue;
     if (!is_parted(place.spacing, task.lines.turns())) continue;
     if (!stands_clear(task, place.mesh.order)) continue;
     list.add(names::sideband_ratio, place.name,
@@ -163,13 +173,14 @@ double rms(const Eigen::VectorXd& x) { return std::sqrt(x.squaredNorm() / double
 std::vector<GearResidual> add_gears(const Task& task, List& list) {
   std::vector<GearResidual> residuals;
   for (const GearPlace& place : gear_places(task.kinematics)) {
-    const Eigen::VectorXd average = task.lines.average_turn(place.gear.order);
     const double mesh_order = place.gear.teeth * place.gear.order;
+    if (!task.places(mesh_order)) continue;
+    const Eigen::VectorXd average = task.lines.average_turn(place.gear.order);
     const Eigen::Index below_half = (average.size() - 1) / (2 * place.gear.teeth);
     const int harmonics = std::min({most_harmonics, static_cast<int>(below_half),
                                     static_cast<int>(task.lines.top_order() / mesh_order)});
     if (average.size() == 0 || harmonics < 1) continue;
-    if (task.hears(place.mesh)) {
+    if (task.hears(mesh_order)) {
       list.add(names::fm0, place.name, fm0_above_noise(task, average, place.gear, harmonics));
     }
     const double least = rounding * rms(average);

@@ -22,6 +22,9 @@ struct ChannelIndicators {
 /// lines_to_part from the mean or the mesh; a gear that made fewer than four turns; all but the
 /// levels of the whole where the record holds no period of the gear train.
 ///
+/// Nor, where the speed was stated and no angle measured, is a sideband ratio, FM0, FM4 or residual
+/// of a mesh that is_placed() does not vouch for: it would be read off the wrong lines.
+///
 /// Nor is a ratio that noise would make. A mesh must be heard, and besides
 ///
 ///     sideband ratio  20 times the noise of a line (26 dB): six sidebands of noise, each √(π/4) of

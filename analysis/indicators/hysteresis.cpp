@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "analysis/indicators/torsion_turns.hpp"
@@ -24,6 +25,7 @@ using units::arcmin_from_rad;
 constexpr double light_load = 0.03;  // of rated: where lost motion is taken
 constexpr double half_load = 0.5;    // of rated: from here to rated torque a reducer is linear
 constexpr Eigen::Index grid_points = 201;
+constexpr double fewest_of_slope = 5;        // of the grid's points
 constexpr Eigen::Index fewest_samples = 50;  // of a branch
 constexpr double least_common = 0.5;  // of a branch: the torsion that its partner spans as well
 constexpr double tip_share = 0.01;    // of a loop at each end: where friction turns round
@@ -84,7 +86,9 @@ bool passes(const Eigen::VectorXd& curve_Nm, double level_Nm) {
 }
 
 // Slope of what is passed on from half to full load in one direction. @pre it reaches full load
-double slope(const HysteresisLoop& loop, const Eigen::VectorXd& passed_Nm, double rated_Nm) {
+// @return empty where a clearance takes almost all of the grid
+std::optional<double> slope(const HysteresisLoop& loop, const Eigen::VectorXd& passed_Nm,
+                            double rated_Nm) {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (Eigen::Index i = 0; i < passed_Nm.size(); ++i) {
     const double load = passed_Nm[i] / rated_Nm;
@@ -92,6 +96,7 @@ double slope(const HysteresisLoop& loop, const Eigen::VectorXd& passed_Nm, doubl
     const double at = double(i) * loop.step_rad;
     n += 1, x += at, y += passed_Nm[i], xx += at * at, xy += at * passed_Nm[i];
   }
+  if (n < fewest_of_slope) return std::nullopt;
   return (n * xy - x * y) / (n * xx - x * x);
 }
 
@@ -216,8 +221,9 @@ class LoopTest {
     reached_ =
         std::min({reached_, passed_Nm.maxCoeff() / rated_Nm_, -passed_Nm.minCoeff() / rated_Nm_});
     if (reached_ >= 1) {
-      stiffnesses_.push_back(
-          (slope(loop, passed_Nm, rated_Nm_) + slope(loop, passed_Nm, -rated_Nm_)) / 2);
+      const std::optional<double> plus = slope(loop, passed_Nm, rated_Nm_);
+      const std::optional<double> minus = slope(loop, passed_Nm, -rated_Nm_);
+      if (plus && minus) stiffnesses_.push_back((*plus + *minus) / 2);
     }
     result_.loops.push_back(loop);
   }
@@ -236,6 +242,11 @@ class LoopTest {
     }
     if (stiffnesses_.size() == lost_motions_.size()) {
       result_.stiffness_Nm_per_rad = mean_of(stiffnesses_);
+    } else if (reached_ >= 1) {
+      result_.cannot_tell.push_back(fmt::format(
+          "torsional stiffness: almost all of the way is clearance; less than {:.0f} of "
+          "{} points of it lie between half and full rated torque",
+          fewest_of_slope, grid_points));
     } else {
       result_.cannot_tell.push_back(
           fmt::format("torsional stiffness: what is passed on reaches {:.0f} % of the rated torque "

@@ -20,8 +20,9 @@ OrderLines::OrderLines(const Channel& x, const ShaftAngle& angle, double period_
     : mean_speed_Hz_(angle.mean_speed_Hz()), angle_is_measured_(angle.is_measured()) {
   Require{"OrderLines"}(x.samples.allFinite(), "a sample is not finite");
   const double per_turn_in_time = x.rate_Hz / mean_speed_Hz_;
+  if (angle.whole_periods(x.samples.size(), x.rate_Hz, x.start_s, period_turns) < 1) return;
   int per_turn = 32;
-  while (per_turn < 8192 && per_turn < per_turn_in_time) per_turn *= 2;
+  while (per_turn < per_turn_in_time) per_turn *= 2;  // no wider than in time: nothing folds
   samples_ = angle.resample(x.samples, x.rate_Hz, x.start_s, period_turns, per_turn);
   if (empty()) return;
   mean_ = samples_.mean();

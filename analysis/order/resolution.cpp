@@ -8,6 +8,7 @@
 namespace rvbench::analysis {
 namespace {
 
+constexpr double most_lines_off = 0.1;
 constexpr double rounding = 1e-9;  // relative: a record of just enough turns is enough
 
 }  // namespace
@@ -26,6 +27,10 @@ bool are_parted(double order_a, double order_b, double turns, double speed_error
   const double apart =
       std::abs(order_a - order_b) - speed_error * (std::abs(order_a) + std::abs(order_b));
   return apart > 0 && apart * turns >= lines_to_part * (1 - rounding);
+}
+
+bool is_placed(double order, double turns, double speed_error) {
+  return speed_error * std::abs(order) * turns <= most_lines_off;
 }
 
 }  // namespace rvbench::analysis

@@ -31,7 +31,9 @@ bool hears_front_end_only(const std::vector<Heard>& channels, std::size_t one);
 /// Empty otherwise. A bias of 0 V, of a short, is what AC-coupled channels have as well; sensors of
 /// other kinds work up to 5 V, and gravity itself is no more than 11 V even at 1.1 V per m/s², the
 /// most that is made (10 V/g). A sensitivity above that is taken for one in other units.
-/// Units   V. Errors  none thrown: lost samples are left out. Source  ours
+/// Units   V
+/// Errors  none thrown; empty, too, of a channel with a lost sample, which is told as such
+/// Source  ours
 std::optional<double> open_cable_bias_V(const Channel& channel);
 
 }  // namespace rvbench::analysis

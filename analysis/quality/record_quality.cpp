@@ -9,6 +9,7 @@
 #include "analysis/order/resolution.hpp"
 #include "analysis/quality.hpp"
 #include "analysis/quality/drift.hpp"
+#include "analysis/quality/frozen_samples.hpp"
 #include "analysis/quality/heard.hpp"
 #include "analysis/quality/iepe_bias.hpp"
 #include "analysis/quality/mains_hum.hpp"
@@ -33,13 +34,18 @@ Complaint of_spikes(const Channel& c, const ShaftAngle& angle) {
       spikes.size(), static_cast<double>(spikes.front()) / c.rate_Hz);
 }
 
+// "0.77 m/s²"; without a unit the number alone.
+std::string with_unit(double value, const std::string& unit) {
+  return fmt::format("{:.3g}{}{}", value, unit.empty() ? "" : " ", unit);
+}
+
 Complaint of_drift(const Channel& c, double period_s) {
   const std::optional<Drift> drift = find_drift(c.samples, c.rate_Hz, period_s);
   if (!drift) return {};
   return fmt::format(
-      "drift: its mean moves by {:.3g} {unit}, its vibration is {:.3g} {unit} rms: the "
-      "amplifier or the IEPE supply has not settled",
-      drift->change, drift->vibration, fmt::arg("unit", c.info.unit));
+      "drift: its mean moves by {}, its vibration is {} rms: the amplifier or the IEPE supply has "
+      "not settled",
+      with_unit(drift->change, c.info.unit), with_unit(drift->vibration, c.info.unit));
 }
 
 Complaint of_bias(const Channel& c) {
@@ -48,12 +54,21 @@ Complaint of_bias(const Channel& c) {
   return fmt::format("IEPE bias: {:.1f} V, that of an open cable", *bias_V);
 }
 
+Complaint of_frozen(const Channel& c) {
+  const std::optional<FrozenSamples> frozen = find_frozen_samples(c.samples);
+  if (!frozen) return {};
+  return fmt::format(
+      "stood still: {} samples in a row are the same from {:.3f} s on, where else it is {} at "
+      "most, but for one run in a thousand: were samples lost?",
+      frozen->count, static_cast<double>(frozen->first) / c.rate_Hz, frozen->usual);
+}
+
 Complaint of_silence(const std::vector<Heard>& all, std::size_t one) {
   if (!hears_front_end_only(all, one)) return {};
   return fmt::format(
-      "IEPE bias: only white noise of {:.3g} {} rms, a hundredth of what its neighbours hear: "
+      "IEPE bias: only white noise of {} rms, a hundredth of what its neighbours hear: "
       "cable open or shorted, or the sensor is off",
-      all[one].rms, all[one].unit);
+      with_unit(all[one].rms, all[one].unit));
 }
 
 Complaint of_hum(const std::vector<Heard>& all, std::size_t one, const ShaftAngle& angle,
@@ -103,6 +118,10 @@ std::vector<std::vector<QualityNote>> record_quality(const std::vector<const Cha
   for (std::size_t k = 0; k < sound.size(); ++k) {
     complain(whose[k], of_silence(sound, k));
     complain(whose[k], of_hum(sound, k, angle, kinematics));
+  }
+  for (const std::size_t i : whose) {
+    const Complaint frozen = notes[i].empty() ? of_frozen(*channels[i]) : std::nullopt;
+    if (frozen) notes[i].push_back({channels[i]->info.name, *frozen, false});
   }
   return notes;
 }

@@ -30,8 +30,7 @@ struct DesignedFilters {
 /// Shape   s: outputs x inputs per line. Of RegularisedInverse: forces per response; of an
 ///         FrfMatrix: the synthesis of targets
 /// Errors  throws std::invalid_argument: of filter_grid(); taps outside 1 to rate/step, delay
-/// outside
-///         0 to taps - 1, band empty, outside the lines or narrower than its edges
+///         outside 0 to taps - 1, band empty, outside the lines or narrower than its edges
 /// Source  Kirkeby, Nelson, Hamada & Orduna-Bustamante, IEEE Trans. Speech Audio Process. 6(2),
 ///         189-194 (1998): regularised inversion of many channels, delay against folding
 DesignedFilters deconvolution_filters(const LineMatrices& s, double first_Hz, double step_Hz,

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/tpa/signed_place.hpp"
+#include "analysis/frf/signed_axis.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -17,6 +17,8 @@ constexpr double same_Hz = 1e-6;
 std::string pair_name(const DegreeOfFreedom& response, const DegreeOfFreedom& excitation) {
   return name_of(response) + " per " + name_of(excitation);
 }
+
+double sign_of(const DegreeOfFreedom& place) { return axis_of(place.direction).sign; }
 
 // Its place in the list, the end if it is not there.
 Index index_of(const Places& places, const DegreeOfFreedom& place) {
@@ -33,7 +35,7 @@ class Assembly {
  public:
   Assembly(const std::vector<FrequencyResponse>& set, const Places& columns) : set_(set) {
     for (const DegreeOfFreedom& column : columns) {
-      matrix_.excitations.push_back(signed_place(column).place);
+      matrix_.excitations.push_back(positive(column));
     }
     may_add_columns_ = columns.empty();
   }
@@ -56,21 +58,20 @@ class Assembly {
 
   void find_places() {
     for (const FrequencyResponse& frf : set_) {
-      const SignedPlace response = signed_place(frf.response),
-                        excitation = signed_place(frf.excitation);
-      const bool is_column = may_add_columns_ || index_of(matrix_.excitations, excitation.place) <
+      const DegreeOfFreedom excitation = positive(frf.excitation);
+      const bool is_column = may_add_columns_ || index_of(matrix_.excitations, excitation) <
                                                      Index(matrix_.excitations.size());
       if (!is_column) fault(frf, "its excitation is none of the paths");
-      find_or_add(matrix_.responses, response.place);
-      if (is_column) find_or_add(matrix_.excitations, excitation.place);
-      if (response.sign < 0) note_flip("response", frf.response);
-      if (excitation.sign < 0) note_flip("excitation", frf.excitation);
+      find_or_add(matrix_.responses, positive(frf.response));
+      if (is_column) find_or_add(matrix_.excitations, excitation);
+      if (sign_of(frf.response) < 0) note_flip("response", frf.response);
+      if (sign_of(frf.excitation) < 0) note_flip("excitation", frf.excitation);
     }
   }
 
   void note_flip(const std::string& what, const DegreeOfFreedom& place) {
     const std::string note = what + " " + name_of(place) + " is taken as " +
-                             name_of(signed_place(place).place) + ", with the other sign";
+                             name_of(positive(place)) + ", with the other sign";
     const auto& known = matrix_.notes;
     if (std::find(known.begin(), known.end(), note) == known.end()) matrix_.notes.push_back(note);
   }
@@ -119,9 +120,9 @@ class Assembly {
     const Index rows = Index(matrix_.responses.size()), columns = Index(matrix_.excitations.size());
     pairs_.assign(std::size_t(rows * columns), nullptr);
     for (const FrequencyResponse& frf : set_) {
-      const Index column = index_of(matrix_.excitations, signed_place(frf.excitation).place);
+      const Index column = index_of(matrix_.excitations, positive(frf.excitation));
       if (column == columns) continue;
-      const Index row = index_of(matrix_.responses, signed_place(frf.response).place);
+      const Index row = index_of(matrix_.responses, positive(frf.response));
       const FrequencyResponse*& pair = pairs_[std::size_t(column * rows + row)];
       if (pair != nullptr) fault(frf, "given twice");
       pair = &frf;
@@ -149,7 +150,7 @@ class Assembly {
     if (errors_are_known) matrix_.variances.resize(rows * columns, lines);
     for (Index i = 0; i < rows * columns; ++i) {
       const FrequencyResponse& frf = *pairs_[std::size_t(i)];
-      const double sign = signed_place(frf.response).sign * signed_place(frf.excitation).sign;
+      const double sign = sign_of(frf.response) * sign_of(frf.excitation);
       for (Index line = 0; line < lines; ++line) {
         matrix_.values.values[line * rows * columns + i] = sign * frf.values[line];
         if (errors_are_known) matrix_.variances(i, line) = variance(frf, line);

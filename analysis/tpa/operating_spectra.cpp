@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "analysis/fft.hpp"
-#include "analysis/tpa/signed_place.hpp"
+#include "analysis/frf/signed_axis.hpp"
 #include "hal/types/parallel_for.hpp"
 #include "hal/types/require.hpp"
 #include "hal/types/units.hpp"
@@ -28,7 +28,7 @@ class Reading {
       : recording_(recording), grid_(grid), overlap_(overlap) {}
 
   TakenSpectra spectra_of(const std::vector<DegreeOfFreedom>& places) {
-    for (const DegreeOfFreedom& place : places) find(signed_place(place).place);
+    for (const DegreeOfFreedom& place : places) find(positive(place));
     if (found_.size() == places.size()) check_alike();
     if (faults_.empty()) check_blocks();
     if (!faults_.empty()) return {std::nullopt, faults_};
@@ -43,8 +43,8 @@ class Reading {
   void find(const DegreeOfFreedom& place) {
     std::vector<Found> found;
     for (const Channel& channel : recording_.channels) {
-      const SignedPlace own = signed_place({channel.info.name, channel.info.direction});
-      if (own.place == place) found.push_back({&channel, own.sign});
+      const double sense = same_axis({channel.info.name, channel.info.direction}, place);
+      if (sense != 0) found.push_back({&channel, sense});
     }
     if (found.empty()) return fault(place, "no channel");
     if (found.size() > 1) return fault(place, std::to_string(found.size()) + " channels");

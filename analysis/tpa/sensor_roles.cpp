@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "analysis/tpa/signed_place.hpp"
+#include "analysis/frf/signed_axis.hpp"
 #include "hal/types/require.hpp"
 
 namespace rvbench::analysis {
@@ -14,8 +14,8 @@ using Eigen::Index;
 using Places = std::vector<DegreeOfFreedom>;
 constexpr Require require{"SensorRoles"};
 
-Places positive(Places places) {
-  for (DegreeOfFreedom& place : places) place = signed_place(std::move(place)).place;
+Places all_positive(Places places) {
+  for (DegreeOfFreedom& place : places) place = positive(place);
   return places;
 }
 
@@ -33,7 +33,7 @@ void require_distinct(const Places& places, const std::string& role) {
 
 std::vector<Index> indices_of(const Places& places, const Places& all) {
   std::vector<Index> rows;
-  for (const DegreeOfFreedom& place : positive(places)) {
+  for (const DegreeOfFreedom& place : all_positive(places)) {
     require(holds(all, place), name_of(place) + " is not there");
     rows.push_back(std::find(all.begin(), all.end(), place) - all.begin());
   }
@@ -49,9 +49,9 @@ LineMatrices rows_of(const LineMatrices& all, const std::vector<Index>& rows) {
 }  // namespace
 
 SensorRoles::SensorRoles(Places indicators, Places targets, Places validation)
-    : indicators_(positive(std::move(indicators))),
-      targets_(positive(std::move(targets))),
-      validation_(positive(std::move(validation))) {
+    : indicators_(all_positive(std::move(indicators))),
+      targets_(all_positive(std::move(targets))),
+      validation_(all_positive(std::move(validation))) {
   require_distinct(indicators_, "an indicator");
   require_distinct(targets_, "a target");
   require_distinct(validation_, "for validation");
@@ -64,7 +64,7 @@ SensorRoles::SensorRoles(Places indicators, Places targets, Places validation)
 FrfMatrix rows_of(const FrfMatrix& frfs, const Places& places) {
   const std::vector<Index> rows = indices_of(places, frfs.responses);
   FrfMatrix some = frfs;
-  some.responses = positive(places);
+  some.responses = all_positive(places);
   some.values = rows_of(frfs.values, rows);
   if (frfs.variances.size() == 0) return some;
   const Index count = Index(rows.size());
@@ -79,7 +79,7 @@ FrfMatrix rows_of(const FrfMatrix& frfs, const Places& places) {
 }
 
 OperatingSpectra rows_of(const OperatingSpectra& spectra, const Places& places) {
-  return {positive(places), spectra.unit, spectra.grid,
+  return {all_positive(places), spectra.unit, spectra.grid,
           rows_of(spectra.values, indices_of(places, spectra.places))};
 }
 

@@ -10,7 +10,9 @@ namespace rvbench::analysis {
 ///     minimises  rows·log(Σ power/(s² + λ²) + outside/λ²) + Σ log(s² + λ²) + (rows - n)·log λ²
 ///
 /// Errors  of tikhonov_by_gcv()
-/// Limits  forces of very different size are not of one variance; the smaller ones are damped more
+/// Limits  forces along the singular vectors that are not of one size spoil it: 3.4 and 22 times
+/// the
+///         least error for Hansen's shaw and phillips with 0.1 % of noise
 /// Source  MacKay, Neural Comput. 4(3), 415-447 (1992); for sources and transfer matrices: Pereira,
 ///         Antoni & Leclère, Appl. Acoust. 97, 11-29 (2015)
 Regularisation tikhonov_by_evidence(const PicardPowers& line);

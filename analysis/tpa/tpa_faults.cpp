@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
+#include "analysis/frf/signed_axis.hpp"
 #include "analysis/tpa/line_svd.hpp"
 #include "analysis/tpa/sensor_change.hpp"
-#include "analysis/tpa/signed_place.hpp"
 #include "analysis/tpa/truncation_by_noise.hpp"
 #include "analysis/tpa/unexplained_power.hpp"
 

@@ -62,7 +62,9 @@ int check_run(Console& console, const std::filesystem::path& folder) {
   }
   if (is_at_work(folder)) return refuse_file(console, folder, {{0, "", still_at_work}});
   const std::vector<std::string> faults = verify_sums(folder);
-  for (const std::string& fault : faults) complain(console, (folder / fault).string());
+  for (const std::string& fault : faults) {
+    complain(console, "rvbench: " + (folder / fault).string());
+  }
   if (!faults.empty()) return exit_codes::bad_file;
   console.out << folder.string() << ": run folder, every file matches its hash\n";
   return exit_codes::done;

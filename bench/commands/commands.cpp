@@ -32,7 +32,9 @@ std::vector<std::unique_ptr<Command>> make_commands() {
 
 int refuse_file(Console& console, const std::filesystem::path& file,
                 const std::vector<hal::ConfigFault>& faults) {
-  for (const hal::ConfigFault& fault : faults) complain(console, hal::describe(file, fault));
+  for (const hal::ConfigFault& fault : faults) {
+    complain(console, "rvbench: " + hal::describe(file, fault));
+  }
   return exit_codes::bad_file;
 }
 

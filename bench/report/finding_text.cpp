@@ -15,12 +15,17 @@ std::string power_of(const char* what, const analysis::Growth& growth) {
 }  // namespace
 
 std::string severity_text(const analysis::Finding& finding) {
-  if (finding.points.empty() && finding.severity_high > 0) {
+  if (finding.points.empty() && std::isfinite(finding.severity_high)) {
     return fmt::format("below {:.3f}", finding.severity_high);
   }
-  if (!std::isfinite(finding.severity_low)) return fmt::format("{:.3f}", finding.severity);
+  if (finding.points.empty()) return "not readable";
   return fmt::format("{:.3f} ({:.3f} to {:.3f})", finding.severity, finding.severity_low,
                      finding.severity_high);
+}
+
+std::string p_text(double p_value) {
+  if (!std::isfinite(p_value)) return "–";
+  return p_value < 1e-15 ? "< 1e-15" : fmt::format("{:.1e}", p_value);
 }
 
 std::string growth_text(const analysis::Finding& finding) {

@@ -10,6 +10,9 @@ namespace rvbench::bench::report {
 /// "below 0.021" of what no point shows.
 std::string severity_text(const analysis::Finding& finding);
 
+/// "1.8e-05", of a p-value; "< 1e-15" of less, which no distribution is known well enough for.
+std::string p_text(double p_value);
+
 /// "its vibration goes as load^0.90 (± 0.10 at 95 %)": how it grows over the matrix, and whether
 /// that is as the mechanism has it; empty if not known.
 std::string growth_text(const analysis::Finding& finding);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "analysis/evidence/carrying_lines.hpp"
 #include "analysis/table4.hpp"
 #include "bench/report/html.hpp"
 #include "bench/report/sections.hpp"
@@ -42,6 +43,11 @@ double tolerance_at(double order, const analysis::Kinematics& kinematics) {
   return kinematics.period_turns > 1 ? 0.35 / kinematics.period_turns : 0.01 * order;
 }
 
+// How far slip, or an error of the speed, has moved a signature's lines: 1 where they are nominal.
+double stretch_of(const analysis::SignatureScore& score, const analysis::Kinematics& kinematics) {
+  return score.order / analysis::signature_of(score, kinematics).order;
+}
+
 // The deepest significant envelope line and the strongest spectral line at `order`.
 std::string found_at(double order, const SpeedGroup& group,
                      const analysis::Kinematics& kinematics) {
@@ -53,9 +59,12 @@ std::string found_at(double order, const SpeedGroup& group,
   for (const analysis::Examination* point : group.points) {
     for (const analysis::SignatureScore& score : point->scores) {
       const std::size_t lines = std::min(score.line_orders.size(), score.line_depths.size());
+      const double stretch = stretch_of(score, kinematics);
       for (std::size_t i = 0; score.p_value < analysis::significant_p && i < lines; ++i) {
-        if (std::abs(score.line_orders[i] - order) > tolerance || score.line_depths[i] <= depth)
+        if (std::abs(score.line_orders[i] / stretch - order) > tolerance ||
+            score.line_depths[i] <= depth) {
           continue;
+        }
         depth = score.line_depths[i];
         depth_order = score.line_orders[i];
       }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/report/finding_text.hpp"
 #include "bench/xml_text.hpp"
 #include "hal/types/units.hpp"
 
@@ -46,10 +47,7 @@ std::string frequency_text(double frequency_Hz, double order) {
   return fmt::format("{:.2f} Hz at {:.0f} rpm", frequency_Hz, std::abs(speed_rpm));
 }
 
-std::string p_value_text(double p_value) {
-  if (!std::isfinite(p_value)) return "–";
-  return p_value < 1e-15 ? "&lt; 1e-15" : fmt::format("{:.1e}", p_value);
-}
+std::string p_value_text(double p_value) { return xml_escaped(p_text(p_value)); }
 
 std::string spoken(std::string name) {
   std::ranges::replace(name, '_', ' ');

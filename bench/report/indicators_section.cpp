@@ -11,10 +11,16 @@
 namespace rvbench::bench::report {
 namespace {
 
-// The units that a measure's values are compared in: its own for all that leads there, and what an
-// unknown sensor gives by itself.
+// What the first limit on a measure is in, or, without one, what it is measured in.
+std::string unit_of(const Measure& measure, const Judgement& judgement) {
+  const auto limit = std::ranges::find(judgement.limits, measure.name, &LimitCheck::measure);
+  return limit == judgement.limits.end() ? std::string(measure.units.front()) : limit->unit;
+}
+
+// The units that a measure's values are compared in: that of its limit for all that leads there,
+// and what an unknown sensor gives by itself.
 std::vector<std::string> units_of(const Measure& measure, const Judgement& judgement) {
-  const std::string own(measure.units.front());
+  const std::string own = unit_of(measure, judgement);
   std::vector<std::string> units;
   const auto add = [&](const std::vector<analysis::Indicator>& indicators) {
     for (const analysis::Indicator& i : indicators) {
@@ -59,7 +65,7 @@ std::string indicators_section(const ReportInput& input) {
     if (measure.name == measure_names::modulation_depth) continue;  // of a finding
     const std::string limits = limits_on(measure, judgement);
     std::vector<std::string> units = units_of(measure, judgement);
-    if (units.empty() && limits != "–") units.emplace_back(measure.units.front());
+    if (units.empty() && limits != "–") units.push_back(unit_of(measure, judgement));
     for (const std::string& unit : units) {
       const WorstIndicator worst =
           worst_indicator(judgement, {measure, unit, measure.worst_is_least});

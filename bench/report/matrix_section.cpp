@@ -12,9 +12,9 @@
 namespace rvbench::bench::report {
 namespace {
 
-// The worst modulation depth of a record in units of its limit; NaN if nothing could be scored.
+// The worst modulation depth of a record in units of its limit.
 double worst_share(const analysis::Examination& seen, const analysis::Kinematics& kinematics) {
-  double worst = seen.resolvable ? 0 : not_known;
+  double worst = 0;
   for (const analysis::SignatureScore& score : seen.scores) {
     const auto index = static_cast<std::size_t>(score.signature);
     if (index >= kinematics.signatures.size() || score.p_value > analysis::significant_p) continue;
@@ -34,8 +34,9 @@ std::string cell_of(const JudgedPoint& point, const analysis::Kinematics& kinema
   if (std::ranges::any_of(point.examination.quality, &analysis::QualityNote::invalidates)) {
     return cell("spoiled", "data");
   }
+  if (point.examination.of_hysteresis) return cell("torsion", "loop");
+  if (!point.examination.resolvable) return cell("spoiled", "short");
   const double share = worst_share(point.examination, kinematics);
-  if (std::isnan(share)) return cell("spoiled", "short");
   const char* level = share > 1 ? "high" : share > 0.5 ? "mid-level" : "low";
   return cell(level, std::isinf(share) ? "above 0" : fmt::format("{:.2f}", share));
 }
@@ -67,7 +68,8 @@ std::string matrix_section(const ReportInput& input) {
       "Matrix of speed and load",
       paragraph("Each box is one record, repeats from left to right. The number is the worst "
                 "significant modulation depth in units of its limit; 0 means that no "
-                "signature rose above the noise. Hatched records cannot be trusted.") +
+                "signature rose above the noise. A loop is a hysteresis test, which has no "
+                "modulation. Hatched records cannot be trusted.") +
           "<div class=\"map\">" + table(head, cells) +
           "<p class=\"note\"><span class=\"cell low\">to 0.5</span> <span class=\"cell "
           "mid-level\">0.5 to 1</span> <span class=\"cell high\">above 1</span> <span "

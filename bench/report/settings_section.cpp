@@ -65,6 +65,10 @@ std::string bench_facts(const Judgement& judgement) {
       worst_ms(judgement, &JudgedPoint::torque_time_uncertainty_s));
 }
 
+std::string unbroken(const std::string& html) {
+  return "<span class=\"unbroken\">" + html + "</span>";
+}
+
 std::string narrowed_to(const LimitCheck& check) {
   if (!check.component.empty()) return check.component;
   return check.of.empty() ? "any" : check.of;
@@ -97,15 +101,16 @@ std::string limits_section(const ReportInput& input) {
   std::string html;
   std::vector<std::vector<std::string>> rows;
   for (const LimitCheck& check : input.judgement.limits) {
-    rows.push_back({xml_escaped(check.measure), xml_escaped(narrowed_to(check)),
-                    number(check.measured), bound_name(check) + (" " + number(bound_of(check))),
-                    xml_escaped(check.unit), state_of(check),
-                    xml_escaped(readable_place(input.judgement, check.where)),
-                    xml_escaped(check.why)});
+    rows.push_back(
+        {xml_escaped(check.measure), xml_escaped(narrowed_to(check)), number(check.measured),
+         unbroken(bound_name(check) + (" " + number(bound_of(check)))),
+         unbroken(xml_escaped(check.unit)), state_of(check),
+         xml_escaped(readable_place(input.judgement, check.where)), xml_escaped(check.why)});
   }
   if (!rows.empty()) {
-    html += "<h3>Limits of the plan</h3>\n" +
-            table({"measure", "of", "measured", "limit", "unit", "", "worst at", "why"}, rows);
+    html += "<h3>Limits of the plan</h3>\n<div class=\"limits\">" +
+            table({"measure", "of", "measured", "limit", "unit", "", "worst at", "why"}, rows) +
+            "</div>\n";
   }
   for (const LimitCheck& check : input.judgement.limits) {
     if (!check.lacking.empty()) html += points_lacking(input.judgement, check);
@@ -119,7 +124,7 @@ std::string limits_section(const ReportInput& input) {
     if (point.status == "ok" || point.status == "not_recorded") continue;
     notes.push_back({xml_escaped(caption_of(point)), xml_escaped(point.status), "<b>invalid</b>"});
   }
-  html += notes.empty() ? paragraph("No fault was seen in the data.")
+  html += notes.empty() ? paragraph("No channel shows a fault of its own.")
                         : "<h3>Quality of the data</h3>\n" + table({"where", "what", ""}, notes);
   return section("Limits and data quality", html);
 }

@@ -26,6 +26,7 @@ dt { color: var(--faint); } dd { margin: 0; overflow-wrap: anywhere; }
 table { border-collapse: collapse; font-size: 0.88rem; margin: 6px 0; }
 th, td { border: 1px solid var(--line); padding: 3px 8px; text-align: left; vertical-align: top; }
 th { background: #eef2f5; font-weight: 600; }
+.unbroken { white-space: nowrap; } .limits td:nth-child(2) { min-width: 9em; }
 .hash { font-family: ui-monospace, "Liberation Mono", monospace; font-size: 0.8rem; overflow-wrap: anywhere; }
 .map td, .map th { text-align: center; } .map td { padding: 4px; }
 .map td:first-child { white-space: nowrap; }

@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "bench/judging.hpp"
+#include "bench/limit_checks.hpp"
 #include "bench/report/html.hpp"
 #include "bench/report/sections.hpp"
 #include "bench/xml_text.hpp"
@@ -14,13 +17,35 @@ const char* class_of(Outcome outcome) {
   return outcome == Outcome::fail ? "fail" : "other";
 }
 
+// Whether what was recorded is why nothing can be said: a point, or that nothing in any of them
+// confirms the machine.
+bool is_spoiled(const Judgement& judgement) {
+  return !can_be_trusted(judgement) ||
+         std::ranges::any_of(judgement.diagnosis.quality, &analysis::QualityNote::invalidates);
+}
+
+const char* meaning_of_invalid(const Judgement& judgement) {
+  if (!is_spoiled(judgement)) {
+    if (!std::ranges::all_of(judgement.limits, is_measured)) {
+      return "A limit could not be held against the data, so the unit is neither passed nor "
+             "failed. What was found in the data stands. Record what the limit needs, or take it "
+             "out of the plan.";
+    }
+    if (std::ranges::any_of(judgement.diagnosis.not_shown, &analysis::Finding::is_open)) {
+      return "Of one part the data do not tell whether it is good, so the unit is neither passed "
+             "nor failed. What was found of others stands. Measure longer, or at more points.";
+    }
+  }
+  return "The data cannot be trusted: nothing is said about the unit. Measure again.";
+}
+
 // What the word means for the person who holds the unit.
-const char* meaning_of(const Ending& ending) {
+const char* meaning_of(const Judgement& judgement) {
+  const Ending& ending = judgement.ending;
   switch (ending.outcome) {
     case Outcome::pass: return "The unit is good.";
     case Outcome::fail: return "The unit is bad.";
-    case Outcome::invalid:
-      return "The data cannot be trusted: nothing is said about the unit. Measure again.";
+    case Outcome::invalid: return meaning_of_invalid(judgement);
     case Outcome::aborted:
       return "The run was stopped before its end: nothing is said about the unit.";
     case Outcome::error: break;
@@ -61,7 +86,7 @@ std::string verdict_section(const ReportInput& input) {
       "<div class=\"verdict {}\"><div class=\"word\">{}</div><div "
       "class=\"reason\">{}</div><div>{}</div></div>\n<dl>",
       class_of(judgement.ending.outcome), to_string(judgement.ending.outcome),
-      xml_escaped(judgement.ending.reason), meaning_of(judgement.ending));
+      xml_escaped(judgement.ending.reason), meaning_of(judgement));
   html += row("Serial", facts.serial) + row("Machine", judgement.machine);
   html += row("Started", readable_time(facts.started_utc)) + row("Plan", facts.plan);
   html += row("Rig", facts.preset.empty() ? facts.rig : facts.rig + ", preset " + facts.preset);

@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <fstream>
 #include <optional>
 
+#include "hal/formats/foreign_file.hpp"
 #include "hal/formats/format.hpp"
+#include "hal/formats/time_column.hpp"
 
 namespace rvbench::hal::formats {
 namespace {
@@ -55,6 +58,7 @@ char separator_of(std::string_view line) {
 // Samples column by column, as they are gathered line by line.
 struct Table {
   std::vector<std::string> names;
+  bool has_names = true;  // of its own
   std::vector<std::vector<double>> columns;
 
   // The fault of one line of numbers, or none: then the line was added.
@@ -87,7 +91,45 @@ std::optional<std::string> start(const std::vector<std::string_view>& cells, Tab
     table.names.push_back(name);
   }
   table.columns.resize(cells.size());
+  table.has_names = !headless;
   return headless ? table.add(cells, 1) : std::nullopt;
+}
+
+struct UnitName {
+  std::string_view written;
+  std::string_view unit;
+};
+
+// Of what a vibration may be in, or be mistaken for. A voltage may be anything's, so it says
+// nothing; a unit of time belongs to no signal.
+constexpr std::array<UnitName, 16> unit_names = {{{"m/s²", "m/s²"},
+                                                  {"m/s2", "m/s²"},
+                                                  {"m/s^2", "m/s²"},
+                                                  {"g", "g"},
+                                                  {"m/s", "m/s"},
+                                                  {"mm/s", "mm/s"},
+                                                  {"in/s", "in/s"},
+                                                  {"ips", "in/s"},
+                                                  {"mm", "mm"},
+                                                  {"µm", "µm"},
+                                                  {"um", "µm"},
+                                                  {"N", "N"},
+                                                  {"N·m", "N·m"},
+                                                  {"Nm", "N·m"},
+                                                  {"rpm", "rpm"},
+                                                  {"°C", "°C"}}};
+
+// The unit that a column's name ends in, as "a [g]" and "a (mm/s)", or, where it cannot be a word
+// of the name, "a_mm/s"; empty if it ends in none.
+std::string_view unit_in(std::string_view name) {
+  const bool bracketed = name.ends_with(']') || name.ends_with(')');
+  if (bracketed) name.remove_suffix(1);
+  const std::size_t before = name.find_last_of(bracketed ? "[(" : "_ ");
+  if (before == std::string_view::npos) return "";
+  const std::string_view written = trimmed(name.substr(before + 1));
+  if (!bracketed && written.find('/') == std::string_view::npos) return "";
+  const auto found = std::ranges::find(unit_names, written, &UnitName::written);
+  return found == unit_names.end() ? "" : found->unit;
 }
 
 std::optional<std::string> fill(std::istream& stream, Table& table) {
@@ -127,10 +169,12 @@ Result<std::vector<Recording>> read(const std::filesystem::path& file) {
     const std::vector<double>& column = table.columns[i];
     Channel channel;
     channel.info.name = table.names[i];
+    channel.info.unit = unit_in(table.names[i]);
     channel.samples =
         Eigen::Map<const Eigen::VectorXd>(column.data(), static_cast<Eigen::Index>(column.size()));
     recording.channels.push_back(std::move(channel));
   }
+  set_rate_by_time_column(table.has_names, recording);
   return std::vector<Recording>{std::move(recording)};
 }
 

@@ -23,9 +23,9 @@ struct Format {
 
 Format hdf5_format();
 Format mat5_format();
+Format tdms_format();
+Format wav_format();
+Format uff_format();
 Format csv_format();
-
-/// "<file>: <what>", as bad_data
-IoError bad_file(const std::filesystem::path& file, const std::string& what);
 
 }  // namespace rvbench::hal::formats

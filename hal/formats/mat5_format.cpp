@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <optional>
 
+#include "hal/formats/foreign_file.hpp"
 #include "hal/formats/format.hpp"
 #include "hal/formats/mat5_check.hpp"
 #include "hal/hdf5/hdf5_handle.hpp"
@@ -67,9 +66,16 @@ struct Statements {
   std::vector<std::string> notes;
 
   void take(const std::string& name, const std::string& shown_as, double value) {
-    if (!(value > 0) || !std::isfinite(value)) return;
-    if (says_rate(name)) set(rate_Hz, 0, value, "rate_Hz from " + shown_as);
-    if (name.ends_with("RPM") || name.ends_with("rpm")) {
+    const bool is_rate = says_rate(name);
+    const bool is_speed = name.ends_with("RPM") || name.ends_with("rpm");
+    if (!(value > 0) || !std::isfinite(value)) {
+      if (!is_rate && !is_speed) return;
+      notes.push_back(fmt::format("{}: {} is no {} and is not taken", shown_as, value,
+                                  is_rate ? "rate" : "speed of a shaft that turns forward"));
+      return;
+    }
+    if (is_rate) set(rate_Hz, 0, value, "rate_Hz from " + shown_as);
+    if (is_speed) {
       set(speed_rpm, not_known, value, "speed_rpm from " + shown_as);
     }
   }
@@ -149,9 +155,7 @@ void add_channels(const NamedArray& array, std::vector<Channel>& channels) {
 bool recognises(std::string_view head) { return head.starts_with("MATLAB 5.0"); }
 
 std::optional<std::string> find_fault(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  return find_mat5_fault(bytes);
+  return find_mat5_fault(bytes_of(file));
 }
 
 std::optional<std::string> read_variables(mat_t* mat, std::vector<NamedArray>& arrays,
@@ -160,6 +164,9 @@ std::optional<std::string> read_variables(mat_t* mat, std::vector<NamedArray>& a
     const std::string name = variable->name == nullptr ? "" : variable->name;
     if (Mat_VarReadDataAll(mat, variable.get()) != 0) return name + ": cannot be read";
     if (variable->class_type == MAT_C_STRUCT) take_fields(name, *variable, statements);
+    if (variable->isComplex) {
+      statements.notes.push_back(name + " is complex, as no vibration is, and is left out");
+    }
     std::optional<Eigen::MatrixXd> values = numbers_in(*variable);
     if (!values || values->size() == 0) continue;
     if (values->size() == 1) {
@@ -185,6 +192,9 @@ Result<std::vector<Recording>> read(const std::filesystem::path& file) {
   Statements statements;
   if (const auto fault = read_variables(mat.get(), arrays, statements)) {
     return bad_file(file, *fault);
+  }
+  if (arrays.empty() && !statements.notes.empty()) {
+    return bad_file(file, fmt::format("holds no samples; {}", fmt::join(statements.notes, "; ")));
   }
   Recording recording;
   recording.source = file.string();

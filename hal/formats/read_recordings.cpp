@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <optional>
 
+#include "hal/formats/foreign_file.hpp"
 #include "hal/formats/format.hpp"
 #include "hal/formats/printable.hpp"
 
@@ -21,35 +19,11 @@ using formats::bad_file;
 using formats::Format;
 
 constexpr double rate_tolerance = 1e-3;  // crystals agree far better
+constexpr double most_slip = 0.05;       // of an asynchronous motor under load
 
 std::vector<Format> known_formats() {
-  return {formats::hdf5_format(), formats::mat5_format(), formats::csv_format()};
-}
-
-std::optional<IoError> find_obstacle(const std::filesystem::path& file) {
-  const auto because = [&file](IoErrc code, const std::string& why) {
-    return IoError{code, file.string() + ": " + why};
-  };
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) {
-    return because(IoErrc::disconnected, error && status.type() == std::filesystem::file_type::none
-                                             ? error.message()
-                                             : "no such file");
-  }
-  if (std::filesystem::is_directory(status)) return because(IoErrc::refused, "is a folder");
-  if (!std::filesystem::is_regular_file(status)) return because(IoErrc::refused, "is no file");
-  if (!std::ifstream(file)) return because(IoErrc::refused, std::strerror(errno));
-  if (std::filesystem::file_size(file, error) == 0) return bad_file(file, "is empty");
-  return std::nullopt;
-}
-
-std::string head_of(const std::filesystem::path& file) {
-  std::string head(4096, '\0');
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(stream.gcount()));
-  return head;
+  return {formats::hdf5_format(), formats::mat5_format(), formats::tdms_format(),
+          formats::wav_format(),  formats::uff_format(),  formats::csv_format()};
 }
 
 std::string lower_extension(const std::filesystem::path& file) {
@@ -60,7 +34,7 @@ std::string lower_extension(const std::filesystem::path& file) {
 }
 
 std::optional<Format> choose_format(const std::filesystem::path& file) {
-  const std::string head = head_of(file);
+  const std::string head = formats::head_of(file);
   const std::string extension = lower_extension(file);
   const std::vector<Format> formats = known_formats();
   for (const Format& format : formats) {
@@ -91,6 +65,17 @@ void apply_rate(double rate_Hz, Recording& recording) {
     recording.notes.push_back(
         fmt::format("rate {} Hz as given: the file says {} Hz", rate_Hz, stated_Hz));
   }
+}
+
+// What the file says against a speed that was given; empty if one motor may have both.
+std::string contradiction(double speed_rpm, const Recording& recording) {
+  const double stated_rpm = std::abs(recording.speed_rpm);
+  const bool measured = recording.find(channel_names::input_angle) != nullptr;
+  if (measured || !(stated_rpm > 0) || !differs(speed_rpm, stated_rpm, most_slip)) return "";
+  return fmt::format(
+      "says {:.5g} rpm, {} rpm were given: one of them is wrong, and with it every order. "
+      "Leave the one out, or write the file anew without the other",
+      stated_rpm, speed_rpm);
 }
 
 void apply_speed(double speed_rpm, Recording& recording) {
@@ -125,17 +110,13 @@ bool has_samples(const Recording& recording) {
 
 }  // namespace
 
-IoError formats::bad_file(const std::filesystem::path& file, const std::string& what) {
-  return IoError{IoErrc::bad_data, file.string() + ": " + what};
-}
-
 Result<std::vector<Recording>> read_recordings(const std::filesystem::path& file,
                                                const RecordingHints& hints) {
   check_hint("rate_Hz", hints.rate_Hz);
   check_hint("speed_rpm", hints.speed_rpm);
-  if (const auto obstacle = find_obstacle(file)) return *obstacle;
+  if (const auto obstacle = formats::find_obstacle(file)) return *obstacle;
   const std::optional<Format> format = choose_format(file);
-  if (!format) return bad_file(file, "no known format (HDF5, MAT v5, CSV)");
+  if (!format) return bad_file(file, "no known format (HDF5, MAT v5, TDMS, WAV, UFF, CSV)");
   Result<std::vector<Recording>> read = format->read(file);
   if (!read) return IoError{read.error().code, formats::printable(read.error().where)};
 
@@ -145,7 +126,10 @@ Result<std::vector<Recording>> read_recordings(const std::filesystem::path& file
   for (Recording& recording : recordings) {
     make_printable(recording);
     if (!std::isnan(hints.rate_Hz)) apply_rate(hints.rate_Hz, recording);
-    if (!std::isnan(hints.speed_rpm)) apply_speed(hints.speed_rpm, recording);
+    if (std::isnan(hints.speed_rpm)) continue;
+    const std::string against = contradiction(hints.speed_rpm, recording);
+    if (!against.empty()) return bad_file(file, against);
+    apply_speed(hints.speed_rpm, recording);
   }
   return recordings;
 }

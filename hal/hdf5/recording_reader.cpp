@@ -79,6 +79,10 @@ void Hdf5RecordingReader::read_points() {
   if (version > 1) {
     throw FileFailure(IoErrc::bad_data, "format_version: written by a newer rvbench");
   }
+  if (H5Lexists(file_.id(), "/points", H5P_DEFAULT) <= 0) {
+    throw FileFailure(IoErrc::bad_data,
+                      "not laid out as rvbench's recordings are: there is no group /points");
+  }
   names_ = groups_in(file_, "/points");
   if (names_.empty()) throw FileFailure(IoErrc::bad_data, "/points: no points");
   for (const std::string& name : names_) {

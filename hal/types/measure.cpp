@@ -49,7 +49,8 @@ const std::vector<Measure>& measures() {
        .units = number,
        .meaning = "fourth moment of what a gear's average turn has beside its mesh harmonics, over "
                   "the squared mean variance of this and earlier repeats of the point; 3 for noise",
-       .absent_when = "no earlier repeat of the point is known"},
+       .absent_when = "no earlier repeat of the point is known",
+       .takes_repeats = true},
       {.name = torque_ripple,
        .units = number,
        .meaning = "range of a torque over its mean",
@@ -67,16 +68,19 @@ const std::vector<Measure>& measures() {
       {.name = lost_motion,
        .units = {"arcmin"},
        .meaning = "torsion between 3 % of the rated torque one way and the other",
-       .shaft_channels = {input_torque, input_angle}},
+       .shaft_channels = {input_torque, input_angle},
+       .phase = "hysteresis_loop"},
       {.name = torsional_stiffness,
        .units = {"N·m/arcmin"},
        .meaning = "torque per torsion from half to full load",
        .worst_is_least = true,
-       .shaft_channels = {input_torque, input_angle}},
+       .shaft_channels = {input_torque, input_angle},
+       .phase = "hysteresis_loop"},
       {.name = hysteresis_width,
        .units = {"arcmin"},
        .meaning = "hysteresis loss: torsion that remains at no torque",
-       .shaft_channels = {input_torque, input_angle}},
+       .shaft_channels = {input_torque, input_angle},
+       .phase = "hysteresis_loop"},
   };
   return all;
 }

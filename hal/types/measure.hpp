@@ -17,6 +17,9 @@ struct Measure {
   std::vector<std::string_view> shaft_channels = {};
   /// When a sound record lacks it: "no mesh is heard"; empty: none may.
   std::string_view absent_when = {};
+  /// The kind of a plan's phase that it is measured in; empty: in those that turn steadily.
+  std::string_view phase = {};
+  bool takes_repeats = false;  ///< of a point: the first alone does not show it
 };
 
 /// All there are. A measure that is not listed here cannot be limited.

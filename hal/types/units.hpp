@@ -8,6 +8,11 @@ namespace rvbench::units {
 
 inline constexpr double two_pi = 2 * std::numbers::pi;
 inline constexpr double standard_gravity_m_s2 = 9.80665;
+inline constexpr double inch_m = 0.0254;
+inline constexpr double foot_m = 0.3048;
+inline constexpr double pound_force_N = 0.45359237 * standard_gravity_m_s2;
+inline constexpr double kilogram_force_N = standard_gravity_m_s2;
+inline constexpr double degree_rad = two_pi / 360;
 
 constexpr double rad_s_from_rpm(double rpm) { return rpm * two_pi / 60; }
 constexpr double rpm_from_rad_s(double rad_s) { return rad_s * 60 / two_pi; }

@@ -31,7 +31,7 @@ class JointLines {
     if (at <= 0) return;
     auto& forces = lines.try_emplace(at, Eigen::VectorXcd::Zero(VirtualRobot::paths)).first->second;
     for (Eigen::Index path = first_path_; path < first_path_ + 3; ++path) {
-      const double magnitude_N = amplitude_N * draw_->within_factor(1.35);
+      const double magnitude_N = amplitude_N * draw_->within_factor(2);
       forces[path] += std::polar(magnitude_N, draw_->phase_rad());
     }
   }

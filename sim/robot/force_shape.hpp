@@ -23,11 +23,11 @@ PeriodGrid period_grid(const RobotOptions& options);
 /// f(t) = Σ Re(F·e^{iωt}).
 ///
 /// Each joint  its input shaft (orders 1, 2) and a 100 Hz family (harmonics 1-4), a harmonic
-///             drive's family at 0.4 of the others'; each path within a factor of 1.35, phases
+///             drive's family at 0.4 of the others'; each path within a factor of 2, phases
 ///             drawn
 /// Joint 3     a faulty input shaft adds orders 1-3 of the shaft, order 1 four times that of a
-/// sound shaft, and sidebands of first and second order at the family's harmonics Broadband density
-/// 1/f from 20 Hz on, constant below; a joint's three forces share 40 % of
+///             sound shaft, and sidebands of first and second order at the family's harmonics
+/// Broadband   density 1/f from 20 Hz on, constant below; a joint's three forces share 40 % of
 ///             their power, those of different joints nothing
 /// Leaves out: that speeds waver; forces that act between active and passive side
 /// Source      the article's section 4.1 and 5.1 for which lines there are; amplitudes assumed

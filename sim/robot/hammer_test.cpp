@@ -1,5 +1,6 @@
 #include "sim/robot/hammer_test.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <complex>

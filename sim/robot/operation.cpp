@@ -71,7 +71,7 @@ PathRanking draw_ranking(RobotMotion motion, Draw& draw) {
 ForceShape solve_forces(const VirtualRobot& robot, RobotMotion motion, const BandGain& gain,
                         Draw& draw, OperationTruth& truth) {
   const Eigen::MatrixXcd broadband = draw_broadband(truth.grid, draw);
-  constexpr int most_draws = 20;
+  constexpr int most_draws = 60;
   for (int i = 0; i < most_draws; ++i) {
     ForceShape shape = draw_force_lines(motion, truth.grid, draw);
     truth.spectrum_N = broadband;

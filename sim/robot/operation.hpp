@@ -40,7 +40,7 @@ struct Operation {
 /// Strengths of the paths are solved for so that the article's leaders lead (see path_ranking.hpp),
 /// each ahead of the second by 10-30 %, drawn. With joint 3 replaced the strengths are those
 /// before. Exact: forces have a period longer than the record, each line answers by its FRF; there
-/// is no start and no step. Errors  std::runtime_error if no draw of 20 can be ranked: a specimen
+/// is no start and no step. Errors  std::runtime_error if no draw of 60 can be ranked: a specimen
 /// beyond what was thought of
 Operation operate(const VirtualRobot& robot, RobotMotion motion);
 

@@ -48,8 +48,8 @@ std::vector<FlexibleJoint> frame_joints() {
           axis_joint(turret, {0.16, 0, 0.45}, 1, 6e8, 3e6, 4.5e5, frame_loss),
           axis_joint(lower_arm, {0.16, 0, 1.04}, 1, 5e8, 1.6e6, 2.0e5, frame_loss),
           axis_joint(elbow, {0.40, 0, 1.17}, 0, 4e8, 5e5, 6e4, frame_loss),
-          axis_joint(forearm_tube, {0.84, 0, 1.17}, 1, 2.6e8, 1.2e5, 1.6e4, wrist_loss),
-          axis_joint(wrist, {0.93, 0, 1.17}, 0, 1.9e8, 8e4, 9e3, wrist_loss)};
+          axis_joint(forearm_tube, {0.84, 0, 1.17}, 1, 2.4e8, 1.2e5, 1.6e4, wrist_loss),
+          axis_joint(wrist, {0.93, 0, 1.17}, 0, 1.75e8, 8e4, 9e3, wrist_loss)};
 }
 
 struct GearMount {

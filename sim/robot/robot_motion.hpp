@@ -24,7 +24,7 @@ struct RobotMotionCard {
 /// Shafts   of joint 3 at 11, 13.7 and 22.3 Hz and of joint 2 at 18 Hz: the lines of the article's
 ///          Fig. 11; 9 Hz is what remains in Fig. 18. The other shafts' speeds are assumed.
 /// Leaders  the article's Figs. 5-7: J3 X, J5 Y, J3 X (both slow motions); J3 Z, J5 Y, J4 X (fast)
-/// Level    assumed, so that peaks are below the article's 0.9 g
+/// Level    assumed, so that peaks at the flange come near the article's 0.9 g
 const RobotMotionCard& card_of(RobotMotion motion);
 
 }  // namespace rvbench::sim

@@ -40,6 +40,16 @@ SCENARIO("the envelope spectrum reads order and depth of a modulation", "[analys
       CHECK(locked.unlocked.power[shaft] < 1e-6 * locked.lines.power[shaft]);
     }
   }
+  GIVEN("a swing at order 800, of a shaft so slow that a turn takes 4960 samples") {
+    const test::OrderSignals slow{.speed_Hz = 1, .rate_Hz = 4960, .count = 5 * 4960 + 1};
+    const EnvelopeSpectra envelope =
+        envelope_spectra(slow.modulated(1500, 800, 0.4), slow.rate_Hz, 0, slow.angle(), 1);
+    THEN("it stands there, and at no order below") {
+      const auto line = std::lround(800 / envelope.whole.resolution);
+      CHECK(envelope.whole.amplitude[line] == Approx(0.4).epsilon(1e-2));
+      CHECK(envelope.whole.amplitude.head(line - 10).maxCoeff() < 0.004);
+    }
+  }
   GIVEN("a record shorter than a period") {
     const Eigen::VectorXd x = turning.modulated(carrier, 1, 0.4).head(2000);
     THEN("there is no envelope") { CHECK(spectra_of(x).mean == 0); }

@@ -155,6 +155,20 @@ TEST_CASE("of many channels the one that shows a fault speaks for it", "[analysi
   CHECK(leading(conclude({e}, k)) == "input_shaft");
 }
 
+TEST_CASE("a signal in two channels is told, and weighed once", "[analysis][examine]") {
+  Recording record = turning.recording(faulty(1, 5));
+  const Examination alone = examine(record, small_reducer());
+  record.channels.push_back(record.channels.front());
+  record.channels.back().info.name = "copy";
+  const Examination e = examine(record, small_reducer());
+  REQUIRE(e.quality.size() == 1);
+  CHECK_THAT(e.quality[0].where, Catch::Contains("copy"));
+  CHECK_THAT(e.quality[0].what, Catch::Contains("the same samples as " + e.channels[0].name));
+  CHECK_FALSE(e.quality[0].invalidates);
+  CHECK(score_of("input_shaft", e).log_likelihood_ratio ==
+        Approx(score_of("input_shaft", alone).log_likelihood_ratio));
+}
+
 TEST_CASE("a channel that only drifts is told, and is no evidence", "[analysis][examine]") {
   const Kinematics k = small_reducer();
   const Examination e = examine(turning.recording(1e6 * turning.tone(0.001) + turning.noise(9)), k);

@@ -76,7 +76,7 @@ SCENARIO("the pages of the examples are what the examples say", "[analysis][exam
     THEN("every committed page has the same lines and the same figures") {
       const auto written = files_of(now.folder.path(), ".md");
       const auto kept = files_of(committed, ".md");
-      CHECK(written.size() == 18);  // fifteen methods, and the page that leads to them
+      CHECK(written.size() == 18);  // an example each, and the page that leads to them
       REQUIRE(kept.size() == written.size());
       for (const auto& [name, text] : written) {
         CAPTURE(name);

@@ -73,6 +73,24 @@ TEST_CASE("a machine that does not repeat leaves orders beside its parts' unexpl
   CHECK(meaning_of(3.585, 0.01, pinion()) == "");
 }
 
+TEST_CASE("a rolling element that slips may be what is near its order, and no more",
+          "[analysis][lines]") {
+  // Of the bearing's own order 5.4152 (9 balls of 7.94 mm on 39.04 mm) the slip is 2 %.
+  GearTrain train;
+  train.shafts = {{"motor shaft", "input_shaft"}};
+  train.bearings = {{"drive end", 0, {9, 7.94, 39.04, 0}, 0.02}};
+  const Kinematics k = gear_train(train);
+  const double inner = 9.0 / 2 * (1 + 7.94 / 39.04);
+  const std::string word = may_be(0.997 * inner, k);
+  CHECK_THAT(word, Contains("may be ") && Contains("inner"));
+  CHECK(may_be(1.015 * 2 * inner, k) == word + " x2");
+  CHECK_FALSE(is_characteristic({0.997 * inner, 0, 0, 0, word}, k));
+  CHECK(meaning_of(0.997 * inner, near, k) == "");
+  CHECK(may_be(1.03 * inner, k) == "");
+  CHECK(may_be(7 * inner, k) == "");
+  CHECK(may_be(0.997 * inner, rv20e()) == "");
+}
+
 TEST_CASE("unexplained harmonics are one family", "[analysis][lines]") {
   const auto found = families({line(3.1, 5), line(6.2, 4), line(9.3, 1), line(7.77, 2)}, rv20e());
   REQUIRE(found.size() == 2);

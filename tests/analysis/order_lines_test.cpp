@@ -64,6 +64,17 @@ TEST_CASE("a record that is no whole number of a gear's turns loses less than 1 
   CHECK(test::rms(average) == Approx(1 / std::sqrt(2)).epsilon(0.01));
 }
 
+TEST_CASE("at a high rate and a low speed nothing is folded onto low orders", "[analysis][order]") {
+  // 20480 samples a turn.
+  const OrderSignals slow{.speed_Hz = 1, .rate_Hz = 20480, .count = 5 * 20480 + 1};
+  const OrderLines lines(slow.channel(slow.tone(8000)), slow.angle(), 1);
+  CHECK(lines.top_order() == Approx(0.4 * 20480));
+  const analysis::Spectrum spectrum = lines.spectrum();
+  const auto upto = [&](double order) { return std::lround(order / spectrum.resolution); };
+  CHECK(spectrum.amplitude[upto(8000)] == Approx(1).epsilon(2e-3));
+  CHECK(spectrum.amplitude.head(upto(7990)).maxCoeff() < 2e-3);
+}
+
 TEST_CASE("a gear that turned thrice has no average; a record without a period no lines",
           "[analysis][order]") {
   CHECK(lines_of(turning.tone(4)).average_turn(3.5 / 168).size() == 0);

@@ -7,6 +7,7 @@
 
 using namespace rvbench;
 using analysis::are_parted;
+using analysis::is_placed;
 using analysis::turns_to_part;
 
 TEST_CASE("the sun against the carrier is parted from the shaft by four output turns",
@@ -28,6 +29,14 @@ TEST_CASE("an order is not parted from itself", "[analysis][order]") {
   CHECK_THROWS_AS(turns_to_part(2, 2), std::invalid_argument);
   CHECK_THROWS_AS(turns_to_part(2, std::numeric_limits<double>::infinity()), std::invalid_argument);
   CHECK_THROWS_AS(are_parted(1, 2, -1), std::invalid_argument);
+}
+
+TEST_CASE("a stated speed places low orders of short records, a measured angle all",
+          "[analysis][order]") {
+  CHECK(is_placed(1000, 1e5, 0));
+  CHECK(is_placed(1, 330, 3e-4));
+  CHECK_FALSE(is_placed(1, 340, 3e-4));
+  CHECK_FALSE(is_placed(1080.0 / 121, 484, 3e-4));  // 1.3 lines
 }
 
 TEST_CASE("two tones that are parted each read their own amplitude", "[analysis][order][law]") {

@@ -88,6 +88,17 @@ TEST_CASE("a record of nothing but bad channels is not resolvable", "[analysis][
   CHECK_FALSE(conclude({e}, small_reducer()).resolvable);
 }
 
+TEST_CASE("where the speed is stated it is told which meshes no ratio is read of",
+          "[analysis][quality]") {
+  Recording record = turning.recording(faulty());
+  CHECK(examine(record, small_reducer()).quality.empty());
+  record.channels.pop_back();  // the angle
+  const Examination e = examine(record, small_reducer());
+  REQUIRE(e.quality.size() == 1);
+  CHECK_FALSE(e.quality[0].invalidates);
+  CHECK_THAT(e.quality[0].what, Contains("no sideband ratio, FM0, FM4 and NA4 of sun-planet mesh"));
+}
+
 TEST_CASE("four periods of the gear train can be judged, three cannot", "[analysis][quality]") {
   const auto of_periods = [](double periods) {
     Recording record = turning.recording(faulty());

@@ -74,10 +74,17 @@ TEST_CASE("every gear line of an RV reducer repeats with its output turn",
   CHECK(fraction_of(k, "planet pass") == std::to_string(planets) + "/121");
 }
 
-TEST_CASE("a ratio that is no whole number has no fractions", "[analysis][kinematics]") {
+TEST_CASE("a reducer of i = 68.5 stands as before after two output turns",
+          "[analysis][kinematics]") {
   const Kinematics k = rv_reducer("odd", {16, 27, 2, 39, 40}, {});
-  CHECK(k.period_turns == Approx(68.5));
-  CHECK(fraction_of(k, "crank in housing").empty());
+  CHECK(k.gear_ratio == Approx(68.5));
+  CHECK(k.period_turns == 137);
+  CHECK(fraction_of(k, "sun against carrier") == "135/137");
+  CHECK(fraction_of(k, "crank in housing") == "78/137");
+  for (const CharacteristicOrder& o : k.orders) {
+    CAPTURE(o.name);
+    CHECK(o.order * k.period_turns == Approx(std::round(o.order * k.period_turns)));
+  }
 }
 
 TEST_CASE("the crank's bearings stay clear of the gear lines", "[analysis][kinematics]") {

@@ -318,7 +318,7 @@ TEST_CASE("what a plan asks for and the rig cannot do is told before anything tu
                    Contains("/interlocks/acceleration_m_s2: ") && Contains("could never trip") &&
                    Contains("/main/0: the plan asks for 1815 rpm, the drive can do 1500 rpm") &&
                    Contains("/main/0: the plan asks for 167 N·m, the brake can do 100 N·m"));
-    CHECK_THAT(answer.err, Catch::StartsWith(disk.path("plan.json") + ":"));
+    CHECK_THAT(answer.err, Catch::StartsWith("rvbench: " + disk.path("plan.json") + ":"));
   }
   CHECK_FALSE(std::filesystem::exists(disk.path("runs")));
 }

@@ -103,6 +103,31 @@ TEST_CASE("an answer that cannot be written is no success", "[bench]") {
   }
 }
 
+TEST_CASE("a verdict that cannot be written is none, a fault of the bench stays one", "[bench]") {
+  struct Coded final : Command {
+    explicit Coded(int c) : code(c) {}
+    std::string name() const override { return "coded"; }
+    std::string summary() const override { return ""; }
+    std::string examples() const override { return ""; }
+    std::vector<Option> options() override { return {}; }
+    int run(Console& console) override {
+      console.out << "what it came to\n";
+      return code;
+    }
+    int code;
+  };
+  const auto [code, left] = GENERATE(table<int, int>(
+      {{0, 1}, {10, 1}, {20, 1}, {2, 2}, {3, 3}, {30, 30}, {40, 40}, {50, 50}, {60, 60}}));
+  CAPTURE(code);
+  std::ostringstream out;
+  std::ostringstream err;
+  out.setstate(std::ios::badbit);
+  Console console{out, err};
+  std::vector<std::unique_ptr<Command>> commands;
+  commands.push_back(std::make_unique<Coded>(code));
+  CHECK(run_cli({"coded"}, commands, console) == left);
+}
+
 TEST_CASE("what a file or a user has of control characters does not reach the terminal",
           "[bench]") {
   const Answer answer = ask({"ju\x1b[31mdge"});

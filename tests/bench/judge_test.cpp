@@ -99,20 +99,25 @@ TEST_CASE("what is judged at a wrong speed, rate or machine is INVALID, not PASS
   CHECK(notes(answer, "cannot tell: no line of this machine"));
 }
 
-TEST_CASE("a speed that contradicts the file stays in force, and is told", "[bench]") {
+TEST_CASE("a speed that is a motor's slip off the file's stays in force, and is told", "[bench]") {
   const ScratchFolder scratch;
   std::vector<double> samples;
   for (int i = 0; i < 8000; ++i) samples.push_back(tone(1, i / rate_Hz * speed_rpm / 60) + i % 7);
   const std::string file = (scratch.path() / "a.mat").string();
   write_file(file, rvbench::test::mat5_file({rvbench::test::mat5_array("x", 8000, 1, samples),
                                              rvbench::test::mat5_array("XRPM", 1, 1, {1815})}));
-  const std::string told = "speed 1600 rpm as given: the file says 1815 rpm";
-  const Answer answer = judge(file, "cwru_6205", {"--rate", "2000", "--speed", "1600"});
+  const std::string told = "speed 1750 rpm as given: the file says 1815 rpm";
+  const Answer answer = judge(file, "cwru_6205", {"--rate", "2000", "--speed", "1750"});
   CHECK_THAT(answer.err, Contains(told));
   CHECK(notes(answer, told));
-  CHECK(nlohmann::json::parse(answer.out).at("points").at(0).at("speed_rpm") == 1600);
+  CHECK(nlohmann::json::parse(answer.out).at("points").at(0).at("speed_rpm") == 1750);
   const Answer nominal = judge(file, "cwru_6205", {"--rate", "2000", "--speed", "1800"});
   CHECK_THAT(nominal.err, !Contains("as given"));  // within 1 %
+  // Two thirds: order 2 would be taken for order 3, and one race for the other.
+  const Answer wrong = judge(file, "cwru_6205", {"--rate", "2000", "--speed", "1210"});
+  CHECK(wrong.code == 20);
+  CHECK_THAT(wrong.err,
+             Contains("a.mat: says 1815 rpm, 1210 rpm were given: one of them is wrong"));
 }
 
 TEST_CASE("a rate at which the shaft could not be seen is refused before the analysis", "[bench]") {
@@ -152,6 +157,56 @@ TEST_CASE("a column that only rises is time, not vibration", "[bench]") {
   const Answer no_rate = judge(file, "cwru_6205", {"--speed", "1815"});
   CHECK(no_rate.code == 2);
   CHECK_THAT(no_rate.err, Contains("give it with --rate HZ (" + told + ")"));
+}
+
+TEST_CASE("a column of time is read in the unit that its name ends in", "[bench]") {
+  const ScratchFolder scratch;
+  const auto [name, per_s] = GENERATE(table<std::string, double>(
+      {{"time_ms", 1e3}, {"time_us", 1e6}, {"t [ms]", 1e3}, {"time (µs)", 1e6}, {"time_s", 1}}));
+  CAPTURE(name);
+  const auto file = scratch.path() / "timed.csv";
+  std::ofstream out(file);
+  out << name << ",a\n";
+  for (int i = 0; i < 1000; ++i) {
+    out << i * per_s / rate_Hz << ',' << std::sin(i) << '\n';
+  }
+  out.close();
+  CHECK_THAT(judge(file.string(), "cwru_6205", {"--speed", "1815"}).err,
+             Contains(name + " only rises, as no vibration does, and is left out; by the unit "
+                             "in its name it says 2000 Hz"));
+}
+
+TEST_CASE("a velocity is not judged as an acceleration", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string unit = GENERATE("v [mm/s]", "v_mm/s", "v (m/s)");
+  CAPTURE(unit);
+  std::ifstream in(unbalanced(scratch));
+  const auto file = scratch.path() / "v.csv";
+  std::ofstream out(file);
+  std::string line;
+  std::getline(in, line);
+  out << unit << ",a\n";
+  while (std::getline(in, line)) out << line << ',' << line << '\n';
+  out.close();
+  const Answer answer = judge(file.string(), "cwru_6205", right);
+  const auto channels = nlohmann::json::parse(answer.out).at("points").at(0).at("channels");
+  REQUIRE(channels.size() == 1);
+  CHECK(channels.at(0).at("name") == "a");
+  CHECK_THAT(answer.err,
+             Contains(unit + " is in ") && Contains("no acceleration, and is left out"));
+}
+
+TEST_CASE("a speed that the file states and that is none is told", "[bench]") {
+  const ScratchFolder scratch;
+  const double stated_rpm = GENERATE(0.0, -1797.0);
+  const auto file = scratch.path() / "a.mat";
+  std::ofstream(file, std::ios::binary)
+      << rvbench::test::mat5_file({rvbench::test::mat5_array("x", 3, 1, {1, 2, 3}),
+                                   rvbench::test::mat5_array("X105RPM", 1, 1, {stated_rpm})});
+  const Answer answer = judge(file.string(), "cwru_6205", {"--rate", "12000"});
+  CHECK(answer.code == 2);
+  CHECK_THAT(answer.err, Contains("give it with --speed RPM (X105RPM: ") &&
+                             Contains(" is no speed of a shaft that turns forward"));
 }
 
 TEST_CASE("time that jumps is no single rate: INVALID, unless a channel is asked for", "[bench]") {

@@ -66,6 +66,19 @@ inline JudgedPoint recorded_point() {
   return recorded;
 }
 
+/// A reducer that was wound to and fro: no vibration, no orders, and nothing amiss.
+inline JudgedPoint wound_point() {
+  JudgedPoint wound;
+  wound.planned_speed_rpm = 30;
+  wound.examination.source = "recording.h5#001";
+  wound.examination.load_pct = 125;
+  wound.examination.repeat = 1;
+  wound.examination.of_hysteresis = true;
+  wound.examination.scores.resize(1);
+  wound.examination.indicators = {{"lost_motion", "", 0.8, "arcmin", 0.02}};
+  return wound;
+}
+
 /// A hand-made run of a bad unit: two points, one of them never recorded, and one finding.
 inline Judgement failed_run() {
   Judgement judgement;

@@ -213,6 +213,35 @@ TEST_CASE("an angle in rad is held against a limit in arcsec", "[bench]") {
   CHECK(concluded({point}, {limit}).ending.outcome == Outcome::fail);
 }
 
+TEST_CASE("a limit is held against the points that its measure is of", "[bench]") {
+  const JudgedPoint turned = point_with_peak(1);
+  JudgedPoint wound;
+  wound.examination.source = "recording.h5#001";
+  wound.examination.of_hysteresis = true;
+  wound.examination.indicators = {{"lost_motion", "", 0.8, "arcmin"}};
+  const Limit lost{"lost_motion", "", "arcmin", 1, "ours"};
+  const Judgement judgement = concluded({turned, wound}, {peak_in_g, lost});
+  INFO(judgement.ending.reason);
+  CHECK(judgement.ending.outcome == Outcome::pass);
+  CHECK(judgement.limits.at(0).points == 1);
+  CHECK(judgement.limits.at(1).points == 1);
+  SECTION("one that lacks it among those is told, of those") {
+    JudgedPoint mute = wound;
+    mute.examination.source = "recording.h5#002";
+    mute.examination.indicators.clear();
+    const Judgement lacking = concluded({turned, wound, mute}, {peak_in_g, lost});
+    CHECK(lacking.ending.outcome == Outcome::invalid);
+    CHECK(lacking.ending.reason ==
+          "lost_motion could not be measured in arcmin at 1 of 2 points, first recording.h5#002");
+  }
+  SECTION("without such a point it is no pass") {
+    CHECK(concluded({turned}, {lost}).ending.reason ==
+          "lost_motion could not be measured in arcmin");
+    CHECK(concluded({wound}, {peak_in_g}).ending.reason ==
+          "acceleration_peak could not be measured in g");
+  }
+}
+
 TEST_CASE("nothing judged is no pass", "[bench]") {
   CHECK(concluded({}, {}).ending.outcome == Outcome::invalid);
 }
@@ -250,6 +279,47 @@ TEST_CASE("a record that is not ok is listed, not examined", "[bench]") {
   CHECK(point.status == "samples_lost");
   CHECK(point.examination.source == "recording.h5#007");
   CHECK(point.examination.channels.empty());
+}
+
+namespace {
+
+// One part in one point, whose squared depth scatters with this deviation.
+Judgement of_silent_crank(double deviation, const std::vector<Limit>& limits) {
+  analysis::Kinematics machine;
+  analysis::Signature& crank = machine.signatures.emplace_back();
+  crank.component = "crank";
+  crank.mechanism = "eccentricity";
+  crank.order = 0.5;
+  crank.depth_limit = 0.2;
+  JudgedPoint point = point_with_peak(0.1);
+  point.examination.scores.resize(1);
+  point.examination.scores[0].depth2_variance = deviation * deviation;
+  Judgement judgement;
+  judgement.points = {point};
+  conclude(judgement, with_limits(machine, limits), limits, measured);
+  return judgement;
+}
+
+}  // namespace
+
+TEST_CASE("what noise could hide is no pass", "[bench][limits]") {
+  const Limit strict{"modulation_depth", "crank", "1", 0.05, "as the maker says"};
+  const Judgement quiet = of_silent_crank(0.001, {strict});
+  CHECK(quiet.ending.outcome == Outcome::pass);
+  CHECK(quiet.limits.at(0).measured == 0);
+  CHECK(of_silent_crank(0.02, {}).ending.outcome == Outcome::pass);
+
+  const Judgement noisy = of_silent_crank(0.04, {});
+  CHECK(noisy.ending.outcome == Outcome::invalid);
+  CHECK(noisy.ending.reason ==
+        "cannot tell crank: eccentricity: noise hides depths up to 0.257, its limit is 0.2");
+  const Judgement blind = of_silent_crank(0, {});
+  CHECK(blind.ending.outcome == Outcome::invalid);
+  CHECK(blind.ending.reason ==
+        "cannot tell crank: eccentricity: no line of its order 0.5 can be read");
+  const Judgement limited = of_silent_crank(0.02, {strict});
+  CHECK(limited.ending.outcome == Outcome::invalid);
+  CHECK(limited.ending.reason == "modulation_depth of crank could not be measured");
 }
 
 TEST_CASE("a limit on a part that the machine does not have is a fault of the plan", "[bench]") {

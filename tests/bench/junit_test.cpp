@@ -69,6 +69,21 @@ TEST_CASE("a good unit has no failure in junit.xml", "[bench]") {
   CHECK_THAT(junit_xml(test::passed_run()), Contains(R"(failures="0" errors="0" skipped="0")"));
 }
 
+TEST_CASE("a hysteresis test needs no periods to pass, and is an error when it cannot tell",
+          "[bench]") {
+  Judgement judgement = test::passed_run();
+  judgement.points = {test::wound_point()};
+  CHECK_THAT(junit_xml(judgement), Contains(R"(name="30 rpm, 125 %, repeat 1"/>)") &&
+                                       Contains(R"(failures="0" errors="0" skipped="0")"));
+  judgement.points[0].examination.quality = {{"recording.h5#001", "cannot tell: it slips", true}};
+  CHECK_THAT(junit_xml(judgement),
+             Contains(R"(<error message="recording.h5#001: cannot tell: it slips"/>)"));
+  JudgedPoint turned = test::recorded_point();
+  turned.examination.resolvable = false;
+  judgement.points = {turned};
+  CHECK_THAT(junit_xml(judgement), Contains("not resolvable: 4.20 periods"));
+}
+
 TEST_CASE("an ending that is the bench's fault is an error, not a failure", "[bench]") {
   Judgement judgement = test::passed_run();
   judgement.ending = {Outcome::error, ErrorKind::device_lost, "inverter: timeout"};

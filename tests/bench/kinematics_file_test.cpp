@@ -123,6 +123,17 @@ TEST_CASE("an idler is one gear in two meshes", "[bench]") {
   CHECK(has_order(machine, 0.5));
 }
 
+TEST_CASE("pins that are missing are one fault, pins that do not fit the lobes another",
+          "[bench]") {
+  const auto reducer = [](const std::string& pins) {
+    return R"({"machine": "rv", "rv_reducer": {"sun_teeth": 9, "planet_teeth": 27, "lobes": 39)" +
+           pins + "}}";
+  };
+  CHECK(places_of(reducer("")) == std::vector<std::string>{"/rv_reducer/pins"});
+  CHECK(places_of(reducer(", \"pins\": 39")) == std::vector<std::string>{"/rv_reducer/pins"});
+  CHECK(has_order(machine_of(reducer(", \"pins\": 40")), 1));
+}
+
 TEST_CASE("every fault of a machine is reported at once", "[bench]") {
   const auto places = places_of(R"({"machine": "",
 "shafts": [{"name": "in"}, {"nam": "out"}],

@@ -36,6 +36,10 @@ TEST_CASE("check and a dry run tell a limit that nothing can be held against", "
       {R"("measure": "fm4", "of": "sun-planet mesh, sun against carier", "max": 6, "why": "x")",
        "did you mean \"sun-planet mesh, sun against carrier\"?"},
       {R"("measure": "fm4", "max": 6)", "/limits/0/why: this key is missing"},
+      {R"("measure": "lost_motion", "unit": "arcmin", "max": 1, "why": "x")",
+       "/limits/0/measure: lost_motion needs a hysteresis_loop phase"},
+      {R"("measure": "na4", "max": 9, "why": "x")",
+       "/limits/0/measure: na4 needs a point that main records more than once"},
   }));
   CAPTURE(limit);
   write_file(plan, quick_with_limit(limit));
@@ -54,7 +58,6 @@ TEST_CASE("a limit on any indicator of the RV-20E is no fault", "[bench]") {
       R"("measure": "fm4", "of": "sun-planet mesh, sun against carrier", "max": 6, "why": "x")",
       R"("measure": "band_rms", "of": "above the meshes", "unit": "g", "max": 1, "why": "x")",
       R"("measure": "envelope_order_level", "of": "input shaft", "max": 0.2, "why": "x")",
-      R"("measure": "na4", "max": 9, "why": "x")",
       R"("measure": "torque_ripple", "of": "input_torque", "max": 1, "why": "x")");
   CAPTURE(limit);
   write_file(plan, quick_with_limit(limit));

@@ -72,6 +72,18 @@ TEST_CASE("a name that does not exist is answered with those that do", "[bench]"
       Contains("cwru_6205, gear0, rv20e, two_stage") && Contains("did you mean \"two_stage\"?"));
 }
 
+TEST_CASE("every line of a refusal says who speaks", "[bench]") {
+  const rvbench::test::ScratchFolder scratch;
+  const std::string machine = (scratch.path() / "m.json").string();
+  write_file(machine, R"({"machine": "m", "shafts": [{"nam": "in"}]})");
+  for (const std::string& named : {std::string("nosuch"), machine}) {
+    const Answer answer = rvbench({"judge", "a.csv", "--kinematics", named});
+    CHECK(answer.code == 3);
+    std::istringstream lines(answer.err);
+    for (std::string line; std::getline(lines, line);) CHECK(line.starts_with("rvbench: "));
+  }
+}
+
 TEST_CASE("a rig file with a preset that does not exist is a bad file", "[bench]") {
   const ScratchFolder scratch;
   const std::string rig = (scratch.path() / "rig.json").string();

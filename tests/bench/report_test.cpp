@@ -135,6 +135,49 @@ TEST_CASE("the report tells at which points a limit could not be held against an
   CHECK_THAT(make_report(input), !Contains("not measured") && !Contains("could not be measured"));
 }
 
+TEST_CASE("INVALID is told by what makes it so", "[bench]") {
+  ReportInput input = failed_input();
+  Judgement& judgement = input.judgement;
+  judgement.ending = {Outcome::invalid, ErrorKind::none, "x"};
+  judgement.points.pop_back();
+  const auto told = [&] { return make_report(input); };
+  const char* data = "The data cannot be trusted: nothing is said about the unit.";
+  const char* limit = "A limit could not be held against the data, so the unit is neither passed";
+  const char* part = "Of one part the data do not tell whether it is good";
+  SECTION("a limit that could not be measured leaves the findings standing") {
+    judgement.limits.front().measured = not_known;
+    CHECK_THAT(told(), Contains(limit) && Contains("What was found in the data stands") &&
+                           !Contains(data) && !Contains(part));
+  }
+  SECTION("a part that noise hides is neither good nor bad") {
+    judgement.diagnosis.not_shown.front().severity_high = 0.5;  // above its limit
+    REQUIRE(judgement.diagnosis.not_shown.front().is_open());
+    CHECK_THAT(told(), Contains(part) && !Contains(data) && !Contains(limit));
+  }
+  SECTION("bad data go before a limit that they left unmeasured") {
+    judgement.limits.front().measured = not_known;
+    judgement.points.front().examination.quality = {{"accel_1x", "clipped", true}};
+    CHECK_THAT(told(), Contains(data) && !Contains(limit));
+  }
+  SECTION("records too short to part the orders are bad data") {
+    judgement.diagnosis.resolvable = false;
+    CHECK_THAT(told(), Contains(data));
+  }
+  SECTION("what the run itself says is bad data") { CHECK_THAT(told(), Contains(data)); }
+}
+
+TEST_CASE("an indicator is told in the unit of its limit", "[bench]") {
+  ReportInput input = failed_input();
+  input.judgement.points.front().examination.channels.front().indicators = {
+      {"acceleration_peak", "", 18.633, "m/s²"}};
+  CHECK_THAT(
+      make_report(input),
+      Contains("<td>acceleration_peak</td><td>largest distance from the mean</td><td>1.9</td>"
+               "<td>g</td>"));
+  input.judgement.limits.clear();
+  CHECK_THAT(make_report(input), Contains("<td>18.6</td><td>m/s²</td>"));
+}
+
 TEST_CASE("the report says first what the verdict is", "[bench]") {
   const std::string html = make_report(failed_input());
   CHECK(html.find("FAIL") < html.find("input_shaft: misalignment"));
@@ -146,6 +189,26 @@ TEST_CASE("the report says first what the verdict is", "[bench]") {
     INFO(expected);
     CHECK_THAT(html, Contains(expected));
   }
+}
+
+TEST_CASE("the matrix trusts a hysteresis test that could tell, and no other", "[bench]") {
+  ReportInput input;
+  input.kinematics = rv20e();
+  input.judgement = test::passed_run();
+  const auto boxes = [&](const JudgedPoint& point) {
+    input.judgement.points = {point};
+    const std::string html = make_report(input);
+    const auto map = html.find("<div class=\"map\">");
+    REQUIRE(map != std::string::npos);
+    return html.substr(map, html.find("<p class=\"note\">", map) - map);
+  };
+  JudgedPoint wound = test::wound_point();
+  CHECK_THAT(boxes(wound), Contains(">loop</span>") && !Contains("spoiled"));
+  wound.examination.quality = {{"recording.h5#001", "cannot tell: the output slips", true}};
+  CHECK_THAT(boxes(wound), Contains("cell spoiled") && Contains(">data</span>"));
+  JudgedPoint brief = test::recorded_point();
+  brief.examination.resolvable = false;
+  CHECK_THAT(boxes(brief), Contains("cell spoiled") && Contains(">short</span>"));
 }
 
 TEST_CASE("the report shows beside each other what four ways find in an envelope", "[bench]") {

@@ -32,6 +32,13 @@ TEST_CASE("a frequency is told with the speed at which it was seen", "[bench]") 
   CHECK_THAT(text, Contains("171.56 Hz at 2000 rpm"));  // order 5.147
 }
 
+TEST_CASE("a p-value far below any that is known well is not told to the digit", "[bench]") {
+  Judgement judgement = test::failed_run();
+  CHECK_THAT(summary_of(judgement), Contains("; p 1.0e-12"));
+  judgement.diagnosis.findings.front().p_value = 1.8e-22;  // as the report has it
+  CHECK_THAT(summary_of(judgement), Contains("; p < 1e-15") && !Contains("e-22"));
+}
+
 TEST_CASE("confidence is told of findings above their limit, and of no others", "[bench]") {
   Judgement judgement = test::failed_run();
   CHECK_THAT(summary_of(judgement), Contains("confidence 75 %"));

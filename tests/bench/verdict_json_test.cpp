@@ -35,7 +35,8 @@ TEST_CASE("indicators are told per point and channel, one entry per measure", "[
   CHECK(point.at("indicators").at(0).at("values").at("input_torque") == 0.12);
 }
 
-TEST_CASE("a verdict from before each hypothesis was weighed is still read", "[bench]") {
+TEST_CASE("a verdict without intervals, growth and hypotheses that are not shown is read",
+          "[bench]") {
   auto json = nlohmann::ordered_json::parse(judgement_to_json(test::failed_run()));
   json.erase("not_shown");
   for (const char* key : {"severity_interval", "growth_with_load", "growth_with_speed",
@@ -56,7 +57,7 @@ TEST_CASE("a verdict from before each hypothesis was weighed is still read", "[b
   CHECK(again->diagnosis.not_shown.empty());
 }
 
-TEST_CASE("a verdict from before there were indicators is still read", "[bench]") {
+TEST_CASE("a verdict without indicators is read, and its limits without a place", "[bench]") {
   auto json = nlohmann::ordered_json::parse(judgement_to_json(test::failed_run()));
   for (auto& point : json["points"]) {
     point.erase("indicators");
@@ -102,6 +103,10 @@ TEST_CASE("what is not known is null, not zero", "[bench]") {
   CHECK(json.at("run").at("duration_s").is_null());
   CHECK(json.at("seed").is_null());
   CHECK(json.at("findings").at(0).at("table4_item").is_null());
+  const auto& limit = json.at("limits").at(0);
+  CHECK(limit.at("component").is_null());
+  CHECK(limit.at("of").is_null());
+  CHECK(limit.at("where") == "recording.h5#000, accel_1x");
 }
 
 TEST_CASE("a judgement read back says the same", "[bench]") {

@@ -31,6 +31,21 @@ inline std::string mat5_array(const std::string& name, int rows, int columns,
                               mat5_element(1, name) + mat5_element(9, data));
 }
 
+/// A column of complex doubles.
+inline std::string mat5_complex_array(const std::string& name, const std::vector<double>& real,
+                                      const std::vector<double>& imaginary) {
+  const auto bytes_of = [](const std::vector<double>& values) {
+    std::string data(values.size() * sizeof(double), '\0');
+    std::memcpy(data.data(), values.data(), data.size());
+    return mat5_element(9, data);
+  };
+  constexpr std::uint32_t complex_doubles = 0x800 + 6;
+  return mat5_element(
+      14, mat5_element(6, mat5_word(complex_doubles) + mat5_word(0)) +
+              mat5_element(5, mat5_word(static_cast<std::uint32_t>(real.size())) + mat5_word(1)) +
+              mat5_element(1, name) + bytes_of(real) + bytes_of(imaginary));
+}
+
 inline std::string mat5_file(const std::vector<std::string>& variables) {
   std::string file = "MATLAB 5.0 MAT-file";
   file.resize(124, ' ');

@@ -166,12 +166,19 @@ std::string faults_of_limit(const std::string& limit) { return faults_of(small_w
 }  // namespace
 
 TEST_CASE("every measure can be limited in each of its units", "[sequences][plan]") {
+  const auto recording_all_with = [](const std::string& limit) {
+    return small_with("\"main\": [", "\"limits\": [{" + limit + R"(}], "main": [
+      {"phase": "hysteresis_loop", "hold_pct": 150, "peak_pct": 125, "speed_rpm": 30,
+       "ramp_rpm_per_s": 4},
+      {"phase": "matrix", "speeds_rpm": [1815], "loads_pct": [0], "repeats": 2,
+       "record": {"output_turns": 4}},)");
+  };
   for (const Measure& measure : measures()) {
     for (const std::string_view unit : measure.units) {
       const std::string limit = "\"measure\": \"" + std::string(measure.name) + "\", \"unit\": \"" +
                                 std::string(unit) + "\", \"max\": 1, \"why\": \"ten units\"";
       CAPTURE(limit);
-      const TestPlan plan = test::plan_of(small_with_limit(limit));
+      const TestPlan plan = test::plan_of(recording_all_with(limit));
       REQUIRE(plan.limits.size() == 1);
       CHECK(plan.limits[0].measure == measure.name);
       CHECK(plan_to_json(test::plan_of(plan_to_json(plan))) == plan_to_json(plan));
@@ -229,6 +236,47 @@ TEST_CASE("two limits that no value keeps to are a fault of the plan", "[sequenc
   CHECK(test::plan_of(small_with_limit(R"("measure": "fm0", "of": "a", "min": 5, "why": "a"}, {)"
                                        R"("measure": "fm0", "of": "b", "max": 4, "why": "b")"))
             .limits.size() == 2);
+}
+
+TEST_CASE("two bounds of one kind on the same thing are a fault of the plan", "[sequences][plan]") {
+  using Catch::Contains;
+  const std::string at_most = R"("measure": "fm0", "of": "a", "max": 5, "why": "a"}, {)";
+  CHECK_THAT(faults_of_limit(at_most + R"("measure": "fm0", "of": "a", "max": 4, "why": "b")"),
+             Contains("/limits/1/max: fm0 has a max already, 5 \"a\""));
+  const std::string depth = R"("measure": "modulation_depth", "component": "crank", "max": 0.1)";
+  CHECK_THAT(faults_of_limit(depth + R"(, "why": "a"}, {)" + depth + R"(, "why": "b")"),
+             Contains("/limits/1/max: modulation_depth has a max already, 0.1"));
+  for (const char* other : {R"("measure": "fm0", "of": "a", "min": 4, "why": "b")",
+                            R"("measure": "fm0", "of": "b", "max": 4, "why": "b")",
+                            R"("measure": "fm0", "max": 4, "why": "b")"}) {
+    CAPTURE(other);
+    CHECK(test::plan_of(small_with_limit(at_most + other)).limits.size() == 2);
+  }
+}
+
+TEST_CASE("a limit on what no phase of the plan shows is a fault of the plan",
+          "[sequences][plan]") {
+  using Catch::Contains;
+  const std::string measure =
+      GENERATE("lost_motion", "torsional_stiffness", "hysteresis_width", "na4");
+  const std::string unit = std::string(find_measure(measure)->units.front());
+  const std::string limit =
+      "\"measure\": \"" + measure + "\", \"unit\": \"" + unit + "\", \"max\": 9, \"why\": \"x\"";
+  CHECK_THAT(faults_of_limit(limit),
+             Contains("/limits/0/measure: " + measure + " needs " +
+                      (measure == "na4" ? "a point that main records more than once"
+                                        : "a hysteresis_loop phase, and main has none")));
+}
+
+TEST_CASE("a plan that only winds the output up cannot limit what turns", "[sequences][plan]") {
+  const std::string wound = plan_to_json(shipped("rv20e_hysteresis"));
+  const auto limits = wound.find("\"limits\"");
+  const auto faults_with = [&](const std::string& limit) {
+    return faults_of(wound.substr(0, limits) + "\"limits\": [{" + limit + "}]}");
+  };
+  CHECK_THAT(faults_with(R"("measure": "fm4", "max": 6, "why": "x")"),
+             Catch::Contains("/limits/0/measure: fm4 needs a shaft that turns steadily"));
+  CHECK(faults_with(R"("measure": "lost_motion", "unit": "arcmin", "max": 1, "why": "x")") == "");
 }
 
 TEST_CASE("a limit bounds from one side", "[sequences][plan]") {

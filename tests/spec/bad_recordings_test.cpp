@@ -98,7 +98,7 @@ TEST_CASE("a file that is no recording is refused by name and place", "[spec][ba
       {"cut.mat", mat.substr(0, 2000), "variable at byte 128: claims"},
       {"header.mat", mat.substr(0, 128), "holds no samples"},
       {"claim.mat", claim(0x7ffffff0), "variable at byte 128: claims 2147483632 bytes"},
-      {"claim.wav", wave_claim(), "no known format (HDF5, MAT v5, CSV)"},
+      {"claim.wav", wave_claim(), "encoding 257 of 257 bits, not PCM"},
       {"header.csv", "a,b\n", "holds no samples"},
       {"ragged.csv", "a,b\n1,2\n3\n", "3: 1 values, not 2"},
       {"cut.csv", "a,b\n1,2\n3,4e", "3:2: \"4e\" is not a number"},

@@ -197,8 +197,10 @@ TEST_CASE("a full disk is an ERROR of the bench, told even if nothing can be wri
 TEST_CASE("1: an answer that could not be delivered is no success", "[spec][exit_code]") {
   const ScratchFolder scratch;
   bench::write_file(scratch.path() / "short.json", test::short_plan);
+  const std::string nowhere = GENERATE("> /dev/full", ">&-");
+  CAPTURE(nowhere);
   const Answer answer =
-      test::Program(scratch.path(), {"/bin/sh", "-c", "exec \"$0\" check short.json > /dev/full",
+      test::Program(scratch.path(), {"/bin/sh", "-c", "exec \"$0\" check short.json " + nowhere,
                                      test::rvbench_path()})
           .wait();
   CHECK(answer.code == 1);

@@ -37,7 +37,41 @@ double value_of(const bench::Judgement& judgement, std::string_view measure) {
   return not_known;
 }
 
+// The same, after one point of a matrix.
+const std::string both_plan = R"({
+  "name": "both",
+  "specimen": {"kinematics": "rv20e", "gear_ratio": 121, "rated_output_torque_Nm": 167},
+  "interlocks": {"input_speed_rpm": 2200, "input_torque_Nm": 8, "acceleration_m_s2": 300,
+                 "housing_temp_degC": 60, "stale_after_s": 0.3},
+  "setup": [{"phase": "connect"}],
+  "main": [{"phase": "matrix", "speeds_rpm": [1210], "loads_pct": [50],
+            "settling": {"hold_s": 0.5}, "record": {"output_turns": 4}},
+           {"phase": "hysteresis_loop", "hold_pct": 150, "peak_pct": 125, "speed_rpm": 30,
+            "ramp_rpm_per_s": 5, "loops": 3, "timeout_s": 120}],
+  "limits": [{"measure": "acceleration_rms", "unit": "g", "max": 1, "why": "ours"},
+             {"measure": "torque_ripple", "max": 2, "why": "ours"},
+             {"measure": "lost_motion", "unit": "arcmin", "max": 1, "why": "ours"}]
+})";
+
 }  // namespace
+
+TEST_CASE("a plan of both a matrix and a winding passes a good reducer", "[spec]") {
+  BenchRun run({}, sim::with_holding_brake(sim::rv20e_bench()));
+  const bench::Judgement& judgement = run.go(both_plan);
+  INFO(judgement.ending.reason);
+  CHECK(judgement.ending.outcome == Outcome::pass);
+  REQUIRE(judgement.points.size() == 2);
+  CHECK_FALSE(judgement.points[0].examination.of_hysteresis);
+  CHECK(judgement.points[1].examination.of_hysteresis);
+  REQUIRE(judgement.limits.size() == 3);
+  for (const bench::LimitCheck& check : judgement.limits) {
+    CAPTURE(check.measure);
+    CHECK(check.passed);
+    CHECK(check.points == 1);
+  }
+  const std::string junit = bench::read_file(run.folder() / "junit.xml").value_or("");
+  CHECK_THAT(junit, Contains(R"(failures="0" errors="0" skipped="0")"));
+}
 
 SCENARIO("a run winds the simulated reducer and tells what it yields", "[spec]") {
   GIVEN("a brake that holds at standstill") {

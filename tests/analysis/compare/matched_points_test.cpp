@@ -28,6 +28,18 @@ TEST_CASE("repeats of a point are found wherever they are in the list", "[analys
   CHECK(points[2].records == std::vector<std::size_t>{0, 2});
 }
 
+TEST_CASE("speeds that drift apart make the same points in whatever order they come",
+          "[analysis]") {
+  // Each is within a percent of the next, the first and the last are not.
+  const auto rising = points_of(at({{1000, 50}, {1008, 50}, {1016, 50}}));
+  const auto mixed = points_of(at({{1008, 50}, {1016, 50}, {1000, 50}}));
+  REQUIRE(rising.size() == 2);
+  REQUIRE(mixed.size() == 2);
+  CHECK(rising[0].records == std::vector<std::size_t>{0, 1});
+  CHECK(mixed[0].records == std::vector<std::size_t>{0, 2});
+  for (const std::size_t i : {0u, 1u}) CHECK(rising[i].speed_rpm == mixed[i].speed_rpm);
+}
+
 TEST_CASE("points are paired by speed and load, whatever their order", "[analysis]") {
   const auto matched =
       match_points(at({{605, 0}, {605, 100}, {1815, 0}}), at({{1815, 0}, {605, 100}, {605, 0}}));

@@ -27,7 +27,7 @@ SignatureScore found(const Kinematics& k, double slip, std::vector<double> line_
   SignatureScore score;
   score.order = k.signatures[0].order * (1 + slip);
   for (std::size_t h = 1; h <= line_depths.size(); ++h) {
-    score.line_orders.push_back(double(h) * k.signatures[0].order);
+    score.line_orders.push_back(double(h) * score.order);
   }
   score.line_depths = std::move(line_depths);
   return score;

@@ -104,13 +104,22 @@ TEST_CASE("a channel that misses it once does not move the exponent", "[analysis
 TEST_CASE("an exponent speaks against a mechanism by how far it is outside its range",
           "[analysis][evidence]") {
   const analysis::GrowthRange range{0, 1};
-  CHECK(analysis::p_value_of_growth({0.5, 0.1}, range) == 1);
-  CHECK(analysis::p_value_of_growth({1.0, 0.1}, range) == 1);
-  // The interval's end, and one and a half of it, 2.94 deviations.
-  CHECK(analysis::p_value_of_growth({1.1, 0.1}, range) == Approx(0.05).epsilon(1e-4));
-  CHECK(analysis::p_value_of_growth({-0.1, 0.1}, range) == Approx(0.05).epsilon(1e-4));
-  CHECK(analysis::p_value_of_growth({1.15, 0.1}, range) == Approx(0.00328).epsilon(0.01));
-  CHECK(analysis::p_value_of_growth({2.0, 0.0}, range) == 0);
-  CHECK(analysis::p_value_of_growth({0.5, 0.0}, range) == 1);
+  CHECK(analysis::p_value_of_growth({0.5, 0.1, 5}, range) == 1);
+  CHECK(analysis::p_value_of_growth({1.0, 0.1, 5}, range) == 1);
+  // The interval's end, and one and a half of it: t = 3.86 with 5 degrees of freedom.
+  CHECK(analysis::p_value_of_growth({1.1, 0.1, 5}, range) == Approx(0.05).epsilon(1e-4));
+  CHECK(analysis::p_value_of_growth({-0.1, 0.1, 5}, range) == Approx(0.05).epsilon(1e-4));
+  CHECK(analysis::p_value_of_growth({1.15, 0.1, 5}, range) == Approx(0.0119298).epsilon(1e-4));
+  CHECK(analysis::p_value_of_growth({2.0, 0.0, 5}, range) == 0);
+  CHECK(analysis::p_value_of_growth({0.5, 0.0, 5}, range) == 1);
   CHECK(analysis::p_value_of_growth({}, range) == 1);
+}
+
+TEST_CASE("a p-value leaves at most -e p ln p of the odds", "[analysis][evidence]") {
+  CHECK(analysis::odds_at_most(1) == 1);
+  CHECK(analysis::odds_at_most(0.5) == 1);
+  // Table 1 of Sellke, Bayarri & Berger (2001).
+  CHECK(analysis::odds_at_most(0.05) == Approx(0.407).margin(5e-4));
+  CHECK(analysis::odds_at_most(0.001) == Approx(0.0188).margin(5e-5));
+  CHECK(analysis::odds_at_most(0) == 0);
 }

@@ -27,12 +27,23 @@ Kinematics small_reducer() {
   return analysis::rv_reducer("small", {12, 24, 2, 9, 10}, {11, 5, 26, 0});
 }
 
-analysis::ChannelIndicators all_of(const Eigen::VectorXd& x, const OrderSignals& shaft) {
-  const Channel channel = shaft.channel(x);
-  const Kinematics machine = small_reducer();
-  const analysis::OrderLines lines(channel, shaft.angle(), machine.period_turns);
+analysis::ChannelIndicators all_of(const Channel& channel, const analysis::ShaftAngle& angle,
+                                   const Kinematics& machine = small_reducer()) {
+  const analysis::OrderLines lines(channel, angle, machine.period_turns);
   const auto heard = analysis::spectral_lines(lines, machine);
   return analysis::channel_indicators(channel, lines, machine, heard);
+}
+
+analysis::ChannelIndicators all_of(const Eigen::VectorXd& x, const OrderSignals& shaft) {
+  return all_of(shaft.channel(x), shaft.angle());
+}
+
+// As they are where the speed was stated, off by so much, and no angle measured.
+analysis::ChannelIndicators with_stated_speed(const Eigen::VectorXd& x, double relative_error) {
+  Recording record;
+  record.speed_rpm = 60 * turning.speed_Hz * (1 + relative_error);
+  record.channels = {turning.channel(x)};
+  return all_of(record.channels[0], *analysis::ShaftAngle::of(record));
 }
 
 std::vector<Indicator> indicators_of(const Eigen::VectorXd& x,
@@ -154,6 +165,43 @@ TEST_CASE("the residual of a gear is what swings beside its mesh, sidebands amon
   // Three turns of the sun from mesh to mesh: two sidebands of m/2 have a variance of m²/4.
   CHECK(variance_of(turning.modulated(mesh, 3 * sun, 0.4)) == Approx(0.04).epsilon(0.01));
   CHECK(variance_of(turning.tone(mesh) + turning.tone(sun) + faint(1)) < 1e-4);
+}
+
+TEST_CASE("with a speed that was stated no ratio is read off lines that it does not place",
+          "[analysis][indicators]") {
+  const Eigen::VectorXd x = turning.modulated(mesh, 1, 0.3) + struck_tooth() + faint(1);
+  const auto stated = with_stated_speed(x, 2.5e-4);  // half a line at the mesh
+  for (const char* measure : {"sideband_ratio", "fm0", "fm4"}) {
+    CAPTURE(measure);
+    CHECK(std::ranges::count(stated.list, measure, &Indicator::measure) == 0);
+  }
+  CHECK(stated.residuals.empty());
+  CHECK(*value_of(stated.list, "order_level", "sun-planet mesh") == Approx(1.07).epsilon(0.2));
+  // 21 turns have lines so wide that it places them.
+  const auto brief = with_stated_speed(x.head(1350), 2.5e-4);
+  CHECK(*value_of(brief.list, "sideband_ratio", "sun-planet mesh at input shaft") ==
+        Approx(0.3).epsilon(0.25));
+  CHECK(value_of(brief.list, "fm4", "sun-planet mesh, sun against carrier"));
+}
+
+TEST_CASE("of two meshes at one order both are heard", "[analysis][indicators]") {
+  Kinematics twin = small_reducer();
+  const auto first =
+      std::ranges::find(twin.orders, "sun-planet mesh", &analysis::CharacteristicOrder::name);
+  REQUIRE(first != twin.orders.end());
+  analysis::CharacteristicOrder second_order = *first;
+  second_order.name = "second mesh";
+  twin.orders.push_back(second_order);
+  twin.meshes.push_back({"second mesh", mesh, {{"second sun", sun, 12}}});
+  const auto all =
+      all_of(turning.channel(turning.modulated(mesh, 1, 0.3) + faint(1)), turning.angle(), twin);
+  for (const char* name : {"sun-planet mesh", "second mesh"}) {
+    CAPTURE(name);
+    const auto ratio = value_of(all.list, "sideband_ratio", std::string(name) + " at input shaft");
+    REQUIRE(ratio);
+    CHECK(*ratio == Approx(0.3).epsilon(0.01));
+  }
+  CHECK(value_of(all.list, "fm0", "second mesh, second sun"));
 }
 
 TEST_CASE("what a record does not hold is absent, and never 0", "[analysis][indicators]") {

@@ -192,6 +192,18 @@ SCENARIO("loops that cannot be trusted are left out, and why is said", "[analysi
   }
 }
 
+TEST_CASE("a clearance that takes almost all of the way leaves no stiffness, and why is said",
+          "[analysis][indicators]") {
+  // From half to full load the spring yields by 0.025, of a way of 7.5: less than a point of 201.
+  const Eigen::VectorXd torsion = to_and_fro(3.75, 4, 100000);
+  const Hysteresis told = hysteresis(torque_of(torsion, 1, 7.2), torsion, rated_Nm);
+  REQUIRE(told.lost_motion_rad);
+  CHECK(told.lost_motion_rad->value == Approx(7.2).epsilon(0.01));
+  CHECK_FALSE(told.stiffness_Nm_per_rad);
+  REQUIRE(told.cannot_tell.size() == 1);
+  CHECK_THAT(told.cannot_tell[0], Contains("torsional stiffness") && Contains("clearance"));
+}
+
 TEST_CASE("hysteresis() refuses what is no test", "[analysis][indicators]") {
   const Eigen::VectorXd torsion = to_and_fro(0.07, 2);
   Eigen::VectorXd torque = torque_of(torsion, 5);

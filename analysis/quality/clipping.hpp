@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace rvbench::analysis {
+
+/// Samples that a rail holds, of a signal whose full scale is not known: at the top and at the
+/// bottom, each looked at by itself, and both as one, for a fast signal goes from rail to rail.
+///
+/// A rail is the outermost value that three samples in a row or more have, if
+///
+///     few pass it       at most a tenth as many as it holds: glitches
+///     the signal jumps  on average its neighbours are more than five steps of the converter away,
+///                       and more than 3 % of the rms change from sample to sample. What a
+///                       converter makes of a crest is no further: three samples of a parabola
+///                       within one step have neighbours within four, and it rounds by one more
+///     it does not rest  it holds less than three quarters of all samples, as a force does not
+///                       that acts in pulses
+///
+/// and 1 % of all samples are in no such run, wherever it lies: else the signal is made of
+/// plateaus.
+///
+/// Shape   N samples, all finite → 0 to N
+/// Limits  what goes unseen: a rail that flickers by a step, or lies within five steps of what is
+///         beside it, and one that the signal does not stay at for three samples
+/// Errors  none thrown. Source  ours
+Eigen::Index clipped_samples(const Eigen::Ref<const Eigen::VectorXd>& x);
+
+}  // namespace rvbench::analysis

@@ -1,0 +1,157 @@
+#include "hal/formats/tdms_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "hal/formats/tdms_chunks.hpp"
+
+namespace rvbench::hal::formats {
+namespace {
+
+using Fault = std::optional<std::string>;
+
+constexpr std::size_t lead_in_bytes = 28;
+constexpr std::uint64_t unfinished = 0xFFFFFFFFFFFFFFFF;
+
+enum Contents : std::uint32_t {
+  has_metadata = 1U << 1U,
+  has_new_list = 1U << 2U,
+  has_raw_data = 1U << 3U,
+  is_interleaved = 1U << 5U,
+  is_big_endian = 1U << 6U
+};
+
+struct LeadIn {
+  std::uint32_t contents = 0;
+  std::endian order = std::endian::little;
+  std::uint64_t length = 0;      // of the segment behind its lead-in
+  std::uint64_t raw_offset = 0;  // of raw data, likewise
+
+  bool has(Contents what) const { return (contents & what) != 0; }
+};
+
+LeadIn lead_in_of(std::string_view bytes) {
+  LeadIn lead;
+  lead.contents = number_at<std::uint32_t>(bytes.data() + 4, std::endian::little);
+  if (lead.has(is_big_endian)) lead.order = std::endian::big;
+  lead.length = number_at<std::uint64_t>(bytes.data() + 12, lead.order);
+  lead.raw_offset = number_at<std::uint64_t>(bytes.data() + 20, lead.order);
+  return lead;
+}
+
+// The names in "/'group'/'channel'", where '' is one '.
+std::vector<std::string> names_in(std::string_view path) {
+  std::vector<std::string> names;
+  bool is_inside = false;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const bool quote = path[i] == '\'';
+    const bool twice = quote && is_inside && path.substr(i + 1).starts_with('\'');
+    if (quote && !twice) {
+      is_inside = !is_inside;
+      if (is_inside) names.emplace_back();
+    } else if (is_inside) {
+      names.back() += path[i];
+      if (twice) ++i;
+    }
+  }
+  return names;
+}
+
+class Reading {
+ public:
+  // Takes one segment off `bytes`.
+  Fault take_segment(std::string_view& bytes) {
+    if (bytes.size() < lead_in_bytes) return stop(bytes);
+    if (bytes.starts_with("TDSh")) return "an index file, which has no values";
+    if (!bytes.starts_with("TDSm")) return "no segment begins here";
+    const LeadIn lead = lead_in_of(bytes);
+    bytes.remove_prefix(lead_in_bytes);
+    file_.is_unfinished = lead.length == unfinished;
+    if (!file_.is_unfinished && lead.length > bytes.size()) file_.is_cut_off = true;
+    const std::string_view segment = bytes.substr(0, lead.length);
+    bytes.remove_prefix(segment.size());
+    if (lead.raw_offset > segment.size()) {
+      // Its writer had not come to the raw data, or the file was cut off before them.
+      if (file_.is_unfinished || file_.is_cut_off) return stop(bytes);
+      return "raw data that begin beyond the segment";
+    }
+    if (lead.has(has_metadata)) {
+      if (auto fault = take_metadata(lead, segment.substr(0, lead.raw_offset))) return fault;
+    }
+    if (!lead.has(has_raw_data)) return std::nullopt;
+    return take_values(lead, segment.substr(lead.raw_offset));
+  }
+
+  TdmsFile finish() && { return std::move(file_); }
+
+ private:
+  Fault stop(std::string_view& bytes) {
+    if (!file_.is_unfinished) file_.is_cut_off = true;
+    bytes = {};
+    return std::nullopt;
+  }
+
+  Fault take_metadata(const LeadIn& lead, std::string_view bytes) {
+    ByteReader reader(bytes, lead.order);
+    auto read = read_tdms_metadata(reader, lead.order);
+    if (const auto* fault = std::get_if<std::string>(&read)) return *fault;
+    if (lead.has(has_new_list)) layout_.clear();
+    for (TdmsObject& object : std::get<0>(read)) {
+      if (auto fault = take_object(object)) return fault;
+    }
+    return std::nullopt;
+  }
+
+  Fault take_object(TdmsObject& object) {
+    const std::vector<std::string> names = names_in(object.path);
+    if (names.size() != 2) return std::nullopt;  // the file itself, or a group
+    const auto [at, is_new] = by_path_.try_emplace(object.path, file_.channels.size());
+    const std::size_t channel = at->second;
+    if (is_new) {
+      file_.channels.push_back({names[0], names[1], {}, {}, false, {}, 0});
+      last_index_.emplace_back();
+    }
+    for (auto& [name, value] : object.properties) {
+      file_.channels[channel].properties[name] = std::move(value);
+    }
+    const auto listed = std::ranges::find(layout_, channel, &TdmsPlace::channel);
+    if (!object.has_data) {
+      if (listed != layout_.end()) layout_.erase(listed);
+      return std::nullopt;
+    }
+    if (object.is_as_before && !last_index_[channel]) {
+      return object.path + ": values stored as before, but there are none before";
+    }
+    if (!object.is_as_before) last_index_[channel] = std::move(object.index);
+    if (listed == layout_.end()) {
+      layout_.push_back({channel, *last_index_[channel]});
+    } else {
+      listed->index = *last_index_[channel];
+    }
+    return std::nullopt;
+  }
+
+  Fault take_values(const LeadIn& lead, std::string_view bytes) {
+    return take_tdms_chunks(bytes, {lead.order, lead.has(is_interleaved)}, layout_, file_);
+  }
+
+  TdmsFile file_;
+  std::map<std::string, std::size_t> by_path_;        // index in file_.channels
+  std::vector<std::optional<TdmsIndex>> last_index_;  // of each channel
+  std::vector<TdmsPlace> layout_;                     // what a chunk holds, in its order
+};
+
+}  // namespace
+
+std::variant<TdmsFile, std::string> read_tdms(std::string_view bytes) {
+  Reading reading;
+  for (int segment = 1; !bytes.empty(); ++segment) {
+    if (const Fault fault = reading.take_segment(bytes)) {
+      return fmt::format("segment {}: {}", segment, *fault);
+    }
+  }
+  return std::move(reading).finish();
+}
+
+}  // namespace rvbench::hal::formats
