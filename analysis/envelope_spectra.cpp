@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "analysis/fft.hpp"
 #include "analysis/hilbert.hpp"
-#include "analysis/order/synchronous_average.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -27,6 +28,11 @@ LineFloor floor_up_to(const Spectrum& spectrum, double highest_order, Eigen::Ind
       locked_every);
 }
 
+// What repeats itself period by period has every `periods`-th line, and no other.
+void take_average_out(Eigen::VectorXcd& lines, Eigen::Index periods) {
+  for (Eigen::Index line = 0; line < lines.size(); line += periods) lines[line] = 0;
+}
+
 }  // namespace
 
 EnvelopeSpectra envelope_spectra(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz,
@@ -42,17 +48,17 @@ EnvelopeSpectra envelope_spectra(const Eigen::Ref<const Eigen::VectorXd>& x, dou
   result.highest_order = 0.5 * crossing_frequency(x, rate_Hz) / angle.mean_speed_Hz();
   result.periods = std::round(static_cast<double>(over_angle.size()) / per_turn / period_turns);
   const auto periods = static_cast<Eigen::Index>(result.periods);
-  const Eigen::VectorXd swing = over_angle.array() - result.mean;
-  result.whole = amplitude_spectrum(swing, per_turn, Window::hann);
+  const Eigen::Index n = over_angle.size();
+  Eigen::VectorXcd lines = fft(over_angle.array() - result.mean);
+  result.whole = amplitude_spectrum(lines, n, per_turn, Window::hann);
   result.lines = floor_up_to(result.whole, result.highest_order, periods);
-  if (periods >= 2 && over_angle.size() % periods == 0) {
-    result.unlocked =
-        floor_up_to(amplitude_spectrum(without_average(over_angle, over_angle.size() / periods),
-                                       per_turn, Window::hann),
-                    result.highest_order, periods);
-  } else {
+  if (periods < 2 || n % periods != 0) {
     result.unlocked = result.lines;
+    return result;
   }
+  take_average_out(lines, periods);
+  result.unlocked = floor_up_to(amplitude_spectrum(std::move(lines), n, per_turn, Window::hann),
+                                result.highest_order, periods);
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "analysis/statistics.hpp"
@@ -27,18 +28,32 @@ Eigen::Index neighbours_of(Eigen::Index line) {
   return std::clamp(line / 2, fewest_neighbours, most_neighbours);
 }
 
-// Clean lines around `line`.
-std::vector<double> surroundings(const Eigen::VectorXd& power, Eigen::Index line,
-                                 Eigen::Index locked_every) {
-  const Eigen::Index neighbours = neighbours_of(line);
-  const Eigen::Index from = std::max<Eigen::Index>(1, line - neighbours);
-  const Eigen::Index to = std::min(power.size() - 1, line + neighbours);
-  std::vector<double> values;
-  for (Eigen::Index i = from; i <= to; ++i) {
-    if (is_clean(i, locked_every)) values.push_back(power[i]);
+// The powers of the clean lines, one behind the other.
+class CleanLines {
+ public:
+  CleanLines(const Eigen::VectorXd& power, Eigen::Index locked_every)
+      : before_(std::size_t(power.size()) + 1) {
+    powers_.reserve(std::size_t(power.size()));
+    for (Eigen::Index line = 0; line < power.size(); ++line) {
+      before_[std::size_t(line)] = std::ptrdiff_t(powers_.size());
+      if (is_clean(line, locked_every)) powers_.push_back(power[line]);
+    }
+    before_.back() = std::ptrdiff_t(powers_.size());
   }
-  return values;
-}
+
+  std::vector<double> around(Eigen::Index line) const {
+    const Eigen::Index neighbours = neighbours_of(line);
+    const Eigen::Index last = std::ssize(before_) - 2;
+    const Eigen::Index from = std::clamp<Eigen::Index>(line - neighbours, 1, last + 1);
+    const Eigen::Index end = std::max(from, std::min(last, line + neighbours) + 1);
+    return {powers_.begin() + before_[std::size_t(from)],
+            powers_.begin() + before_[std::size_t(end)]};
+  }
+
+ private:
+  std::vector<double> powers_;
+  std::vector<std::ptrdiff_t> before_;  // of each line, and of all
+};
 
 }  // namespace
 
@@ -59,17 +74,19 @@ LineFloor line_floor(const Spectrum& spectrum, Eigen::Index locked_every) {
       std::max(result.power.maxCoeff() * 1e-24, std::numeric_limits<double>::min() * 1e8);
   result.floor_lines.resize(n);
   result.neighbours.resize(n);
+  const CleanLines clean(result.power, locked_every);
+  double middle = 0;  // of the surroundings before
   // The floor is taken anew every tenth of its surroundings, and held between.
   for (Eigen::Index from = 0; from < n;) {
     const Eigen::Index count = std::min(neighbours_of(from) / 5, n - from);
-    std::vector<double> values = surroundings(result.power, from + count / 2, locked_every);
+    std::vector<double> values = clean.around(from + count / 2);
     result.neighbours.segment(from, count).setConstant(static_cast<double>(values.size()));
     // Neighbouring Hann lines share two thirds of their noise, a median uses half of what it is
     // given.
     result.floor_lines.segment(from, count)
         .setConstant(std::max(1.0, static_cast<double>(values.size()) / 1.5 * 0.48));
-    const double floor = values.empty() ? 0 : median(std::move(values)) / std::numbers::ln2;
-    result.floor.segment(from, count).setConstant(std::max(floor, least));
+    middle = values.empty() ? 0 : median_near(middle, std::move(values));
+    result.floor.segment(from, count).setConstant(std::max(middle / std::numbers::ln2, least));
     from += count;
   }
   return result;

@@ -3,8 +3,11 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "analysis/fft.hpp"
+#include "hal/types/require.hpp"
+#include "hal/types/require_positive.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -35,15 +38,25 @@ Eigen::VectorXcd under_hann(const Eigen::VectorXcd& half, Eigen::Index n) {
 Spectrum amplitude_spectrum(const Eigen::Ref<const Eigen::VectorXd>& x, double rate,
                             Window window) {
   check(x, rate);
-  const Eigen::Index n = x.size();
   const double mean = x.mean();
   const Eigen::VectorXd swing = x.array() - mean;
   Eigen::VectorXcd lines = fft(swing);
+  lines[0] = mean * static_cast<double>(x.size());
+  return amplitude_spectrum(std::move(lines), x.size(), rate, window);
+}
+
+Spectrum amplitude_spectrum(Eigen::VectorXcd lines, Eigen::Index n, double rate, Window window) {
+  constexpr Require require{"amplitude_spectrum"};
+  require(n >= 2 && lines.size() == n / 2 + 1, "lines must be those of n >= 2 samples");
+  require_positive(rate, "amplitude_spectrum", "rate");
+  const double sum = std::abs(lines[0]);
+  lines[0] = 0;
   if (window == Window::hann) lines = under_hann(lines, n);
 
-  Spectrum spectrum{.resolution = rate / static_cast<double>(n), .amplitude = {}};
-  spectrum.amplitude = lines.cwiseAbs2().cwiseSqrt() * (2 / static_cast<double>(n));
-  spectrum.amplitude[0] = std::abs(mean);
+  const auto samples = static_cast<double>(n);
+  Spectrum spectrum{.resolution = rate / samples, .amplitude = {}};
+  spectrum.amplitude = lines.cwiseAbs2().cwiseSqrt() * (2 / samples);
+  spectrum.amplitude[0] = sum / samples;
   // Half the sample rate has no negative twin that would carry the other half of its amplitude.
   if (n % 2 == 0) spectrum.amplitude[n / 2] /= 2;
   return spectrum;

@@ -25,6 +25,11 @@ enum class Window { rectangular, hann };
 /// Source  Heinzel, Rüdiger & Schilling, Spectrum and spectral density estimation by the DFT (2002)
 Spectrum amplitude_spectrum(const Eigen::Ref<const Eigen::VectorXd>& x, double rate, Window window);
 
+/// The same of what the N/2 + 1 lines that fft() gives of x are lines of.
+/// @param n  samples of x
+/// Errors  throws std::invalid_argument: n < 2, another number of lines, rate ≤ 0
+Spectrum amplitude_spectrum(Eigen::VectorXcd lines, Eigen::Index n, double rate, Window window);
+
 /// Where between the lines a tone lies whose two highest lines, under a Hann window, are `line` and
 /// a neighbour; `line` has two.
 /// Units   lines

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <unsupported/Eigen/SpecialFunctions>
+#include <utility>
 
 namespace rvbench::analysis {
 
@@ -13,6 +14,25 @@ double median(std::vector<double> values) {
   std::nth_element(values.begin(), middle, values.end());
   if (values.size() % 2 == 1) return *middle;
   return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+double median_near(double guess, std::vector<double> values) {
+  const double from = guess / 1.5, to = guess * 1.5;
+  std::vector<double> near(values.size() + 1);
+  std::size_t below = 0, kept = 0;
+  for (const double value : values) {  // no branch: which way it went could not be predicted
+    near[kept] = value;
+    kept += static_cast<std::size_t>(value >= from && value <= to);
+    below += static_cast<std::size_t>(value < from);
+  }
+  const std::size_t middle = values.size() / 2;
+  const bool is_among_them = below < middle && middle < below + kept;  // and the one before it
+  if (!is_among_them) return median(std::move(values));
+  near.resize(kept);
+  const auto at = near.begin() + static_cast<std::ptrdiff_t>(middle - below);
+  std::nth_element(near.begin(), at, near.end());
+  if (values.size() % 2 == 1) return *at;
+  return 0.5 * (*at + *std::max_element(near.begin(), at));
 }
 
 double correlation(const Eigen::Ref<const Eigen::VectorXd>& a,

@@ -9,6 +9,9 @@ namespace rvbench::analysis {
 /// Units  those of the values. @throws std::invalid_argument if there is none. Source  definition
 double median(std::vector<double> values);
 
+/// The same value, found sooner where it lies within a third of `guess`.
+double median_near(double guess, std::vector<double> values);
+
 /// Pearson correlation of two signals of one length; 0 if either is constant.
 /// Units   none, -1 to 1. Errors  none thrown. Source  Pearson, Proc. R. Soc. 58, 240-242 (1895)
 double correlation(const Eigen::Ref<const Eigen::VectorXd>& a,

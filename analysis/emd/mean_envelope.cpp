@@ -68,7 +68,7 @@ bool MeanEnvelope::begins(const Knots& knots) {
   probed_ = next_ + block_;
   eliminated_ = first_ + 2;
   for (const std::size_t i : {0, 1}) {
-    curvature_[first_ + i] = elimination_[first_ + i] = 0;
+    curvature_[first_ + i] = elimination_[first_ + i] = taken_[i] = 0;
     chord_[i] = chord(knots, first_ + i);
   }
   if (!is_natural) open_rows_not_a_knot(knots);
@@ -86,6 +86,7 @@ void MeanEnvelope::open_rows_not_a_knot(const Knots& knots) {
     const double next = chord(knots, j);
     curvature_[j] = 6 * (next - chord_[i]) * pivot;
     elimination_[j] = (after - before * ratio) * pivot;
+    taken_[i] = after * elimination_[j];
     chord_[i] = next;
   }
   eliminated_ = first_ + 4;
@@ -143,19 +144,25 @@ void MeanEnvelope::eliminate(const Knots& knots) {
   double* inverse = inverse_width_.data();
   auto [older, old] = chord_;
   std::size_t j = eliminated_;
+  // From one pivot to the next of its envelope leads a division, and no product behind it.
+  auto [taken, taken_next] = taken_;
   for (; j + 2 < knots.end; ++j) {
-    const double before = at[j] - at[j - 2], across = at[j + 2] - at[j - 2];
-    const double pivot = 1 / (2 * across - before * c[j - 2]);
-    inverse[j] = 1 / (at[j + 2] - at[j]);
+    const double before = at[j] - at[j - 2], after = at[j + 2] - at[j];
+    const double pivot = 2 * (before + after) - taken;
+    taken = taken_next;
+    taken_next = after * after / pivot;
+    inverse[j] = 1 / after;
+    c[j] = taken_next * inverse[j];
     const double next = (value[j + 2] - value[j]) * inverse[j];
-    m[j] = (6 * (next - older) - before * m[j - 2]) * pivot;
-    c[j] = (across - before) * pivot;
+    m[j] = (6 * (next - older) - before * m[j - 2]) * (c[j] * inverse[j]);
     older = old;
     old = next;
   }
   eliminated_ = j;
   chord_[0] = older;
   chord_[1] = old;
+  taken_[0] = taken;
+  taken_[1] = taken_next;
 }
 
 bool MeanEnvelope::finds_block_settled() {

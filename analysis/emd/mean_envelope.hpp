@@ -70,6 +70,7 @@ class MeanEnvelope {
   std::size_t probed_ = 0;      ///< how far it was looked whether the block is settled
   double left_[2] = {1, 1};     ///< what is left there of what comes later, of either envelope
   double chord_[2] = {0, 0};    ///< of the two knots before, one of each envelope
+  double taken_[2] = {0, 0};    ///< what their rows take from the next pivots
   Eigen::Index done_ = 0;
 };
 

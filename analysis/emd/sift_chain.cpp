@@ -10,7 +10,7 @@ constexpr Eigen::Index step = 2048;  // of samples that the sifts take up at onc
 // Of a slow IMF the cost of its knots is small beside that of its samples, and a knot is long in
 // coming.
 std::size_t block_of(int imf) {
-  return static_cast<std::size_t>(std::max(128 >> std::min(imf, 4), 8));
+  return static_cast<std::size_t>(std::max(256 >> std::min(imf, 5), 8));
 }
 
 }  // namespace

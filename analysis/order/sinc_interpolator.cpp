@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "analysis/order/sinc_kernels.hpp"
 #include "hal/types/require.hpp"
 
 namespace rvbench::analysis {
@@ -43,14 +44,14 @@ double SincInterpolator::shape(double away) const {
 
 double SincInterpolator::at(const Eigen::Ref<const Eigen::VectorXd>& x, double place) const {
   const Eigen::Index last = x.size() - 1;
-  const auto i = std::clamp(static_cast<Eigen::Index>(std::floor(place)), Eigen::Index{0}, last);
+  const auto i = std::clamp(static_cast<Eigen::Index>(place), Eigen::Index{0}, last);
   const double phase = std::clamp(place - static_cast<double>(i), 0.0, 1.0) * phases;
   const auto below = std::min(static_cast<Eigen::Index>(phase), phases - 1);
   const double weight = phase - static_cast<double>(below);
   const Eigen::Index first = i - taps_ / 2 + 1;
   if (first >= 0 && first + taps_ <= x.size()) {
-    return (1 - weight) * kernel_.col(below).dot(x.segment(first, taps_)) +
-           weight * kernel_.col(below + 1).dot(x.segment(first, taps_));
+    return sinc_kernels().between(x.data() + first, kernel_.col(below).data(),
+                                  kernel_.col(below + 1).data(), weight, taps_);
   }
   double sum = 0;
   for (Eigen::Index tap = 0; tap < taps_; ++tap) {

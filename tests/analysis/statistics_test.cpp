@@ -21,6 +21,20 @@ TEST_CASE("the median is the middle value, or midway between the two", "[analysi
   CHECK_THROWS_AS(median({}), std::invalid_argument);
 }
 
+TEST_CASE("a guess of the median, good or bad, changes nothing of it", "[analysis][statistics]") {
+  const int count = GENERATE(1, 2, 5, 100, 101);
+  const Eigen::VectorXd power = test::white_noise(count, 4).array().square();
+  const std::vector<double> values(power.begin(), power.end());
+  const double middle = median(values);
+  for (const double factor : {1.0, 1.2, 0.7, 3.0, 0.01, 0.0, -1.0}) {
+    CAPTURE(count, factor);
+    CHECK(analysis::median_near(factor * middle, values) == middle);
+  }
+  CHECK(analysis::median_near(1, {1, 1, 1, 1}) == 1);
+  CHECK(analysis::median_near(2, {0, 0, 0, 2}) == 0);
+  CHECK_THROWS_AS(analysis::median_near(1, {}), std::invalid_argument);
+}
+
 TEST_CASE("Student's t has the tails of the tables", "[analysis][statistics][literature]") {
   // Fisher & Yates, Statistical Tables, table III: 2.228 at 10 degrees of freedom is 5 %.
   CHECK(analysis::t_p_value(2.228, 10) == Approx(0.05).epsilon(1e-3));
