@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -47,7 +48,7 @@ inline std::vector<Recording> hits_of(const SmallMachine& machine, bool at_j2, u
   std::vector<Recording> hits(3);
   for (Recording& hit : hits) {
     Eigen::VectorXd force = Eigen::VectorXd::Zero(samples);
-    for (int i = 0; i < 6; ++i) force[50 + i] = 200 * std::sin(std::numbers::pi * (i + 0.5) / 6);
+    for (int i = 0; i < 4; ++i) force[50 + i] = 200 * std::sin(std::numbers::pi * (i + 0.5) / 4);
     const auto noisy = [&](const Eigen::VectorXd& x, double rms) {
       return Eigen::VectorXd(x.unaryExpr([&](double v) { return v + rms * gaussian(engine); }));
     };
