@@ -207,9 +207,7 @@ const char* to_string(analysis::TpaFaultKind kind) noexcept {
   return "unknown";
 }
 
-std::string doubt_text(const analysis::DirectionDoubt& doubt) {
-  return "FRFs: " + doubt.reason;
-}
+std::string doubt_text(const analysis::DirectionDoubt& doubt) { return "FRFs: " + doubt.reason; }
 
 void print_study(Console& console, const TpaStudy& study) {
   print_frfs(console, study.frfs);

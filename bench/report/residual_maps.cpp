@@ -99,10 +99,10 @@ std::string row_svg(const ResidualMap& map, const Eigen::VectorXd& sizes, double
   std::string svg;
   const double cell_px = (width_px - left_px - right_px) / static_cast<double>(sizes.size());
   for (Eigen::Index i = 0; i < sizes.size(); ++i) {
-    svg +=
-        fmt::format(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}"/>)",
-                    left_px + static_cast<double>(i) * cell_px, y_px, cell_px + 0.3, row_px + 0.3,
-                    sizes[i] == not_shown ? "#e4e9ed" : heat_colour(share_of(sizes[i], map.largest)));
+    svg += fmt::format(
+        R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}"/>)",
+        left_px + static_cast<double>(i) * cell_px, y_px, cell_px + 0.3, row_px + 0.3,
+        sizes[i] == not_shown ? "#e4e9ed" : heat_colour(share_of(sizes[i], map.largest)));
   }
   return svg;
 }

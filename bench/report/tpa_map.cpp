@@ -16,7 +16,8 @@ namespace {
 using Eigen::Index;
 
 constexpr Index most_columns = 120;
-constexpr double width_px = 540, left_px = 44, right_px = 14, top_px = 22, row_px = 11, foot_px = 34;
+constexpr double width_px = 540, left_px = 44, right_px = 14, top_px = 22, row_px = 11,
+                 foot_px = 34;
 constexpr double range_dB = 40;  // from the largest down to white
 constexpr int colours = 16;
 
