@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 
 #include "analysis/diagnosis.hpp"
@@ -162,25 +161,50 @@ double weight(const Finding& finding) {
 
 // A hypothesis that shows.
 struct Shown {
+  std::size_t signature;
   Finding finding;
   Evidence evidence;
+  double weight;
+  bool is_cause = false;  // of one that by itself would weigh more
+
+  bool is_bad() const { return finding.severity > finding.limit; }
 };
 
-// Names the gravest of those before it that makes all its lines, where it is deepest.
+// Whether the other makes all its lines, where it is deepest.
+bool follows(const Shown& lesser, const Shown& graver, const Kinematics& kinematics) {
+  if (lesser.finding.component == graver.finding.component) return false;
+  const std::size_t deepest = lesser.evidence.deepest();
+  const Examination& point = *lesser.evidence.shown_by[deepest];
+  return may_follow_from(*lesser.evidence.scores[deepest], point.scores[graver.signature],
+                         kinematics, record_resolution(point, kinematics));
+}
+
+// A spall that turns through the load makes its shaft's lines, too; the shaft makes none of the
+// spall's, which slip. So both together speak for the spall. Of gears neither could be said: an
+// eccentric shaft makes sidebands of their meshes.
+void raise_causes(std::vector<Shown>& shown, const Kinematics& kinematics) {
+  for (Shown& cause : shown) {
+    if (!(kinematics.signatures[cause.signature].slip > 0) || !cause.is_bad()) continue;
+    for (const Shown& other : shown) {
+      if (other.weight <= cause.weight || !follows(other, cause, kinematics)) continue;
+      cause.weight = other.weight;
+      cause.is_cause = true;
+    }
+  }
+}
+
+bool is_graver(const Shown& a, const Shown& b) {
+  return a.weight != b.weight ? a.weight > b.weight : a.is_cause && !b.is_cause;
+}
+
+// Names the gravest of those before it that it may follow from.
 void relate(std::vector<Shown>& shown, const Kinematics& kinematics) {
   for (std::size_t i = 1; i < shown.size(); ++i) {
-    const Evidence& evidence = shown[i].evidence;
-    const std::size_t deepest = evidence.deepest();
-    const Examination& point = *evidence.shown_by[deepest];
-    for (std::size_t j = 0; j < i && shown[i].finding.may_follow_from.empty(); ++j) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!follows(shown[i], shown[j], kinematics)) continue;
       const Finding& graver = shown[j].finding;
-      const auto signature = static_cast<std::size_t>(shown[j].evidence.scores.front()->signature);
-      if (graver.component == shown[i].finding.component ||
-          !may_follow_from(*evidence.scores[deepest], point.scores[signature], kinematics,
-                           record_resolution(point, kinematics))) {
-        continue;
-      }
       shown[i].finding.may_follow_from = graver.component + ": " + graver.mechanism;
+      break;
     }
   }
 }
@@ -224,18 +248,20 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
       continue;
     }
     describe(f, evidence, kinematics, s);
-    shown.push_back({std::move(f), std::move(evidence)});
+    const double own = weight(f);
+    shown.push_back({s, std::move(f), std::move(evidence), own});
   }
-  std::ranges::stable_sort(shown, std::greater{}, [](const Shown& s) { return weight(s.finding); });
+  raise_causes(shown, kinematics);
+  std::ranges::stable_sort(shown, is_graver);
   relate(shown, kinematics);
+  double total = 0;
+  for (const Shown& s : shown) total += s.is_bad() ? s.weight : 0;
   for (Shown& s : shown) {
-    (s.finding.severity > s.finding.limit ? d.findings : d.below_limit)
-        .push_back(std::move(s.finding));
+    const bool is_bad = s.is_bad();
+    if (is_bad) s.finding.confidence = s.weight / total;
+    (is_bad ? d.findings : d.below_limit).push_back(std::move(s.finding));
   }
   std::ranges::sort(d.not_shown, {}, &Finding::p_value);
-  double total = 0;
-  for (const Finding& f : d.findings) total += weight(f);
-  for (Finding& f : d.findings) f.confidence = total > 0 ? weight(f) / total : 0;
   d.unexplained = unexplained_families(points, kinematics);
   return d;
 }

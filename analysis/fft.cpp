@@ -2,6 +2,7 @@
 
 #include <fftw3.h>
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -24,6 +25,7 @@ class Plans {
  public:
   template <class Make>
   fftw_plan find_or_make(Eigen::Index n, Make make) {
+    if (n > std::numeric_limits<int>::max()) throw std::invalid_argument("fft: too many samples");
     static const bool planner_is_safe = (fftw_make_planner_thread_safe(), true);
     static_cast<void>(planner_is_safe);
     if (const auto known = plans_.find(n); known != plans_.end()) return known->second.get();
@@ -54,6 +56,7 @@ Eigen::VectorXcd transformed(Plans& plans, Eigen::VectorXcd x, int sign) {
 
 Eigen::VectorXcd fft(const Eigen::Ref<const Eigen::VectorXd>& x) {
   // A copy, aligned as Eigen aligns all: a plan holds for one alignment, and rounds alike then.
+  if (x.size() == 0) throw std::invalid_argument("fft: no samples");
   Eigen::VectorXd in = x;
   Eigen::VectorXcd lines(x.size() / 2 + 1);
   thread_local Plans plans;

@@ -9,7 +9,7 @@ namespace rvbench::analysis {
 /// Units  those of the values. @throws std::invalid_argument if there is none. Source  definition
 double median(std::vector<double> values);
 
-/// The same value, found sooner where it lies within a third of `guess`.
+/// The same value, found sooner between guess/1.5 and 1.5·guess. Units, errors, source  of median()
 double median_near(double guess, std::vector<double> values);
 
 /// Pearson correlation of two signals of one length; 0 if either is constant.

@@ -17,8 +17,6 @@ ordered_json number(double value) {
   return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
 }
 
-double from_dB(double dB) { return std::pow(10, dB / 20); }
-
 const char* word(analysis::ChangeWord word) {
   switch (word) {
     case analysis::ChangeWord::changed: return "changed";
@@ -50,11 +48,11 @@ ordered_json change_json(const Change& change, const Comparison& comparison) {
     json["component"] = quantity.component;
     json["seen"] = {{"a", change.seen_a}, {"b", change.seen_b}};
   }
-  json["a"] = number(from_dB(change.a_dB));
-  json["b"] = number(from_dB(change.b_dB));
+  json["a"] = number(ratio_from_dB(change.a_dB));
+  json["b"] = number(ratio_from_dB(change.b_dB));
   json["change_dB"] = number(change.change_dB);
   json["uncertainty95_dB"] = number(change.uncertainty_dB);
-  json["ratio"] = number(from_dB(change.change_dB));
+  json["ratio"] = number(ratio_from_dB(change.change_dB));
   json["scatter"] = scatter(change.source);
   json["freedom"] = number(change.freedom);
   json["p_value"] = number(change.p_value);
@@ -73,7 +71,7 @@ ordered_json points_json(const Comparison& comparison) {
     points.push_back(std::move(json));
   }
   for (const Change& change : comparison.changes) {
-    if (!change.is_seen() && change.word != analysis::ChangeWord::changed) continue;
+    if (!change.seen && change.word != analysis::ChangeWord::changed) continue;
     points[change.point]["changes"].push_back(change_json(change, comparison));
   }
   return points;
@@ -89,8 +87,8 @@ ordered_json headlines_json(const Comparison& comparison) {
                     {"component", quantity.component},
                     {"median_dB", h.median_dB},
                     {"range_dB", {h.least_dB, h.most_dB}},
-                    {"channels_changed", h.changed},
-                    {"channels_compared", h.compared},
+                    {"cells_changed", h.changed},
+                    {"cells_seen", h.compared},
                     {"points_changed", h.points},
                     {"strongest",
                      {{"where", place_text(most, comparison)},
@@ -108,8 +106,15 @@ ordered_json families_json(const Comparison& comparison, const analysis::Kinemat
     json.push_back({{"component", signature.component},
                     {"mechanism", signature.mechanism},
                     {"order", signature.order},
-                    {"share_changed", f.share()},
-                    {"median_dB", f.median_dB}});
+                    {"cells", f.cells},
+                    {"cells_changed", f.changed},
+                    {"median_dB", f.median_dB},
+                    {"range_dB", {f.least_dB, f.most_dB}},
+                    {"or", ordered_json::array()}});
+    for (const std::size_t other : f.or_of) {
+      json.back()["or"].push_back({{"component", kinematics.signatures.at(other).component},
+                                   {"mechanism", kinematics.signatures.at(other).mechanism}});
+    }
   }
   return json;
 }
@@ -128,10 +133,14 @@ ordered_json method_json(const analysis::CompareOptions& options) {
   return {{"least_dB", options.least_dB},
           {"false_share", options.false_share},
           {"blind_dB", options.blind_dB},
+          {"seen_p", options.seen_p},
+          {"found_p", options.found_p},
+          {"cell", "a level or line in a channel at a point"},
           {"test",
            "Student's t of mean levels in dB against least_dB, variance pooled over A and B and "
            "drawn towards that of cells alike (Smyth 2004)"},
-          {"multiplicity", "Benjamini & Hochberg 1995, over all cells"}};
+          {"multiplicity",
+           "Benjamini & Hochberg 1995, over all cells that are seen; over the others apart"}};
 }
 
 }  // namespace

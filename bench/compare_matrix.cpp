@@ -27,7 +27,7 @@ std::vector<std::vector<Square>> squares_of(const Comparison& comparison) {
   std::vector<std::vector<Square>> squares(comparison.points.size(),
                                            std::vector<Square>(comparison.channels.size()));
   for (const Change& change : comparison.changes) {
-    if (!change.is_seen()) continue;
+    if (!change.seen) continue;
     Square& square = squares[change.point][change.channel];
     ++square.compared;
     square.not_changed += change.word == ChangeWord::not_changed ? 1 : 0;

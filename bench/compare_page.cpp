@@ -36,8 +36,10 @@ std::string families_section(const Comparison& comparison, const analysis::Kinem
   }
   if (items.empty()) return "";
   return section("Whose lines changed",
-                 report::paragraph("Most first. Parts share lines, so that what one of them did "
-                                   "others show as well.") +
+                 report::paragraph("Most first. Parts of the gear train share lines, so that what "
+                                   "one of them did others show as well; a peak of parts that slip "
+                                   "is counted for one of them, or for both where they cannot be "
+                                   "told apart.") +
                      "<ul>\n" + items + "</ul>\n");
 }
 
@@ -55,7 +57,8 @@ std::string headlines_section(const Comparison& comparison, double period_turns)
                     xml_escaped(place_text(most, comparison)),
                     xml_escaped(levels_text(most, comparison)),
                     fmt::format("{:+.1f} ± {:.2g}", most.change_dB, most.uncertainty_dB),
-                    report::p_value_text(most.adjusted_p)});
+                    "<span style=\"white-space:nowrap\">" + report::p_value_text(most.adjusted_p) +
+                        "</span>"});
   }
   if (rows.empty()) return "";
   return section("Each line and level that changed",
@@ -88,13 +91,17 @@ std::string method_section(const Comparison& comparison, const CompareFacts& fac
   const analysis::CompareOptions& options = comparison.options;
   std::string body = report::paragraph(fmt::format(
       "Compared are levels of the signals, and the lines that the kinematics names. A change is "
-      "the difference of mean levels in dB. Its scatter is that of the repeats of A and B, pooled, "
-      "and drawn towards what cells of the same kind say (Smyth 2004). Changed: more than {:g} dB "
-      "by Student's test, at a false discovery rate of {:g} % over all that was compared "
+      "the difference of mean levels in dB. Its scatter is that of the repeats of A and B or, "
+      "where each has one record, of its parts, pooled, and drawn towards what cells of the same "
+      "kind say (Smyth 2004): a cell is a level or line in a channel at a point. A line is seen "
+      "where noise shows as much with a probability of {:g} at most, one of a part that slips "
+      "where all lines of the part together show with {:g} at most. Changed: more than {:g} dB by "
+      "Student's test, at a false discovery rate of {:g} % over all that is seen "
       "(Benjamini & Hochberg 1995). Not changed: a change above {:g} dB, or less where it is told, "
       "would have been seen in nine of ten cases. Else it cannot be told. What changed may be the "
       "unit, its mounting or the bench.",
-      options.least_dB, 100 * options.false_share, options.blind_dB));
+      options.seen_p, options.found_p, options.least_dB, 100 * options.false_share,
+      options.blind_dB));
   std::vector<std::vector<std::string>> rows;
   for (const auto& [file, hash] : facts.hashes) {
     rows.push_back({"<span class=\"hash\">" + xml_escaped(file) + "</span>",

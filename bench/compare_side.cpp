@@ -38,18 +38,59 @@ std::variant<analysis::Kinematics, JudgeRefusal> machine_of(const std::filesyste
 }
 
 // Hidden files are notes of the system, not recordings.
-std::vector<std::string> files_in(const std::filesystem::path& path) {
+// @param why  set if the folder cannot be read
+std::vector<std::string> files_in(const std::filesystem::path& path, std::error_code& why) {
   std::error_code unknown;  // then reading the file tells why
   if (!std::filesystem::is_directory(path, unknown)) return {path.string()};
   std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(path)) {
-    const std::string name = entry.path().filename().string();
-    if (entry.is_regular_file(unknown) && !name.starts_with(".")) {
-      files.push_back(entry.path().string());
+  for (std::filesystem::directory_iterator at(path, why), end; !why && at != end;
+       at.increment(why)) {
+    const std::string name = at->path().filename().string();
+    if (at->is_regular_file(unknown) && !name.starts_with(".")) {
+      files.push_back(at->path().string());
     }
   }
   std::ranges::sort(files);
   return files;
+}
+
+using Hashes = std::vector<std::pair<std::string, std::string>>;  // file, SHA-256
+
+// Of those that can be read: reading the others tells why not.
+Hashes hashes_of(const std::vector<std::string>& files) {
+  Hashes hashes;
+  for (const std::string& file : files) {
+    if (const auto hash = sha256_of_file(file)) hashes.emplace_back(file, *hash);
+  }
+  return hashes;
+}
+
+// A recording that is there twice has not been repeated.
+std::vector<analysis::NotCompared> leave_out_copies(std::vector<std::string>& files,
+                                                    Hashes& hashes) {
+  std::map<std::string, std::string> known;  // hash → file
+  std::vector<analysis::NotCompared> copies;
+  std::erase_if(hashes, [&](const auto& hashed) {
+    const auto& [file, hash] = hashed;
+    const auto [first, is_new] = known.emplace(hash, file);
+    if (is_new) return false;
+    copies.push_back({file, "a copy of " + first->second + ", no repeat"});
+    std::erase(files, file);
+    return true;
+  });
+  return copies;
+}
+
+// A run folder in this one, or in one of its folders: "runs" and "runs/A17" are parents of some.
+std::optional<std::filesystem::path> run_within(const std::filesystem::path& folder) {
+  constexpr int deepest = 2;
+  std::error_code unknown;  // a file has none
+  for (std::filesystem::recursive_directory_iterator at(folder, unknown), end; at != end;
+       at.increment(unknown)) {
+    if (at.depth() >= deepest) at.disable_recursion_pending();
+    if (at->path().filename() == "plan.json") return at->path().parent_path();
+  }
+  return std::nullopt;
 }
 
 // Without lines where the channel is missing, too short or has lost samples.
@@ -90,22 +131,34 @@ std::variant<CompareSide, JudgeRefusal> CompareSide::open_run(const std::filesys
   if (side.points_.empty()) {
     return JudgeRefusal{exit_codes::data_refused, folder.string() + " holds no record"};
   }
+  std::vector<std::string> files;
   for (const std::string& name : recording_names(folder)) {
-    side.files_.push_back((folder / name).string());
+    files.push_back((folder / name).string());
   }
+  side.hashes_ = hashes_of(files);
   return side;
 }
 
 std::variant<CompareSide, JudgeRefusal> CompareSide::open_files(const std::filesystem::path& path,
                                                                 const hal::RecordingHints& hints,
                                                                 const std::stop_token& stop) {
+  if (const auto run = run_within(path)) {
+    return JudgeRefusal{
+        exit_codes::data_refused,
+        path.string() + " is a parent of run folders: give one, as " + run->string()};
+  }
   CompareSide side;
-  side.files_ = files_in(path);
-  if (side.files_.empty()) {
+  std::error_code why;
+  std::vector<std::string> files = files_in(path, why);
+  if (why) {
+    return JudgeRefusal{exit_codes::data_refused, path.string() + ": " + why.message()};
+  }
+  side.hashes_ = hashes_of(files);
+  side.left_out_ = leave_out_copies(files, side.hashes_);
+  if (files.empty()) {
     return JudgeRefusal{exit_codes::data_refused, path.string() + " holds no recording"};
   }
-  auto read =
-      recordings_to_judge({.files = side.files_, .hints = hints, .channel = "", .stop = stop});
+  auto read = recordings_to_judge({.files = files, .hints = hints, .channel = "", .stop = stop});
   if (read.index() == 1) return std::get<1>(std::move(read));
   side.records_ = std::get<0>(std::move(read));
   return side;
@@ -121,6 +174,15 @@ Result<Recording> CompareSide::read(std::size_t index) {
     if (name != names_.end()) channel.info.name = name->second;
   }
   return renamed;
+}
+
+Result<bool> CompareSide::has_channel(const std::string& name) {
+  for (std::size_t i = 0; i < size(); ++i) {
+    const Result<Recording> record = read(i);
+    if (!record) return record.error();
+    if (record.value().find(name) != nullptr) return true;
+  }
+  return false;
 }
 
 std::optional<analysis::Spectrum> CompareSide::mean_spectrum(
@@ -141,14 +203,6 @@ std::optional<analysis::Spectrum> CompareSide::mean_spectrum(
   for (const analysis::Spectrum& one : spectra) power += one.amplitude.head(lines).cwiseAbs2();
   return analysis::Spectrum{spectra.front().resolution,
                             (power / static_cast<double>(spectra.size())).cwiseSqrt()};
-}
-
-std::vector<std::pair<std::string, std::string>> CompareSide::hashes() const {
-  std::vector<std::pair<std::string, std::string>> all;
-  for (const std::string& file : files_) {
-    if (const auto hash = sha256_of_file(file)) all.emplace_back(file, *hash);
-  }
-  return all;
 }
 
 bool is_same_machine(const analysis::Kinematics& a, const analysis::Kinematics& b) {

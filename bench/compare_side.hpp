@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "analysis/compare/record_levels.hpp"
 #include "analysis/kinematics.hpp"
 #include "analysis/spectrum.hpp"
 #include "bench/recordings_to_judge.hpp"
@@ -26,7 +27,7 @@ class CompareSide {
  public:
   /// @param hints  of plain recordings only
   /// @return refused: what `judge` refuses; a run folder whose kinematics.json is damaged, that is
-  ///         still at work, or that has no record
+  ///         still at work, or that has no record; a folder of run folders
   /// @throws Interrupted between two plain recordings, if `stop` is requested
   static std::variant<CompareSide, JudgeRefusal> open(const std::string& path,
                                                       const hal::RecordingHints& hints,
@@ -35,6 +36,12 @@ class CompareSide {
   const std::string& path() const { return path_; }
   /// That of a run folder; a plain recording does not know its machine.
   const std::optional<analysis::Kinematics>& kinematics() const { return kinematics_; }
+  /// Whether it states speed and rate by itself, whatever the hints say.
+  bool is_run() const { return run_.has_value(); }
+  /// Whether any record has a channel that the files call so; the error of one that cannot be read.
+  Result<bool> has_channel(const std::string& name);
+  /// Files that are not read: copies of others.
+  const std::vector<analysis::NotCompared>& left_out() const { return left_out_; }
   std::size_t size() const { return points_.empty() ? records_.size() : points_.size(); }
   /// @param index  below size()
   Result<Recording> read(std::size_t index);
@@ -46,7 +53,7 @@ class CompareSide {
                                                   const std::string& channel,
                                                   const analysis::Kinematics& kinematics);
   /// Files that were read, each with its SHA-256.
-  std::vector<std::pair<std::string, std::string>> hashes() const;
+  const std::vector<std::pair<std::string, std::string>>& hashes() const { return hashes_; }
 
  private:
   static std::variant<CompareSide, JudgeRefusal> open_run(const std::filesystem::path& folder);
@@ -56,7 +63,8 @@ class CompareSide {
 
   std::string path_;
   std::optional<analysis::Kinematics> kinematics_;
-  std::vector<std::string> files_;
+  std::vector<std::pair<std::string, std::string>> hashes_;
+  std::vector<analysis::NotCompared> left_out_;
   std::vector<Recording> records_;  ///< of plain recordings
   std::vector<int> points_;         ///< of a run: those recorded
   std::optional<RunRecordings> run_;

@@ -33,7 +33,7 @@ struct Look {
 
 // How much of a change a plot of amplitudes shows.
 double to_be_seen(const Change* change) {
-  return std::abs(std::pow(10, change->b_dB / 20) - std::pow(10, change->a_dB / 20));
+  return std::abs(ratio_from_dB(change->b_dB) - ratio_from_dB(change->a_dB));
 }
 
 void add(const Change& change, double order, Look& look) {
@@ -62,7 +62,7 @@ std::vector<Look> looks_of(const Comparison& comparison) {
   std::map<std::pair<std::size_t, std::size_t>, Look> all;
   for (const Change& change : comparison.changes) {
     const analysis::Quantity& quantity = comparison.quantities[change.quantity];
-    if (!quantity.is_line() || !change.is_seen()) continue;
+    if (!quantity.is_line() || !change.seen) continue;
     add(change, quantity.order, all[{change.point, change.channel}]);
   }
   std::vector<Look> looks;
@@ -112,8 +112,9 @@ std::string pair_of_figures(const Look& look, const SpectrumPair& pair,
         spectrum->amplitude.size(), static_cast<Eigen::Index>(last / spectrum->resolution) + 1);
     most = std::max(most, spectrum->amplitude.head(lines).maxCoeff());
   }
-  const PlotAxis y = axis_around(unit.empty() ? "signal" : "acceleration [" + unit + "]",
-                                 Eigen::Vector2d(0, most));
+  const PlotAxis y =
+      axis_around(unit.empty() ? "amplitude [unit not stated]" : "acceleration [" + unit + "]",
+                  Eigen::Vector2d(0, most));
   return "<div class=\"figures\">\n" + figure("A, before", pair.a, look, comparison, x, y) +
          figure("B, after", pair.b, look, comparison, x, y) + "</div>\n";
 }

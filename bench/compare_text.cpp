@@ -19,23 +19,36 @@ using analysis::Headline;
 constexpr std::size_t most_named = 4;
 constexpr std::size_t most_rows = 12;
 constexpr std::size_t most_families = 3;
-constexpr double worth_naming = 0.25;  // of the lines of a part
+constexpr double worth_naming = 0.25;  // of the cells of a part
 
 std::string counted(std::size_t count, const std::string& what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 std::string named(const Headline& h, const Comparison& comparison) {
-  return fmt::format("{} by {} at {} of {}", comparison.quantities[h.quantity].name,
-                     change_text(h.median_dB), h.points,
-                     counted(comparison.points.size(), "point"));
+  const std::string text =
+      comparison.quantities[h.quantity].name + " by " + change_text(h.median_dB);
+  const std::size_t points = comparison.points.size();
+  return points == 1 ? text : fmt::format("{} at {} of {} points", text, h.points, points);
 }
 
-// Whose lines they are, if enough of a part's have changed.
+bool share_lines(std::size_t one, std::size_t other, const Comparison& comparison) {
+  return std::ranges::any_of(comparison.quantities, [&](const analysis::Quantity& q) {
+    return q.is_in(one) && q.is_in(other);
+  });
+}
+
+// Whose lines they are, if enough of a part's have changed; and of one that shares none with it.
 std::string family_sentence(const Comparison& comparison, const analysis::Kinematics& kinematics) {
-  const auto families = analysis::family_headlines(comparison);
-  if (families.empty() || families.front().share() < worth_naming) return "";
-  return "Most changed: " + family_text(families.front(), kinematics) + ". ";
+  std::vector<analysis::FamilyHeadline> families = analysis::family_headlines(comparison);
+  std::erase_if(families, [](const auto& f) { return f.share() < worth_naming; });
+  if (families.empty()) return "";
+  const std::size_t first = families.front().family;
+  const auto next = std::ranges::find_if(families, [&](const auto& f) {
+    return f.family != first && !share_lines(first, f.family, comparison);
+  });
+  return "Most changed: " + family_text(families.front(), kinematics) +
+         (next == families.end() ? "" : "; then " + family_text(*next, kinematics)) + ". ";
 }
 
 // "3 lines and 2 levels"
@@ -60,7 +73,21 @@ std::string changed_sentence(const Comparison& comparison) {
   return fmt::format("From A to B {} changed: {}{}.", kinds_text(all, comparison), names, more);
 }
 
-std::string unchanged_sentence(const analysis::ChangeCounts& counts) {
+// Of values that are seen: no scatter is known of them, or one that hides what matters.
+std::string why_it_cannot_be_told(const Comparison& comparison) {
+  bool unknown = false, large = false;
+  for (const Change& change : comparison.changes) {
+    if (!change.seen || change.word != analysis::ChangeWord::cannot_tell) continue;
+    (change.freedom > 0 ? large : unknown) = true;
+  }
+  const std::string hides =
+      fmt::format("their scatter would hide {:g} dB", comparison.options.blind_dB);
+  if (!unknown) return hides;
+  return large ? "no scatter is known of them, or " + hides : "no scatter is known of them";
+}
+
+std::string unchanged_sentence(const Comparison& comparison) {
+  const analysis::ChangeCounts counts = analysis::counts_of(comparison);
   std::string text;
   if (counts.not_changed > 0) {
     text = fmt::format(
@@ -71,11 +98,11 @@ std::string unchanged_sentence(const analysis::ChangeCounts& counts) {
         counts.median_detectable_dB);
   }
   if (counts.cannot_tell > 0) {
-    text += fmt::format("Of {} it cannot be told: too few repeats for their scatter. ",
-                        counts.cannot_tell);
+    text += fmt::format("Of {} it cannot be told: {}. ", counts.cannot_tell,
+                        why_it_cannot_be_told(comparison));
   }
   if (counts.noise_changed > 0) {
-    text += fmt::format("The noise changed at {} where neither shows a line. ",
+    text += fmt::format("The noise changed at {} where no line is seen. ",
                         counted(counts.noise_changed, "place"));
   }
   return text;
@@ -85,7 +112,7 @@ std::string unchanged_sentence(const analysis::ChangeCounts& counts) {
 std::string scatter_sentence(const Comparison& comparison) {
   const auto has = [&](analysis::ScatterSource source) {
     return std::ranges::any_of(comparison.changes,
-                               [&](const Change& c) { return c.source == source; });
+                               [&](const Change& c) { return c.source == source && !c.taken; });
   };
   std::string text;
   if (has(analysis::ScatterSource::parts)) {
@@ -94,13 +121,20 @@ std::string scatter_sentence(const Comparison& comparison) {
         "start to start is not in it. ";
   }
   if (has(analysis::ScatterSource::none)) {
-    text += "Where the one record is too short for parts, no scatter is known. ";
+    text +=
+        "Where one record is too short for parts, or repeats agree to the last digit, no scatter "
+        "is known. ";
   }
   return text;
 }
 
 std::string p_text(double p_value) {
   return p_value < 1e-15 ? "p < 1e-15" : fmt::format("p {:.1e}", p_value);
+}
+
+// "planet gear (tooth damage)"
+std::string signature_text(const analysis::Signature& signature) {
+  return report::spoken(signature.component) + " (" + report::spoken(signature.mechanism) + ")";
 }
 
 std::string order_of(const analysis::Quantity& quantity, double period_turns) {
@@ -111,14 +145,18 @@ void print_headline(Console& console, const Headline& h, const Comparison& compa
                     double period_turns) {
   const analysis::Quantity& quantity = comparison.quantities[h.quantity];
   const Change& most = comparison.changes[h.strongest];
-  console.out << fmt::format(
-      "  {:>9}  {} ({}{})\n             {} to {}, in {} of {}, at {} of {}\n"
-      "             most at {}: {}, {:+.1f} ± {:.2g} dB, {}\n",
-      change_text(h.median_dB), quantity.name, order_of(quantity, period_turns),
-      quantity.component.empty() ? "" : ", " + quantity.component, change_text(h.least_dB),
-      change_text(h.most_dB), h.changed, counted(h.compared, "cell"), h.points,
-      counted(comparison.points.size(), "point"), place_text(most, comparison),
-      levels_text(most, comparison), most.change_dB, most.uncertainty_dB, p_text(most.adjusted_p));
+  console.out << fmt::format("  {:>9}  {} ({}{})\n", change_text(h.median_dB), quantity.name,
+                             order_of(quantity, period_turns),
+                             quantity.component.empty() ? "" : ", " + quantity.component);
+  if (h.compared > 1) {
+    console.out << fmt::format("             {} to {}, in {} of {} cells, at {} of {}\n",
+                               change_text(h.least_dB), change_text(h.most_dB), h.changed,
+                               h.compared, h.points, counted(comparison.points.size(), "point"));
+  }
+  console.out << fmt::format("             {}{}: {}, {:+.1f} ± {:.2g} dB, {}\n",
+                             h.compared > 1 ? "most at " : "", place_text(most, comparison),
+                             levels_text(most, comparison), most.change_dB, most.uncertainty_dB,
+                             p_text(most.adjusted_p));
 }
 
 // Whose lines they are; parts share lines, so several.
@@ -168,10 +206,15 @@ std::string spoken_word(analysis::ChangeWord word) {
 
 std::string family_text(const analysis::FamilyHeadline& family,
                         const analysis::Kinematics& kinematics) {
-  const analysis::Signature& signature = kinematics.signatures.at(family.family);
-  return report::spoken(signature.component) + " (" + report::spoken(signature.mechanism) +
-         fmt::format("): {:.0f} % of its lines, by {}", 100 * family.share(),
-                     change_text(family.median_dB));
+  std::string text = signature_text(kinematics.signatures.at(family.family));
+  for (const std::size_t other : family.or_of) {
+    text += " or " + signature_text(kinematics.signatures.at(other));
+  }
+  const bool one_way = family.least_dB > 0 || family.most_dB < 0;
+  return text + fmt::format(": {:.0f} % of its cells, by {}", 100 * family.share(),
+                            one_way ? change_text(family.median_dB)
+                                    : fmt::format("{:+.1f} to {}", family.least_dB,
+                                                  change_text(family.most_dB)));
 }
 
 std::string compare_sentence(const Comparison& comparison, const analysis::Kinematics& kinematics) {
@@ -183,22 +226,25 @@ std::string compare_sentence(const Comparison& comparison, const analysis::Kinem
 }
 
 std::string compare_reservation(const Comparison& comparison) {
-  std::string text =
-      unchanged_sentence(analysis::counts_of(comparison)) + scatter_sentence(comparison);
+  std::string text = unchanged_sentence(comparison) + scatter_sentence(comparison);
   if (text.empty()) return "All that was compared changed.";
   text.pop_back();
   return text;
 }
+
+double ratio_from_dB(double dB) { return std::pow(10, dB / 20); }
 
 std::string change_text(double change_dB) {
   return std::isfinite(change_dB) ? fmt::format("{:+.1f} dB", change_dB) : "–";
 }
 
 std::string levels_text(const Change& change, const Comparison& comparison) {
-  const bool has_unit = comparison.quantities[change.quantity].is_line() || change.quantity < 2;
+  const bool has_unit = comparison.quantities[change.quantity].is_line() ||
+                        change.quantity == std::size_t(analysis::LevelIndex::rms) ||
+                        change.quantity == std::size_t(analysis::LevelIndex::peak);
   const std::string& unit = comparison.channels[change.channel].unit;
-  return fmt::format("{:.3g} → {:.3g}{}", std::pow(10, change.a_dB / 20),
-                     std::pow(10, change.b_dB / 20), has_unit && !unit.empty() ? " " + unit : "");
+  return fmt::format("{:.3g} → {:.3g}{}", ratio_from_dB(change.a_dB), ratio_from_dB(change.b_dB),
+                     has_unit && !unit.empty() ? " " + unit : "");
 }
 
 std::string place_text(const Change& change, const Comparison& comparison) {

@@ -21,9 +21,13 @@ std::string compare_sentence(const analysis::Comparison& comparison,
 /// can be told, and what the scatter is worth. Never empty.
 std::string compare_reservation(const analysis::Comparison& comparison);
 
-/// "planet gear (tooth damage): 88 % of its lines, by +19.3 dB"
+/// "planet gear (tooth damage): 88 % of its cells, by +19.3 dB", the median; "by -7.6 to +9.4 dB"
+/// where some rose and some fell. A cell is a line in a channel at a point.
 std::string family_text(const analysis::FamilyHeadline& family,
                         const analysis::Kinematics& kinematics);
+
+/// Of two amplitudes that are so many dB apart; of a level the amplitude itself, in its unit.
+double ratio_from_dB(double dB);
 
 /// "+6.1 dB"
 std::string change_text(double change_dB);

@@ -66,6 +66,26 @@ std::string why_not(const ChannelPair& pair) {
   return "";
 }
 
+std::size_t count_stated(const std::vector<const ChannelLevels*>& side,
+                         std::string ChannelInfo::*what) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(side, [&](const auto* one) { return !(one->info.*what).empty(); }));
+}
+
+// What some state and others do not is taken to be the same, and that is told.
+void tell_unstated(const ChannelPair& pair, const std::string& where,
+                   std::vector<NotCompared>& left_out) {
+  const auto tell = [&](const char* name, std::string ChannelInfo::*what) {
+    const std::size_t stated = count_stated(pair.a, what) + count_stated(pair.b, what);
+    if (stated == 0 || stated == pair.a.size() + pair.b.size()) return;
+    left_out.push_back({where, fmt::format("compared, but not every file states its {}: it is "
+                                           "taken to be the same in A and B",
+                                           name)});
+  };
+  tell("unit", &ChannelInfo::unit);
+  tell("direction", &ChannelInfo::direction);
+}
+
 }  // namespace
 
 std::string point_text(double speed_rpm, double load_pct) {
@@ -92,6 +112,7 @@ std::vector<ChannelPair> compared_channels(const MatchedPoint& point,
     if (const std::string why = why_not(pair); !why.empty()) {
       left_out.push_back({where + name, why});
     } else {
+      tell_unstated(pair, where + name, left_out);
       pairs.push_back(std::move(pair));
     }
   }

@@ -14,7 +14,7 @@ struct ChannelPair {
 };
 
 /// Channels that can be compared at a point. The others are told: in one of both only, or of
-/// another unit, direction or sample rate.
+/// another unit, direction or sample rate. So is a unit or direction that some do not state.
 /// @param left_out  is added to
 /// Shape   as many as there are, by name. Errors  none thrown
 /// Source  ours: what has another unit, direction or band was not measured alike

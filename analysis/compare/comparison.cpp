@@ -11,6 +11,7 @@
 #include "analysis/compare/compared_channels.hpp"
 #include "analysis/compare/false_discovery.hpp"
 #include "analysis/compare/scatter.hpp"
+#include "analysis/statistics.hpp"
 #include "hal/types/require.hpp"
 
 namespace rvbench::analysis {
@@ -18,6 +19,7 @@ namespace {
 
 constexpr double same_length = 0.1;      // relative: longer records have higher peaks
 constexpr double same_speed = 1e-2;      // relative
+constexpr double rounding_dB2 = 1e-18;   // levels that were measured twice differ by more
 constexpr double class_of_lines_dB = 6;  // that are alike in scatter: it follows from the noise
 
 // A change and what it was estimated from.
@@ -29,26 +31,27 @@ struct Cell {
 };
 
 struct Levels {
-  std::vector<double> whole_dB;  // of repeats
-  std::vector<double> parts_dB;  // of the first
-  double above_floor_dB = 0;     // mean
-  bool seen = false;             // in half of the repeats at least
+  std::vector<double> whole_dB;                 // of repeats
+  std::vector<double> parts_dB;                 // of the first
+  std::vector<double> p_values, part_p_values;  // of repeats
+  double above_floor_dB = 0;                    // mean
+  bool taken = false;                           // in some record
 };
 
 Levels levels_of(const std::vector<const ChannelLevels*>& repeats, std::size_t quantity) {
   Levels levels;
-  std::size_t seen = 0;
   for (const ChannelLevels* one : repeats) {
     const Level& level = one->levels[quantity];
+    levels.taken |= level.taken;
     if (!std::isfinite(level.whole_dB)) continue;
     levels.whole_dB.push_back(level.whole_dB);
     levels.above_floor_dB += level.above_floor_dB;
-    seen += level.seen ? 1 : 0;
+    levels.p_values.push_back(level.p_value);
+    levels.part_p_values.push_back(level.part_p_value);
   }
   const Eigen::VectorXd& parts = repeats.front()->levels[quantity].parts_dB;
   levels.parts_dB.assign(parts.data(), parts.data() + parts.size());
   levels.above_floor_dB /= static_cast<double>(std::max<std::size_t>(levels.whole_dB.size(), 1));
-  levels.seen = seen > 0 && 2 * seen >= levels.whole_dB.size();
   return levels;
 }
 
@@ -61,21 +64,47 @@ double mean(const std::vector<double>& x) {
 void hold(const std::vector<double>& a, const std::vector<double>& b, ScatterSource source,
           Cell& cell) {
   cell.change.source = source;
-  cell.change.a_dB = mean(a);
-  cell.change.b_dB = mean(b);
-  cell.change.change_dB = cell.change.b_dB - cell.change.a_dB;
+  cell.change.change_dB = mean(b) - mean(a);
   cell.values_a = a.size();
   cell.values_b = b.size();
   cell.scatter = pooled_scatter(a, b);
+  if (cell.scatter.variance > rounding_dB2) return;
+  cell.change.source = ScatterSource::none;
+  cell.scatter = {};
 }
 
-// The quantity is in neither's band, or only in one's, if either has no level.
-bool make_cell(const ChannelPair& pair, const Quantity& quantity, Cell& cell) {
+std::vector<double> joined(std::vector<double> a, const std::vector<double>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+bool is_seen(const std::vector<double>& of_line, double of_part, const CompareOptions& options) {
+  return combined_p_value(of_line) <= options.seen_p && of_part <= options.found_p;
+}
+
+// Where the line stands out of the noise. A sum over both sides does not know which is higher. Of
+// where a part's peaks lie repeats are one witness, and A and B no two: they hear the same.
+void look_for_line(const Levels& a, const Levels& b, const CompareOptions& options,
+                   Change& change) {
+  const double of_a = median(a.part_p_values), of_b = median(b.part_p_values);
+  change.seen_a = is_seen(a.p_values, of_a, options);
+  change.seen_b = is_seen(b.p_values, of_b, options);
+  change.seen = is_seen(joined(a.p_values, b.p_values), 2 * std::min(of_a, of_b), options);
+}
+
+// The quantity is in neither's band, or only in one's, if either has no level that is its own.
+bool make_cell(const ChannelPair& pair, const Quantity& quantity, const CompareOptions& options,
+               Cell& cell) {
   const Levels a = levels_of(pair.a, cell.change.quantity);
   const Levels b = levels_of(pair.b, cell.change.quantity);
-  if (a.whole_dB.empty() || b.whole_dB.empty()) return false;
-  cell.change.seen_a = !quantity.is_line() || a.seen;
-  cell.change.seen_b = !quantity.is_line() || b.seen;
+  if (a.whole_dB.empty() || b.whole_dB.empty()) {
+    cell.change.taken = a.taken || b.taken;
+    return cell.change.taken;
+  }
+  cell.change.a_dB = mean(a.whole_dB);
+  cell.change.b_dB = mean(b.whole_dB);
+  cell.change.seen_a = cell.change.seen_b = cell.change.seen = true;
+  if (quantity.is_line()) look_for_line(a, b, options, cell.change);
   cell.above_floor_dB = (a.above_floor_dB + b.above_floor_dB) / 2;
   if (a.whole_dB.size() + b.whole_dB.size() > 2) {
     hold(a.whole_dB, b.whole_dB, ScatterSource::repeats, cell);
@@ -129,8 +158,17 @@ std::size_t index_of(const ChannelInfo& channel, std::vector<ChannelInfo>& all) 
   return all.size() - 1;
 }
 
+void add_unparted(const std::vector<SignaturePair>& more, std::vector<SignaturePair>& all) {
+  for (const SignaturePair& pair : more) {
+    if (std::ranges::find(all, pair) == all.end()) all.push_back(pair);
+  }
+}
+
 void add_cells(std::size_t point, const ChannelPair& pair, Comparison& comparison,
                std::vector<Cell>& cells) {
+  for (const auto* side : {&pair.a, &pair.b}) {
+    for (const ChannelLevels* one : *side) add_unparted(one->unparted, comparison.unparted);
+  }
   const std::size_t channel = index_of(pair.a.front()->info, comparison.channels);
   const bool one_length = has_one_length(pair);
   if (!one_length) {
@@ -144,7 +182,7 @@ void add_cells(std::size_t point, const ChannelPair& pair, Comparison& compariso
     cell.change.point = point;
     cell.change.channel = channel;
     cell.change.quantity = q;
-    if (make_cell(pair, comparison.quantities[q], cell)) cells.push_back(cell);
+    if (make_cell(pair, comparison.quantities[q], comparison.options, cell)) cells.push_back(cell);
   }
 }
 
@@ -175,40 +213,49 @@ ChangeTest test_of(const Cell& cell, double least_dB) {
                      cell.scatter, least_dB);
 }
 
-// The p-value up to which one more would have been called.
+// The p-value up to which one more would have been called, beside those that were.
 double called_p(const std::vector<double>& adjusted, double false_share) {
   double asked = 0, called = 0;
   for (const double p : adjusted) {
     asked += std::isnan(p) ? 0 : 1;
     called += p <= false_share ? 1 : 0;
   }
-  return false_share * std::max(called, 1.0) / std::max(asked, 1.0);
+  return false_share * std::min(1.0, (called + 1) / std::max(asked, 1.0));
 }
 
-ChangeWord word_of(const Change& change, const CompareOptions& options) {
+ChangeWord word_for(const Change& change, const CompareOptions& options) {
   if (change.adjusted_p <= options.false_share) return ChangeWord::changed;
   return change.detectable_dB <= options.blind_dB ? ChangeWord::not_changed
                                                   : ChangeWord::cannot_tell;
 }
 
-void judge(const CompareOptions& options, std::vector<Cell>& cells) {
+// Cells that pay for each other.
+void judge(const CompareOptions& options, const std::vector<Cell*>& cells) {
   std::vector<double> p_values;
-  for (Cell& cell : cells) {
-    if (cell.scatter.freedom > 0) cell.change.p_value = test_of(cell, options.least_dB).p_value;
-    p_values.push_back(cell.change.p_value);
+  for (Cell* cell : cells) {
+    if (cell->scatter.freedom > 0) cell->change.p_value = test_of(*cell, options.least_dB).p_value;
+    p_values.push_back(cell->change.p_value);
   }
   const std::vector<double> adjusted = adjusted_p_values(p_values);
   const double p = called_p(adjusted, options.false_share);
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    Change& change = cells[i].change;
+    Change& change = cells[i]->change;
     change.adjusted_p = adjusted[i];
-    change.freedom = cells[i].scatter.freedom;
+    change.freedom = cells[i]->scatter.freedom;
     if (!(change.freedom > 0)) continue;
-    const ChangeTest test = test_of(cells[i], options.least_dB);
+    const ChangeTest test = test_of(*cells[i], options.least_dB);
     change.uncertainty_dB = half_width(test);
     change.detectable_dB = detectable_change(test, options.least_dB, p);
-    change.word = word_of(change, options);
+    change.word = word_for(change, options);
   }
+}
+
+std::vector<Cell*> cells_by_sight(bool seen, std::vector<Cell>& cells) {
+  std::vector<Cell*> chosen;
+  for (Cell& cell : cells) {
+    if (cell.change.seen == seen) chosen.push_back(&cell);
+  }
+  return chosen;
 }
 
 void check(const CompareOptions& options) {
@@ -216,6 +263,8 @@ void check(const CompareOptions& options) {
   require(options.least_dB >= 0 && std::isfinite(options.least_dB), "least_dB must be 0 or above");
   require(options.false_share > 0 && options.false_share < 1, "false_share must be in (0, 1)");
   require(options.blind_dB > options.least_dB, "blind_dB must be above least_dB");
+  require(options.seen_p > 0 && options.seen_p < 1, "seen_p must be in (0, 1)");
+  require(options.found_p > 0 && options.found_p < 1, "found_p must be in (0, 1)");
 }
 
 }  // namespace
@@ -230,6 +279,7 @@ Comparison compare(const std::vector<RecordLevels>& a, const std::vector<RecordL
                         std::move(matched.both),
                         std::move(matched.only_a),
                         std::move(matched.only_b),
+                        {},
                         {},
                         {}};
   for (const auto* side : {&a, &b}) {
@@ -247,7 +297,7 @@ Comparison compare(const std::vector<RecordLevels>& a, const std::vector<RecordL
     }
   }
   draw_scatter_together(quantities, cells);
-  judge(options, cells);
+  for (const bool seen : {true, false}) judge(options, cells_by_sight(seen, cells));
   for (const Cell& cell : cells) comparison.changes.push_back(cell.change);
   return comparison;
 }

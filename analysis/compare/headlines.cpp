@@ -20,7 +20,7 @@ struct Gathered {
 
 void gather(const Comparison& comparison, std::size_t index, Gathered& into) {
   const Change& change = comparison.changes[index];
-  if (!change.is_seen()) return;
+  if (!change.seen) return;
   ++into.headline.compared;
   if (change.word != ChangeWord::changed) return;
   const bool first = into.changes_dB.empty();
@@ -43,7 +43,33 @@ Headline completed(Gathered gathered) {
   return headline;
 }
 
+std::vector<std::size_t> unparted_from(std::size_t family, const Comparison& comparison) {
+  std::vector<std::size_t> others;
+  for (const auto& [one, other] : comparison.unparted) {
+    if (one == family) others.push_back(other);
+    if (other == family) others.push_back(one);
+  }
+  return others;
+}
+
 double weight(const Headline& h) { return static_cast<double>(h.changed) * std::abs(h.median_dB); }
+
+// Two lines of two say less than eleven of twelve.
+double weight(const FamilyHeadline& f) {
+  const double share = static_cast<double>(f.changed + 1) / static_cast<double>(f.cells + 2);
+  return share * std::min(std::abs(f.median_dB), strong_dB);
+}
+
+// Without those that an earlier one is named with.
+std::vector<FamilyHeadline> each_named_once(std::vector<FamilyHeadline> sorted) {
+  std::set<std::size_t> named;
+  std::erase_if(sorted, [&](const FamilyHeadline& f) {
+    const bool is_known = !named.insert(f.family).second;
+    if (!is_known) named.insert(f.or_of.begin(), f.or_of.end());
+    return is_known;
+  });
+  return sorted;
+}
 
 }  // namespace
 
@@ -58,7 +84,7 @@ std::vector<Headline> headlines(const Comparison& comparison) {
   for (Gathered& one : all) {
     if (!one.changes_dB.empty()) told.push_back(completed(std::move(one)));
   }
-  std::ranges::stable_sort(told, std::greater<>(), weight);
+  std::ranges::stable_sort(told, std::greater<>(), [](const Headline& h) { return weight(h); });
   return told;
 }
 
@@ -69,8 +95,8 @@ std::vector<FamilyHeadline> family_headlines(const Comparison& comparison) {
     for (const std::size_t family : comparison.quantities[change.quantity].families) {
       FamilyHeadline& headline = families[family];
       headline.family = family;
-      ++headline.compared;
-      if (!change.is_seen() || change.word != ChangeWord::changed) continue;
+      ++headline.cells;
+      if (!change.seen || change.word != ChangeWord::changed) continue;
       ++headline.changed;
       changes_dB[family].push_back(change.change_dB);
     }
@@ -78,12 +104,15 @@ std::vector<FamilyHeadline> family_headlines(const Comparison& comparison) {
   std::vector<FamilyHeadline> told;
   for (auto& [family, changes] : changes_dB) {
     told.push_back(families[family]);
+    const auto [least, most] = std::ranges::minmax_element(changes);
+    told.back().least_dB = *least;
+    told.back().most_dB = *most;
     told.back().median_dB = median(std::move(changes));
+    told.back().or_of = unparted_from(family, comparison);
   }
-  std::ranges::stable_sort(told, std::greater<>(), [](const FamilyHeadline& f) {
-    return f.share() * std::min(std::abs(f.median_dB), strong_dB);
-  });
-  return told;
+  std::ranges::stable_sort(told, std::greater<>(),
+                           [](const FamilyHeadline& f) { return weight(f); });
+  return each_named_once(std::move(told));
 }
 
 ChangeCounts counts_of(const Comparison& comparison) {
@@ -91,7 +120,7 @@ ChangeCounts counts_of(const Comparison& comparison) {
   std::vector<double> detectable_dB;
   for (const Change& change : comparison.changes) {
     const bool changed = change.word == ChangeWord::changed;
-    if (!change.is_seen()) {
+    if (!change.seen) {
       counts.noise_changed += changed ? 1 : 0;
     } else if (changed) {
       ++counts.changed;

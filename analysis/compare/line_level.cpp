@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "analysis/compare/block_floor.hpp"
 #include "analysis/statistics.hpp"
 
 namespace rvbench::analysis {
@@ -35,22 +35,23 @@ struct NearNoise {
   double power, lines;
 };
 
-NearNoise near_noise(const Eigen::VectorXd& power, Eigen::Index line) {
+NearNoise near_noise(const LineFloor& floor, double blocks, Eigen::Index line) {
   std::vector<double> values;
   const Eigen::Index from = std::max<Eigen::Index>(line - near_lines, lowest_hann);
-  const Eigen::Index to = std::min(line + near_lines, power.size() - 1);
+  const Eigen::Index to = std::min(line + near_lines, floor.power.size() - 1);
   for (Eigen::Index i = from; i <= to; ++i) {
-    if (std::abs(i - line) > line_width) values.push_back(power[i]);
+    if (std::abs(i - line) > line_width && floor.is_neighbour(i)) values.push_back(floor.power[i]);
   }
-  // As in line_floor: Hann lines share noise, and a median uses half of what it is given.
-  const double worth = std::max(1.0, static_cast<double>(values.size()) / hann_noise_lines * 0.48);
-  return {values.empty() ? 0 : median(std::move(values)) / std::numbers::ln2, worth};
+  if (values.empty()) return {0, 1};
+  const double worth = floor.floor_lines[line] / std::max(1.0, floor.neighbours[line]);
+  const double lines = std::max(1.0, worth * static_cast<double>(values.size()));
+  return {median(std::move(values)) / noise_median(blocks), lines};
 }
 
 }  // namespace
 
 std::optional<LineLevel> line_level(const Spectrum& spectrum, const LineFloor& floor, double blocks,
-                                    double order, double within) {
+                                    double order, double within, double searched) {
   const auto reach = reach_of(spectrum, order, within, lowest_hann);
   if (!reach) return std::nullopt;
   LineLevel level;
@@ -61,13 +62,13 @@ std::optional<LineLevel> line_level(const Spectrum& spectrum, const LineFloor& f
   }
   NearNoise noise{floor.floor[highest], floor.floor_lines[highest]};
   if (reach->to > reach->from) {
-    const NearNoise near = near_noise(floor.power, highest);
+    const NearNoise near = near_noise(floor, blocks, highest);
     if (near.power > noise.power) noise = near;
   }
   level.above_floor = floor.power[highest] / noise.power;
-  const double searched = static_cast<double>(reach->to - reach->from + 1);
+  const double chances = 2 * std::ceil(std::max(within, searched) / spectrum.resolution - 1e-9) + 1;
   level.p_value = std::min(
-      1.0, searched * line_p_value(blocks * level.above_floor, blocks, blocks * noise.lines));
+      1.0, chances * line_p_value(blocks * level.above_floor, blocks, blocks * noise.lines));
   return level;
 }
 

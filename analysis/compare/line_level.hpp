@@ -7,6 +7,9 @@
 
 namespace rvbench::analysis {
 
+/// p-value up to which a line is seen.
+inline constexpr double seen_p = 1e-4;
+
 /// Power of a tone, and how surely there is one.
 struct LineLevel {
   double power = 0;        ///< amplitude², 0-to-peak
@@ -27,12 +30,13 @@ struct LineLevel {
 /// @param floor   of the same spectrum
 /// @param blocks  independent ones that the spectrum is the mean of, in power; >= 1
 /// @param within  orders to both sides
+/// @param searched  the same, of the search that led to `order`: noise had a chance anywhere there
 /// @return empty where the spectrum does not reach, or too near to order 0
 /// Errors  none thrown
 /// Source  1.5 lines is the noise bandwidth of the Hann window: Harris, Proc. IEEE 66(1), 51-83
 ///         (1978), table 1
 std::optional<LineLevel> line_level(const Spectrum& spectrum, const LineFloor& floor, double blocks,
-                                    double order, double within);
+                                    double order, double within, double searched = 0);
 
 /// Power of the strongest single line within reach, of a spectrum without a window; empty as above.
 /// Units, errors  of line_level(). Source  ours: a line that is locked to the record has one line

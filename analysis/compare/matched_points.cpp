@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 namespace rvbench::analysis {
@@ -30,8 +29,10 @@ std::tuple<double, double> place(const RecordLevels& record) {
 }  // namespace
 
 std::vector<PointRecords> points_of(const std::vector<RecordLevels>& records) {
-  std::vector<std::size_t> rising(records.size());
-  std::iota(rising.begin(), rising.end(), std::size_t{0});
+  std::vector<std::size_t> rising;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (!records[i].channels.empty()) rising.push_back(i);
+  }
   std::ranges::stable_sort(rising, {}, [&](std::size_t i) { return place(records[i]); });
   std::vector<PointRecords> points;
   for (const std::size_t i : rising) {

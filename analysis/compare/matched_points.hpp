@@ -14,8 +14,10 @@ struct PointRecords {
 };
 
 /// The matrix that records form, whatever their order: by rising speed, then load. What is within
-/// 1 % and one percentage point of the slowest and least loaded of a point belongs to it.
-/// Shape   each record in one point. Units  rpm, %. Errors  none thrown. Source  match_points()
+/// 1 % and one percentage point of the slowest and least loaded of a point belongs to it. A record
+/// of which no channel can be compared is in none.
+/// Shape   each other record in one point. Units  rpm, %. Errors  none thrown
+/// Source  match_points()
 std::vector<PointRecords> points_of(const std::vector<RecordLevels>& records);
 
 /// One point in both.
@@ -30,8 +32,8 @@ struct MatchedPoints {
 
 /// Pairs points whose speeds agree within 1 % and whose loads agree within one percentage point, or
 /// are both unknown.
-/// Shape   each record in one point of one list. Units  rpm, %. Errors  none thrown
-/// Source  ours: a planned speed may leave out the motor's slip
+/// Shape   each record that has a channel in one point of one list. Units  rpm, %
+/// Errors  none thrown. Source  ours: a planned speed may leave out the motor's slip
 MatchedPoints match_points(const std::vector<RecordLevels>& a, const std::vector<RecordLevels>& b);
 
 }  // namespace rvbench::analysis

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -18,6 +19,9 @@ struct Quantity {
   std::vector<std::size_t> families = {};  ///< indices into Kinematics::signatures: it is in each
 
   bool is_line() const { return order > 0; }
+  bool is_in(std::size_t family) const {
+    return std::ranges::find(families, family) != families.end();
+  }
 };
 
 /// Levels of the signal, in this order, before all lines.

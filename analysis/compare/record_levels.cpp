@@ -34,6 +34,12 @@ void tell_short(const ShaftAngle& angle, const Kinematics& kinematics, const Cha
                                   turns, needed)});
 }
 
+// Of two channels that have one name nobody knows which is held against which.
+bool is_one_of_two(const Channel* channel, const std::vector<const Channel*>& all) {
+  return std::ranges::count_if(
+             all, [&](const Channel* other) { return other->info.name == channel->info.name; }) > 1;
+}
+
 }  // namespace
 
 RecordLevels measure_levels(const Recording& record, const Kinematics& kinematics,
@@ -53,6 +59,11 @@ RecordLevels measure_levels(const Recording& record, const Kinematics& kinematic
   const auto notes = record_quality(channels, *angle, kinematics, not_known);
   std::vector<const Channel*> trusted;
   for (std::size_t i = 0; i < channels.size(); ++i) {
+    if (is_one_of_two(channels[i], channels)) {
+      levels.left_out.push_back({record.source + ", " + channels[i]->info.name,
+                                 "another channel of the record has the same name"});
+      continue;
+    }
     const auto spoilt = std::ranges::find_if(notes[i], &QualityNote::invalidates);
     if (spoilt == notes[i].end()) {
       trusted.push_back(channels[i]);

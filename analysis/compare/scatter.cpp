@@ -10,6 +10,7 @@ namespace rvbench::analysis {
 namespace {
 
 constexpr std::size_t fewest = 10;
+constexpr double sure = 2;  // standard errors: once in forty they are of more kinds than that
 
 double digamma(double x) { return Eigen::numext::digamma(x); }
 double trigamma(double x) { return Eigen::numext::zeta(2.0, x); }
@@ -34,7 +35,7 @@ double sum_of_squares(const std::vector<double>& x) {
 
 bool is_usable(const Scatter& s) { return s.freedom > 0 && s.variance > 0; }
 
-// What all estimates say: s₀² and d₀; d₀ 0 if they say nothing.
+// What all estimates say: s₀² and the least d₀ that they allow; d₀ 0 if they say nothing.
 Scatter prior_of(const std::vector<Scatter>& estimates) {
   std::vector<double> logs;
   double chance = 0;  // mean variance of the logarithms if all were estimates of one
@@ -46,7 +47,9 @@ Scatter prior_of(const std::vector<Scatter>& estimates) {
   if (logs.size() < fewest) return {};
   const double count = static_cast<double>(logs.size());
   const double mean = std::accumulate(logs.begin(), logs.end(), 0.0) / count;
-  const double beyond = sum_of_squares(logs) / (count - 1) - chance / count;
+  const double variance = sum_of_squares(logs) / (count - 1);
+  const double error = variance * std::sqrt(2 / (count - 1));  // of a Gaussian's variance
+  const double beyond = variance + sure * error - chance / count;
   if (beyond <= 0) return {std::exp(mean), std::numeric_limits<double>::infinity()};
   const double half = inverse_trigamma(beyond);
   return {std::exp(mean + digamma(half) - std::log(half)), 2 * half};
@@ -69,7 +72,7 @@ std::vector<Scatter> drawn_together(std::vector<Scatter> estimates) {
   for (const Scatter& s : estimates) all += s.freedom;
   const double weight = std::min(prior.freedom, all);
   for (Scatter& s : estimates) {
-    if (!(s.freedom > 0)) continue;
+    if (!(s.freedom > 0) || s.freedom > prior.freedom) continue;
     s.variance = (weight * prior.variance + s.freedom * s.variance) / (weight + s.freedom);
     s.freedom = std::min(weight + s.freedom, all);
   }

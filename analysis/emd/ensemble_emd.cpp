@@ -101,10 +101,24 @@ void give_noise(Eigen::VectorXd& noise, ImfSift& sift, Kind kind, int imf, doubl
   given *= kind == Kind::improved && imf > 0 ? size : scale_to(size, given);
 }
 
-// What the fastest IMF leaves of h.
-void leave_imf_out(ImfSift& sift, int imf, Eigen::Ref<Eigen::VectorXd> h) {
+// What the fastest IMF leaves of h. @return whether there is one
+bool leave_imf_out(ImfSift& sift, int imf, Eigen::Ref<Eigen::VectorXd> h) {
   const Eigen::VectorXd whole = h;
-  if (sift.turn_into_imf(h, imf)) h = whole - h;
+  if (!sift.turn_into_imf(h, imf)) return false;
+  h = whole - h;
+  return true;
+}
+
+bool turn_into_imf_or_nothing(ImfSift& sift, int imf, Eigen::Ref<Eigen::VectorXd> h) {
+  if (sift.turn_into_imf(h, imf)) return true;
+  h.setZero();
+  return false;
+}
+
+// Of each IMF, the largest of all members that have it.
+void add_worst(const std::vector<Eigen::Index>& of_member, std::vector<Eigen::Index>& worst) {
+  worst.resize(std::max(worst.size(), of_member.size()));
+  for (std::size_t k = 0; k < of_member.size(); ++k) worst[k] = std::max(worst[k], of_member[k]);
 }
 
 Emd by_stages(const Eigen::Ref<const Eigen::VectorXd>& x, const EnsembleOptions& options,
@@ -120,19 +134,18 @@ Emd by_stages(const Eigen::Ref<const Eigen::VectorXd>& x, const EnsembleOptions&
   for (; found < options.emd.imfs && count_extrema(result.residue) >= least_extrema; ++found) {
     const Eigen::VectorXd before = result.residue;
     const double size = options.noise * deviation(before);
+    std::vector<Eigen::Index> ends(noise.size());  // that each member's IMF makes unreliable
     const auto give = [&](std::size_t i, ImfSift& sift, Eigen::Ref<Eigen::VectorXd> given) {
       give_noise(noise[i], sift, kind, found, size, given);
       given += before;
-      if (kind == Kind::improved) {
-        leave_imf_out(sift, found, given);
-      } else if (!sift.turn_into_imf(given, found)) {
-        given.setZero();
-      }
+      const bool has_imf = kind == Kind::improved ? leave_imf_out(sift, found, given)
+                                                  : turn_into_imf_or_nothing(sift, found, given);
+      if (has_imf) ends[i] = sift.unreliable_end(n);
     };
     const Eigen::VectorXd mean = mean_of_members(n, options, sifts, give);
     result.residue = kind == Kind::improved ? mean : Eigen::VectorXd(before - mean);
     result.imfs.col(found) = before - result.residue;
-    add_unreliable_end(result.unreliable_ends, sifts.front().unreliable_end(n));
+    add_unreliable_end(result.unreliable_ends, std::ranges::max(ends));
   }
   result.imfs.conservativeResize(n, found);
   result.residue.array() += offset;
@@ -160,8 +173,8 @@ Emd eemd(const Eigen::Ref<const Eigen::VectorXd>& x, const EnsembleOptions& opti
     for (const Emd& member : given) {
       const Eigen::Index imfs = member.imfs.cols();
       result.imfs.leftCols(imfs) += member.imfs;
-      if (imfs > most) result.unreliable_ends = member.unreliable_ends;
       most = std::max(most, imfs);
+      add_worst(member.unreliable_ends, result.unreliable_ends);
     }
   }
   result.imfs.conservativeResize(n, most);

@@ -20,7 +20,8 @@ struct EnsembleOptions {
 /// Ensemble EMD: the mean of the members' IMFs. They do not sum to the signal, and a member may
 /// lack the slowest ones, which counts as zero; the residue is what the IMFs leave of the signal.
 ///
-/// Shape   N samples → up to options.emd.imfs columns, as emd(); so are the unreliable ends
+/// Shape   N samples → up to options.emd.imfs columns, as emd(); of unreliable ends the largest of
+///         all members that have the IMF
 /// Errors  throws std::invalid_argument: sample not finite, options out of range
 /// Source  Wu & Huang, Adv. Adapt. Data Anal. 1, 1-41 (2009)
 /// Units   those of x

@@ -8,6 +8,7 @@ namespace rvbench::analysis {
 namespace {
 
 constexpr Eigen::Index most_kept = 1 << 16;  // samples of a stage that are final
+constexpr std::size_t block = 16;  // of extrema: who watches would rather have them soon than cheap
 
 }  // namespace
 
@@ -19,7 +20,7 @@ LiveEmd::LiveEmd(const EmdOptions& options) {
   }
   for (int imf = 0; imf < options.imfs; ++imf) {
     stages_.emplace_back(options);
-    stages_.back().chain.begin(imf);
+    stages_.back().chain.begin(block);
   }
 }
 

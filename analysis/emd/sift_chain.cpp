@@ -15,8 +15,8 @@ std::size_t block_of(int imf) {
 
 }  // namespace
 
-void SiftChain::begin(int imf) {
-  for (Sift& sift : sifts_) sift.begin(block_of(imf));
+void SiftChain::begin(std::size_t block) {
+  for (Sift& sift : sifts_) sift.begin(block);
 }
 
 Eigen::Index SiftChain::advance(double* h, Eigen::Index known, bool is_end) {
@@ -29,7 +29,7 @@ void SiftChain::rebase(Eigen::Index samples) {
 }
 
 bool SiftChain::turn_into_imf(Eigen::Ref<Eigen::VectorXd> h, int imf) {
-  begin(imf);
+  begin(block_of(imf));
   for (Eigen::Index known = 0; known < h.size();) {
     known = std::min(known + step, h.size());
     (void)advance(h.data(), known, known == h.size());

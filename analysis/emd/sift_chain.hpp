@@ -9,9 +9,8 @@
 namespace rvbench::analysis {
 
 /// All sifts of an IMF, one behind the other: while the first looks at new samples, the last is
-/// where their envelopes are settled, 70 to 130 extrema for each sift behind: more of fast IMFs,
-/// whose knots are settled in larger blocks. What they work on stays in the processor's cache,
-/// whatever the length of the record.
+/// where their envelopes are settled, a block of extrema and about 60 for each sift behind. What
+/// they work on stays in the processor's cache, whatever the length of the record.
 ///
 /// Units, errors  of Sift. Source  ours: sift after sift it would be read from memory as often
 class SiftChain {
@@ -20,8 +19,9 @@ class SiftChain {
                      const SiftKernels& kernels = sift_kernels())
       : sifts_(static_cast<std::size_t>(sifts), Sift(rule, kernels)) {}
 
-  /// Begins with an IMF. @param imf  0 is the fastest
-  void begin(int imf);
+  /// Begins with an IMF. @param block  of extrema that are settled at once: large ones cost less,
+  ///                                   small ones come sooner, and rounding is all that differs
+  void begin(std::size_t block);
 
   /// As Sift::advance(): the first samples of h become those of the IMF.
   Eigen::Index advance(double* h, Eigen::Index known, bool is_end);
@@ -29,7 +29,7 @@ class SiftChain {
   void rebase(Eigen::Index samples);
 
   /// Turns a whole signal into its fastest IMF. A signal that does not swing stays as it is.
-  /// @param imf  as of begin()
+  /// @param imf  0 is the fastest
   /// @return whether it does
   bool turn_into_imf(Eigen::Ref<Eigen::VectorXd> h, int imf);
 

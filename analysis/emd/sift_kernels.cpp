@@ -2,13 +2,11 @@
 
 #include <cstdint>
 
+#include "analysis/kernel.hpp"
+
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
-
-// Bodies are compiled once per kind of processor, into its own function: that is what the
-// attributes are for. They call nothing that could be shared with code for another kind.
-#define RVBENCH_INTO_KERNEL [[gnu::always_inline]] inline
 
 namespace rvbench::analysis {
 namespace {
@@ -188,8 +186,8 @@ RVBENCH_AVX2 void subtract_long(double* from_base, double base, const double* at
 
 constexpr int few = 4;  // samples of a cubic
 
-// The cubic of each sample. One of a few samples is written once, past its end: what is too much is
-// overwritten by the next one.
+// The cubic of each sample, written four samples at a time: what is past its end, the next one
+// overwrites.
 struct SampleCubics {
   static constexpr int most = few * Cubics::most;
   alignas(32) double value[most + 4], slope[most + 4], curve[most + 4], twist[most + 4];
@@ -198,16 +196,17 @@ struct SampleCubics {
 
 RVBENCH_AVX2 void spread(const Cubics& mean, double base, const double* at, int count,
                          SampleCubics& of) {
-  int i = 0;
+  int from = 0;
   for (int k = 0; k < count; ++k) {
-    for (; i < mean.end[k]; i += 4) {
+    if (mean.end[k] <= from) continue;
+    for (int i = from; i < mean.end[k]; i += 4) {
       _mm256_storeu_pd(of.value + i, _mm256_set1_pd(mean.value[k]));
       _mm256_storeu_pd(of.slope + i, _mm256_set1_pd(mean.slope[k]));
       _mm256_storeu_pd(of.curve + i, _mm256_set1_pd(mean.curve[k]));
       _mm256_storeu_pd(of.twist + i, _mm256_set1_pd(mean.twist[k]));
       _mm256_storeu_pd(of.from_knot + i, _mm256_set1_pd(base - at[k]));
     }
-    i = mean.end[k];
+    from = mean.end[k];
   }
 }
 
@@ -249,8 +248,7 @@ const SiftKernels& portable_sift_kernels() {
 const SiftKernels& sift_kernels() {
 #if defined(__x86_64__)
   static constexpr SiftKernels kernels{avx2_scan, avx2_mean_cubics, avx2_subtract};
-  static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
-  if (has_avx2) return kernels;
+  if (has_avx2()) return kernels;
 #endif
   return portable_sift_kernels();
 }

@@ -16,7 +16,7 @@ const Signature& signature_of(const SignatureScore& score, const Kinematics& kin
 /// Every line that a signature may have, sidebands that other parts claim among them.
 ///
 /// @param first    harmonic; 0 begins with the spacings of the sidebands
-/// @param stretch  of all its orders, as slip stretches them
+/// @param stretch  of its harmonics and their sidebands, as slip stretches them; not of the spacings
 /// Units   orders of the input shaft
 /// Errors  none thrown
 /// Source  harmonic_lines()
@@ -32,6 +32,7 @@ std::vector<double> comb_lines(const Signature& signature, int first, double str
 std::vector<double> carrying_lines(const SignatureScore& score);
 
 /// Whether each of the lines found lies within `near` of one of the comb.
+/// Units   orders of the input shaft. Errors  none thrown. Source  definition
 bool holds_all(const std::vector<double>& comb, const std::vector<double>& found, double near);
 
 }  // namespace rvbench::analysis

@@ -29,9 +29,11 @@ struct Fold {
 /// Errors  none thrown. Source  Stone, J. R. Stat. Soc. B 36(2), 111-147 (1974), by conditions
 std::vector<Fold> condition_folds(const std::vector<ObservedUnit>& units);
 
-/// A fold for each speed, or each load. Empty if there are fewer than three of them.
+/// A fold for each speed. Empty if there are fewer than three of them.
 /// Errors, source  of condition_folds()
 std::vector<Fold> speed_folds(const std::vector<ObservedUnit>& units);
+
+/// The same for each load. Errors, source  of condition_folds()
 std::vector<Fold> load_folds(const std::vector<ObservedUnit>& units);
 
 /// Both of them, speeds first: what holds between conditions must hold beyond them, too.

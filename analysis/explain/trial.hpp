@@ -38,12 +38,15 @@ struct Standing {
 };
 
 /// @return nothing if the model cannot be evaluated in a fold
+/// Units   log densities; residuals in noise's standard deviations. Errors  none thrown
+/// Source  held_out(), of Stone, J. R. Stat. Soc. B 36(2), 111-147 (1974)
 std::optional<Standing> stand(const Tryout& on, Fit fit, LeftOut left_out);
 
 /// Whether left-out conditions are clearly better predicted. Where errors are those of the
 /// measurement, an effect may show under one condition and not under others, which makes what it
 /// wins scatter: then it may also be enough without the record that it wins most in, for one may be
 /// odd.
+/// Errors  none thrown. Source  ours, of paired log densities
 bool foretells_more(const Tryout& on, const Standing& now, const Standing& before);
 
 /// Whether a fit may be ranked, for one of its effects.
@@ -57,26 +60,31 @@ struct Standalone {
 /// does not.
 /// @param place   of the effect in fit.effects
 /// @param before  with the first effects of the fit, but not this one
+/// Errors  none thrown. Source  Wald's test; Bonferroni's bound for the candidates
 Standalone stands_alone(const Tryout& on, const Fit& fit, std::size_t place, const Fit& before);
 
 /// What a fit must come below to win what an effect must, and half of it after its first moves.
+/// Units   of the cost. Errors  none thrown. Source  ours
 MustBeat least_of(const Tryout& on, const Fit& before);
 
 /// Tries `effect` on top of what stands. Left-out conditions are forecast.
 /// @param before    with forecasts, likewise
 /// @param screened  one more start: see Screened; may be empty
+/// Errors  none thrown: trial.refused says why it cannot be accepted. Source  ours
 Trial try_effect(const Tryout& on, const Standing& before, std::size_t effect,
                  const MustBeat& must_beat, const std::vector<double>& screened = {});
 
 /// Fits what was tried with all of its slopes, predicts left-out conditions by refits, and judges
 /// it by them: trial.refused says why it cannot be accepted after all.
 /// @param before  by refits, likewise
-/// @return what would stand then
+/// @return what would stand then; nothing if a fold cannot be evaluated
+/// Errors  none thrown. Source  ours
 std::optional<Standing> confirm(const Tryout& on, const Standing& before, Trial& trial);
 
 /// What an accepted trial is beside the others.
 /// @param best         as it was tried, among the others
 /// @param cost_before  of the model without it
+/// Errors  none thrown. Source  definition
 Step step_of(const Trial& confirmed, const Trial& best, const std::vector<Trial>& trials,
              double cost_before);
 

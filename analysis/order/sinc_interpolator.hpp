@@ -8,6 +8,7 @@ namespace rvbench::analysis {
 ///
 /// Shape    N samples, place in samples from 0 to N − 1; beyond the ends the last value is held
 /// Units    those of the samples; a constant stays what it is
+/// Errors   none thrown by at(): x must hold a sample, and the place be finite
 /// Limits   what is not finite makes all that lies within half the taps not finite
 /// Source   Oppenheim & Schafer, Discrete-Time Signal Processing, ch. 7 (window design)
 class SincInterpolator {

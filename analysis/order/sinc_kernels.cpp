@@ -1,8 +1,6 @@
 #include "analysis/order/sinc_kernels.hpp"
 
-// The body is compiled once per kind of processor, into its own function: that is what the
-// attributes are for. It calls nothing that could be shared with code for another kind.
-#define RVBENCH_INTO_KERNEL [[gnu::always_inline]] inline
+#include "analysis/kernel.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -59,9 +57,7 @@ const SincKernels& portable_sinc_kernels() {
 const SincKernels& sinc_kernels() {
 #if defined(__x86_64__)
   static constexpr SincKernels kernels{avx2_between};
-  static const bool has_avx2 =
-      __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
-  if (has_avx2) return kernels;
+  if (has_avx2_and_fma()) return kernels;
 #endif
   return portable_sinc_kernels();
 }

@@ -1,8 +1,6 @@
 #include "analysis/tpa/mac_kernels.hpp"
 
-// Bodies are compiled once per kind of processor, into its own function: that is what the
-// attributes are for. They call nothing that could be shared with code for another kind.
-#define RVBENCH_INTO_KERNEL [[gnu::always_inline]] inline
+#include "analysis/kernel.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -91,9 +89,7 @@ const MacKernels& portable_mac_kernels() {
 const MacKernels& mac_kernels() {
 #if defined(__x86_64__)
   static constexpr MacKernels kernels{avx2_accumulate};
-  static const bool has_avx2 =
-      __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
-  if (has_avx2) return kernels;
+  if (has_avx2_and_fma()) return kernels;
 #endif
   return portable_mac_kernels();
 }

@@ -11,13 +11,12 @@ namespace rvbench::analysis {
 ///
 /// Errors  of tikhonov_by_gcv()
 /// Limits  forces along the singular vectors that are not of one size spoil it: 3.4 and 22 times
-/// the
-///         least error for Hansen's shaw and phillips with 0.1 % of noise
+///         the least error for Hansen's shaw and phillips with 0.1 % of noise
 /// Source  MacKay, Neural Comput. 4(3), 415-447 (1992); for sources and transfer matrices: Pereira,
 ///         Antoni & Leclère, Appl. Acoust. 97, 11-29 (2015)
 Regularisation tikhonov_by_evidence(const PicardPowers& line);
 
-/// What is minimised above.
+/// What is minimised above. Units  none. Errors, source  of tikhonov_by_evidence()
 double minus_log_evidence(const PicardPowers& line, double parameter);
 
 }  // namespace rvbench::analysis

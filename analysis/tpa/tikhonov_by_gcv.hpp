@@ -14,7 +14,7 @@ namespace rvbench::analysis {
 /// Source  Golub, Heath & Wahba, Technometrics 21(2), 215-223 (1979)
 Regularisation tikhonov_by_gcv(const PicardPowers& line);
 
-/// G(λ) above, in units of |b|².
+/// G(λ) above. Units  of |b|². Errors, source  of tikhonov_by_gcv()
 double gcv(const PicardPowers& line, double parameter);
 
 }  // namespace rvbench::analysis

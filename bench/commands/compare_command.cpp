@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <system_error>
 
 #include "analysis/compare/comparison.hpp"
@@ -71,6 +74,7 @@ class CompareCommand final : public Command {
   std::variant<Answer, int> held_against(Console& console);
   int check_options(Console& console);
   int open_sides(Console& console);
+  int join_names(Console& console);
   int find_kinematics(Console& console);
   std::optional<std::vector<RecordLevels>> measured(Console& console, CompareSide& side,
                                                     const std::string& name) const;
@@ -126,7 +130,8 @@ std::variant<CompareCommand::Answer, int> CompareCommand::held_against(Console& 
   Answer answer{analysis::compare(*a, *b, analysis::quantities_to_compare(kinematics_), options_),
                 {a_, b_, kinematics_, software_version(), {}}};
   for (const CompareSide& side : sides_) {
-    std::ranges::move(side.hashes(), std::back_inserter(answer.facts.hashes));
+    std::ranges::copy(side.left_out(), std::back_inserter(answer.comparison.left_out));
+    std::ranges::copy(side.hashes(), std::back_inserter(answer.facts.hashes));
   }
   if (answer.comparison.changes.empty()) {
     return refuse_nothing_in_common(console, answer.comparison);
@@ -145,7 +150,8 @@ int CompareCommand::check_options(Console& console) {
     return exit_codes::usage;
   }
   if (!(options_.least_dB >= 0 && options_.least_dB < options_.blind_dB)) {
-    return refuse_usage(console, "compare: --least must be 0 or above, and below 6 dB");
+    return refuse_usage(console, "compare: --least must be 0 or above, and below " +
+                                     fmt::format("{:g} dB", options_.blind_dB));
   }
   for (const std::string& names : same_) {
     if (split(names)) continue;
@@ -167,6 +173,41 @@ int CompareCommand::open_sides(Console& console) {
       return refusal->exit_code;
     }
     sides_.push_back(std::get<0>(std::move(opened)));
+    if (sides_.back().is_run() && (speed_rpm_ || rate_Hz_)) {
+      console.err << "rvbench: note: " << path
+                  << " is a run folder, which states its own speeds and rates: --speed and --rate "
+                     "are not used\n";
+    }
+  }
+  return join_names(console);
+}
+
+// Each name is that of one sensor.
+int CompareCommand::join_names(Console& console) {
+  std::set<std::string> of_a, of_b;
+  for (const std::string& names : same_) {
+    const auto [a, b] = *split(names);
+    const auto refuse = [&](const std::string& why) {
+      return refuse_usage(console, "compare: --same " + names + ": " + why);
+    };
+    const Result<bool> in_a = sides_[0].has_channel(a), in_b = sides_[1].has_channel(b);
+    for (const auto* known : {&in_a, &in_b}) {
+      if (!*known) return refuse_data(console, "compare: " + known->error().where);
+    }
+    if (!in_a.value()) return refuse(a_ + " has no channel " + a);
+    if (!in_b.value()) return refuse(b_ + " has no channel " + b);
+    if (!of_a.insert(a).second) return refuse(a + " is given twice");
+    if (!of_b.insert(b).second) return refuse(b + " is given twice");
+  }
+  for (const std::string& names : same_) {
+    const auto [a, b] = *split(names);
+    if (of_b.contains(a)) continue;  // it gets another name itself
+    const Result<bool> merged = sides_[1].has_channel(a);
+    if (!merged) return refuse_data(console, "compare: " + merged.error().where);
+    if (!merged.value()) continue;
+    return refuse_usage(console, "compare: --same " + names + ": " + b_ + " has both " + a +
+                                     " and " + b +
+                                     ": say with --same which one of A the former is");
   }
   for (const std::string& names : same_) sides_[1].rename(split(names)->b, split(names)->a);
   return exit_codes::done;

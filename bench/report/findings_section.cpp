@@ -68,8 +68,8 @@ std::string block_of(const Finding& finding, const ReportInput& input, bool abov
   if (!growth.empty()) html += "<dt>Growth</dt><dd>" + xml_escaped(growth) + "</dd>";
   if (above) {
     html += fmt::format(
-        "<dt>Confidence</dt><dd>{:.0f} %: this part's share of severity over limit, among all "
-        "findings above theirs</dd>",
+        "<dt>Confidence</dt><dd>{:.0f} %: this part's share of severity over limit, times how well "
+        "its growth fits, among all findings above theirs</dd>",
         100 * finding.confidence);
   }
   if (above) html += "<dt>Advice</dt><dd>" + xml_escaped(finding.advice) + "</dd>";

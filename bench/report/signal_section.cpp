@@ -30,7 +30,8 @@ struct Shown {
   std::string quantity() const {
     return channel.info.unit.empty() ? "signal" : "acceleration [" + channel.info.unit + "]";
   }
-  double turns_per_s() const { return units::Hz_from_rpm(std::abs(record.speed_rpm)); }
+  // As it was examined: a record with a shaft angle need not state a speed.
+  double turns_per_s() const { return units::Hz_from_rpm(std::abs(point.examination.speed_rpm)); }
 };
 
 std::string figure(const SvgPlot& plot) {

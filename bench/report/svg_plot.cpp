@@ -18,7 +18,7 @@ constexpr int top_px = 57;  // the title and three rows of mark labels
 constexpr int bottom_px = 38;
 constexpr int label_row_px = 11;
 constexpr int label_rows = 3;
-constexpr double label_character_px = 5.0;
+constexpr double label_character_px = 5.4;
 
 void check(const PlotAxis& axis) {
   if (!std::isfinite(axis.min) || !std::isfinite(axis.max) || !(axis.max > axis.min)) {
@@ -183,7 +183,7 @@ std::string SvgPlot::marks() const {
     const double centre = std::clamp(at, half, width_px_ - half);
     for (int row = 0; row < label_rows; ++row) {
       if (centre - half < row_ends_px[row]) continue;
-      row_ends_px[row] = centre + half + 4;
+      row_ends_px[row] = centre + half + 10;
       text += fmt::format(R"(<text x="{:.1f}" y="{}" class="mid marklabel">{}</text>)", centre,
                           top_px - 4 - row * label_row_px, xml_escaped(label));
       break;

@@ -310,6 +310,40 @@ TEST_CASE("what has only lines of a graver finding may follow from it", "[analys
   CHECK(other.findings.at(0).may_follow_from.empty());
 }
 
+TEST_CASE("a spall comes before its shaft, whose line it makes by turning through the load",
+          "[analysis][conclude]") {
+  Kinematics k = two_parts();
+  k.signatures[0].order = 0.33;
+  k.signatures[1].order = 4.2;
+  k.signatures[1].slip = 0.02;
+  k.signatures[1].sidebands = {0.33};
+  Examination e = point("a", {0.9, 1e-12}, {0.5, 1e-12});
+  e.scores[0].order = 0.33;
+  e.scores[0].line_orders = {0.33};
+  e.scores[1].order = 4.2 * 1.01;  // the spall slips, its shaft does not
+  const Diagnosis d = conclude({e}, k);
+  REQUIRE(d.findings.size() == 2);
+  CHECK(d.findings[0].component == "gear");
+  CHECK(d.findings[0].may_follow_from.empty());
+  CHECK(d.findings[1].component == "shaft");
+  CHECK(d.findings[1].may_follow_from == "gear: wear");
+  CHECK(d.findings[0].confidence >= d.findings[1].confidence);
+
+  SECTION("not where the shaft has a line that the spall does not make") {
+    e.scores[0].line_orders = {0.33, 0.5};
+    e.scores[0].line_depths = {0.6, 0.6};
+    CHECK(conclude({e}, k).findings.at(0).component == "shaft");
+  }
+  SECTION("not where the spall is within its limit") {
+    k.signatures[1].depth_limit = 0.6;
+    CHECK(conclude({e}, k).findings.at(0).component == "shaft");
+  }
+  SECTION("of gears it cannot be said: an eccentric shaft makes the sidebands of their mesh") {
+    k.signatures[1].slip = 0;
+    CHECK(conclude({e}, k).findings.at(0).component == "shaft");
+  }
+}
+
 TEST_CASE("hypotheses are all parts, those that show first", "[analysis][conclude]") {
   const Diagnosis d = conclude({point("a", nothing, {0.5, 1e-12})}, two_parts());
   const auto all = d.hypotheses();

@@ -79,6 +79,23 @@ TEST_CASE("without noise an ensemble is one EMD", "[analysis][emd][law]") {
   }
 }
 
+TEST_CASE("of an ensemble as little is reliable as of its worst member", "[analysis][emd]") {
+  const Eigen::VectorXd x = test::white_noise(500, 34);
+  const auto ends = [&](Method method, int members) {
+    return method(x, {.emd = {.imfs = 4}, .members = members}).unreliable_ends;
+  };
+  // Each member has other noise, so that the worst of many is hardly the first one.
+  for (const Method method : {analysis::eemd, analysis::ceemdan, analysis::iceemdan}) {
+    CHECK(ends(method, 20).back() > ends(method, 1).back());
+  }
+  for (int members = 1; members < 16; ++members) {  // one more can only make it less
+    CAPTURE(members);
+    const auto fewer = ends(analysis::eemd, members), more = ends(analysis::eemd, members + 1);
+    REQUIRE(more.size() >= fewer.size());
+    for (std::size_t k = 0; k < fewer.size(); ++k) CHECK(more[k] >= fewer[k]);
+  }
+}
+
 TEST_CASE("an ensemble gives the same bits for a seed, whatever the number of threads",
           "[analysis][emd][threads]") {
   const Eigen::VectorXd x = test::white_noise(1500, 33);

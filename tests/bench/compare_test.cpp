@@ -80,6 +80,10 @@ TEST_CASE("compare names the line that changed, and by how much", "[bench]") {
   const auto json = told(compare(a, b, {"--json"}));
   CHECK(json.at("verdict") == "changed");
   CHECK(json.at("families").at(0).at("component") == "bearing_outer");
+  CHECK(json.at("families").at(0).at("cells_changed") >= 1);
+  CHECK(json.at("families").at(0).at("cells_changed") <= json.at("families").at(0).at("cells"));
+  CHECK(json.at("method").at("seen_p") == 1e-4);
+  CHECK(json.at("method").at("found_p") == 0.01);
   const auto& line = json.at("changed").at(0);
   CHECK(line.at("quantity") == "drive end bearing_outer");
   CHECK(line.at("median_dB").get<double>() ==
@@ -128,6 +132,74 @@ TEST_CASE("one sensor by two names is one channel if the user says so", "[bench]
   for (const char* wrong : {"accel_1x", "=DE_130", "accel_1x="}) {
     CHECK(compare(a, b, {"--same", wrong}).code == 2);
   }
+  const Answer absent = compare(a, b, {"--same", "accel_1x=DE_131"});
+  CHECK(absent.code == 2);
+  CHECK_THAT(absent.err, Contains("has no channel DE_131"));
+  CHECK(compare(a, b, {"--same", "accel_2x=DE_130"}).code == 2);
+  const Answer twice = compare(a, b, {"--same", "accel_1x=DE_130", "--same", "accel_1x=DE_130"});
+  CHECK(twice.code == 2);
+  CHECK_THAT(twice.err, Contains("accel_1x is given twice"));
+}
+
+TEST_CASE("a name of A that B has for another sensor is not given twice", "[bench]") {
+  const ScratchFolder scratch;
+  const auto write = [&](const char* name, const char* channels, unsigned seed) {
+    std::mt19937 engine(seed);
+    std::normal_distribution<double> noise(0, 0.1);
+    std::ofstream out(scratch.path() / name);
+    out << channels << '\n';
+    for (int i = 0; i < 8 * rate_Hz; ++i) {
+      const double first = noise(engine);
+      out << first << ',' << 10 * noise(engine) << '\n';
+    }
+    return (scratch.path() / name).string();
+  };
+  const std::string a = write("a.csv", "s1,s2", 1), b = write("b.csv", "s1,s2", 2);
+  const Answer merged = compare(a, b, {"--same", "s1=s2"});
+  CHECK(merged.code == 2);
+  CHECK_THAT(merged.err, Contains("has both s1 and s2"));
+  const Answer swapped = compare(a, b, {"--same", "s1=s2", "--same", "s2=s1", "--json"});
+  REQUIRE(swapped.code == 0);
+  for (const auto& change : told(swapped).at("points").at(0).at("changes")) {
+    if (change.at("quantity") != "rms") continue;
+    const double by_dB = change.at("channel") == "s1" ? 20 : -20;
+    CHECK(change.at("change_dB").get<double>() == Approx(by_dB).margin(1));
+  }
+}
+
+TEST_CASE("copies of a recording are no repeats", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string a = repeats(scratch, "a", {}, 1, 1), b = repeats(scratch, "b", {}, 1, 2);
+  for (const std::string& side : {a, b}) {
+    for (const char* copy : {"1.csv", "2.csv"}) {
+      std::filesystem::copy_file(side + "/0.csv", side + "/" + copy);
+    }
+  }
+  const Answer answer = compare(a, b, {"--json"});
+  REQUIRE(answer.code == 0);
+  const auto json = told(answer);
+  CHECK(json.at("verdict") != "changed");
+  CHECK(json.at("points").at(0).at("records") == nlohmann::json({{"a", 1}, {"b", 1}}));
+  CHECK(json.at("data_sha256").size() == 2);
+  REQUIRE(json.at("left_out").size() == 4);
+  CHECK(json.at("left_out").at(0).at("where") == a + "/1.csv");
+  CHECK(json.at("left_out").at(0).at("why") == "a copy of " + a + "/0.csv, no repeat");
+}
+
+TEST_CASE("why it cannot be told is said as it is", "[bench]") {
+  analysis::Comparison comparison;
+  comparison.quantities = {{"rms"}};
+  analysis::Change change;
+  change.seen = true;
+  comparison.changes = {change};
+  CHECK_THAT(compare_reservation(comparison),
+             Contains("Of 1 it cannot be told: no scatter is known of them.") &&
+                 Contains("too short for parts, or repeats agree to the last digit"));
+  comparison.changes.front().source = analysis::ScatterSource::repeats;
+  comparison.changes.front().freedom = 4;
+  CHECK_THAT(compare_reservation(comparison),
+             Contains("Of 1 it cannot be told: their scatter would hide 6 dB.") &&
+                 !Contains("no scatter is known"));
 }
 
 TEST_CASE("compare writes a page that stands for itself, and not over an older one", "[bench]") {
@@ -172,6 +244,29 @@ TEST_CASE("compare refuses what cannot be compared, and says why", "[bench]") {
     const Answer answer = compare(a, (scratch.path() / "empty").string());
     CHECK(answer.code == 20);
     CHECK_THAT(answer.err, Contains("holds no recording"));
+  }
+  SECTION("a folder of run folders") {
+    const std::filesystem::path runs = scratch.path() / "runs";
+    std::filesystem::create_directories(runs / "A17" / "20260102T030405Z");
+    write_file(runs / "results.db", "");
+    write_file(runs / "A17" / "20260102T030405Z" / "plan.json", "{}");
+    for (const auto& parent : {runs, runs / "A17"}) {
+      const Answer answer = compare(a, parent.string());
+      CHECK(answer.code == 20);
+      CHECK_THAT(answer.err,
+                 Contains("is a parent of run folders") && Contains("A17/20260102T030405Z"));
+    }
+  }
+  SECTION("a folder that may not be read") {
+    const std::filesystem::path folder = scratch.path() / "closed";
+    std::filesystem::create_directories(folder);
+    std::filesystem::permissions(folder, std::filesystem::perms::none);
+    std::error_code why;
+    const std::filesystem::directory_iterator reads(folder, why);
+    const Answer answer = compare(a, folder.string());
+    std::filesystem::permissions(folder, std::filesystem::perms::owner_all);
+    CHECK(answer.code == 20);  // the superuser reads it: then it holds no recording
+    CHECK_THAT(answer.err, Contains(why ? "Permission denied" : "holds no recording"));
   }
   SECTION("a file that is none") {
     write_file(scratch.path() / "b.csv", "\x01\x02 nonsense");

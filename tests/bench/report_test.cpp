@@ -244,6 +244,23 @@ TEST_CASE("the report shows beside each other what four ways find in an envelope
   }
 }
 
+TEST_CASE("a record with an angle and no stated speed has its lines marked all the same",
+          "[bench]") {
+  ReportInput input = failed_input();
+  input.kinematics.orders.push_back({"loud mesh", 70, "", "sun_gear", ""});
+  input.load = [](std::size_t) {
+    Recording record = chirped(4);
+    record.speed_rpm = not_known;
+    return std::optional<Recording>(std::move(record));
+  };
+  const std::string html = make_report(input);
+  CHECK_THAT(html, Contains("Envelope spectrum of IMF 1") && Contains("loud mesh</text>"));
+  // Of what was examined without a speed no order is known.
+  for (auto& point : input.judgement.points) point.examination.speed_rpm = not_known;
+  CHECK_THAT(make_report(input),
+             !Contains("Envelope spectrum of IMF 1") && !Contains("loud mesh</text>"));
+}
+
 TEST_CASE("the report needs nothing but itself", "[bench]") {
   const std::string html = make_report(failed_input());
   CHECK_FALSE(std::regex_search(html, std::regex("(src|href) *=|url\\(|@import|<script|https?:")));

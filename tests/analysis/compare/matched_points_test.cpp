@@ -13,6 +13,7 @@ std::vector<RecordLevels> at(const std::vector<std::pair<double, double>>& place
     RecordLevels record;
     record.speed_rpm = speed_rpm;
     record.load_pct = load_pct;
+    record.channels.resize(1);
     records.push_back(record);
   }
   return records;
@@ -50,6 +51,15 @@ TEST_CASE("points are paired by speed and load, whatever their order", "[analysi
     CHECK(point.a.speed_rpm == point.b.speed_rpm);
     CHECK(point.a.load_pct == point.b.load_pct);
   }
+}
+
+TEST_CASE("a record of which no channel can be compared is in no point", "[analysis]") {
+  auto records = at({{605, 0}, {605, 0}, {1210, 0}});
+  records[1].channels.clear();
+  records[2].channels.clear();
+  const auto points = points_of(records);
+  REQUIRE(points.size() == 1);
+  CHECK(points[0].records == std::vector<std::size_t>{0});
 }
 
 TEST_CASE("a point that only one has is listed", "[analysis]") {

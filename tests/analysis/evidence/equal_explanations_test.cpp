@@ -2,25 +2,16 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/analysis/spall.hpp"
+
 using namespace rvbench;
 using analysis::equal_explanations;
 using analysis::Kinematics;
-using analysis::Signature;
 using analysis::SignatureScore;
 
 namespace {
 
 constexpr double resolution = 0.002;
-
-Signature race(const char* component, double order) {
-  Signature s;
-  s.component = component;
-  s.mechanism = "spall";
-  s.order = order;
-  s.harmonics = 3;
-  s.slip = 0.02;
-  return s;
-}
 
 // Of the first signature, found `slip` off its nominal order.
 SignatureScore found(const Kinematics& k, double slip, std::vector<double> line_depths) {
@@ -35,7 +26,7 @@ SignatureScore found(const Kinematics& k, double slip, std::vector<double> line_
 
 Kinematics bearings(double other_order) {
   Kinematics k;
-  k.signatures = {race("bearing_a", 3.5), race("bearing_b", other_order)};
+  k.signatures = {test::spall_of("bearing_a", 3.5, 3), test::spall_of("bearing_b", other_order, 3)};
   return k;
 }
 
