@@ -75,10 +75,11 @@ Eigen::MatrixXd partial_mean_squares(const PathContributions& contributions, con
       Eigen::MatrixXd::Zero(contributions.forces.rows, contributions.target_frfs.rows);
   for (Index line = 0; line < contributions.grid.lines; ++line) {
     if (!counts(contributions, band, line)) continue;
-    const Eigen::VectorXd force_powers = contributions.forces[line].cwiseAbs2() * weights;
+    const Eigen::VectorXd force_powers = contributions.forces[line].cwiseAbs2() * weights -
+                                         contributions.force_noise.col(line) * weights.sum();
     powers += force_powers.asDiagonal() * contributions.target_frfs[line].cwiseAbs2().transpose();
   }
-  return powers;
+  return powers.cwiseMax(0);
 }
 
 std::vector<TargetRanking> rank_contributions(const PathContributions& contributions,

@@ -1,5 +1,6 @@
 #include "analysis/tpa/matrix_inverse.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -29,20 +30,69 @@ void require_alike(const FrfMatrix& frfs, const OperatingSpectra& operating,
           std::to_string(is_used.size()) + " marks of lines that are used");
 }
 
-std::vector<Regularisation> rules_of(const FrfMatrix& indicators, const LineSvd& svd,
-                                     const LineMatrices& responses, const RegularisationRule& rule,
-                                     const std::vector<bool>& is_used, unsigned threads) {
+// A silent sensor weighs no more than one of a millionth of the loudest.
+Eigen::VectorXd weights_of(const LineMatrices& responses, const std::vector<bool>& is_used) {
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(responses.rows);
+  for (Index line = 0; line < responses.lines; ++line) {
+    if (is_used[std::size_t(line)]) squares += responses[line].rowwise().squaredNorm();
+  }
+  const double loudest = squares.maxCoeff();
+  if (!(loudest > 0)) return Eigen::VectorXd::Ones(responses.rows);
+  return (squares / loudest).cwiseMax(1e-12).cwiseSqrt().cwiseInverse();
+}
+
+void weight_rows(LineMatrices& matrices, const Eigen::VectorXd& weights) {
+  for (Index line = 0; line < matrices.lines; ++line) {
+    matrices[line] = weights.asDiagonal() * Eigen::MatrixXcd(matrices[line]);
+  }
+}
+
+// Indicators' FRFs and responses, weighted alike.
+struct Weighted {
+  FrfMatrix frfs;
+  LineMatrices responses;
+};
+
+Weighted weighted(FrfMatrix frfs, LineMatrices responses, const std::vector<bool>& is_used) {
+  const Eigen::VectorXd weights = weights_of(responses, is_used);
+  weight_rows(frfs.values, weights);
+  weight_rows(responses, weights);
+  const Eigen::VectorXd squares = weights.cwiseAbs2().replicate(frfs.values.columns, 1);
+  if (frfs.variances.size() > 0) frfs.variances = squares.asDiagonal() * frfs.variances;
+  return {std::move(frfs), std::move(responses)};
+}
+
+struct ChosenLines {
+  std::vector<Regularisation> rules;
+  Eigen::VectorXd noise;  // of an indicator, mean square
+};
+
+ChosenLines chosen(const Weighted& indicators, const LineSvd& svd, const RegularisationRule& rule,
+                   const std::vector<bool>& is_used, unsigned threads) {
+  const FrfMatrix& frfs = indicators.frfs;
   Eigen::VectorXd floors =
-      Eigen::VectorXd::Constant(responses.lines, std::numeric_limits<double>::quiet_NaN());
-  if (indicators.variances.size() > 0) floors = noise_floors(indicators);
-  std::vector<Regularisation> rules(is_used.size());
+      Eigen::VectorXd::Constant(frfs.values.lines, std::numeric_limits<double>::quiet_NaN());
+  if (frfs.variances.size() > 0) floors = noise_floors(frfs);
+  const double freedom = double(std::max<Index>(frfs.values.rows - frfs.values.columns, 1));
+  ChosenLines lines{std::vector<Regularisation>(is_used.size()),
+                    Eigen::VectorXd::Zero(frfs.values.lines)};
   const auto one = [&](std::size_t i) {
     const Index line = Index(i);
     if (!is_used[i] || !(svd.singular_values(0, line) > 0)) return;
-    rules[i] = rule({picard_powers(svd, line, responses[line]), floors[line]});
+    const PicardPowers powers = picard_powers(svd, line, indicators.responses[line]);
+    lines.rules[i] = rule({powers, floors[line]});
+    lines.noise[line] = powers.outside / freedom;
   };
   parallel_for(is_used.size(), one, threads);
-  return rules;
+  return lines;
+}
+
+Eigen::MatrixXd carried(const LineMatrices& inverse, const Eigen::VectorXd& noise) {
+  Eigen::MatrixXd of_forces(inverse.rows, inverse.lines);
+  for (Index line = 0; line < inverse.lines; ++line) {
+    of_forces.col(line) = noise[line] * inverse[line].rowwise().squaredNorm();
+  }
+  return of_forces;
 }
 
 LineMatrices product(const LineMatrices& a, const LineMatrices& b, unsigned threads) {
@@ -63,15 +113,15 @@ PathContributions matrix_inverse_contributions(const FrfMatrix& frfs,
                                                std::vector<bool> is_used, unsigned threads) {
   if (is_used.empty()) is_used.assign(std::size_t(frfs.values.lines), true);
   require_alike(frfs, operating, is_used);
-  const FrfMatrix indicators = rows_of(frfs, roles.indicators());
-  const LineMatrices responses = rows_of(operating, roles.indicators()).values;
-  require(indicators.values.rows >= indicators.values.columns,
-          std::to_string(indicators.values.rows) + " indicators for " +
-              std::to_string(indicators.values.columns) + " paths");
-  const LineSvd svd = line_svd(indicators.values, threads);
-  RegularisedInverse inverse = regularised_inverse(
-      svd, rules_of(indicators, svd, responses, rule, is_used, threads), threads);
-  LineMatrices forces = product(inverse.values, responses, threads);
+  const Weighted indicators = weighted(rows_of(frfs, roles.indicators()),
+                                       rows_of(operating, roles.indicators()).values, is_used);
+  const LineMatrices& matrix = indicators.frfs.values;
+  require(matrix.rows >= matrix.columns, std::to_string(matrix.rows) + " indicators for " +
+                                             std::to_string(matrix.columns) + " paths");
+  const LineSvd svd = line_svd(matrix, threads);
+  ChosenLines lines = chosen(indicators, svd, rule, is_used, threads);
+  RegularisedInverse inverse = regularised_inverse(svd, std::move(lines.rules), threads);
+  LineMatrices forces = product(inverse.values, indicators.responses, threads);
   OperatingSpectra validation = rows_of(operating, roles.validation());
   LineMatrices synthesised = product(rows_of(frfs, roles.validation()).values, forces, threads);
   return {frfs.excitations,
@@ -83,7 +133,8 @@ PathContributions matrix_inverse_contributions(const FrfMatrix& frfs,
           OnBoardValidation(std::move(validation), std::move(synthesised), is_used),
           std::move(inverse.lines),
           std::move(inverse.conditions),
-          std::move(is_used)};
+          std::move(is_used),
+          carried(inverse.values, lines.noise)};
 }
 
 }  // namespace rvbench::analysis

@@ -18,8 +18,9 @@ struct PathContributions {
   LineMatrices measured_targets;  ///< targets x blocks
   OnBoardValidation validation;
   std::vector<Regularisation> rules;  ///< one per line: kept singular values, parameter
-  Eigen::VectorXd conditions;         ///< one per line, of the FRFs to indicators
+  Eigen::VectorXd conditions;         ///< one per line, of the FRFs to weighted indicators
   std::vector<bool> is_used;          ///< one per line; forces of the others are 0
+  Eigen::MatrixXd force_noise;        ///< paths x lines: mean square of what noise adds to a force
 
   /// What each path adds to a target at a line: paths x blocks, 0-to-peak, in the target's unit.
   Eigen::MatrixXcd partial(Eigen::Index line, Eigen::Index target) const {
@@ -33,6 +34,10 @@ struct PathContributions {
 ///
 ///     F = H⁺·A         forces from indicators' accelerations, H⁺ regularised line by line
 ///     P_tp = H_tp·F_p  partial contributions, complex; their sum over p is the target
+///
+/// Indicators are weighted by 1 / RMS over the used lines: the errors of a loud sensor are larger.
+/// What they show beyond the reach of all paths, per degree of freedom, is the noise that the
+/// inverse carries into the forces; 0 where there are as many paths as indicators.
 ///
 /// @param frfs       all sensors (rows) per path (columns)
 /// @param operating  all sensors

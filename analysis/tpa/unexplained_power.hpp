@@ -27,7 +27,8 @@ struct UnexplainedPower {
 /// Units   squares of the indicators'
 /// Errors  throws std::invalid_argument: as many indicators as paths (nothing can be outside),
 ///         variances of the FRFs not known
-/// Limits  what a missing path causes within the column space is not seen; forces that cancel at
+/// Limits  what a missing path causes within the column space is not seen; one that pushes alike at
+///         nine lines of ten or more is taken for noise; forces that cancel at
 ///         the indicators and are damped by the rule leave more outside than is expected of them
 /// Source  Hansen, Discrete Inverse Problems (2010), ch. 3; the expectation: ours
 UnexplainedPower unexplained_power(const FrfMatrix& frfs, const OperatingSpectra& operating,

@@ -108,8 +108,9 @@ TEST_CASE("more error is less certainty", "[tpa]") {
     const Interval95 rms = certainty(problem)[0].rms[0];
     return rms.high - rms.low;
   };
-  // Errors of 0.04 alone make four times the width of 0.01; what blocks vary by does not change.
-  CHECK(width(0.04) > 2 * width(0.01));
+  // Where errors of the FRFs make most of the width, four times the error is nearly four times as
+  // wide; what blocks vary by does not change.
+  CHECK(width(0.16) > 2 * width(0.04));
 }
 
 TEST_CASE("the interval holds the true contribution about as often as it says", "[tpa]") {

@@ -40,18 +40,34 @@ TEST_CASE("partial contributions are phasors whose sum is the target", "[tpa][la
   }
 }
 
-TEST_CASE("forces are those of LAPACK-like least squares, by Eigen's QR", "[tpa]") {
+TEST_CASE("forces are those of weighted least squares, by Eigen's QR", "[tpa]") {
   PathProblem problem(3);
   problem.add_sensor_noise(0.3, 8);
+  Eigen::MatrixXcd all(PathProblem::indicators, PathProblem::lines * PathProblem::blocks);
+  for (Index line = 0; line < PathProblem::lines; ++line) {
+    problem.operating.values[line].row(2) *= 5;
+    all.middleCols(line * PathProblem::blocks, PathProblem::blocks) =
+        problem.operating.values[line].topRows(PathProblem::indicators);
+  }
+  const Eigen::VectorXd weights = all.rowwise().norm().cwiseInverse();
   const PathContributions found = problem.solved();
   for (Index line = 0; line < PathProblem::lines; ++line) {
-    const Eigen::MatrixXcd expected =
-        problem.frfs.values[line]
-            .topRows(PathProblem::indicators)
-            .colPivHouseholderQr()
-            .solve(problem.operating.values[line].topRows(PathProblem::indicators));
+    const Eigen::MatrixXcd frfs =
+        weights.asDiagonal() * problem.frfs.values[line].topRows(PathProblem::indicators);
+    const Eigen::MatrixXcd expected = frfs.colPivHouseholderQr().solve(
+        weights.asDiagonal() * problem.operating.values[line].topRows(PathProblem::indicators));
     CHECK((found.forces[line] - expected).norm() < 1e-10 * expected.norm());
   }
+}
+
+TEST_CASE("what noise adds to the forces is told by what no path explains", "[tpa]") {
+  PathProblem problem(11);
+  CHECK(problem.solved().force_noise.maxCoeff() < 1e-20);
+  problem.add_sensor_noise(0.2, 12);
+  const PathContributions found = problem.solved();
+  const double error = (found.forces.values - problem.forces.values).squaredNorm();
+  // 40 lines of 4 · 16 blocks outside: known to 3 %, and so is the error of as many forces.
+  CHECK(found.force_noise.sum() * PathProblem::blocks == Approx(error).epsilon(0.12));
 }
 
 TEST_CASE("the score is the share of power that is explained", "[tpa]") {
