@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/frf/signed_axis.hpp"
+#include "analysis/tpa/smoothed_frfs.hpp"
 #include "bench/stop_on_signal.hpp"
 #include "bench/tpa_hits.hpp"
 #include "hal/formats/read_frequency_responses.hpp"
@@ -125,9 +126,10 @@ std::variant<TpaFrfs, TpaRefusal> assembled(const TpaProject& project, MeasuredH
   if (!put_together.matrix) return put_together.faults;
   note_bands_without_line(project, *put_together.matrix, refusal);
   if (!refusal.empty()) return refusal;
-  return TpaFrfs{
-      std::move(*put_together.matrix), analysis::coherent_lines(responses, project.least_coherence),
-      analysis::direction_doubts(responses, band), measured.hits, std::move(measured.rejected)};
+  return TpaFrfs{analysis::smoothed_frfs(std::move(*put_together.matrix)),
+                 analysis::coherent_lines(responses, project.least_coherence),
+                 analysis::direction_doubts(responses, band), measured.hits,
+                 std::move(measured.rejected)};
 }
 
 }  // namespace

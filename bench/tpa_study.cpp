@@ -214,10 +214,9 @@ std::variant<TpaStudy, TpaRefusal> study_paths(const TpaProject& project, Progre
   auto frfs = read_tpa_frfs(project, bar, stop);
   if (auto* refusal = std::get_if<TpaRefusal>(&frfs)) return std::move(*refusal);
   TpaStudy study{project, std::get<0>(std::move(frfs)), {}, software_version(), {}};
-  if (analysis::find_rule(project.rule)->needs_variances &&
-      study.frfs.matrix.variances.size() == 0) {
+  if (analysis::find_rule(project.rule)->needs_noise && study.frfs.matrix.noise.size() == 0) {
     return TpaRefusal{"FRFs: " + project.rule +
-                      " needs their errors, and coherence or averages of one are not known"};
+                      " needs their noise, and the bands have too few lines to tell it"};
   }
   Study motions(study.project, study.frfs, bar, stop);
   for (const TpaMotion& motion : study.project.motions) {

@@ -58,7 +58,7 @@ Weighted weighted(FrfMatrix frfs, LineMatrices responses, const std::vector<bool
   weight_rows(frfs.values, weights);
   weight_rows(responses, weights);
   const Eigen::VectorXd squares = weights.cwiseAbs2().replicate(frfs.values.columns, 1);
-  if (frfs.variances.size() > 0) frfs.variances = squares.asDiagonal() * frfs.variances;
+  if (frfs.noise.size() > 0) frfs.noise = squares.asDiagonal() * frfs.noise;
   return {std::move(frfs), std::move(responses)};
 }
 
@@ -72,7 +72,7 @@ ChosenLines chosen(const Weighted& indicators, const LineSvd& svd, const Regular
   const FrfMatrix& frfs = indicators.frfs;
   Eigen::VectorXd floors =
       Eigen::VectorXd::Constant(frfs.values.lines, std::numeric_limits<double>::quiet_NaN());
-  if (frfs.variances.size() > 0) floors = noise_floors(frfs);
+  if (frfs.noise.size() > 0) floors = noise_floors(frfs);
   const double freedom = double(std::max<Index>(frfs.values.rows - frfs.values.columns, 1));
   ChosenLines lines{std::vector<Regularisation>(is_used.size()),
                     Eigen::VectorXd::Zero(frfs.values.lines)};

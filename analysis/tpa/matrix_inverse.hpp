@@ -46,7 +46,7 @@ struct PathContributions {
 /// Units   forces in the unit of excitation
 /// Errors  throws std::invalid_argument: other lines or unit than the FRFs', a sensor that is not
 ///         there, fewer indicators than paths, is_used of another length, a rule that needs
-///         variances which are not known (its floor is then NaN)
+///         the FRFs' noise where that is not known (its floor is then NaN)
 /// Threads up to `threads` (0: the free cores); the result does not depend on them
 /// Source  van der Seijs, de Klerk & Rixen, Mech. Syst. Signal Process. 68-69, 217-244 (2016),
 ///         sec. 3.3; Thite & Thompson, J. Sound Vib. 264(2), 411-431 (2003)

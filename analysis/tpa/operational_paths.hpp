@@ -38,7 +38,7 @@ struct OperationalPaths {
 /// @param learnt    blocks to learn from: as many as references at least, better several times as
 ///                  many, of operation that varies (run-up, load)
 /// @param held_out  blocks of another time, same lines: its score is the analysis' validity
-/// @param rule      one that needs no variances
+/// @param rule      one that needs no noise of FRFs
 /// Shape   lines of both
 /// Units   those of the sensors
 /// Errors  throws std::invalid_argument: no reference or target, a sensor that is not there, one

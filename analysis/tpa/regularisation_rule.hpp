@@ -14,7 +14,7 @@ namespace rvbench::analysis {
 /// All that a rule may go by at one line.
 struct LineToInvert {
   PicardPowers powers;     ///< of the operating responses
-  double noise_floor = 0;  ///< largest singular value of the errors of the FRFs; NaN: not known
+  double noise_floor = 0;  ///< largest singular value of the FRFs' noise; NaN: not known
 };
 
 /// How much of a line is to be inverted.
@@ -23,7 +23,7 @@ using RegularisationRule = std::function<Regularisation(const LineToInvert&)>;
 /// Rules as a project names them.
 struct NamedRule {
   std::string_view name;
-  bool needs_variances = false;  ///< of the FRFs
+  bool needs_noise = false;  ///< of the FRFs, to be known
   RegularisationRule rule;
 };
 

@@ -46,6 +46,20 @@ LineMatrices rows_of(const LineMatrices& all, const std::vector<Index>& rows) {
   return some;
 }
 
+// What is known of each pair, of these rows alone; nothing if nothing is known.
+Eigen::MatrixXd pairs_of(const FrfMatrix& frfs, const Eigen::MatrixXd& all,
+                         const std::vector<Index>& rows) {
+  if (all.size() == 0) return {};
+  const Index count = Index(rows.size());
+  Eigen::MatrixXd some(count * frfs.values.columns, all.cols());
+  for (Index column = 0; column < frfs.values.columns; ++column) {
+    for (Index i = 0; i < count; ++i) {
+      some.row(column * count + i) = all.row(column * frfs.values.rows + rows[std::size_t(i)]);
+    }
+  }
+  return some;
+}
+
 }  // namespace
 
 SensorRoles::SensorRoles(Places indicators, Places targets, Places validation)
@@ -66,15 +80,8 @@ FrfMatrix rows_of(const FrfMatrix& frfs, const Places& places) {
   FrfMatrix some = frfs;
   some.responses = all_positive(places);
   some.values = rows_of(frfs.values, rows);
-  if (frfs.variances.size() == 0) return some;
-  const Index count = Index(rows.size());
-  some.variances.resize(count * frfs.values.columns, frfs.variances.cols());
-  for (Index column = 0; column < frfs.values.columns; ++column) {
-    for (Index i = 0; i < count; ++i) {
-      some.variances.row(column * count + i) =
-          frfs.variances.row(column * frfs.values.rows + rows[std::size_t(i)]);
-    }
-  }
+  some.variances = pairs_of(frfs, frfs.variances, rows);
+  some.noise = pairs_of(frfs, frfs.noise, rows);
   return some;
 }
 

@@ -40,7 +40,7 @@ void add_rank(const FrfMatrix& frfs, const SensorRoles& roles, const std::vector
   }
   if (double(below) <= limits.most_lines_below_rank * double(used)) return;
   faults.push_back({TpaFaultKind::rank_below_paths, of_lines(below, used),
-                    "the FRFs' errors hide some of the paths' differences; on average " +
+                    "the FRFs' noise hides some of the paths' differences; on average " +
                         std::to_string(told / std::max<Index>(used, 1)) + " of " +
                         std::to_string(sizes.rows()) + " forces can be told apart"});
 }
@@ -99,7 +99,7 @@ Faults faults_of_inversion(const FrfMatrix& frfs, const OperatingSpectra& operat
   const bool errors_are_known = frfs.variances.size() > 0;
   const bool has_more_rows = Index(roles.indicators().size()) > frfs.values.columns;
   Faults faults;
-  if (errors_are_known) add_rank(frfs, roles, contributions.is_used, limits, faults);
+  if (frfs.noise.size() > 0) add_rank(frfs, roles, contributions.is_used, limits, faults);
   std::optional<SensorChange> change;
   if (has_more_rows) change = find_sensor_change(frfs, operating, roles, contributions.is_used);
   if (change && change->unexplained_before > limits.least_unexplained) {

@@ -9,7 +9,7 @@ namespace rvbench::analysis {
 
 enum class TpaFaultKind {
   too_few_indicators,  ///< fewer than paths, or as many: nothing left to check by
-  rank_below_paths,    ///< FRFs cannot tell all paths apart, by their own errors
+  rank_below_paths,    ///< FRFs cannot tell all paths apart, by their own noise
   incoherent_lines,    ///< left out
   sign_reversed,       ///< of a sensor, in operation against the hammer test
   directions_swapped,  ///< as well
@@ -41,8 +41,8 @@ std::vector<TpaFault> faults_before_inversion(Eigen::Index indicators, Eigen::In
 /// Those that only the analysis shows. Where one sensor's sign or direction explains what is
 /// outside the paths' reach, no path is said to be missing.
 ///
-/// Rank and missing paths are not asked for where the variances of the FRFs are not known; nor
-/// missing paths and sensors where there are no more indicators than paths.
+/// Rank is not asked for where the noise of the FRFs is not known, nor missing paths where their
+/// variances are not; nor these and sensors where there are no more indicators than paths.
 ///
 /// @param frfs, operating, roles  as given to the analysis. @param contributions  its result
 /// Shape   any number, in the order of TpaFaultKind

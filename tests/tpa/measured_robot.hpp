@@ -5,6 +5,7 @@
 
 #include "analysis/frf/hammer_test.hpp"
 #include "analysis/tpa/matrix_inverse.hpp"
+#include "analysis/tpa/smoothed_frfs.hpp"
 #include "sim/robot/hammer_test.hpp"
 #include "sim/robot/operation.hpp"
 
@@ -45,7 +46,7 @@ inline std::vector<analysis::HammerSeries> hammer_series(std::vector<Recording> 
   return session;
 }
 
-/// FRFs of the simulated hammer test, on the lines of the grid; its step is 1 / hit_s.
+/// FRFs of the simulated hammer test, smoothed, on the lines of the grid; its step is 1 / hit_s.
 inline analysis::FrfMatrix measured_frfs(const sim::VirtualRobot& robot,
                                          const analysis::LineGrid& grid) {
   const auto results =
@@ -62,7 +63,7 @@ inline analysis::FrfMatrix measured_frfs(const sim::VirtualRobot& robot,
       }
     }
   }
-  return analysis::assemble_frf_matrix(set).matrix.value();
+  return analysis::smoothed_frfs(analysis::assemble_frf_matrix(set).matrix.value());
 }
 
 inline analysis::FrfMatrix exact_frfs(const sim::VirtualRobot& robot,

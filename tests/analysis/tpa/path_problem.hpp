@@ -49,6 +49,7 @@ struct PathProblem {
   void add_frf_errors(double rms, unsigned seed) {
     frfs.values.values += rms * complex_noise(frfs.values.values.size(), 1, seed);
     frfs.variances = Eigen::MatrixXd::Constant(sensors * paths, lines, rms * rms);
+    frfs.noise = frfs.variances;
   }
 
   analysis::PathContributions solved(const std::string& rule = "none") const {
