@@ -67,7 +67,7 @@ ordered_json answer_json(const BandAnswer& answer, const MotionAnswer& motion) {
       {"word", word_text(word)},
       {"leader", nullptr},
       {"sentence", answer_text(answer, paths)},
-      {"leader_led", number(certainty.leader_led)},
+      {"leader_led", number(certainty.led.front())},
       {"order_held",
        certainty.order_held.empty() ? ordered_json(nullptr) : number(certainty.order_held.front())},
       {"validation_score", number(ranking.validation_score)},

@@ -187,7 +187,7 @@ LeadWord word_of(const analysis::TargetRanking& ranking,
   if (!(ranking.validation_score >= analysis::TpaFaultLimits{}.least_score)) {
     return LeadWord::not_validated;
   }
-  return certainty.leader_led >= sure ? LeadWord::leads : LeadWord::not_sure;
+  return certainty.led.front() >= sure ? LeadWord::leads : LeadWord::not_sure;
 }
 
 std::vector<std::string> leading_joints(const std::vector<BandAnswer>& answers,

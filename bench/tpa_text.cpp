@@ -136,7 +136,8 @@ std::string answer_text(const BandAnswer& answer, const Places& paths) {
     case LeadWord::leads: return first + " leads";
     case LeadWord::not_sure:
       if (ranked.size() < 2) return "cannot tell whether " + first + " leads";
-      return "cannot tell whether " + first + " or " + path_name(ranked[1].path, paths) + " leads";
+      return "cannot tell whether " + first + " or " +
+             path_name(ranked[answer.certainty.rival()].path, paths) + " leads";
     case LeadWord::not_validated: break;
   }
   return fmt::format("cannot tell: validation {:.2f}, less than {:g}",

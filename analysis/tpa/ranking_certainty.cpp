@@ -73,7 +73,7 @@ Interval95 interval_of(double estimate, std::vector<double> values) {
 RankingCertainty certainty_of(const TargetRanking& ranking, Index column,
                               const std::vector<Replicate>& replicates) {
   const std::size_t paths = ranking.paths.size();
-  RankingCertainty certainty{{}, std::vector<double>(paths - 1, 0), 0};
+  RankingCertainty certainty{{}, std::vector<double>(paths - 1, 0), std::vector<double>(paths, 0)};
   for (std::size_t i = 0; i < paths; ++i) {
     std::vector<double> values;
     for (const Replicate& rms : replicates) values.push_back(rms(ranking.paths[i].path, column));
@@ -86,10 +86,12 @@ RankingCertainty certainty_of(const TargetRanking& ranking, Index column,
     }
     Index first = 0;
     rms.col(column).maxCoeff(&first);
-    if (first == ranking.paths.front().path) ++certainty.leader_led;
+    for (std::size_t i = 0; i < paths; ++i) {
+      if (ranking.paths[i].path == first) ++certainty.led[i];
+    }
   }
   for (double& held : certainty.order_held) held /= double(replicates.size());
-  certainty.leader_led /= double(replicates.size());
+  for (double& led : certainty.led) led /= double(replicates.size());
   return certainty;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -22,10 +23,15 @@ struct Interval95 {
 struct RankingCertainty {
   std::vector<Interval95> rms;     ///< of each path
   std::vector<double> order_held;  ///< [i]: share of replicates with path i above path i + 1
-  double leader_led = 0;           ///< share of replicates in which the first path led all others
+  std::vector<double> led;         ///< [i]: share of replicates in which path i led all others
 
   /// Whether path i can be told to contribute more than the one after it.
   bool can_tell(std::size_t i) const { return order_held.at(i) >= 0.95; }
+
+  /// The path, of those after the first, that led most often; the second if none did. Needs two.
+  std::size_t rival() const {
+    return std::size_t(std::max_element(led.begin() + 1, led.end()) - led.begin());
+  }
 };
 
 /// Does the analysis anew with blocks drawn with replacement and FRFs drawn within their variances.

@@ -94,11 +94,18 @@ TEST_CASE("paths that are far apart are told apart, equal ones are not", "[tpa]"
   PathProblem problem = with_levels({6, 1, 3, 1.01}, 4);
   problem.add_frf_errors(0.05, 3);
   for (const RankingCertainty& sure : certainty(problem)) {
-    CHECK(sure.leader_led == 1);
+    CHECK(sure.led.front() == 1);
     CHECK(sure.can_tell(0));
     CHECK(sure.can_tell(1));
     CHECK_FALSE(sure.can_tell(2));
   }
+}
+
+TEST_CASE("the rival of a path is whoever led instead, not whoever is second", "[tpa]") {
+  const RankingCertainty other{{}, {}, {0.6, 0, 0.4}};
+  CHECK(other.rival() == 2);
+  const RankingCertainty none{{}, {}, {1, 0, 0}};
+  CHECK(none.rival() == 1);
 }
 
 TEST_CASE("more error is less certainty", "[tpa]") {
