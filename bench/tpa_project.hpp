@@ -50,7 +50,7 @@ struct TpaProject {
   std::optional<TpaHammer> hammer;
   std::vector<DegreeOfFreedom> paths, indicators, targets, validation;
   std::vector<analysis::TpaBand> bands;
-  std::string rule = "truncation_by_l_curve";
+  std::string rule = "tikhonov_by_gcv";
   double least_coherence = 0.8;
   analysis::Resampling resampling;
   std::vector<TpaMotion> motions;

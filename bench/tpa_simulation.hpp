@@ -14,8 +14,8 @@ struct SimulatedSession {
   std::uint64_t seed = 1;
   double rate_Hz = 4960;  ///< at least 2000
   double record_s = 20;   ///< of each motion
-  double hit_s = 2;       ///< of each hit
-  int hits = 5;           ///< at each path
+  double hit_s = 4;       ///< of each hit: until the arm is at rest
+  int hits = 10;          ///< at each path
   bool with_reducer = true;
 };
 
