@@ -17,15 +17,18 @@ sim::RobotOptions robot_of(std::uint64_t seed) {
   sim::RobotOptions options;
   options.seed = seed;
   options.hit_s = 1 / quarter_hertz.step_Hz;
+  options.hits = 10;
   options.threads = 1;
   return options;
 }
 
-test::RobotStudy study_of(std::uint64_t seed, const std::string& rule) {
+std::vector<test::RobotStudy> studies_of(std::uint64_t seed,
+                                         const std::vector<std::string>& rules) {
   const sim::VirtualRobot robot(robot_of(seed));
-  test::RobotStudy study;
-  test::study_robot(robot, test::measured_frfs(robot, quarter_hertz), quarter_hertz, rule, study);
-  return study;
+  std::vector<test::RobotStudy> studies;
+  test::study_robot(robot, test::measured_frfs(robot, quarter_hertz), quarter_hertz, rules,
+                    studies);
+  return studies;
 }
 
 void print(const std::string& name, const test::RobotStudy& study) {
@@ -33,7 +36,8 @@ void print(const std::string& name, const test::RobotStudy& study) {
             << ", contributions " << study.within << " of " << study.contributions << ", worst off "
             << 100 * study.worst_rms << " % and " << study.worst_phase_deg
             << " degrees, least score " << study.worst_score << ", forces within "
-            << 100 * study.worst_force << " %" << std::endl;
+            << 100 * study.worst_force << " %, where ill-conditioned "
+            << 100 * study.worst_ill_force << " %" << std::endl;
 }
 
 }  // namespace
@@ -41,14 +45,13 @@ void print(const std::string& name, const test::RobotStudy& study) {
 TEST_CASE("a hammer test and an operation tell who leads at each target of the virtual robot",
           "[tpa][robot]") {
   if (test::too_long_under_sanitizer()) return;
-  const test::RobotStudy study = study_of(1, "tikhonov_by_gcv");
+  const test::RobotStudy study = studies_of(1, {"tikhonov_by_gcv"}).front();
   CHECK(study.cases == 9);
   CHECK(study.leaders_right == 9);
   CHECK(study.worst_score >= 0.95);
   CHECK(study.worst_force <= 0.1);
-  // Not all are: hits lean by 0.02 rad and land 1.5 mm off, and a weak path beside a strong one of
-  // the same joint shows it.
-  CHECK(double(study.within) >= 0.9 * study.contributions);
+  // Not all are: noise of the sensors, where a line of the forces meets a resonance.
+  CHECK(double(study.within) >= 0.95 * study.contributions);
 }
 
 TEST_CASE("plain inversion invents forces where the matrix is ill-conditioned", "[tpa][robot]") {
@@ -61,8 +64,8 @@ TEST_CASE("plain inversion invents forces where the matrix is ill-conditioned", 
         test::robot_roles(robot), find_rule(rule)->rule, {}, 1);
     CHECK(found.conditions.minCoeff() > 100);
     return test::force_error(
-        found, test::spectra_of(operation.truth.forces_N, robot.options().rate_Hz, quiet), {5, 7},
-        1e9);
+        found, test::spectra_of(operation.truth.forces_N, robot.options().rate_Hz, quiet),
+        {100, 1e12});
   };
   // Off by more than if it said that there are none.
   CHECK(error("none") > 1);
@@ -70,8 +73,13 @@ TEST_CASE("plain inversion invents forces where the matrix is ill-conditioned", 
 }
 
 TEST_CASE("20 virtual robots", "[.tpa20]") {
-  const std::string rule = "tikhonov_by_gcv";
+  const std::vector<std::string> rules{"tikhonov_by_gcv",         "tikhonov_by_evidence",
+                                       "truncation_by_l_curve",   "truncation_by_noise",
+                                       "truncation_by_condition", "none"};
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    print("seed " + std::to_string(seed), study_of(seed, rule));
+    const auto studies = studies_of(seed, rules);
+    for (std::size_t i = 0; i < rules.size(); ++i) {
+      print("seed " + std::to_string(seed) + ", " + rules[i], studies[i]);
+    }
   }
 }

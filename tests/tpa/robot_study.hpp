@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "analysis/tpa/contribution_ranking.hpp"
 #include "hal/types/units.hpp"
@@ -20,15 +21,22 @@ struct RobotStudy {
   double worst_phase_deg = 0;
   double worst_score = 1;  ///< at the sensors for validation, over the band
   double worst_force = 0;  ///< relative error of the forces where the matrix is well conditioned
+  double worst_ill_force = 0;  ///< and where it is ill-conditioned
 };
 
-/// Relative error of all forces over the lines of the band of at most that condition.
+/// Condition numbers that lines lie between.
+struct Conditions {
+  double least = 1, most = 0;
+};
+inline constexpr Conditions well_conditioned{1, 30}, ill_conditioned{2000, 1e12};
+
+/// Relative error of all forces over the lines of such conditions.
 inline double force_error(const analysis::PathContributions& found,
-                          const analysis::LineMatrices& truth, const analysis::TpaBand& band,
-                          double most_condition) {
+                          const analysis::LineMatrices& truth, const Conditions& conditions) {
   double error = 0, power = 0;
   for (Eigen::Index line = 0; line < truth.lines; ++line) {
-    if (!holds(band, found.grid, line) || found.conditions[line] > most_condition) continue;
+    const double condition = found.conditions[line];
+    if (condition < conditions.least || condition > conditions.most) continue;
     error += (found.forces[line] - truth[line]).squaredNorm();
     power += truth[line].squaredNorm();
   }
@@ -63,25 +71,35 @@ inline void compare_target(const analysis::PathContributions& found,
   }
 }
 
-/// All motions and targets of one robot.
+/// All motions and targets of one robot; a study for each rule, of the same data.
 inline void study_robot(const sim::VirtualRobot& robot, const analysis::FrfMatrix& frfs,
-                        const analysis::LineGrid& grid, const std::string& rule,
-                        RobotStudy& study) {
+                        const analysis::LineGrid& grid, const std::vector<std::string>& rules,
+                        std::vector<RobotStudy>& studies) {
   const double rate_Hz = robot.options().rate_Hz;
   const analysis::TpaBand band{grid.first_Hz, grid.frequency_Hz(grid.lines - 1)};
+  studies.resize(rules.size());
   for (const sim::RobotMotion motion : sim::robot_motions) {
     const sim::Operation operation = sim::operate(robot, motion);
-    const auto found = analysis::matrix_inverse_contributions(
-        frfs, spectra_of(robot, operation.recording, grid), robot_roles(robot),
-        analysis::find_rule(rule)->rule, {}, robot.options().threads);
-    study.worst_score = std::min(study.worst_score, found.validation.score());
-    study.worst_force =
-        std::max(study.worst_force,
-                 force_error(found, spectra_of(operation.truth.forces_N, rate_Hz, grid), band, 30));
-    for (const auto& ranking : analysis::rank_contributions(found, {band})) {
-      const auto partial = sim::partial_histories(robot, operation.truth, ranking.target);
-      compare_target(found, ranking, spectra_of(partial, rate_Hz, grid),
-                     operation.truth.ranking.leaders[std::size_t(ranking.target)], study);
+    const analysis::OperatingSpectra spectra = spectra_of(robot, operation.recording, grid);
+    const analysis::LineMatrices forces = spectra_of(operation.truth.forces_N, rate_Hz, grid);
+    std::vector<analysis::LineMatrices> partial;
+    for (Eigen::Index target = 0; target < sim::VirtualRobot::targets; ++target) {
+      partial.push_back(
+          spectra_of(sim::partial_histories(robot, operation.truth, target), rate_Hz, grid));
+    }
+    for (std::size_t i = 0; i < rules.size(); ++i) {
+      RobotStudy& study = studies[i];
+      const auto found = analysis::matrix_inverse_contributions(frfs, spectra, robot_roles(robot),
+                                                                analysis::find_rule(rules[i])->rule,
+                                                                {}, robot.options().threads);
+      study.worst_score = std::min(study.worst_score, found.validation.score());
+      study.worst_force = std::max(study.worst_force, force_error(found, forces, well_conditioned));
+      study.worst_ill_force =
+          std::max(study.worst_ill_force, force_error(found, forces, ill_conditioned));
+      for (const auto& ranking : analysis::rank_contributions(found, {band})) {
+        compare_target(found, ranking, partial[std::size_t(ranking.target)],
+                       operation.truth.ranking.leaders[std::size_t(ranking.target)], study);
+      }
     }
   }
 }
