@@ -10,13 +10,7 @@
 namespace rvbench::analysis {
 namespace {
 
-// Even angle steps fine enough for all the envelope's bandwidth, rate/4 at the most, at whatever
-// rate and speed: what wider ones cannot hold would fold onto the lines that are searched.
-int samples_per_turn(double rate_Hz, double speed_Hz) {
-  int samples = 32;
-  while (samples * speed_Hz < rate_Hz / 2) samples *= 2;
-  return samples;
-}
+constexpr double fewest_per_turn = 32;  // samples
 
 // Power and floor as far as the envelope reaches, and some lines more for the last floor.
 LineFloor floor_up_to(const Spectrum& spectrum, double highest_order, Eigen::Index locked_every) {
@@ -38,21 +32,25 @@ void take_average_out(Eigen::VectorXcd& lines, Eigen::Index periods) {
 EnvelopeSpectra envelope_spectra(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz,
                                  double start_s, const ShaftAngle& angle, double period_turns) {
   EnvelopeSpectra result;
-  if (angle.whole_periods(x.size(), rate_Hz, start_s, period_turns) < 1) return result;
-  const int per_turn = samples_per_turn(rate_Hz, angle.mean_speed_Hz());
+  const double whole = angle.whole_periods(x.size(), rate_Hz, start_s, period_turns);
+  if (whole < 1) return result;
+  // Steps fine enough for all the envelope's bandwidth, rate/4 at the most, at whatever rate and
+  // speed: what wider ones cannot hold would fold onto the lines that are searched.
+  const double least_per_turn = std::max(rate_Hz / 2 / angle.mean_speed_Hz(), fewest_per_turn);
   const Eigen::VectorXd over_angle =
-      angle.resample(envelope(x), rate_Hz, start_s, period_turns, per_turn);
+      angle.resample(envelope(x), rate_Hz, start_s, period_turns, least_per_turn);
   if (over_angle.size() < 16) return result;
 
   result.mean = over_angle.mean();
   result.highest_order = 0.5 * crossing_frequency(x, rate_Hz) / angle.mean_speed_Hz();
-  result.periods = std::round(static_cast<double>(over_angle.size()) / per_turn / period_turns);
-  const auto periods = static_cast<Eigen::Index>(result.periods);
+  result.periods = whole;
+  const auto periods = static_cast<Eigen::Index>(whole);
   const Eigen::Index n = over_angle.size();
+  const double per_turn = static_cast<double>(n) / (whole * period_turns);
   Eigen::VectorXcd lines = fft(over_angle.array() - result.mean);
   result.whole = amplitude_spectrum(lines, n, per_turn, Window::hann);
   result.lines = floor_up_to(result.whole, result.highest_order, periods);
-  if (periods < 2 || n % periods != 0) {
+  if (periods < 2) {
     result.unlocked = result.lines;
     return result;
   }

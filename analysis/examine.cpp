@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -186,6 +188,31 @@ void tell_unplaced(const ShaftAngle& angle, const Kinematics& kinematics, Examin
        false});
 }
 
+// A record is as long as its channels, also where none of them can be used.
+void tell_why_unresolvable(const std::string& source, const std::vector<const Channel*>& channels,
+                           const Task& task, Examination& e) {
+  const double period_turns = task.kinematics.period_turns;
+  double periods = 0;
+  for (const Channel* channel : channels) {
+    if (!(channel->rate_Hz > 0)) continue;
+    periods = std::max(periods, task.angle.whole_periods(channel->samples.size(), channel->rate_Hz,
+                                                         channel->start_s, period_turns));
+  }
+  if (periods >= fewest_periods) {
+    if (!e.resolvable && std::ranges::none_of(e.quality, &QualityNote::invalidates)) {
+      e.quality.push_back({source, "no channel has an envelope that could be read", true});
+    }
+    return;
+  }
+  e.quality.push_back(
+      {source,
+       fmt::format("too short: {:.0f} whole periods of the gear train, {:.0f} are needed to part "
+                   "its orders: {:.3g} s at this speed",
+                   std::floor(periods), fewest_periods,
+                   fewest_periods * period_turns / task.angle.mean_speed_Hz()),
+       true});
+}
+
 // A shaft that goes to and fro tells of the reducer's torsion, and nothing of what turns.
 void examine_hysteresis(const Recording& record, const Kinematics& kinematics, Examination& e) {
   e.of_hysteresis = true;
@@ -239,12 +266,7 @@ Examination examine(const Recording& record, const Kinematics& kinematics,
   tell_unplaced(*angle, kinematics, e);
   e.indicators = shaft_indicators(record, *angle, kinematics);
   e.resolvable = e.periods >= fewest_periods;
-  if (!e.resolvable) {
-    e.quality.push_back({record.source,
-                         "too short: " + std::to_string(static_cast<int>(e.periods)) +
-                             " whole periods of the gear train, 4 are needed to part its orders",
-                         true});
-  }
+  tell_why_unresolvable(record.source, channels, task, e);
   return e;
 }
 

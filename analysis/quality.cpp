@@ -32,14 +32,11 @@ bool is_locked(const Finding& finding, const Kinematics& kinematics) {
 
 // Whether the line is on the first harmonic of what turns with the shaft, or of a mesh.
 bool is_witness(const SpectralLine& line, const Kinematics& kinematics) {
-  const bool slips = std::ranges::any_of(kinematics.signatures, [&](const Signature& s) {
-    return s.slip > 0 && std::abs(line.order - s.order) <= s.slip * s.order;
-  });
-  return !slips && is_characteristic(line, kinematics);
+  return !slips(line.order, kinematics) && is_characteristic(line, kinematics);
 }
 
 // One line on a wrong speed's order is soon met by chance: half of the channels must have one.
-bool shows_machine(const Examination& point, const Kinematics& kinematics) {
+bool shows_shaft(const Examination& point, const Kinematics& kinematics) {
   const auto showing =
       std::ranges::count_if(point.channels, [&](const ChannelExamination& channel) {
         return std::ranges::any_of(
@@ -92,13 +89,13 @@ std::vector<QualityNote> accelerometer_quality(const Channel& channel, double cl
   return notes;
 }
 
-bool shows_machine(const std::vector<Examination>& points, const Diagnosis& diagnosis,
-                   const Kinematics& kinematics) {
+bool shows_shaft(const std::vector<Examination>& points, const Diagnosis& diagnosis,
+                 const Kinematics& kinematics) {
   const auto locked = [&](const Finding& finding) { return is_locked(finding, kinematics); };
   if (std::ranges::any_of(diagnosis.findings, locked)) return true;
   if (std::ranges::any_of(diagnosis.below_limit, locked)) return true;
   return std::ranges::any_of(
-      points, [&](const Examination& point) { return shows_machine(point, kinematics); });
+      points, [&](const Examination& point) { return shows_shaft(point, kinematics); });
 }
 
 }  // namespace rvbench::analysis

@@ -24,14 +24,15 @@ std::vector<QualityNote> channel_quality(const Channel& channel, double clip_lev
 /// Shape, units, errors, source  of channel_quality()
 std::vector<QualityNote> accelerometer_quality(const Channel& channel, double clip_level);
 
-/// Whether anything in the records says that they are of this machine, at this speed and rate: a
-/// significant signature of what is locked to the shaft, or in half of a point's channels a line of
-/// the spectrum at the turn of a shaft or at a mesh. Every machine that turns shows its shafts or
-/// its teeth; where nothing does, the orders were looked for in the wrong places: their silence
-/// means nothing, and what was found there has the wrong name. What slips is no witness, not of
-/// itself either: its many lines, stretched by a few percent, meet some line of any recording.
+/// Whether anything in the records says that a machine turns at this speed and rate: a significant
+/// signature of what is locked to the shaft, or in half of a point's channels a line of the
+/// spectrum on a characteristic order. Every machine that turns shows its shaft; where nothing
+/// does, the orders were looked for in the wrong places: their silence means nothing, and what was
+/// found there has the wrong name. What slips is no witness, not of itself either: its many lines,
+/// stretched by a few percent, meet some line of any recording. Which machine it is, of those that
+/// have lines of their own, gear_train_fit() knows.
 /// Shape, errors  any number of points; nothing thrown. Source  ours
-bool shows_machine(const std::vector<Examination>& points, const Diagnosis& diagnosis,
-                   const Kinematics& kinematics);
+bool shows_shaft(const std::vector<Examination>& points, const Diagnosis& diagnosis,
+                 const Kinematics& kinematics);
 
 }  // namespace rvbench::analysis

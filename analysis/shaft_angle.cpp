@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/fft.hpp"
 #include "analysis/order/sinc_interpolator.hpp"
 #include "hal/types/units.hpp"
 
@@ -128,12 +129,14 @@ double ShaftAngle::whole_periods(Eigen::Index count, double rate_Hz, double star
 
 Eigen::VectorXd ShaftAngle::resample(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz,
                                      double start_s, double period_turns,
-                                     int samples_per_turn) const {
+                                     double least_per_turn) const {
   const double periods = whole_periods(x.size(), rate_Hz, start_s, period_turns);
   if (!(periods >= 1)) return {};
   const double first = turns_at(start_s);
-  const auto n = static_cast<Eigen::Index>(std::llround(periods * period_turns * samples_per_turn));
-  Eigen::VectorXd even = times_s(first, samples_per_turn, n);
+  const double turns = periods * period_turns;
+  const auto least = static_cast<Eigen::Index>(std::ceil(turns * least_per_turn - 1e-6));
+  const Eigen::Index n = next_fast_length(std::max<Eigen::Index>(least, 1));
+  Eigen::VectorXd even = times_s(first, static_cast<double>(n) / turns, n);
   for (double& sample : even) sample = interpolator().at(x, (sample - start_s) * rate_Hz);
   return even;
 }

@@ -87,8 +87,8 @@ class Claims {
 
 }  // namespace
 
-std::vector<double> harmonic_lines(const Signature& signature, int harmonic) {
-  const double main = harmonic * signature.order;
+std::vector<double> harmonic_lines(const Signature& signature, int harmonic, double stretch) {
+  const double main = harmonic * signature.order * stretch;
   std::vector<double> orders{main};
   for (const double spacing : signature.sidebands) {
     orders.push_back(main - spacing);

@@ -18,10 +18,12 @@ struct SignatureLine {
 
 /// A harmonic of a signature's order, and behind it its sidebands, lower before upper.
 ///
+/// @param stretch  of the harmonic, by slip; not of the spacings: a shaft does not slip, and a
+///                 cage, less than half a turn per turn of its race, by half a percent of that
 /// Units   orders of the input shaft, as searched or below 0; h = 0 gives the sidebands' spacings
 /// Errors  none thrown
 /// Source  amplitude modulation; Randall, Vibration-based Condition Monitoring (2011), sec. 2.2
-std::vector<double> harmonic_lines(const Signature& signature, int harmonic);
+std::vector<double> harmonic_lines(const Signature& signature, int harmonic, double stretch = 1);
 
 /// The envelope lines that speak for each signature.
 ///

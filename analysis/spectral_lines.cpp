@@ -91,6 +91,12 @@ SpectralLine gathered(const std::vector<SpectralLine>& lines, std::size_t fundam
 
 }  // namespace
 
+bool slips(double order, const Kinematics& kinematics) {
+  return std::ranges::any_of(kinematics.signatures, [&](const Signature& s) {
+    return s.slip > 0 && std::abs(order - s.order) <= s.slip * s.order;
+  });
+}
+
 bool is_characteristic(const SpectralLine& line, const Kinematics& kinematics) {
   return std::ranges::any_of(kinematics.orders,
                              [&](const CharacteristicOrder& o) { return o.name == line.meaning; });

@@ -33,6 +33,10 @@ std::vector<SpectralLine> spectral_lines(const OrderLines& x, const Kinematics& 
 /// its meaning. Nothing is thrown. Source  meaning_of()
 bool is_characteristic(const SpectralLine& line, const Kinematics& kinematics);
 
+/// Whether the order may be the first harmonic of a part that slips.
+/// Units   orders of the input shaft. Errors  none thrown. Source  slip of the signatures
+bool slips(double order, const Kinematics& kinematics);
+
 /// What the kinematics calls this order; empty if it has no word for it.
 /// @param near  how far orders may differ and still be the same
 /// Units   orders of the input shaft

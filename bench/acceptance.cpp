@@ -179,8 +179,12 @@ void conclude_run(Judgement& judgement, const Acceptance& acceptance, RunLog& lo
   } else {
     ending = graver(ending, bench_fault(recordings.error()));
   }
-  ending = graver(ending, judge_points(judgement, acceptance, recorded, options, bar, stop));
   const bool log_hung = acceptance.facts.log_hung;
+  const Ending judged = judge_points(judgement, acceptance, recorded, options, bar, stop);
+  if (judged.outcome == Outcome::aborted && !log_hung) {
+    log.event(judgement.facts.duration_s, "ABORTED: " + judged.reason);
+  }
+  ending = graver(ending, judged);
   if (!acceptance.twin.empty() && ending.outcome == Outcome::pass && !log_hung) {
     bar.show("twin", 0, acceptance.twin);
     log.event(judgement.facts.duration_s, twin_event(acceptance.folder, acceptance.twin));

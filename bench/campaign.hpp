@@ -52,11 +52,11 @@ void add_record(Campaign& campaign, CampaignRecord record);
 ///
 /// A file without "records" is cut into four conditions of equal length. `columns` names the
 /// columns of a file that has no names; a `time_column` [s] that is not uniform is resampled at
-/// rate_Hz, with a note; a column time_s is one where no rate is stated. `constants` are channels
-/// that never change, as {"load": {"value": 60, "unit": "%"}}; `speed_from_vibration` makes a
-/// shaft's speed of a file's vibration (see VibrationSpeed). A record without `to_s` goes to the
-/// end. A recording that is given twice is refused: nothing could be left out of it. Points of a
-/// run are records of their own, see add_point().
+/// rate_Hz, with a note; a column time_s is one where no rate is stated, or the same one, or where
+/// rows are missing. `constants` are channels that never change, as {"load": {"value": 60, "unit":
+/// "%"}}; `speed_from_vibration` makes a shaft's speed of a file's vibration (see VibrationSpeed).
+/// A record without `to_s` goes to the end. A recording that is given twice is refused: nothing
+/// could be left out of it. Points of a run are records of their own, see add_point().
 /// @param wanted  names of channels, what drives the plant first: of a file with several clocks,
 ///                that of the first that is there is kept; empty: that of the longest
 CampaignOrRefusal read_campaign(const std::string& path,

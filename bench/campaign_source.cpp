@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bench/campaign_points.hpp"
+#include "bench/lost_rows.hpp"
 #include "bench/text_file.hpp"
 #include "bench/uniform_time.hpp"
 #include "hal/did_you_mean.hpp"
@@ -33,11 +34,21 @@ std::string name_columns(Recording& recording, const std::vector<std::string>& c
   return {};
 }
 
-// The column of time stamps: the one that is named, or, where no rate is stated for the file,
-// time_s, which is what rvbench calls it.
+bool is_one_rate(double rate_Hz, double other_Hz) {
+  return std::abs(rate_Hz / other_Hz - 1) < one_rate;
+}
+
+// The column of time stamps: the one that is named or else time_s, which is what rvbench calls it.
+// Where a rate is stated for the file that goes before the one of time_s, but not before its gaps.
 std::string time_column_of(const Recording& recording, const CampaignSource& source) {
-  if (!source.time_column.empty() || !std::isnan(source.rate_Hz)) return source.time_column;
-  return recording.find(own_time_column) == nullptr ? "" : std::string(own_time_column);
+  const Channel* own = recording.find(own_time_column);
+  if (!source.time_column.empty() || own == nullptr) return source.time_column;
+  if (std::isnan(source.rate_Hz)) return std::string(own_time_column);
+  const auto made = uniform_time(own->samples, not_known);
+  const auto* time = std::get_if<UniformTime>(&made);
+  const bool used = time == nullptr ? find_lost_rows(own->samples).has_value()
+                                    : is_one_rate(time->rate_Hz, source.rate_Hz);
+  return used ? std::string(own_time_column) : "";
 }
 
 // Says where a rate that was stated is not the one of a column time_s.
@@ -47,7 +58,7 @@ void note_other_rate(const Recording& recording, const CampaignSource& source,
   if (stamps == nullptr || std::isnan(source.rate_Hz)) return;
   const auto made = uniform_time(stamps->samples, not_known);
   const auto* time = std::get_if<UniformTime>(&made);
-  if (time == nullptr || std::abs(time->rate_Hz / source.rate_Hz - 1) < one_rate) return;
+  if (time == nullptr || is_one_rate(time->rate_Hz, source.rate_Hz)) return;
   notes.push_back(
       fmt::format("{}: taken at {:.6g} Hz as stated, where its column {} says {:.6g} Hz",
                   source.path, source.rate_Hz, own_time_column, time->rate_Hz));

@@ -86,6 +86,49 @@ std::string why_it_cannot_be_told(const Comparison& comparison) {
   return large ? "no scatter is known of them, or " + hides : "no scatter is known of them";
 }
 
+bool is_one_recording(const Comparison& comparison) {
+  return comparison.records_b > 0 && comparison.same_in_both.size() == comparison.records_b &&
+         comparison.records_a == comparison.records_b;
+}
+
+bool has_lines(const Comparison& comparison, std::size_t point) {
+  return std::ranges::any_of(comparison.changes, [&](const Change& change) {
+    return change.point == point && comparison.quantities[change.quantity].is_line();
+  });
+}
+
+// Points of which only levels are compared.
+std::size_t points_without_lines(const Comparison& comparison) {
+  std::size_t without = 0;
+  for (std::size_t p = 0; p < comparison.points.size(); ++p) {
+    without += has_lines(comparison, p) ? 0 : 1;
+  }
+  return without;
+}
+
+std::string lines_sentence(const Comparison& comparison) {
+  const std::size_t without = points_without_lines(comparison);
+  if (without == 0) return "";
+  std::string text = "Lines were not compared";
+  if (without < comparison.points.size()) {
+    text += fmt::format(" at {} of {} points", without, comparison.points.size());
+  }
+  if (comparison.too_short.empty()) return text + ", only levels. ";
+  const analysis::ShortRecord& longest = *std::ranges::max_element(
+      comparison.too_short, {}, [](const auto& record) { return record.needed_s; });
+  return text + fmt::format(
+                    ", only levels: to part them a record must last {:.3g} s at {:.0f} rpm, "
+                    "and one lasts {:.3g} s. ",
+                    longest.needed_s, longest.speed_rpm, longest.length_s);
+}
+
+std::string same_sentence(const Comparison& comparison) {
+  const std::size_t same = comparison.same_in_both.size();
+  if (same == 0 || is_one_recording(comparison)) return "";
+  return fmt::format("{} of the {} of B {} in A as well, where nothing can have changed. ", same,
+                     counted(comparison.records_b, "record"), same == 1 ? "is" : "are");
+}
+
 std::string unchanged_sentence(const Comparison& comparison) {
   const analysis::ChangeCounts counts = analysis::counts_of(comparison);
   std::string text;
@@ -218,15 +261,21 @@ std::string family_text(const analysis::FamilyHeadline& family,
 }
 
 std::string compare_sentence(const Comparison& comparison, const analysis::Kinematics& kinematics) {
+  if (is_one_recording(comparison)) {
+    return "A and B are the same recording: nothing can have changed.";
+  }
   if (analysis::counts_of(comparison).changed == 0) {
-    return fmt::format("From A to B nothing is known to have changed by more than {:g} dB.",
-                       comparison.options.least_dB);
+    const std::size_t points = comparison.points.size();
+    const bool levels_only = points > 0 && points_without_lines(comparison) == points;
+    return fmt::format("From A to B {} is known to have changed by more than {:g} dB.",
+                       levels_only ? "no level" : "nothing", comparison.options.least_dB);
   }
   return family_sentence(comparison, kinematics) + changed_sentence(comparison);
 }
 
 std::string compare_reservation(const Comparison& comparison) {
-  std::string text = unchanged_sentence(comparison) + scatter_sentence(comparison);
+  std::string text = same_sentence(comparison) + lines_sentence(comparison) +
+                     unchanged_sentence(comparison) + scatter_sentence(comparison);
   if (text.empty()) return "All that was compared changed.";
   text.pop_back();
   return text;

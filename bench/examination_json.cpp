@@ -80,6 +80,7 @@ Json json_of_finding(const Finding& finding) {
                {"confidence", finding.confidence},
                {"advice", finding.advice},
                {"limit", finding.limit},
+               {"of_limit", nullptr},
                {"line_orders", finding.line_orders},
                {"line_depths", finding.line_depths},
                {"growth_with_load", json_of_growth(finding.growth.load)},
@@ -88,6 +89,7 @@ Json json_of_finding(const Finding& finding) {
                {"growth_p_value", nullptr},
                {"cannot_tell_from", finding.cannot_tell_from},
                {"may_follow_from", nullptr}};
+  if (!finding.points.empty()) json["of_limit"] = finding.severity / finding.limit;
   if (std::isfinite(finding.growth.load.exponent)) {
     json["growth_fits"] = finding.growth_fits;
     json["growth_p_value"] = finding.growth_p_value;

@@ -7,8 +7,10 @@
 
 #include "analysis/indicators/earlier_records.hpp"
 #include "analysis/indicators/indicator_places.hpp"
-#include "analysis/quality.hpp"
 #include "bench/limit_checks.hpp"
+#include "bench/report/finding_text.hpp"
+#include "bench/this_machine.hpp"
+#include "bench/trust.hpp"
 #include "hal/did_you_mean.hpp"
 #include "hal/types/measure.hpp"
 
@@ -23,39 +25,6 @@ bool is_about(const sequences::Limit& limit, const std::string& component) {
 
 bool is_among(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
-}
-
-Ending invalid(std::string reason) {
-  return {Outcome::invalid, ErrorKind::none, std::move(reason)};
-}
-
-// Why the data cannot be trusted; PASS if it can.
-Ending trust_in(const Judgement& judgement) {
-  int spoiled = 0;
-  std::string first;
-  for (const JudgedPoint& point : judgement.points) {
-    const auto note =
-        std::ranges::find_if(point.examination.quality, &analysis::QualityNote::invalidates);
-    const bool noted = note != point.examination.quality.end();
-    if (point.status == "ok" && !noted) continue;
-    if (spoiled++ == 0) {
-      first =
-          noted ? note->where + ": " + note->what : point.examination.source + ": " + point.status;
-    }
-  }
-  if (spoiled == 1) return invalid(first);
-  if (spoiled > 1) {
-    return invalid(fmt::format("{} of {} points cannot be trusted; first {}", spoiled,
-                               judgement.points.size(), first));
-  }
-  const bool needs_no_orders =
-      !judgement.points.empty() && std::ranges::all_of(judgement.points, [](const JudgedPoint& p) {
-        return p.examination.of_hysteresis;
-      });
-  if (!needs_no_orders && !judgement.diagnosis.resolvable) {
-    return invalid("not resolvable: no record is long enough to part the orders of this machine");
-  }
-  return {Outcome::pass, ErrorKind::none, "no finding above its limit"};
 }
 
 // The first thing that is beyond its limit; empty if nothing is.
@@ -85,6 +54,19 @@ std::string first_open(const analysis::Diagnosis& diagnosis) {
                             open->severity_high, open->limit);
 }
 
+// Which part is within its limit, but not surely; empty if all are. Of several the nearest.
+std::string nearest_within(const analysis::Diagnosis& diagnosis) {
+  const analysis::Finding* nearest = nullptr;
+  for (const analysis::Finding& finding : diagnosis.below_limit) {
+    if (!report::is_close(finding)) continue;
+    const auto share = [](const analysis::Finding& f) { return f.severity / f.limit; };
+    if (nearest == nullptr || share(finding) > share(*nearest)) nearest = &finding;
+  }
+  if (nearest == nullptr) return "";
+  return fmt::format("; {}: {} is {}, but not surely", nearest->component, nearest->mechanism,
+                     report::limit_text(*nearest));
+}
+
 // What the limits make of the findings. A limit that could not be held against the data outweighs
 // one that is exceeded, but both are said.
 Ending weighed(const Judgement& judgement) {
@@ -96,7 +78,13 @@ Ending weighed(const Judgement& judgement) {
   }
   if (!bad.empty()) return {Outcome::fail, ErrorKind::none, bad};
   if (const std::string open = first_open(judgement.diagnosis); !open.empty()) return invalid(open);
-  return {Outcome::pass, ErrorKind::none, "no finding above its limit"};
+  return {Outcome::pass, ErrorKind::none,
+          "no finding above its limit" + nearest_within(judgement.diagnosis)};
+}
+
+// What refuses the data is not to be missed behind what was noted of them.
+void put_refusals_first(std::vector<analysis::QualityNote>& notes) {
+  std::ranges::stable_partition(notes, &analysis::QualityNote::invalidates);
 }
 
 // The earlier repeats of a point, at its speed and load, are to NA4 the history of its gears.
@@ -174,10 +162,6 @@ std::vector<hal::ConfigFault> limits_on_unknown_parts(const std::vector<sequence
   return faults;
 }
 
-bool can_be_trusted(const Judgement& judgement) {
-  return trust_in(judgement).outcome == Outcome::pass;
-}
-
 JudgedPoint judge_point(const Recording& record, const analysis::Kinematics& kinematics,
                         const analysis::ExamineOptions& options) {
   JudgedPoint point;
@@ -205,22 +189,25 @@ void conclude(Judgement& judgement, const analysis::Kinematics& kinematics,
   hold_against_earlier(judgement.points);
   judgement.machine = kinematics.machine;
   judgement.diagnosis = analysis::conclude(examined_points(judgement), kinematics);
+  put_refusals_first(judgement.diagnosis.quality);
   for (const sequences::Limit& limit : limits)
     judgement.limits.push_back(check_of(limit, judgement));
   // Of two that are as grave the first: data that cannot be trusted is why a value is missing.
-  judgement.ending = graver(graver(trust_in(judgement), weighed(judgement)), measured);
+  const Ending trust = trust_in(judgement);
+  const Ending judged = weighed(judgement);
+  judgement.ending =
+      graver(trust.outcome == Outcome::pass ? judged : graver(trust, judged), measured);
 }
 
 void demand_confirmation(Judgement& judgement, const analysis::Kinematics& kinematics) {
-  std::vector<analysis::Examination> examined;
-  for (const JudgedPoint& point : judgement.points) examined.push_back(point.examination);
   analysis::Diagnosis& diagnosis = judgement.diagnosis;
-  if (!diagnosis.resolvable || analysis::shows_machine(examined, diagnosis, kinematics)) return;
-  const std::string what =
-      "cannot tell: no line of this machine is in the data, so nothing confirms its speed, the "
-      "sample rate or that it is this machine";
-  diagnosis.quality.push_back({kinematics.machine, what, true});
-  judgement.ending = graver(judgement.ending, invalid(kinematics.machine + ": " + what));
+  if (!diagnosis.resolvable) return;
+  const std::string what = why_not_this_machine(judgement, kinematics);
+  if (what.empty()) return;
+  diagnosis.quality.push_back({kinematics.machine, "cannot tell: " + what, true});
+  put_refusals_first(diagnosis.quality);
+  judgement.ending =
+      graver(judgement.ending, invalid(kinematics.machine + ": cannot tell: " + what));
 }
 
 }  // namespace rvbench::bench

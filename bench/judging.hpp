@@ -37,11 +37,6 @@ std::vector<hal::ConfigFault> limits_on_unknown_parts(const std::vector<sequence
 JudgedPoint judge_point(const Recording& record, const analysis::Kinematics& kinematics,
                         const analysis::ExamineOptions& options);
 
-/// Whether every point was recorded and is sound, and a record is long enough to part the orders of
-/// what turned.
-/// Errors  none thrown. Source  ours
-bool can_be_trusted(const Judgement& judgement);
-
 /// Draws the conclusion from judgement.points: diagnosis, limits, and the ending.
 /// @param measured  how the sequence itself ended; the graver of both becomes the ending
 /// Errors  none thrown: what cannot be judged ends INVALID, with the reason
@@ -49,9 +44,11 @@ bool can_be_trusted(const Judgement& judgement);
 void conclude(Judgement& judgement, const analysis::Kinematics& kinematics,
               const std::vector<sequences::Limit>& limits, const Ending& measured);
 
-/// After conclude(): where not a single line of the machine is in the data, the judgement ends
-/// INVALID, with a quality note. Orders that were looked for at a wrong speed are silent, too.
-/// Errors  none thrown. Source  ours
+/// After conclude(): where no line of the machine's shaft is in the data, or its gear train's orders
+/// fit the lines no better than chance does, the judgement ends INVALID, with a quality note: orders
+/// that were looked for at a wrong speed, or of another machine, are silent, too. The note names the
+/// speed at which the lines would fit, if one stands out.
+/// Errors  none thrown. Source  shows_shaft(), gear_train_fit()
 void demand_confirmation(Judgement& judgement, const analysis::Kinematics& kinematics);
 
 }  // namespace rvbench::bench

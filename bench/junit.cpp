@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/findings_stand.hpp"
 #include "bench/limit_checks.hpp"
+#include "bench/report/finding_text.hpp"
 #include "bench/xml_text.hpp"
 
 namespace rvbench::bench {
@@ -69,10 +71,13 @@ TestCase case_of(const LimitCheck& check) {
   return test;
 }
 
-TestCase case_of(const analysis::Finding& finding) {
-  return {"findings", finding.component + ": " + finding.mechanism, Result::failure,
+TestCase case_of(const analysis::Finding& finding, const Judgement& judgement) {
+  const bool stands = findings_stand(judgement);
+  return {"findings", finding.component + ": " + finding.mechanism,
+          stands ? Result::failure : Result::skipped,
           fmt::format("severity {:.3g}, limit {:.3g}; order {:.4g}; {}", finding.severity,
-                      finding.limit, finding.order, finding.advice)};
+                      finding.limit, finding.order,
+                      stands ? finding.advice : report::seen_but(judgement.ending))};
 }
 
 TestCase case_of(const Ending& ending) {
@@ -88,7 +93,7 @@ std::vector<TestCase> cases_of(const Judgement& judgement) {
   for (const JudgedPoint& point : judgement.points) tests.push_back(case_of(point));
   for (const LimitCheck& check : judgement.limits) tests.push_back(case_of(check));
   for (const analysis::Finding& finding : judgement.diagnosis.findings)
-    tests.push_back(case_of(finding));
+    tests.push_back(case_of(finding, judgement));
   return tests;
 }
 

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "bench/cli.hpp"
+#include "bench/exit_on_signal.hpp"
 
 namespace {
 
@@ -19,6 +20,7 @@ void open_standard_files() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  rvbench::bench::exit_on_signal();
   open_standard_files();
   rvbench::bench::Console console = rvbench::bench::system_console();
   return rvbench::bench::run_cli({argv + 1, argv + argc}, rvbench::bench::make_commands(), console);

@@ -10,7 +10,7 @@
 #include "analysis/quality.hpp"
 #include "analysis/shaft_angle.hpp"
 #include "bench/command.hpp"
-#include "bench/rising_channels.hpp"
+#include "bench/no_accelerations.hpp"
 #include "bench/stop_on_signal.hpp"
 #include "hal/did_you_mean.hpp"
 #include "hal/types/units.hpp"
@@ -37,21 +37,10 @@ std::optional<std::string> what_is_beyond(const Recording& record, const std::st
   return std::nullopt;
 }
 
-// A velocity or a force is judged as no acceleration, and nobody should think that it was.
-void note_other_units(Recording& record) {
-  const std::vector<const Channel*> judged = analysis::acceleration_channels(record);
-  for (const Channel& channel : record.channels) {
-    if (is_of_shaft(channel.info) || std::ranges::find(judged, &channel) != judged.end()) continue;
-    record.notes.push_back(fmt::format("{} is in {}, no acceleration, and is left out",
-                                       channel.info.name, channel.info.unit));
-  }
-}
-
 std::optional<std::string> what_cannot_be_judged(Recording& record, const std::string& file,
                                                  const std::string& kept) {
   if (const auto beyond = what_is_beyond(record, file, kept)) return beyond;
-  note_other_units(record);
-  const auto uneven = leave_out_rising_channels(kept, record);
+  const auto uneven = leave_out_what_is_no_acceleration(kept, record);
   if (uneven) return file + ": " + *uneven;
   return std::nullopt;
 }
@@ -74,9 +63,10 @@ void prefer_speed(double speed_rpm, Recording& record) {
   if (!angle || !angle->is_measured()) return;
   const double measured_rpm = units::rpm_from_Hz(angle->mean_speed_Hz());
   if (std::abs(speed_rpm - measured_rpm) <= hal::speed_tolerance * measured_rpm) return;
-  record.notes.push_back(
-      fmt::format("speed {} rpm as given: the shaft's angle, which says {:.5g} rpm, is left out",
-                  speed_rpm, measured_rpm));
+  record.notes.push_back(fmt::format(
+      "speed {} rpm as given: the shaft's angle, which says {:.5g} rpm and so differs by "
+      "{:.1f} %, is left out",
+      speed_rpm, measured_rpm, 100 * std::abs(speed_rpm / measured_rpm - 1)));
   std::erase_if(record.channels, [](const Channel& channel) {
     return channel.info.name == channel_names::input_angle;
   });

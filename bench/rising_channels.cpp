@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
+#include <cmath>
 #include <vector>
 
 #include "analysis/quality.hpp"
+#include "bench/lost_rows.hpp"
+#include "hal/formats/time_column.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -15,13 +17,8 @@ constexpr Eigen::Index fewest_samples = 100;  // fewer may rise by chance
 // Of the whole rise: a clock's drift and the rounding of a printed time stay below, a lost block
 // of samples does not.
 constexpr double most_bend = 1e-3;
-
-// Steps of zero are the rounding of a printed time.
-bool only_rises(const Eigen::VectorXd& x) {
-  const Eigen::Index n = x.size();
-  if (n < fewest_samples || !(x[n - 1] > x[0])) return false;
-  return ((x.tail(n - 1) - x.head(n - 1)).array() >= 0).all();
-}
+constexpr double one_rate = 1e-3;  // relative: less is the same
+constexpr const char* other_way = "; if it is no time, name what to judge with --channel";
 
 bool is_even(const Eigen::VectorXd& x) {
   const double rise = x[x.size() - 1] - x[0];
@@ -29,16 +26,35 @@ bool is_even(const Eigen::VectorXd& x) {
   return (x - line).cwiseAbs().maxCoeff() <= most_bend * rise;
 }
 
-// Seconds in the unit that the name of a column of time ends in; nothing if it ends in none.
-std::optional<double> seconds_per_unit(std::string_view name) {
-  while (!name.empty() && (name.ends_with(']') || name.ends_with(')'))) name.remove_suffix(1);
-  const std::size_t before = name.find_last_of("_ [(");
-  const std::string_view unit = before == std::string_view::npos ? "" : name.substr(before + 1);
-  if (unit == "s") return 1;
-  if (unit == "ms") return 1e-3;
-  if (unit == "us" || unit == "µs") return 1e-6;
-  if (unit == "ns") return 1e-9;
-  return std::nullopt;
+// Why the times of a column are none of even samples; empty if they are.
+std::string what_is_uneven(const Eigen::VectorXd& x) {
+  if (const std::optional<LostRows> lost = find_lost_rows(x)) {
+    const double count = std::round(lost->count);
+    return fmt::format("about {:.0f} sample{} missing behind its sample {} ({:.6g})", count,
+                       count > 1 ? "s are" : " is", lost->before, x[lost->before - 1]);
+  }
+  return is_even(x) ? "" : "samples are missing or of several rates";
+}
+
+// "; in seconds it says 2000 Hz", and what is taken in place of that.
+std::string stated_rate(const Channel& column) {
+  const Eigen::VectorXd& x = column.samples;
+  const std::optional<double> unit_s = hal::formats::seconds_per_unit(column.info.name);
+  const double rate_Hz =
+      static_cast<double>(x.size() - 1) / (x[x.size() - 1] - x[0]) / unit_s.value_or(1);
+  const bool is_clock = unit_s || hal::formats::time_unit_s(column.info.name);
+  const bool other = column.rate_Hz > 0 && std::abs(rate_Hz / column.rate_Hz - 1) > one_rate;
+  return fmt::format("; {} it says {:.6g} Hz{}", unit_s ? "by the unit in its name" : "in seconds",
+                     rate_Hz,
+                     is_clock && other ? fmt::format(", not {:.6g} Hz", column.rate_Hz) : "");
+}
+
+// A column that is surely meant as time, and is none.
+bool is_broken_clock(const Channel& column) {
+  const std::string& name = column.info.name;
+  constexpr std::size_t longest_symbol = 2;  // "t" and "ts" may be anything's
+  return name.size() > longest_symbol && hal::formats::time_unit_s(name) &&
+         column.samples.size() >= fewest_samples && !hal::formats::only_rises(column.samples);
 }
 
 }  // namespace
@@ -48,22 +64,19 @@ std::optional<std::string> leave_out_rising_channels(const std::string& kept, Re
   for (const Channel* channel : analysis::acceleration_channels(record)) {
     const std::string& name = channel->info.name;
     const Eigen::VectorXd& x = channel->samples;
-    if (name == kept || !only_rises(x)) continue;
-    const bool even = is_even(x);
-    if (!even && kept.empty()) {
-      return fmt::format(
-          "{} only rises, as time does, but unevenly: samples are missing or of several rates; if "
-          "it is no time, name what to judge with --channel",
-          name);
+    if (name == kept) continue;
+    if (kept.empty() && is_broken_clock(*channel)) {
+      return fmt::format("{} is named as time but does not only rise{}", name, other_way);
     }
-    const double per_unit = static_cast<double>(x.size() - 1) / (x[x.size() - 1] - x[0]);
-    const std::optional<double> unit_s = seconds_per_unit(name);
+    if (x.size() < fewest_samples || !hal::formats::only_rises(x)) continue;
+    const std::string uneven = what_is_uneven(x);
+    if (!uneven.empty() && kept.empty()) {
+      return fmt::format("{} only rises, as time does, but unevenly: {}{}", name, uneven,
+                         other_way);
+    }
     record.notes.push_back(
-        fmt::format("{} only rises, as no vibration does, and is left out", name) +
-        (even ? fmt::format("; {} it says {:.6g} Hz",
-                            unit_s ? "by the unit in its name" : "in seconds",
-                            per_unit / unit_s.value_or(1))
-              : ""));
+        fmt::format("{} only rises, as no vibration does, and is left out{}", name,
+                    uneven.empty() ? stated_rate(*channel) : "; it rises unevenly: " + uneven));
     rising.push_back(name);
   }
   std::erase_if(record.channels, [&](const Channel& channel) {

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "analysis/spectral_lines.hpp"
+#include "bench/findings_stand.hpp"
 #include "bench/limit_checks.hpp"
 #include "bench/report/finding_text.hpp"
 #include "bench/report/html.hpp"
@@ -28,15 +29,17 @@ std::string evidence_of(const analysis::Finding& finding, double period_turns) {
   return text;
 }
 
-void print_finding(Console& console, const analysis::Finding& finding, double period_turns) {
+// @param counts  whether it says that the part is bad
+void print_finding(Console& console, const analysis::Finding& finding, double period_turns,
+                   bool counts) {
   console.out << fmt::format(
-      "  {}: {}{}\n", finding.component, finding.mechanism,
+      "  {}: {}, {}{}\n", finding.component, finding.mechanism, report::limit_text(finding),
       finding.table4_item.empty() ? "" : " (Table 4: " + finding.table4_item + ")");
   console.out << fmt::format(
       "    depth {}, limit {:.3f}; order {}, {}; p {}", report::severity_text(finding),
       finding.limit, report::order_text(finding.order, period_turns),
       report::frequency_text(finding.frequency_Hz, finding.order), report::p_text(finding.p_value));
-  if (finding.confidence > 0) {
+  if (counts) {
     console.out << fmt::format("; confidence {:.0f} %", 100 * finding.confidence);
   }
   console.out << '\n';
@@ -49,6 +52,7 @@ void print_finding(Console& console, const analysis::Finding& finding, double pe
   if (!rivals.empty()) console.out << "    " << rivals << '\n';
   const std::string cause = report::cause_text(finding);
   if (!cause.empty()) console.out << "    " << cause << '\n';
+  if (counts) console.out << "    advice: " << report::advice_text(finding) << '\n';
 }
 
 // "  171.56 Hz at 1815 rpm  order   5.6714"
@@ -152,18 +156,23 @@ void print_limits(Console& console, const std::vector<LimitCheck>& limits) {
   }
 }
 
-void print_findings(Console& console, const analysis::Diagnosis& diagnosis, double period_turns) {
+void print_findings(Console& console, const Judgement& judgement, double period_turns) {
+  const analysis::Diagnosis& diagnosis = judgement.diagnosis;
+  const bool stand = findings_stand(judgement);
+  if (!stand && !(diagnosis.below_limit.empty() && diagnosis.findings.empty())) {
+    console.out << "\nNot to be read as findings, for they were "
+                << report::seen_but(judgement.ending) << '\n';
+  }
   if (!diagnosis.below_limit.empty()) console.out << "\nSignificant, but within limits:\n";
   for (const auto& finding : diagnosis.below_limit) {
-    print_finding(console, finding, period_turns);
+    print_finding(console, finding, period_turns, false);
   }
-  if (!diagnosis.findings.empty()) console.out << "\nFindings above their limit:\n";
+  if (!diagnosis.findings.empty()) console.out << "\nAbove their limit:\n";
   for (const auto& finding : diagnosis.findings) {
-    print_finding(console, finding, period_turns);
-    console.out << "    advice: " << finding.advice << '\n';
+    print_finding(console, finding, period_turns, stand);
   }
   const analysis::Finding* second = diagnosis.second();
-  if (second == nullptr) return;
+  if (!stand || second == nullptr) return;
   console.out << fmt::format("\nSecond hypothesis: {}: {}, depth {}, limit {:.3f}, p {}\n",
                              second->component, second->mechanism, report::severity_text(*second),
                              second->limit, report::p_text(second->p_value));
@@ -194,7 +203,7 @@ void print_summary(Console& console, const Judgement& judgement,
   print_unexplained(console, diagnosis.unexplained);
   print_explained(console, judgement, kinematics);
   print_limits(console, judgement.limits);
-  print_findings(console, diagnosis, kinematics.period_turns);
+  print_findings(console, judgement, kinematics.period_turns);
   print_teardown(console, judgement.facts);
   print_twin(console, judgement.facts);
   const Outcome outcome = judgement.ending.outcome;

@@ -1,9 +1,11 @@
 #include "bench/verdict_json.hpp"
 
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "bench/command.hpp"
 #include "bench/examination_json.hpp"
+#include "bench/findings_stand.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -135,6 +137,18 @@ Judgement parsed(const nlohmann::ordered_json& json) {
   return judgement;
 }
 
+// Only a finding that stands, above its limit, is one to be sure of and to act upon.
+void withdraw_advice(nlohmann::ordered_json& json, bool stand) {
+  json["findings_stand"] = stand;
+  for (const char* list : {"findings", "below_limit", "not_shown"}) {
+    if (stand && list == std::string_view("findings")) continue;
+    for (nlohmann::ordered_json& hypothesis : json[list]) {
+      hypothesis["confidence"] = 0;
+      hypothesis["advice"] = "";
+    }
+  }
+}
+
 // Names out of foreign files need not be UTF-8: what is not is replaced, not thrown.
 std::string text_of(const nlohmann::ordered_json& json) {
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
@@ -159,6 +173,7 @@ std::string judgement_to_json(const Judgement& judgement) {
                                  {"exit_code", exit_code(judgement.ending)},
                                  {"error_kind", to_string(judgement.ending.error_kind)}};
   json.update(json_of(judgement.diagnosis));
+  withdraw_advice(json, findings_stand(judgement));
   json["machine"] = judgement.machine;
   json["software"] = judgement.facts.software;
   json["seed"] = nullptr;

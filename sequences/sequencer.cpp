@@ -144,12 +144,19 @@ std::string state_of(bool shaft_stopped, bool brake_released) {
                      brake_released ? "released" : "not seen released");
 }
 
+// What measuring came to. Of a unit it says nothing: its verdict is the judge's, if it comes to
+// one.
+const char* word_of(Outcome outcome) {
+  const bool to_judge = outcome == Outcome::pass || outcome == Outcome::invalid;
+  return to_judge ? "measured" : to_string(outcome);
+}
+
 // The last lines of the log, for the operator.
 void tell(BenchLoop& loop, const RunSummary& summary, const Ending& measured,
           const Ending& torn_down) {
   const bool more = torn_down.outcome != Outcome::pass && torn_down.reason != measured.reason;
   if (more) loop.event("in teardown: " + torn_down.reason);
-  loop.event(fmt::format("{}: {}; {}", to_string(summary.ending.outcome), summary.ending.reason,
+  loop.event(fmt::format("{}: {}; {}", word_of(summary.ending.outcome), summary.ending.reason,
                          state_of(summary.shaft_stopped, summary.brake_released)));
 }
 

@@ -151,6 +151,25 @@ void tell_speeds(const MatchedPoint& point, const std::vector<RecordLevels>& a,
                    of_a, of_b)});
 }
 
+void tell_same(const std::vector<RecordLevels>& a, const std::vector<RecordLevels>& b,
+               Comparison& comparison) {
+  std::vector<std::size_t> compared;  // of B
+  for (const MatchedPoint& point : comparison.points) {
+    comparison.records_a += point.a.records.size();
+    comparison.records_b += point.b.records.size();
+    compared.insert(compared.end(), point.b.records.begin(), point.b.records.end());
+  }
+  comparison.same_in_both = same_records(a, b);
+  std::erase_if(comparison.same_in_both, [&](const SameRecord& same) {
+    return std::ranges::find(compared, same.b) == compared.end();
+  });
+  for (const SameRecord& same : comparison.same_in_both) {
+    comparison.left_out.push_back(
+        {b[same.b].source, "the same recording as " + a[same.a].source +
+                               " of A: nothing can have changed between them"});
+  }
+}
+
 std::size_t index_of(const ChannelInfo& channel, std::vector<ChannelInfo>& all) {
   const auto known = std::ranges::find(all, channel.name, &ChannelInfo::name);
   if (known != all.end()) return static_cast<std::size_t>(known - all.begin());
@@ -281,13 +300,18 @@ Comparison compare(const std::vector<RecordLevels>& a, const std::vector<RecordL
                         std::move(matched.only_b),
                         {},
                         {},
-                        {}};
+                        {},
+                        {},
+                        {},
+                        0};
   for (const auto* side : {&a, &b}) {
     for (const RecordLevels& record : *side) {
       comparison.left_out.insert(comparison.left_out.end(), record.left_out.begin(),
                                  record.left_out.end());
+      if (record.too_short) comparison.too_short.push_back(*record.too_short);
     }
   }
+  tell_same(a, b, comparison);
   std::vector<Cell> cells;
   for (std::size_t p = 0; p < comparison.points.size(); ++p) {
     const MatchedPoint point = comparison.points[p];

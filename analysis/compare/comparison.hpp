@@ -7,6 +7,7 @@
 #include "analysis/compare/matched_points.hpp"
 #include "analysis/compare/quantities.hpp"
 #include "analysis/compare/record_levels.hpp"
+#include "analysis/compare/same_records.hpp"
 #include "analysis/compare/slipping_comb.hpp"
 
 namespace rvbench::analysis {
@@ -54,9 +55,13 @@ struct Comparison {
   std::vector<ChannelInfo> channels;  ///< those compared somewhere
   std::vector<MatchedPoint> points;
   std::vector<PointRecords> only_a, only_b;
-  std::vector<Change> changes;          ///< by point, channel, quantity
-  std::vector<SignaturePair> unparted;  ///< whose lines are the same in some record
-  std::vector<NotCompared> left_out;    ///< records and channels, A first
+  std::vector<Change> changes;                ///< by point, channel, quantity
+  std::vector<SignaturePair> unparted;        ///< whose lines are the same in some record
+  std::vector<NotCompared> left_out;          ///< records and channels, A first
+  std::vector<ShortRecord> too_short = {};    ///< those whose lines are not compared
+  std::vector<SameRecord> same_in_both = {};  ///< of those compared, B's that are A's, too
+  std::size_t records_a = 0;                  ///< that are compared at some point
+  std::size_t records_b = 0;
 };
 
 /// Holds the records of B against those of A, point by point, each channel against that of the same

@@ -25,13 +25,16 @@ std::string unfit(const Recording& record, const std::optional<ShaftAngle>& angl
 
 void tell_short(const ShaftAngle& angle, const Kinematics& kinematics, const Channel& x,
                 RecordLevels& levels) {
-  const double turns = angle.mean_speed_Hz() * double(x.samples.size()) / x.rate_Hz;
+  const double length_s = double(x.samples.size()) / x.rate_Hz;
+  const double turns = angle.mean_speed_Hz() * length_s;
   const int needed = block_turns(kinematics);
   if (turns >= needed) return;
+  levels.too_short = {length_s, needed / angle.mean_speed_Hz(), levels.measured_rpm};
   levels.left_out.push_back(
-      {levels.source, fmt::format("spans {:.0f} turns of the input shaft, and {} part its lines: "
-                                  "only its levels are compared",
-                                  turns, needed)});
+      {levels.source,
+       fmt::format("spans {:.0f} turns of the input shaft, and {} part its lines: {:.3g} s are too "
+                   "short, {:.3g} s are needed, only its levels are compared",
+                   turns, needed, length_s, levels.too_short->needed_s)});
 }
 
 // Of two channels that have one name nobody knows which is held against which.
@@ -40,12 +43,22 @@ bool is_one_of_two(const Channel* channel, const std::vector<const Channel*>& al
              all, [&](const Channel* other) { return other->info.name == channel->info.name; }) > 1;
 }
 
+void tell_no_acceleration(const Recording& record, const std::vector<const Channel*>& accelerations,
+                          RecordLevels& levels) {
+  for (const Channel& channel : record.channels) {
+    if (is_of_shaft(channel.info)) continue;
+    if (std::ranges::find(accelerations, &channel) != accelerations.end()) continue;
+    levels.left_out.push_back({record.source + ", " + channel.info.name,
+                               "is in " + channel.info.unit + ", no acceleration"});
+  }
+}
+
 }  // namespace
 
 RecordLevels measure_levels(const Recording& record, const Kinematics& kinematics,
                             const std::vector<Quantity>& quantities) {
   RecordLevels levels{
-      record.source, record.planned_speed_rpm, record.speed_rpm, record.load_pct, {}, {}};
+      record.source, record.planned_speed_rpm, record.speed_rpm, record.load_pct, {}, {}, {}};
   const std::optional<ShaftAngle> angle = ShaftAngle::of(record);
   if (angle) levels.measured_rpm = units::rpm_from_Hz(angle->mean_speed_Hz());
   for (const double known_rpm : {record.speed_rpm, levels.measured_rpm}) {
@@ -56,6 +69,7 @@ RecordLevels measure_levels(const Recording& record, const Kinematics& kinematic
     return levels;
   }
   const std::vector<const Channel*> channels = acceleration_channels(record);
+  tell_no_acceleration(record, channels, levels);
   const auto notes = record_quality(channels, *angle, kinematics, not_known);
   std::vector<const Channel*> trusted;
   for (std::size_t i = 0; i < channels.size(); ++i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,13 @@ struct NotCompared {
   std::string why;
 };
 
+/// A record that ends before its lines are parted: only its levels are compared.
+struct ShortRecord {
+  double length_s = 0;
+  double needed_s = 0;  ///< of block_turns() at the speed of the record
+  double speed_rpm = not_known;
+};
+
 /// One record as it is compared.
 struct RecordLevels {
   std::string source;
@@ -23,6 +31,7 @@ struct RecordLevels {
   double load_pct = not_known;
   std::vector<ChannelLevels> channels;  ///< those that can be trusted
   std::vector<NotCompared> left_out;
+  std::optional<ShortRecord> too_short = {};
 };
 
 /// Measures all quantities in the acceleration channels of a record.

@@ -12,8 +12,8 @@ namespace rvbench::analysis {
 /// EMD of a signal that is still coming: IMFs to be watched while a bench runs.
 ///
 /// A sample of an IMF comes out when nothing that is yet to come can change it: with a fixed count
-/// of sifts that is the case 40 to 80 of the IMF's extrema later for each sift, beside what the
-/// IMFs before wait for: ten sifts and an extremum in 5 ms are 2 to 4 s. It is then
+/// of sifts that is the case 60 to 80 of the IMF's extrema later for each sift, beside what the
+/// IMFs before wait for: ten sifts and an extremum in 5 ms are 3 to 4 s. It is then
 /// the same as emd() makes of the whole record, to rounding; what emd() marks as unreliable at the
 /// record's start is so here, and only end() makes an unreliable end.
 ///

@@ -25,8 +25,7 @@ const Signature& signature_of(const SignatureScore& score, const Kinematics& kin
 std::vector<double> comb_lines(const Signature& signature, int first, double stretch) {
   std::vector<double> orders;
   for (int h = first; h <= signature.harmonics; ++h) {
-    const double at = h == 0 ? 1 : stretch;
-    for (const double order : harmonic_lines(signature, h)) orders.push_back(order * at);
+    for (const double order : harmonic_lines(signature, h, stretch)) orders.push_back(order);
   }
   return orders;
 }

@@ -16,7 +16,7 @@ const Signature& signature_of(const SignatureScore& score, const Kinematics& kin
 /// Every line that a signature may have, sidebands that other parts claim among them.
 ///
 /// @param first    harmonic; 0 begins with the spacings of the sidebands
-/// @param stretch  of its harmonics and their sidebands, as slip stretches them; not of the spacings
+/// @param stretch  of its harmonics, as harmonic_lines() has it
 /// Units   orders of the input shaft
 /// Errors  none thrown
 /// Source  harmonic_lines()

@@ -80,7 +80,7 @@ class RecordEvidence {
     score.order = comb_.order * stretched;
     score.line_orders.clear();
     for (const SignatureLine& line : comb_.lines) {
-      score.line_orders.push_back(line.order * stretched);
+      score.line_orders.push_back(comb_.order_of(line, stretched));
     }
   }
 
@@ -168,7 +168,9 @@ struct Explained {
 
   void add(const SignatureComb& comb, double order, int highest_bin) {
     const double stretch = order / comb.order;
-    for (const SignatureLine& line : comb.lines) add_line(comb.bin_of(line.order * stretch));
+    for (const SignatureLine& line : comb.lines) {
+      add_line(comb.bin_of(comb.order_of(line, stretch)));
+    }
     for (int h = 1; comb.bin_of(h * order) <= highest_bin; ++h) add_line(comb.bin_of(h * order));
   }
 

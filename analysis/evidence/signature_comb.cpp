@@ -24,6 +24,12 @@ bool between_locked(Eigen::Index shift, Eigen::Index locked_every) {
 
 }  // namespace
 
+double SignatureComb::order_of(const SignatureLine& line, double stretch) const {
+  const SignatureLine& harmonic =
+      line.sideband_of < 0 ? line : lines[static_cast<std::size_t>(line.sideband_of)];
+  return line.order + (stretch - 1) * harmonic.order;
+}
+
 Eigen::Index SignatureComb::bin_of(double at_order) const {
   return static_cast<Eigen::Index>(std::lround(at_order / resolution));
 }
@@ -39,15 +45,17 @@ std::vector<SignatureComb> signature_combs(const Kinematics& kinematics, double 
                        .rolls = signature.slip > 0,
                        .resolution = resolution};
     double highest = 0;
-    for (const SignatureLine& line : comb.lines) highest = std::max(highest, line.order);
+    for (const SignatureLine& line : comb.lines) {
+      if (line.sideband_of < 0) highest = std::max(highest, line.order);
+    }
     const double reach = std::max(signature.slip, signature.tolerance);
     comb.nominal = static_cast<Eigen::Index>(std::ceil(2 * reach * highest / resolution));
     comb.stretches = stretches_of(reach, comb.nominal);
     comb.bins.resize(static_cast<Eigen::Index>(comb.lines.size()), comb.stretches.size());
     for (Eigen::Index i = 0; i < comb.bins.rows(); ++i) {
       for (Eigen::Index t = 0; t < comb.bins.cols(); ++t) {
-        const double order = comb.lines[static_cast<std::size_t>(i)].order * comb.stretches[t];
-        comb.bins(i, t) = static_cast<int>(comb.bin_of(order));
+        const SignatureLine& line = comb.lines[static_cast<std::size_t>(i)];
+        comb.bins(i, t) = static_cast<int>(comb.bin_of(comb.order_of(line, comb.stretches[t])));
       }
     }
     combs.push_back(std::move(comb));

@@ -9,8 +9,9 @@ namespace rvbench::analysis {
 
 /// Where one signature's lines are looked for in a spectrum over orders.
 ///
-/// Lines are stretched together within the signature's slip or tolerance, so densely that the
-/// highest moves by half a line from try to try.
+/// Harmonics are stretched together within the signature's slip or tolerance, so densely that the
+/// highest moves by half a line from try to try; sidebands keep their spacing, as harmonic_lines()
+/// has it.
 struct SignatureComb {
   std::vector<SignatureLine> lines;
   double order = 0;                ///< the signature's own
@@ -19,6 +20,9 @@ struct SignatureComb {
   Eigen::Index nominal = 0;        ///< index of stretch 1
   Eigen::MatrixXi bins = {};       ///< line of the spectrum: lines × stretches
   double resolution = 0;           ///< orders per line of the spectrum
+
+  /// Order of a line where the harmonics are stretched so.
+  double order_of(const SignatureLine& line, double stretch) const;
 
   /// Line of the spectrum that is nearest to an order.
   Eigen::Index bin_of(double order) const;

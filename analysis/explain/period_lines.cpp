@@ -30,11 +30,10 @@ std::optional<PeriodLines> period_lines(const Channel& signal, const ShaftAngle&
       angle.whole_periods(signal.samples.size(), signal.rate_Hz, signal.start_s, period_turns);
   if (periods < fewest_periods) return std::nullopt;
   const double speed_Hz = angle.mean_speed_Hz();
-  const int per_turn = static_cast<int>(std::ceil(signal.rate_Hz / speed_Hz));
-  const Eigen::VectorXd x =
-      angle.resample(signal.samples, signal.rate_Hz, signal.start_s, period_turns, per_turn);
-  const auto apart = static_cast<Eigen::Index>(
-      std::llround(static_cast<double>(x.size()) / (per_turn * period_turns)));
+  const Eigen::VectorXd x = angle.resample(signal.samples, signal.rate_Hz, signal.start_s,
+                                           period_turns, signal.rate_Hz / speed_Hz);
+  const double per_turn = static_cast<double>(x.size()) / (periods * period_turns);
+  const auto apart = static_cast<Eigen::Index>(periods);
   const LineFloor lines = line_floor(amplitude_spectrum(x, per_turn, Window::hann), apart);
   const auto orders =
       static_cast<Eigen::Index>(usable_share * signal.rate_Hz / speed_Hz * period_turns);

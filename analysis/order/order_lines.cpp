@@ -10,7 +10,8 @@
 namespace rvbench::analysis {
 namespace {
 
-constexpr double held = 0.4;       // of the record's rate
+constexpr double held = 0.4;  // of the record's rate
+constexpr double fewest_per_turn = 32;
 constexpr double per_highest = 8;  // samples per turn of a band's highest order
 constexpr Eigen::Index fewest_turns = 4;
 
@@ -20,15 +21,14 @@ OrderLines::OrderLines(const Channel& x, const ShaftAngle& angle, double period_
     : mean_speed_Hz_(angle.mean_speed_Hz()), angle_is_measured_(angle.is_measured()) {
   Require{"OrderLines"}(x.samples.allFinite(), "a sample is not finite");
   const double per_turn_in_time = x.rate_Hz / mean_speed_Hz_;
-  if (angle.whole_periods(x.samples.size(), x.rate_Hz, x.start_s, period_turns) < 1) return;
-  int per_turn = 32;
-  while (per_turn < per_turn_in_time) per_turn *= 2;  // no wider than in time: nothing folds
-  samples_ = angle.resample(x.samples, x.rate_Hz, x.start_s, period_turns, per_turn);
-  if (empty()) return;
+  const double periods = angle.whole_periods(x.samples.size(), x.rate_Hz, x.start_s, period_turns);
+  if (periods < 1) return;
+  const double least = std::max(per_turn_in_time, fewest_per_turn);  // no wider: nothing folds
+  samples_ = angle.resample(x.samples, x.rate_Hz, x.start_s, period_turns, least);
   mean_ = samples_.mean();
   samples_.array() -= mean_;
-  turns_ = static_cast<double>(samples_.size()) / per_turn;
-  top_order_ = held * std::min<double>(per_turn, per_turn_in_time);
+  turns_ = periods * period_turns;
+  top_order_ = held * per_turn_in_time;
   lines_ = fft(samples_);
   lines_[0] = 0;  // but for rounding
 }

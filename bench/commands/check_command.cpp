@@ -7,10 +7,12 @@
 #include "bench/file_kind.hpp"
 #include "bench/judging.hpp"
 #include "bench/kinematics_file.hpp"
+#include "bench/recording_facts.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/run_start.hpp"
 #include "bench/sha256.hpp"
 #include "bench/tpa_project.hpp"
+#include "hal/formats/printable.hpp"
 #include "sequences/plan.hpp"
 #include "sim/plant_json.hpp"
 
@@ -77,7 +79,28 @@ int check_run(Console& console, const std::filesystem::path& folder) {
   return exit_codes::done;
 }
 
+// Of the file as a whole.
+Faults as_faults(const std::vector<std::string>& texts) {
+  Faults faults;
+  for (const std::string& text : texts) faults.push_back({0, "", text});
+  return faults;
+}
+
+int check_recording(Console& console, const std::string& file) {
+  const auto checked = recording_facts(file);
+  if (const auto* fault = std::get_if<std::string>(&checked)) {
+    complain(console, "rvbench: " + *fault);
+    return exit_codes::data_refused;
+  }
+  const RecordingFacts& facts = std::get<RecordingFacts>(checked);
+  console.out << hal::formats::printable(file) << ": " << facts.summary << '\n';
+  remark(console, "note", file, as_faults(facts.notes));
+  remark(console, "warning", file, as_faults(facts.warnings));
+  return exit_codes::done;
+}
+
 int check_file(Console& console, const std::string& file) {
+  if (is_recording(file)) return check_recording(console, file);
   const hal::ConfigReader root = hal::ConfigReader::from_file(file);
   const std::string kind = file_kind(root);
   const Faults faults =
@@ -95,10 +118,12 @@ class CheckCommand final : public Command {
  public:
   std::string name() const override { return "check"; }
   std::string summary() const override {
-    return "validates plan, rig, kinematics, plant, campaign and tpa files and run folders";
+    return "validates plan, rig, kinematics, plant, campaign and tpa files, recordings and run "
+           "folders";
   }
   std::string examples() const override {
     return "  rvbench check plans/mine.json bench_a.json\n"
+           "  rvbench check gear.csv                     its channels, rate and length\n"
            "  rvbench check runs/A17/20260102T030405Z    verifies the hashes of a run\n";
   }
   std::vector<Option> options() override {

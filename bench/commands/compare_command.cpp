@@ -71,8 +71,8 @@ class CompareCommand final : public Command {
     CompareFacts facts;
   };
   std::variant<Answer, int> compared(Console& console);
-  std::variant<Answer, int> held_against(Console& console);
-  int check_options(Console& console);
+  std::variant<Answer, int> held_against(Console& console, OutFolder& folder);
+  int check_options(Console& console, OutFolder& folder);
   int open_sides(Console& console);
   int join_names(Console& console);
   int find_kinematics(Console& console);
@@ -90,7 +90,6 @@ class CompareCommand final : public Command {
   std::vector<CompareSide> sides_;  // A, B
   analysis::Kinematics kinematics_;
   analysis::CompareOptions options_;
-  OutFolder out_folder_;
   std::stop_token stop_;
 };
 
@@ -112,16 +111,19 @@ int CompareCommand::run(Console& console) {
 // next step only until then: who reads the answer may go away.
 std::variant<CompareCommand::Answer, int> CompareCommand::compared(Console& console) {
   const StopOnSignal signals;
+  OutFolder folder;
   stop_ = signals.token();
   try {
-    return held_against(console);
+    return held_against(console, folder);
   } catch (const Interrupted&) {
     return tell_interrupted(console, name());
   }
 }
 
-std::variant<CompareCommand::Answer, int> CompareCommand::held_against(Console& console) {
-  if (const int refused = check_options(console); refused != exit_codes::done) return refused;
+std::variant<CompareCommand::Answer, int> CompareCommand::held_against(Console& console,
+                                                                       OutFolder& folder) {
+  if (const int refused = check_options(console, folder); refused != exit_codes::done)
+    return refused;
   if (const int refused = open_sides(console); refused != exit_codes::done) return refused;
   if (const int refused = find_kinematics(console); refused != exit_codes::done) return refused;
   const auto a = measured(console, sides_[0], "A");
@@ -145,7 +147,7 @@ std::variant<CompareCommand::Answer, int> CompareCommand::held_against(Console& 
 }
 
 // What can be known to be wrong before anything is read.
-int CompareCommand::check_options(Console& console) {
+int CompareCommand::check_options(Console& console, OutFolder& folder) {
   if (!is_positive(console, "--speed", speed_rpm_) || !is_rate(console, rate_Hz_)) {
     return exit_codes::usage;
   }
@@ -158,7 +160,7 @@ int CompareCommand::check_options(Console& console) {
     return refuse_usage(console, "compare: --same " + names + ": give a name in A, =, one in B");
   }
   if (out_.empty()) return exit_codes::done;
-  const std::string why = out_folder_.make(out_, {"plan.json", "compare.json", "compare.html"});
+  const std::string why = folder.make(out_, {"plan.json", "compare.json", "compare.html"});
   return why.empty() ? exit_codes::done
                      : refuse_usage(console, "compare: --out " + out_ + ": " + why);
 }
@@ -272,6 +274,7 @@ int CompareCommand::refuse_nothing_in_common(Console& console, const Comparison&
 }
 
 // The page asks for more of the records and may be stopped: nothing is written before it is whole.
+// A folder that has compare.json has all.
 void CompareCommand::write_out(const Answer& answer) {
   const auto& [comparison, facts] = answer;
   const auto spectra = [&](std::size_t point,
@@ -285,8 +288,8 @@ void CompareCommand::write_out(const Answer& answer) {
   };
   const std::string page = make_compare_page(comparison, facts, spectra);
   const std::filesystem::path folder = out_;
-  write_file(folder / "compare.json", comparison_to_json(comparison, facts));
   write_file(folder / "compare.html", page);
+  write_file(folder / "compare.json", comparison_to_json(comparison, facts));
 }
 
 }  // namespace

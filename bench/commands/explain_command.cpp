@@ -70,9 +70,15 @@ class ExplainCommand final : public Command {
   std::string make_out(OutFolder& folder) const;
   int look_into_run(Console& console);
   CampaignOrRefusal campaign(const sim::PlantSpec& plant) const;
-  analysis::Explanation explained(Console& console, Twin& twin) const;
-  int tell(Console& console, const Campaign& campaign, const Twin& twin,
-           analysis::Explanation explanation) const;
+  struct Answer {
+    analysis::Explanation explanation;
+    ExplainFacts facts;
+  };
+  std::variant<Answer, int> answered(Console& console, const Campaign& campaign, Twin& twin) const;
+  analysis::Explanation explained(Console& console, const Twin& twin) const;
+  Answer told_in_files(const Campaign& campaign, const Twin& twin,
+                       analysis::Explanation explanation) const;
+  int tell(Console& console, const Answer& answer) const;
   void write_out(const Twin& twin, const analysis::Explanation& explanation,
                  const Comparisons& comparisons, ExplainFacts& facts) const;
 
@@ -93,20 +99,21 @@ void ExplainCommand::write_out(const Twin& twin, const analysis::Explanation& ex
                                const Comparisons& comparisons, ExplainFacts& facts) const {
   const std::filesystem::path folder = out_;
   const analysis::Fit& fit = explanation.selection.fit;
+  std::string plant;
   if (explanation.verdict != analysis::ExplainVerdict::not_resolvable) {
     facts.plant_updated = (folder / "plant_updated.json").string();
-    write_file(facts.plant_updated, sim::write_plant(twin.plant_with(fit.effects, fit.values)));
+    plant = sim::write_plant(twin.plant_with(fit.effects, fit.values));
   }
+  const std::string page = make_explanation_page(explanation, facts, comparisons);
+  if (!facts.plant_updated.empty()) write_file(facts.plant_updated, plant);
+  write_file(folder / "explain.html", page);
   write_file(folder / "explain.json", explanation_to_json(explanation, facts));
-  write_file(folder / "explain.html", make_explanation_page(explanation, facts, comparisons));
   std::error_code apart;
   if (!run_.empty() && std::filesystem::equivalent(folder, run_, apart)) write_sums(folder);
 }
 
 // @throws Interrupted
-analysis::Explanation ExplainCommand::explained(Console& console, Twin& twin) const {
-  const StopOnSignal signals;
-  twin.stop_on(signals.token());
+analysis::Explanation ExplainCommand::explained(Console& console, const Twin& twin) const {
   ProgressBar bar(console, progress_style(console, json_));
   analysis::SelectionOptions options;
   options.most_effects = effects_.value_or(options.most_effects);
@@ -118,8 +125,9 @@ analysis::Explanation ExplainCommand::explained(Console& console, Twin& twin) co
   return analysis::explain(twin, options);
 }
 
-int ExplainCommand::tell(Console& console, const Campaign& campaign, const Twin& twin,
-                         analysis::Explanation explanation) const {
+// @throws Interrupted, and std::system_error of what cannot be written
+ExplainCommand::Answer ExplainCommand::told_in_files(const Campaign& campaign, const Twin& twin,
+                                                     analysis::Explanation explanation) const {
   Located located = locate(twin, explanation.selection);
   weigh_what_stays(located, explanation);
   const Comparisons comparisons = compare(twin, explanation.selection);
@@ -131,11 +139,32 @@ int ExplainCommand::tell(Console& console, const Campaign& campaign, const Twin&
                      campaign.notes,
                      campaign.hashes};
   std::ranges::move(twin.notes(), std::back_inserter(facts.notes));
+  if (!out_.empty()) write_out(twin, explanation, comparisons, facts);
+  return {std::move(explanation), std::move(facts)};
+}
+
+// Explained, and written where it is to be; or the exit code that says why not. Signals wait for
+// the next step only until then: who reads the answer may go away.
+std::variant<ExplainCommand::Answer, int> ExplainCommand::answered(Console& console,
+                                                                   const Campaign& campaign,
+                                                                   Twin& twin) const {
+  const StopOnSignal signals;
+  OutFolder folder;
+  if (const std::string fault = make_out(folder); !fault.empty()) {
+    return refuse_usage(console, "explain: --out " + out_ + ": " + fault);
+  }
+  twin.stop_on(signals.token());
   try {
-    if (!out_.empty()) write_out(twin, explanation, comparisons, facts);
+    return told_in_files(campaign, twin, explained(console, twin));
+  } catch (const Interrupted&) {
+    return tell_interrupted(console, name());
   } catch (const std::system_error& error) {
     return refuse_usage(console, std::string("explain: --out: ") + error.what());
   }
+}
+
+int ExplainCommand::tell(Console& console, const Answer& answer) const {
+  const auto& [explanation, facts] = answer;
   if (json_) {
     console.out << explanation_to_json(explanation, facts);
   } else {
@@ -221,15 +250,9 @@ int ExplainCommand::run(Console& console) {
     return exit_codes::data_refused;
   }
   Twin& twin = *std::get<0>(made);
-  OutFolder folder;
-  if (const std::string fault = make_out(folder); !fault.empty()) {
-    return refuse_usage(console, "explain: --out " + out_ + ": " + fault);
-  }
-  try {
-    return tell(console, campaign, twin, explained(console, twin));
-  } catch (const Interrupted&) {
-    return tell_interrupted(console, name());
-  }
+  const auto answer = answered(console, campaign, twin);
+  if (const int* refused = std::get_if<int>(&answer)) return *refused;
+  return tell(console, std::get<Answer>(answer));
 }
 
 }  // namespace

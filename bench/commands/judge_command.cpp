@@ -59,7 +59,7 @@ class JudgeCommand final : public Command {
 
  private:
   int read_machine(Console& console);
-  int check_options(Console& console);
+  int check_options(Console& console, OutFolder& folder) const;
   int load(Console& console);
   void tell_notes(Console& console) const;
   std::variant<Judgement, int> judged(Console& console);
@@ -83,7 +83,6 @@ class JudgeCommand final : public Command {
   bool json_ = false;
   analysis::Kinematics derived_;
   std::vector<Recording> records_;
-  OutFolder out_folder_;
   std::stop_token stop_;
 };
 
@@ -104,9 +103,11 @@ int JudgeCommand::run(Console& console) {
 // next step only until then: who reads the answer may go away.
 std::variant<Judgement, int> JudgeCommand::judged(Console& console) {
   const StopOnSignal signals;
+  OutFolder folder;
   stop_ = signals.token();
   try {
-    if (const int refused = check_options(console); refused != exit_codes::done) return refused;
+    if (const int refused = check_options(console, folder); refused != exit_codes::done)
+      return refused;
     if (const int refused = read_machine(console); refused != exit_codes::done) return refused;
     if (const int refused = load(console); refused != exit_codes::done) return refused;
     Judgement judgement = judge_by_catalogue(console);
@@ -131,12 +132,12 @@ int JudgeCommand::read_machine(Console& console) {
 }
 
 // What can be known to be wrong before anything is read.
-int JudgeCommand::check_options(Console& console) {
+int JudgeCommand::check_options(Console& console, OutFolder& folder) const {
   if (!is_positive(console, "--speed", speed_rpm_) || !is_rate(console, rate_Hz_)) {
     return exit_codes::usage;
   }
   if (out_.empty()) return exit_codes::done;
-  const std::string why = out_folder_.make(out_, {"verdict.json", "report.html"});
+  const std::string why = folder.make(out_, {"verdict.json", "report.html"});
   return why.empty() ? exit_codes::done
                      : refuse_usage(console, "judge: --out " + out_ + ": " + why);
 }

@@ -1,4 +1,5 @@
 #include "analysis/evidence/article_rules.hpp"
+#include "bench/findings_stand.hpp"
 #include "bench/judging.hpp"
 #include "bench/report/html.hpp"
 #include "bench/report/sections.hpp"
@@ -7,6 +8,7 @@
 namespace rvbench::bench::report {
 
 std::string article_section(const ReportInput& input) {
+  if (!findings_stand(input.judgement)) return "";
   std::vector<std::vector<std::string>> rows;
   for (const analysis::ArticleRule& rule : analysis::article_rules(
            examined_points(input.judgement), input.judgement.diagnosis, input.kinematics)) {

@@ -12,6 +12,16 @@ std::string power_of(const char* what, const analysis::Growth& growth) {
   return fmt::format("{}^{:.2f} (± {:.2f} at 95 %)", what, growth.exponent, growth.error);
 }
 
+constexpr double a_hair = 0.005;  // of the limit
+
+const char* why_refused(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::invalid: return "the record is refused";
+    case Outcome::aborted: return "the run was aborted";
+    default: return "the bench was at fault";
+  }
+}
+
 }  // namespace
 
 std::string severity_text(const analysis::Finding& finding) {
@@ -21,6 +31,23 @@ std::string severity_text(const analysis::Finding& finding) {
   if (finding.points.empty()) return "not readable";
   return fmt::format("{:.3f} ({:.3f} to {:.3f})", finding.severity, finding.severity_low,
                      finding.severity_high);
+}
+
+std::string limit_text(const analysis::Finding& finding) {
+  const bool above = finding.severity > finding.limit;
+  const char* side = above ? "above its limit" : "within its limit";
+  const double share = finding.severity / finding.limit;
+  if (!std::isfinite(share)) return fmt::format("{} of {:.3g}", side, finding.limit);
+  if (std::abs(share - 1) < a_hair) return fmt::format("{}, by less than 0.5 %", side);
+  return fmt::format("{}, {:.2f} {}", side, share, above ? "times it" : "of it");
+}
+
+bool is_close(const analysis::Finding& finding) {
+  return finding.severity_low < finding.limit && finding.limit < finding.severity_high;
+}
+
+std::string seen_but(const Ending& ending) {
+  return fmt::format("seen, but {}: {}", why_refused(ending.outcome), ending.reason);
 }
 
 std::string p_text(double p_value) {
@@ -50,9 +77,13 @@ std::string rivals_text(const analysis::Finding& finding) {
 
 std::string cause_text(const analysis::Finding& finding) {
   if (finding.may_follow_from.empty()) return "";
-  return fmt::format(
-      "may be a consequence of {}, which has all these lines as well: mend that first",
-      finding.may_follow_from);
+  return fmt::format("may be a consequence of {}, which has all these lines as well",
+                     finding.may_follow_from);
+}
+
+std::string advice_text(const analysis::Finding& finding) {
+  if (finding.may_follow_from.empty()) return finding.advice;
+  return fmt::format("mend {} first; then {}", finding.may_follow_from, finding.advice);
 }
 
 }  // namespace rvbench::bench::report

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bench/findings_stand.hpp"
 #include "bench/report/finding_text.hpp"
 #include "bench/report/html.hpp"
 #include "bench/report/sections.hpp"
@@ -29,24 +30,29 @@ std::string imfs_of(const Finding& finding) {
   return text.empty() ? "–" : text;
 }
 
-// Whether the limit lies in the severity's interval.
-bool is_close(const Finding& finding) {
-  return finding.severity_low < finding.limit && finding.limit < finding.severity_high;
-}
-
 // What a hypothesis that is none of the findings was shown by.
 std::string shown_in(const Finding& hypothesis, std::size_t points) {
   if (hypothesis.p_value >= analysis::significant_p) return "not shown";
   return fmt::format("in {} of {} points: too few", hypothesis.points.size(), points);
 }
 
-std::string block_of(const Finding& finding, const ReportInput& input, bool above) {
+// How sure it is of a finding, and what to do about it.
+std::string consequence_of(const Finding& finding) {
+  return fmt::format(
+             "<dt>Confidence</dt><dd>{:.0f} %: this part's share of severity over limit, times how "
+             "well its growth fits, among all findings above theirs</dd>",
+             100 * finding.confidence) +
+         "<dt>Advice</dt><dd>" + xml_escaped(advice_text(finding)) + "</dd>";
+}
+
+// @param counts  whether it says that the part is bad
+std::string block_of(const Finding& finding, const ReportInput& input, bool counts) {
   std::string html =
-      fmt::format("<div class=\"finding{}\"><h3>{}: {}</h3>\n<dl>", above ? "" : " within",
-                  spoken(finding.component), spoken(finding.mechanism));
-  html += fmt::format("<dt>Severity</dt><dd>modulation depth {}, limit {:.3f} ({}{})</dd>",
-                      severity_text(finding), finding.limit, above ? "above" : "within",
-                      is_close(finding) ? ", but its interval reaches across" : "");
+      fmt::format("<div class=\"finding{}\"><h3>{}: {} – {}</h3>\n<dl>", counts ? "" : " within",
+                  spoken(finding.component), spoken(finding.mechanism), limit_text(finding));
+  html += fmt::format("<dt>Severity</dt><dd>modulation depth {}, limit {:.3f}{}</dd>",
+                      severity_text(finding), finding.limit,
+                      is_close(finding) ? ": its interval reaches across" : "");
   const std::string rivals = rivals_text(finding);
   if (!rivals.empty()) html += "<dt>Certainty</dt><dd>" + xml_escaped(rivals) + "</dd>";
   const std::string cause = cause_text(finding);
@@ -66,13 +72,7 @@ std::string block_of(const Finding& finding, const ReportInput& input, bool abov
       number(finding.log_likelihood_ratio, 4), p_value_text(finding.p_value));
   const std::string growth = growth_text(finding);
   if (!growth.empty()) html += "<dt>Growth</dt><dd>" + xml_escaped(growth) + "</dd>";
-  if (above) {
-    html += fmt::format(
-        "<dt>Confidence</dt><dd>{:.0f} %: this part's share of severity over limit, times how well "
-        "its growth fits, among all findings above theirs</dd>",
-        100 * finding.confidence);
-  }
-  if (above) html += "<dt>Advice</dt><dd>" + xml_escaped(finding.advice) + "</dd>";
+  if (counts) html += consequence_of(finding);
   return html + "</dl></div>\n";
 }
 
@@ -113,13 +113,19 @@ std::string unexplained_table(const std::vector<SpectralLine>& lines, double per
 
 std::string findings_section(const ReportInput& input) {
   const analysis::Diagnosis& diagnosis = input.judgement.diagnosis;
+  const bool stand = findings_stand(input.judgement);
   std::string html;
-  for (const Finding& finding : diagnosis.findings) html += block_of(finding, input, true);
+  if (!stand && !(diagnosis.findings.empty() && diagnosis.below_limit.empty())) {
+    html += paragraph("What follows was " + seen_but(input.judgement.ending) +
+                      ". It names no bad part of the unit, and nothing is advised.");
+  }
+  for (const Finding& finding : diagnosis.findings) html += block_of(finding, input, stand);
   if (diagnosis.findings.empty()) {
     html += paragraph(diagnosis.resolvable ? "No finding above its limit."
                                            : "Nothing could be judged, so nothing was found.");
   }
-  if (!diagnosis.below_limit.empty()) html += "<h3>Significant, but within limits</h3>\n";
+  if (!diagnosis.below_limit.empty())
+    html += "<h3>Significant, but within limits: no part is bad for these</h3>\n";
   for (const Finding& finding : diagnosis.below_limit) html += block_of(finding, input, false);
   html += hypotheses_table(diagnosis, input.judgement.points.size());
   html += unexplained_table(diagnosis.unexplained, input.kinematics.period_turns);

@@ -1,10 +1,8 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
-#include "bench/judging.hpp"
-#include "bench/limit_checks.hpp"
+#include "bench/findings_stand.hpp"
 #include "bench/report/html.hpp"
 #include "bench/report/sections.hpp"
 #include "bench/xml_text.hpp"
@@ -17,24 +15,16 @@ const char* class_of(Outcome outcome) {
   return outcome == Outcome::fail ? "fail" : "other";
 }
 
-// Whether what was recorded is why nothing can be said: a point, or that nothing in any of them
-// confirms the machine.
-bool is_spoiled(const Judgement& judgement) {
-  return !can_be_trusted(judgement) ||
-         std::ranges::any_of(judgement.diagnosis.quality, &analysis::QualityNote::invalidates);
-}
-
 const char* meaning_of_invalid(const Judgement& judgement) {
-  if (!is_spoiled(judgement)) {
-    if (!std::ranges::all_of(judgement.limits, is_measured)) {
+  switch (lack_of(judgement)) {
+    case Lack::limit_measured:
       return "A limit could not be held against the data, so the unit is neither passed nor "
              "failed. What was found in the data stands. Record what the limit needs, or take it "
              "out of the plan.";
-    }
-    if (std::ranges::any_of(judgement.diagnosis.not_shown, &analysis::Finding::is_open)) {
+    case Lack::part_shown:
       return "Of one part the data do not tell whether it is good, so the unit is neither passed "
              "nor failed. What was found of others stands. Measure longer, or at more points.";
-    }
+    case Lack::sound_data: break;
   }
   return "The data cannot be trusted: nothing is said about the unit. Measure again.";
 }

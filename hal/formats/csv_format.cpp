@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
 #include <fstream>
 #include <optional>
 
+#include "hal/formats/apply_units.hpp"
+#include "hal/formats/column_name.hpp"
+#include "hal/formats/csv_cells.hpp"
 #include "hal/formats/foreign_file.hpp"
 #include "hal/formats/format.hpp"
 #include "hal/formats/time_column.hpp"
@@ -14,167 +14,136 @@
 namespace rvbench::hal::formats {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
-  return text;
-}
+using Cells = std::vector<std::string_view>;
+using Fault = std::optional<std::string>;
 
-// The cells of one line. A separator at its end adds no cell.
-std::vector<std::string_view> split(std::string_view line, char separator) {
-  std::vector<std::string_view> cells;
-  line = trimmed(line);
-  while (!line.empty()) {
-    const std::size_t end = std::min(line.find(separator), line.size());
-    std::string_view cell = trimmed(line.substr(0, end));
-    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') {
-      cell = cell.substr(1, cell.size() - 2);
-    }
-    cells.push_back(cell);
-    line.remove_prefix(std::min(end + 1, line.size()));
-  }
-  return cells;
-}
-
-// A number; "nan" is one, for it marks a lost sample, but an infinity is none.
-std::optional<double> parse_number(std::string_view cell) {
-  if (cell.starts_with('+')) cell.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc() || end != cell.data() + cell.size() || std::isinf(value)) {
-    return std::nullopt;
-  }
-  return value;
-}
-
-char separator_of(std::string_view line) {
-  for (const char separator : {',', ';', '\t'}) {
-    if (line.find(separator) != std::string_view::npos) return separator;
-  }
-  return ',';
-}
+bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\r") == line.npos; }
 
 // Samples column by column, as they are gathered line by line.
-struct Table {
+class Table {
+ public:
+  // The fault of the next line, or none: then it was added.
+  Fault add(std::string_view line);
+
   std::vector<std::string> names;
   bool has_names = true;  // of its own
   std::vector<std::vector<double>> columns;
+  CsvNumbers numbers;
 
-  // The fault of one line of numbers, or none: then the line was added.
-  std::optional<std::string> add(const std::vector<std::string_view>& cells, std::size_t line) {
-    if (cells.size() != columns.size()) {
-      return fmt::format("{}: {} values, not {}", line, cells.size(), columns.size());
-    }
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      const std::optional<double> value = parse_number(cells[i]);
-      if (!value) {
-        return fmt::format("{}:{}: \"{}\" is not a number", line, i + 1, cells[i].substr(0, 40));
-      }
-      columns[i].push_back(*value);
-    }
+ private:
+  Fault begin(const Cells& cells);
+  Fault add_numbers(const Cells& cells);
+
+  std::size_t line_ = 0;
+  std::size_t blank_line_ = 0;  // the first one behind samples
+  char separator_ = ',';
+};
+
+Fault Table::add(std::string_view line) {
+  ++line_;
+  if (line.find('\0') != line.npos) return fmt::format("{}: not text", line_);
+  if (line_ == 1) {
+    if (line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
+    separator_ = csv_separator(line).value_or(',');
+  } else if (is_blank(line)) {
+    if (blank_line_ == 0 && !columns.front().empty()) blank_line_ = line_;
     return std::nullopt;
   }
-};
+  if (blank_line_ > 0) return fmt::format("{}: a blank line, and samples behind it", blank_line_);
+  const std::optional<Cells> cells = csv_cells(line, separator_);
+  if (!cells) return fmt::format("{}: a quote that does not end", line_);
+  return line_ == 1 ? begin(*cells) : add_numbers(*cells);
+}
 
 // The channels' names from the first line, or column_1, column_2 ... if it holds numbers.
-std::optional<std::string> start(const std::vector<std::string_view>& cells, Table& table) {
+Fault Table::begin(const Cells& cells) {
   if (cells.empty()) return "1: no channel names";
-  const auto is_number = [](std::string_view cell) { return parse_number(cell).has_value(); };
-  const bool headless = std::all_of(cells.begin(), cells.end(), is_number);
+  has_names = !std::ranges::all_of(
+      cells, [](std::string_view cell) { return CsvNumbers().read(cell).index() == 0; });
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::string name = headless ? fmt::format("column_{}", i + 1) : std::string(cells[i]);
+    const std::string name = has_names ? std::string(cells[i]) : fmt::format("column_{}", i + 1);
     if (name.empty()) return fmt::format("1:{}: a channel without name", i + 1);
-    if (std::find(table.names.begin(), table.names.end(), name) != table.names.end()) {
+    if (std::ranges::find(names, name) != names.end()) {
       return fmt::format("1:{}: channel \"{}\" is there twice", i + 1, name);
     }
-    table.names.push_back(name);
+    names.push_back(name);
   }
-  table.columns.resize(cells.size());
-  table.has_names = !headless;
-  return headless ? table.add(cells, 1) : std::nullopt;
+  columns.resize(cells.size());
+  return has_names ? std::nullopt : add_numbers(cells);
 }
 
-struct UnitName {
-  std::string_view written;
-  std::string_view unit;
-};
-
-// Of what a vibration may be in, or be mistaken for. A voltage may be anything's, so it says
-// nothing; a unit of time belongs to no signal.
-constexpr std::array<UnitName, 16> unit_names = {{{"m/s²", "m/s²"},
-                                                  {"m/s2", "m/s²"},
-                                                  {"m/s^2", "m/s²"},
-                                                  {"g", "g"},
-                                                  {"m/s", "m/s"},
-                                                  {"mm/s", "mm/s"},
-                                                  {"in/s", "in/s"},
-                                                  {"ips", "in/s"},
-                                                  {"mm", "mm"},
-                                                  {"µm", "µm"},
-                                                  {"um", "µm"},
-                                                  {"N", "N"},
-                                                  {"N·m", "N·m"},
-                                                  {"Nm", "N·m"},
-                                                  {"rpm", "rpm"},
-                                                  {"°C", "°C"}}};
-
-// The unit that a column's name ends in, as "a [g]" and "a (mm/s)", or, where it cannot be a word
-// of the name, "a_mm/s"; empty if it ends in none.
-std::string_view unit_in(std::string_view name) {
-  const bool bracketed = name.ends_with(']') || name.ends_with(')');
-  if (bracketed) name.remove_suffix(1);
-  const std::size_t before = name.find_last_of(bracketed ? "[(" : "_ ");
-  if (before == std::string_view::npos) return "";
-  const std::string_view written = trimmed(name.substr(before + 1));
-  if (!bracketed && written.find('/') == std::string_view::npos) return "";
-  const auto found = std::ranges::find(unit_names, written, &UnitName::written);
-  return found == unit_names.end() ? "" : found->unit;
-}
-
-std::optional<std::string> fill(std::istream& stream, Table& table) {
-  std::string text;
-  char separator = ',';
-  for (std::size_t line = 1; std::getline(stream, text); ++line) {
-    if (text.find('\0') != std::string::npos) return fmt::format("{}: not text", line);
-    std::string_view view = text;
-    if (line == 1) {
-      if (view.starts_with("\xEF\xBB\xBF")) view.remove_prefix(3);
-      separator = separator_of(view);
-      if (auto fault = start(split(view, separator), table)) return fault;
-    } else if (!trimmed(view).empty()) {
-      if (auto fault = table.add(split(view, separator), line)) return fault;
+Fault Table::add_numbers(const Cells& cells) {
+  if (cells.size() != columns.size()) {
+    const bool halved = separator_ == ',' && cells.size() == 2 * columns.size();
+    return fmt::format("{}: {} values, not {}{}", line_, cells.size(), columns.size(),
+                       halved ? ": with decimal commas, columns are to be parted by ;" : "");
+  }
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const auto read = numbers.read(cells[i]);
+    if (const auto* fault = std::get_if<std::string>(&read)) {
+      return fmt::format("{}:{}: {}", line_, i + 1, *fault);
     }
+    columns[i].push_back(std::get<double>(read));
   }
-  return stream.bad() ? std::optional<std::string>("cannot be read to its end") : std::nullopt;
+  return std::nullopt;
+}
+
+Fault fill(std::istream& stream, Table& table) {
+  std::string line;
+  while (std::getline(stream, line)) {
+    if (Fault fault = table.add(line)) return fault;
+  }
+  return stream.bad() ? Fault("cannot be read to its end") : std::nullopt;
+}
+
+// A clock keeps its head as it is: by that it is known.
+bool is_clock(const Channel& column) {
+  const std::string& head = column.info.name;
+  return time_unit_s(head) || (seconds_per_unit(head) && only_rises(column.samples));
+}
+
+// Takes the units out of the heads. Names that would be the same without stay as they are.
+void state_units(Recording& recording) {
+  std::vector<ColumnName> heads;
+  for (const Channel& column : recording.channels) {
+    const std::string& head = column.info.name;
+    heads.push_back(is_clock(column) ? ColumnName{head, ""} : column_name(head));
+  }
+  for (std::size_t i = 0; i < heads.size(); ++i) {
+    Channel& channel = recording.channels[i];
+    if (std::ranges::count(heads, heads[i].name, &ColumnName::name) == 1) {
+      channel.info.name = heads[i].name;
+    }
+    apply_unit(heads[i].unit, channel, recording.notes);
+  }
 }
 
 bool recognises(std::string_view head) {
   const auto is_text = [](char c) {
     return static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\r' || c == '\t';
   };
-  const std::string_view first = head.substr(0, head.find('\n'));
-  return std::all_of(head.begin(), head.end(), is_text) &&
-         first.find_first_of(",;\t") != std::string_view::npos;
+  return std::ranges::all_of(head, is_text) &&
+         csv_separator(head.substr(0, head.find('\n'))).has_value();
 }
 
 Result<std::vector<Recording>> read(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   Table table;
-  if (const auto fault = fill(stream, table)) return bad_file(file, *fault);
+  if (const Fault fault = fill(stream, table)) return bad_file(file, *fault);
   Recording recording;
   recording.source = file.string();
   recording.status = "ok";
+  if (table.numbers.decimal == ',') recording.notes.push_back("numbers have a decimal comma");
   for (std::size_t i = 0; i < table.names.size(); ++i) {
     const std::vector<double>& column = table.columns[i];
     Channel channel;
     channel.info.name = table.names[i];
-    channel.info.unit = unit_in(table.names[i]);
     channel.samples =
         Eigen::Map<const Eigen::VectorXd>(column.data(), static_cast<Eigen::Index>(column.size()));
     recording.channels.push_back(std::move(channel));
   }
   set_rate_by_time_column(table.has_names, recording);
+  if (table.has_names) state_units(recording);
   return std::vector<Recording>{std::move(recording)};
 }
 

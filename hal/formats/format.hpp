@@ -11,7 +11,7 @@
 namespace rvbench::hal::formats {
 
 /// One file format. A new one is a new file with a function that returns this, named in the list
-/// of read_recordings.cpp.
+/// of choose_format.cpp.
 struct Format {
   std::string_view name;
   /// By the file's first bytes (up to 4096).

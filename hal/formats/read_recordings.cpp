@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 #include <optional>
 
+#include "hal/formats/choose_format.hpp"
 #include "hal/formats/foreign_file.hpp"
 #include "hal/formats/format.hpp"
 #include "hal/formats/printable.hpp"
@@ -20,32 +19,6 @@ using formats::Format;
 
 constexpr double rate_tolerance = 1e-3;  // crystals agree far better
 constexpr double most_slip = 0.05;       // of an asynchronous motor under load
-
-std::vector<Format> known_formats() {
-  return {formats::hdf5_format(), formats::mat5_format(), formats::tdms_format(),
-          formats::wav_format(),  formats::uff_format(),  formats::csv_format()};
-}
-
-std::string lower_extension(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
-std::optional<Format> choose_format(const std::filesystem::path& file) {
-  const std::string head = formats::head_of(file);
-  const std::string extension = lower_extension(file);
-  const std::vector<Format> formats = known_formats();
-  for (const Format& format : formats) {
-    if (format.recognises(head)) return format;
-  }
-  for (const Format& format : formats) {
-    const auto& own = format.extensions;
-    if (std::find(own.begin(), own.end(), extension) != own.end()) return format;
-  }
-  return std::nullopt;
-}
 
 bool differs(double given, double stated, double tolerance) {
   return std::abs(given - stated) > tolerance * stated;
@@ -115,7 +88,7 @@ Result<std::vector<Recording>> read_recordings(const std::filesystem::path& file
   check_hint("rate_Hz", hints.rate_Hz);
   check_hint("speed_rpm", hints.speed_rpm);
   if (const auto obstacle = formats::find_obstacle(file)) return *obstacle;
-  const std::optional<Format> format = choose_format(file);
+  const std::optional<Format> format = formats::choose_format(file);
   if (!format) return bad_file(file, "no known format (HDF5, MAT v5, TDMS, WAV, UFF, CSV)");
   Result<std::vector<Recording>> read = format->read(file);
   if (!read) return IoError{read.error().code, formats::printable(read.error().where)};

@@ -61,12 +61,17 @@ constexpr std::array spellings = {
     Spelling{"deg", "rad", units::degree_rad},
     Spelling{"rad/s", "rad/s", 1},
     Spelling{"deg/s", "rad/s", units::degree_rad},
+    Spelling{"rpm", "rad/s", units::rad_s_from_rpm(1)},
+    Spelling{"RPM", "rad/s", units::rad_s_from_rpm(1)},
     Spelling{"rad/s2", "rad/s²", 1},
     Spelling{"deg/s2", "rad/s²", units::degree_rad},
     Spelling{"Pa", "Pa", 1},
     Spelling{"kPa", "Pa", 1e3},
     Spelling{"MPa", "Pa", 1e6},
     Spelling{"bar", "Pa", 1e5},
+    Spelling{"degC", "°C", 1},
+    Spelling{"degF", "°F", 1},
+    Spelling{"K", "K", 1},
     Spelling{"V", "V", 1},
     Spelling{"Volts", "V", 1},
     Spelling{"mV", "V", 1e-3},
@@ -75,15 +80,27 @@ constexpr std::array spellings = {
     Spelling{"sec", "s", 1},
     Spelling{"ms", "s", 1e-3},
     Spelling{"us", "s", 1e-6},
+    Spelling{"ns", "s", 1e-9},
     Spelling{"Hz", "Hz", 1},
     Spelling{"kHz", "Hz", 1e3},
 };
 
 constexpr std::pair<std::string_view, std::string_view> replacements[] = {
-    {"\xC2\xB2", "2"},                                                       // UTF-8
-    {"\xC2\xB7", ""},  {"\xC2\xB5", "u"}, {"\xCE\xBC", "u"}, {"\xB2", "2"},  // Latin-1
-    {"\xB7", ""},      {"\xB5", "u"},     {"**2", "2"},      {"^", ""},
-    {"*", ""},         {".", ""},         {" ", ""},
+    {"\xC2\xB2", "2"},  // UTF-8
+    {"\xC2\xB7", ""},
+    {"\xC2\xB5", "u"},
+    {"\xCE\xBC", "u"},
+    {"\xC2\xB0", "deg"},
+    {"\xE2\x81\xBB", "-"},
+    {"\xB2", "2"},  // Latin-1
+    {"\xB7", ""},
+    {"\xB5", "u"},
+    {"\xB0", "deg"},
+    {"**2", "2"},
+    {"^", ""},
+    {"*", ""},
+    {".", ""},
+    {" ", ""},
 };
 
 std::string_view without_brackets(std::string_view text) {

@@ -8,7 +8,7 @@ namespace rvbench::hal::formats {
 
 /// A unit that a file names, and how to leave it: value in `symbol` = factor · value in the file.
 struct SiUnit {
-  std::string symbol;  ///< SI: "m/s²", "N", "m"
+  std::string symbol;  ///< SI: "m/s²", "N", "m"; "°C" and "°F" stay, for they have another zero
   double factor = 1;
 };
 

@@ -5,40 +5,59 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <string_view>
 
 #include "hal/formats/even_grid.hpp"
+#include "hal/formats/si_unit.hpp"
 
 namespace rvbench::hal::formats {
 namespace {
 
 constexpr Eigen::Index fewest_nameless = 100;  // fewer may rise evenly by chance
 
-struct TimeName {
-  std::string_view name;  // in lower case, without blanks and brackets
-  double unit_s;
-};
-constexpr std::array time_names = {
-    TimeName{"time", 1},       TimeName{"t", 1},       TimeName{"times", 1},
-    TimeName{"time_s", 1},     TimeName{"ts", 1},      TimeName{"t_s", 1},
-    TimeName{"timesec", 1},    TimeName{"seconds", 1}, TimeName{"timems", 1e-3},
-    TimeName{"time_ms", 1e-3}, TimeName{"t_ms", 1e-3}, TimeName{"tms", 1e-3}};
+constexpr std::string_view separators = "_ [](),";
+constexpr std::array<std::string_view, 5> time_names = {"time", "times", "t", "ts", "seconds"};
 
-std::optional<double> unit_of(const std::string& name) {
-  std::string plain;
-  for (const char c : name) {
-    if (std::string_view(" ()[],").find(c) != std::string_view::npos) continue;
-    plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+// In lower case, without blanks, brackets and underscores.
+std::string plain(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (separators.find(c) != std::string_view::npos) continue;
+    out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   }
-  const auto known = std::ranges::find(time_names, plain, &TimeName::name);
-  return known == time_names.end() ? std::nullopt : std::optional<double>(known->unit_s);
+  return out;
+}
+
+std::optional<double> seconds_in(std::string_view unit) {
+  const std::optional<SiUnit> si = si_unit(unit);
+  return si && si->symbol == "s" ? std::optional<double>(si->factor) : std::nullopt;
 }
 
 }  // namespace
 
+std::optional<double> seconds_per_unit(std::string_view name) {
+  while (name.ends_with(']') || name.ends_with(')')) name.remove_suffix(1);
+  const std::size_t before = name.find_last_of(separators);
+  return before == name.npos ? std::nullopt : seconds_in(name.substr(before + 1));
+}
+
+std::optional<double> time_unit_s(std::string_view name) {
+  const std::string_view word = name.substr(0, name.find_first_of(separators));
+  if (std::ranges::find(time_names, plain(word)) == time_names.end()) return std::nullopt;
+  const std::string unit = plain(name.substr(word.size()));
+  return unit.empty() ? std::optional<double>(1) : seconds_in(unit);
+}
+
+bool only_rises(const Eigen::VectorXd& x) {
+  const Eigen::Index n = x.size();
+  if (n < 2 || !(x[n - 1] > x[0])) return false;
+  return ((x.tail(n - 1) - x.head(n - 1)).array() >= 0).all();
+}
+
 void set_rate_by_time_column(bool has_names, Recording& table) {
   for (const Channel& column : table.channels) {
     const Eigen::VectorXd& x = column.samples;
-    const auto unit_s = has_names ? unit_of(column.info.name) : std::optional<double>(1);
+    const auto unit_s = has_names ? time_unit_s(column.info.name) : std::optional<double>(1);
     const std::optional<double> step = unit_s ? even_step(x) : std::nullopt;
     const bool is_time =
         step && (has_names || (x[0] == 0 && *step < 1 && x.size() >= fewest_nameless));

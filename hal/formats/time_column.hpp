@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hal/types/recording.hpp"
@@ -10,11 +11,21 @@ namespace rvbench::hal::formats {
 
 /// Gives all channels of a table the rate that its time column says; the column stays.
 ///
-/// A time column is one named so ("time", "t", "time_s", "Time (ms)"...) or, in a table without
-/// names, a first one that rises evenly from 0 in steps below 1: taken as s, with a note. One
-/// that rises unevenly says no rate.
+/// A time column is one named so (time_unit_s) or, in a table without names, a first one that rises
+/// evenly from 0 in steps below 1: taken as s, with a note. One that rises unevenly says no rate.
 ///
 /// @param has_names  the file has them: "column_1" is otherwise made up
 void set_rate_by_time_column(bool has_names, Recording& table);
+
+/// Seconds in the unit of a column named as time: "time", "t", "time_s", "Time (ms)"; nothing if it
+/// is not named so.
+std::optional<double> time_unit_s(std::string_view name);
+
+/// Seconds in the unit of time that the name of a column ends in: "t_us", "clock [ms]"; nothing if
+/// it ends in none.
+std::optional<double> seconds_per_unit(std::string_view name);
+
+/// As a clock does. Steps of zero are the rounding of a printed time.
+bool only_rises(const Eigen::VectorXd& x);
 
 }  // namespace rvbench::hal::formats

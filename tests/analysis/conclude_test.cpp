@@ -320,6 +320,7 @@ TEST_CASE("a spall comes before its shaft, whose line it makes by turning throug
   Examination e = point("a", {0.9, 1e-12}, {0.5, 1e-12});
   e.scores[0].order = 0.33;
   e.scores[0].line_orders = {0.33};
+  e.scores[0].line_depths = {0.9};
   e.scores[1].order = 4.2 * 1.01;  // the spall slips, its shaft does not
   const Diagnosis d = conclude({e}, k);
   REQUIRE(d.findings.size() == 2);

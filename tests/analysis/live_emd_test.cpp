@@ -84,8 +84,8 @@ TEST_CASE("what has come out is final, and comes soon", "[analysis][emd]") {
     CHECK(come.size() == live.done(imf));
     CHECK((come - whole.imfs.col(imf).head(come.size())).cwiseAbs().maxCoeff() < 1e-11);
     // Of white noise IMF k has an extremum every 1.45 · 2^k samples. Each of the ten sifts, also of
-    // the IMFs before, waits for a block of up to 256 and for 60 more.
-    most_behind += 10 * 1.45 * std::pow(2, imf) * (60 + std::max(256 >> imf, 8));
+    // the IMFs before, waits for a block of 16 and for 60 more.
+    most_behind += 10 * 1.45 * std::pow(2, imf) * (60 + 16);
     CHECK(double(live.known() - live.done(imf)) < most_behind);
   }
 }

@@ -78,6 +78,19 @@ TEST_CASE("the full scale that the caller knows is where clipping is looked for"
              Contains("clipped: 2 "));
 }
 
+TEST_CASE("a record that is clipped is too short only if it is short", "[analysis][quality]") {
+  Recording record = turning.recording(faulty().cwiseMin(0.8).cwiseMax(-0.8));
+  const Examination whole = examine(record, small_reducer());
+  CHECK_FALSE(whole.resolvable);
+  CHECK_THAT(complaints(whole), Contains("clipped") && !Contains("too short"));
+  record.channels[0].samples.conservativeResize(turning.count / 2);
+  const Examination half = examine(record, small_reducer());
+  CHECK_THAT(complaints(half),
+             Contains("clipped") && Contains("too short: 2 whole periods of the gear train, 4 are "
+                                             "needed to part its orders: 4.2 s at this speed"));
+  CHECK_THAT(half.quality.front().what, Contains("clipped"));  // to be mended first
+}
+
 TEST_CASE("a record of nothing but bad channels is not resolvable", "[analysis][quality]") {
   const Examination e =
       examine(turning.recording(Eigen::VectorXd::Zero(turning.count)), small_reducer());

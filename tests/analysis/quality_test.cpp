@@ -13,7 +13,7 @@ using analysis::Diagnosis;
 using analysis::Examination;
 using analysis::Finding;
 using analysis::Kinematics;
-using analysis::shows_machine;
+using analysis::shows_shaft;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -163,33 +163,33 @@ Diagnosis within_limits(const std::string& component) {
 TEST_CASE("a line on a characteristic order shows that the data are of the machine",
           "[analysis][quality]") {
   const Kinematics kinematics = shaft_and_bearing();
-  CHECK(shows_machine({Examination(), point_with_line("shaft")}, {}, kinematics));
+  CHECK(shows_shaft({Examination(), point_with_line("shaft")}, {}, kinematics));
   // A twelfth harmonic is met by chance.
-  CHECK_FALSE(shows_machine({point_with_line("shaft x12")}, {}, kinematics));
-  CHECK_FALSE(shows_machine({point_with_line("")}, {}, kinematics));
-  CHECK_FALSE(shows_machine({}, {}, kinematics));
+  CHECK_FALSE(shows_shaft({point_with_line("shaft x12")}, {}, kinematics));
+  CHECK_FALSE(shows_shaft({point_with_line("")}, {}, kinematics));
+  CHECK_FALSE(shows_shaft({}, {}, kinematics));
 }
 
 TEST_CASE("of signatures within limits, only those locked to the shaft show the machine",
           "[analysis][quality]") {
   const Kinematics kinematics = shaft_and_bearing();
-  CHECK(shows_machine({Examination()}, within_limits("motor"), kinematics));
-  CHECK_FALSE(shows_machine({Examination()}, within_limits("bearing"), kinematics));
+  CHECK(shows_shaft({Examination()}, within_limits("motor"), kinematics));
+  CHECK_FALSE(shows_shaft({Examination()}, within_limits("bearing"), kinematics));
   Diagnosis bad;
   bad.findings.resize(1);
   bad.findings[0].component = "bearing";  // at a wrong speed one fault is the other's
-  CHECK_FALSE(shows_machine({Examination()}, bad, kinematics));
+  CHECK_FALSE(shows_shaft({Examination()}, bad, kinematics));
   bad.findings[0].component = "motor";
-  CHECK(shows_machine({Examination()}, bad, kinematics));
+  CHECK(shows_shaft({Examination()}, bad, kinematics));
 }
 
 TEST_CASE("what slips is no witness of the speed, nor is a line in one channel of many",
           "[analysis][quality]") {
   const Kinematics kinematics = shaft_and_bearing();
-  CHECK_FALSE(shows_machine({point_with_line("inner race", 5.4)}, {}, kinematics));
+  CHECK_FALSE(shows_shaft({point_with_line("inner race", 5.4)}, {}, kinematics));
   Examination point = point_with_line("shaft");
   point.channels.resize(3);
-  CHECK_FALSE(shows_machine({point}, {}, kinematics));
+  CHECK_FALSE(shows_shaft({point}, {}, kinematics));
   point.channels[0].lines = point.channels[1].lines;
-  CHECK(shows_machine({point}, {}, kinematics));
+  CHECK(shows_shaft({point}, {}, kinematics));
 }

@@ -173,6 +173,32 @@ TEST_CASE("a column time_s says the rate where nobody else does", "[bench][expla
   }
 }
 
+TEST_CASE("rows that miss in time_s are missed also where a rate is stated", "[bench][explain]") {
+  const test::ScratchFolder scratch;
+  const auto lost = [&](int count) {
+    std::ofstream file(scratch / "own.csv");
+    file << "time_s,way\n";
+    for (int row = 0; row < 4000; ++row) {
+      if (row < 2000 || row >= 2000 + count) file << 0.01 * row << ',' << row << '\n';
+    }
+    file.close();
+    return campaign_of({scratch / "own.csv"}, 100);
+  };
+  const auto whole = lost(0);
+  CHECK(std::get<Campaign>(whole).notes.empty());
+  const auto few = lost(5);
+  REQUIRE(std::get<Campaign>(few).notes.size() == 1);
+  CHECK_THAT(std::get<Campaign>(few).notes[0], Contains("time stamps are not uniform"));
+  for (const CampaignRecord& record : std::get<Campaign>(few).records) {
+    const Eigen::VectorXd& way = record.recording.find("way")->samples;
+    const Eigen::VectorXd steps = way.tail(way.size() - 1) - way.head(way.size() - 1);
+    CHECK((steps.array() - 1).abs().maxCoeff() < 1e-6);
+  }
+  const auto many = lost(20);
+  REQUIRE(many.index() == 1);
+  CHECK_THAT(std::get<1>(many).faults.at(0).message, Contains("a gap of 0.21 s after 19.99 s"));
+}
+
 TEST_CASE("what a campaign does not say right is told with its place", "[bench][explain]") {
   const test::ScratchFolder scratch;
   write_ramp(scratch / "ramp.csv", 100);

@@ -28,6 +28,7 @@ struct Motor {
   double shaft = 0.5, outer = 0.1;
   double length_s = 8;
   std::string channel = "accel_1x";
+  double unit = 1;  // of the file
 };
 
 void write_csv(const std::filesystem::path& file, const Motor& motor, unsigned seed) {
@@ -39,9 +40,9 @@ void write_csv(const std::filesystem::path& file, const Motor& motor, unsigned s
   std::ofstream out(file);
   out << motor.channel << '\n';
   for (int i = 0; i < motor.length_s * rate_Hz; ++i) {
-    out << motor.shaft * tone(1, i / rate_Hz) + motor.outer * tone(3.58, i / rate_Hz) +
-               noise(engine)
-        << '\n';
+    const double vibration =
+        motor.shaft * tone(1, i / rate_Hz) + motor.outer * tone(3.58, i / rate_Hz) + noise(engine);
+    out << vibration / motor.unit << '\n';
   }
 }
 
@@ -160,11 +161,43 @@ TEST_CASE("a name of A that B has for another sensor is not given twice", "[benc
   CHECK_THAT(merged.err, Contains("has both s1 and s2"));
   const Answer swapped = compare(a, b, {"--same", "s1=s2", "--same", "s2=s1", "--json"});
   REQUIRE(swapped.code == 0);
-  for (const auto& change : told(swapped).at("points").at(0).at("changes")) {
+  const nlohmann::json answer = told(swapped);
+  for (const auto& change : answer.at("points").at(0).at("changes")) {
     if (change.at("quantity") != "rms") continue;
     const double by_dB = change.at("channel") == "s1" ? 20 : -20;
     CHECK(change.at("change_dB").get<double>() == Approx(by_dB).margin(1));
   }
+}
+
+TEST_CASE("one motor in g and in m/s² is one motor", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string a = repeats(scratch, "a", {.channel = "accel_1x [m/s²]"}, 3, 1);
+  const Motor in_g{.channel = "accel_1x [g]", .unit = 9.80665};
+  const Answer same = compare(a, repeats(scratch, "b", in_g, 3, 2));
+  INFO(same.err << same.out);
+  CHECK(same.code == 0);
+  CHECK_THAT(same.out, Contains("NOT CHANGED"));
+  Motor spoilt = in_g;
+  spoilt.outer = 0.2;
+  const Answer other = compare(a, repeats(scratch, "c", spoilt, 3, 2));
+  CHECK_THAT(other.out, Contains("drive end bearing_outer by +6.") && !Contains("unit"));
+}
+
+TEST_CASE("a unit that only one side states is told", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string a = repeats(scratch, "a", {.channel = "accel_1x [m/s²]"}, 3, 1);
+  const std::string b = repeats(scratch, "b", {}, 3, 2);
+  CHECK_THAT(compare(a, b).out, Contains("accel_1x: compared, but not every file states its unit"));
+  CHECK_THAT(compare(b, repeats(scratch, "c", {}, 3, 3)).out, !Contains("states its unit"));
+}
+
+TEST_CASE("a column that is no acceleration is not compared as one", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string a = repeats(scratch, "a", {.channel = "accel_1x [V]"}, 3, 1);
+  const std::string b = repeats(scratch, "b", {.channel = "accel_1x [V]"}, 3, 2);
+  const Answer answer = compare(a, b);
+  CHECK(answer.code == 20);
+  CHECK_THAT(answer.err, Contains("no acceleration"));
 }
 
 TEST_CASE("copies of a recording are no repeats", "[bench]") {
@@ -184,6 +217,50 @@ TEST_CASE("copies of a recording are no repeats", "[bench]") {
   REQUIRE(json.at("left_out").size() == 4);
   CHECK(json.at("left_out").at(0).at("where") == a + "/1.csv");
   CHECK(json.at("left_out").at(0).at("why") == "a copy of " + a + "/0.csv, no repeat");
+}
+
+TEST_CASE("one recording by two names cannot have changed, and that is the answer", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string a = (scratch.path() / "a.csv").string();
+  const std::string b = (scratch.path() / "b.csv").string();
+  write_csv(a, {}, 1);
+  std::filesystem::copy_file(a, b);
+  const std::string same = "A and B are the same recording: nothing can have changed.";
+  const auto json = told(compare(a, b, {"--json"}));
+  CHECK(json.at("verdict") == "not_changed");
+  CHECK(json.at("sentence") == same);
+  CHECK(json.at("left_out").at(0).at("why").get<std::string>().find(a) != std::string::npos);
+  CHECK_THAT(compare(a, b).out, Contains(same));
+  std::filesystem::remove(b);
+  write_csv(b, {}, 2);
+  CHECK_THAT(compare(a, b).out, !Contains("same recording"));
+}
+
+TEST_CASE("of several recordings the one that is in A as well is told", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string a = repeats(scratch, "a", {}, 2, 1), b = repeats(scratch, "b", {}, 2, 2);
+  const std::string told_of_one = "1 of the 2 records of B is in A as well";
+  CHECK_THAT(compare(a, b).out, !Contains(told_of_one));
+  std::filesystem::copy_file(a + "/0.csv", b + "/0.csv",
+                             std::filesystem::copy_options::overwrite_existing);
+  CHECK_THAT(compare(a, b).out, Contains(told_of_one) && !Contains("A and B are the same"));
+}
+
+TEST_CASE("records too short for lines say so in the answer, with the length it takes", "[bench]") {
+  const ScratchFolder scratch;
+  const std::string a = (scratch.path() / "a.csv").string();
+  const std::string b = (scratch.path() / "b.csv").string();
+  const auto compared_of = [&](double length_s) {
+    write_csv(a, {.length_s = length_s}, 1);
+    write_csv(b, {.length_s = length_s}, 2);
+    return compare(a, b).out;
+  };
+  CHECK_THAT(compared_of(1),
+             Contains("From A to B no level is known to have changed by more than 1 dB.") &&
+                 Contains("Lines were not compared, only levels: to part them a record must last "
+                          "2.13 s at 1800 rpm, and one lasts 1 s."));
+  CHECK_THAT(compared_of(8),
+             Contains("nothing is known to have changed") && !Contains("Lines were not compared"));
 }
 
 TEST_CASE("why it cannot be told is said as it is", "[bench]") {

@@ -59,6 +59,15 @@ Judgement concluded(std::vector<JudgedPoint> points, const std::vector<Limit>& l
 
 }  // namespace
 
+TEST_CASE("what refuses the data comes before what is only noted of them", "[bench]") {
+  JudgedPoint point = point_with_peak(0.1);
+  point.examination.quality = {{"a", "speed as given", false}, {"a", "clipped", true}};
+  const Judgement judgement = concluded({point}, {});
+  CHECK(judgement.ending.outcome == Outcome::invalid);
+  REQUIRE(judgement.diagnosis.quality.size() == 2);
+  CHECK(judgement.diagnosis.quality.front().what == "clipped");
+}
+
 TEST_CASE("a limit in g is held against m/s²", "[bench]") {
   CHECK(concluded({point_with_peak(9.8)}, {peak_in_g}).ending.outcome == Outcome::pass);
   const Judgement above = concluded({point_with_peak(1), point_with_peak(19.6133)}, {peak_in_g});
@@ -283,14 +292,19 @@ TEST_CASE("a record that is not ok is listed, not examined", "[bench]") {
 
 namespace {
 
-// One part in one point, whose squared depth scatters with this deviation.
-Judgement of_silent_crank(double deviation, const std::vector<Limit>& limits) {
+analysis::Kinematics with_crank() {
   analysis::Kinematics machine;
   analysis::Signature& crank = machine.signatures.emplace_back();
   crank.component = "crank";
   crank.mechanism = "eccentricity";
   crank.order = 0.5;
   crank.depth_limit = 0.2;
+  return machine;
+}
+
+// Its part in one point, whose squared depth scatters with this deviation.
+Judgement of_silent_crank(double deviation, const std::vector<Limit>& limits) {
+  const analysis::Kinematics machine = with_crank();
   JudgedPoint point = point_with_peak(0.1);
   point.examination.scores.resize(1);
   point.examination.scores[0].depth2_variance = deviation * deviation;
@@ -301,6 +315,31 @@ Judgement of_silent_crank(double deviation, const std::vector<Limit>& limits) {
 }
 
 }  // namespace
+
+TEST_CASE("a pass names the part that is within its limit, but not surely", "[bench][limits]") {
+  const auto passed_with = [](double depth) {
+    JudgedPoint point = point_with_peak(0.1);
+    analysis::SignatureScore& score = point.examination.scores.emplace_back();
+    score.order = 0.5;
+    score.depth = depth;
+    score.depth2_variance = 0.005 * 0.005;  // 0.194² is 0.0376, 0.2² is 0.04
+    score.log_likelihood_ratio = 100;
+    score.p_value = 1e-12;
+    score.line_orders = {0.5};
+    score.line_depths = {depth};
+    score.channel_depths = {depth};
+    Judgement judgement;
+    judgement.points = {point};
+    conclude(judgement, with_crank(), {}, measured);
+    REQUIRE(judgement.ending.outcome == Outcome::pass);
+    REQUIRE(judgement.diagnosis.below_limit.size() == 1);
+    return judgement.ending.reason;
+  };
+  CHECK(passed_with(0.194) ==
+        "no finding above its limit; crank: eccentricity is within its limit, 0.97 of it, but not "
+        "surely");
+  CHECK(passed_with(0.1) == "no finding above its limit");
+}
 
 TEST_CASE("what noise could hide is no pass", "[bench][limits]") {
   const Limit strict{"modulation_depth", "crank", "1", 0.05, "as the maker says"};

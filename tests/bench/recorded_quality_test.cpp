@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
+#include <vector>
 
 #include "analysis/quality.hpp"
 #include "analysis/quality/record_quality.hpp"
@@ -123,6 +125,12 @@ TEST_CASE("what is put into one channel of a real recording is found there", "[b
   SECTION("the front end's noise alone, 1/200 of it") {
     c.samples = rms / 200 * test::white_noise(n, 1);
     what = "IEPE bias";
+  }
+  SECTION("one side cut off, with a hundredth of its samples") {
+    std::vector<double> rising(c.samples.begin(), c.samples.end());
+    std::ranges::nth_element(rising, rising.begin() + n / 100);
+    c.samples = c.samples.cwiseMax(rising[std::size_t(n / 100)]);
+    what = "clipped: 12";  // of 121 thousand samples
   }
   CHECK_THAT(complaints(recording, cwru), Contains(c.info.name + ": " + what) &&
                                               !Contains(recording.channels[0].info.name + ":") &&

@@ -202,25 +202,6 @@ TEST_CASE("MAT v5: an array of complex numbers is told as such", "[hal][formats]
   CHECK_THAT(both.value()[0].notes[0], Contains("y is complex"));
 }
 
-TEST_CASE("CSV: a unit behind a column's name is its unit", "[hal][formats]") {
-  const ScratchFolder scratch;
-  const auto [name, unit] = GENERATE(table<std::string, std::string>({{"a [g]", "g"},
-                                                                      {"a (m/s2)", "m/s²"},
-                                                                      {"a_m/s²", "m/s²"},
-                                                                      {"v [mm/s]", "mm/s"},
-                                                                      {"v mm/s", "mm/s"},
-                                                                      {"a_g", ""},
-                                                                      {"time [s]", ""},
-                                                                      {"a (drive end)", ""},
-                                                                      {"g", ""},
-                                                                      {"a [V]", ""}}));
-  CAPTURE(name);
-  const auto read = read_recordings(written(scratch, "u.csv", name + ",b\n1,2\n3,4\n"));
-  REQUIRE(read);
-  CHECK(read.value()[0].channels[0].info.name == name);
-  CHECK(read.value()[0].channels[0].info.unit == unit);
-}
-
 TEST_CASE("HDF5 still says why after a MAT file was read", "[hal][formats]") {
   const ScratchFolder scratch;
   const auto mat =

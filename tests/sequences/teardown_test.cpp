@@ -231,10 +231,10 @@ TEST_CASE("without standstill the brake is released at the time-out", "[sequence
 TEST_CASE("whether a run came to rest is read off its events", "[sequences][safety]") {
   using sequences::tell_of_rest;
   const std::pair<double, std::string> begun{1, "armed"},
-      passed{9, "PASS: everything was measured; shaft at standstill, brake released"},
+      passed{9, "measured: everything was measured; shaft at standstill, brake released"},
       aborted{9, "ABORTED: stopped by the operator; shaft at standstill, brake released"},
       tripped{9, "ERROR: torque 20 N·m; shaft at standstill, brake released"},
-      unseen{9, "PASS: everything was measured; shaft not seen at standstill, brake released"},
+      unseen{9, "measured: everything was measured; shaft not seen at standstill, brake released"},
       later{10, "supervisor: 7 rounds"};
   CHECK(tell_of_rest({begun, passed}));
   CHECK(tell_of_rest({begun, aborted, later}));

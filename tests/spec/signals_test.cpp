@@ -1,11 +1,13 @@
 #include <signal.h>
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <random>
+#include <thread>
 
 #include "bench/sha256.hpp"
 #include "bench/text_file.hpp"
@@ -134,6 +136,60 @@ TEST_CASE("a signal ends an answer before it is there, and leaves no folder that
   CHECK_THAT(compared.err, Contains("compare: interrupted; nothing was written"));
   CHECK(compared.out.empty());
   CHECK_FALSE(std::filesystem::exists(scratch.path() / "made"));
+}
+
+TEST_CASE("whenever a signal comes, there is the whole answer or none", "[spec]") {
+  const ScratchFolder scratch;
+  write_recording(scratch.path() / "a.csv", 1);
+  write_recording(scratch.path() / "b.csv", 2);
+  const auto out = scratch.path() / "made" / "out";
+  const auto [words, moment, files] =
+      GENERATE(table<std::vector<std::string>, const char*, std::vector<std::string>>(
+          {{{"judge", "a.csv"}, "judge: 0 %", {"verdict.json", "report.html"}},
+           {{"compare", "a.csv", "b.csv"}, "measure A: 0 %", {"compare.json", "compare.html"}}}));
+  std::vector<std::string> all{test::rvbench_path()};
+  all.insert(all.end(), words.begin(), words.end());
+  all.insert(all.end(), {"--kinematics", "cwru_6205", "--rate", "2000", "--speed", "1800", "--out",
+                         "made/out"});
+  for (const int wait_ms : {0, 20, 50, 100, 200, 400}) {
+    Program program(scratch.path(), all);
+    REQUIRE(program.says(moment));
+    std::this_thread::sleep_for(std::chrono::milliseconds(wait_ms));
+    program.send(SIGINT);
+    const Answer answer = program.wait();
+    CAPTURE(words.front(), wait_ms, answer.code, answer.err);
+    CHECK((answer.code == 0 || answer.code == 50));
+    const bool whole = std::filesystem::exists(out);
+    if (answer.code == 0) CHECK(whole);
+    if (!whole) CHECK_FALSE(std::filesystem::exists(scratch.path() / "made"));
+    for (const std::string& file : files) CHECK(std::filesystem::exists(out / file) == whole);
+    std::filesystem::remove_all(scratch.path() / "made");
+  }
+}
+
+TEST_CASE("a run that is stopped while it judges claims no verdict, and advises nothing",
+          "[spec]") {
+  const ScratchFolder scratch;
+  write_long_plan(scratch);
+  Program program(scratch.path(), run_words({"--preset", "input_shaft"}));
+  REQUIRE(program.says("judge: 40 %"));
+  program.send(SIGINT);
+  const Answer answer = program.wait();
+  CHECK(answer.code == 50);
+  const auto folder = only_run(scratch);
+  CHECK(verdict_of(folder).at("verdict") == "ABORTED");
+  CHECK(verdict_of(folder).at("findings_stand") == false);
+  CHECK_FALSE(verdict_of(folder).at("findings").empty());  // of the points that were judged
+  const std::string log = bench::read_file(folder / "log.jsonl").value();
+  CHECK_THAT(log, Contains("ABORTED: stopped by the operator while judging"));
+  const std::string page = bench::read_file(folder / "report.html").value();
+  CHECK((page.find("<dt>Advice") == std::string::npos));  // not printed: a report is long
+  for (const std::string& told :
+       {answer.out, log, page, bench::read_file(folder / "junit.xml").value()}) {
+    CHECK((told.find("PASS") == std::string::npos));
+    CHECK((told.find("FAIL") == std::string::npos));
+    CHECK((told.find("advice: ") == std::string::npos));
+  }
 }
 
 TEST_CASE("a run that was started to outlive its terminal does", "[spec]") {

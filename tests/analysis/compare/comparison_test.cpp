@@ -172,7 +172,28 @@ TEST_CASE("records too short for the lines have levels only, and it is told", "[
   const Comparison c = compared(repeats({.count = 3000}, 3, 1), repeats({.count = 3000}, 3, 2));
   CHECK(change_of(c, "mesh") == nullptr);
   REQUIRE(change_of(c, "rms") != nullptr);
-  CHECK(is_told(c, "record 10: spans 30 turns of the input shaft, and 66 part its lines"));
+  CHECK(is_told(c,
+                "record 10: spans 30 turns of the input shaft, and 66 part its lines: 1.5 s are "
+                "too short, 3.3 s are needed"));
+  REQUIRE(c.too_short.size() == 6);
+  CHECK(c.too_short.front().length_s == Approx(1.5).epsilon(1e-3));
+  CHECK(c.too_short.front().needed_s == Approx(66 / 20.0));
+  CHECK(compared(repeats({}, 3, 1), repeats({}, 3, 2)).too_short.empty());
+}
+
+TEST_CASE("a recording that is on both sides is told, whatever it is called", "[analysis]") {
+  const std::vector<Recording> a = repeats({}, 3, 1);
+  std::vector<Recording> b = repeats({}, 3, 2);
+  CHECK(compared(a, b).same_in_both.empty());
+  b[1] = a[2];
+  b[1].source = "another name";
+  const Comparison c = compared(a, b);
+  CHECK(c.records_b == 3);
+  REQUIRE(c.same_in_both.size() == 1);
+  CHECK(c.same_in_both.front().a == 2);
+  CHECK(c.same_in_both.front().b == 1);
+  CHECK(is_told(c, "another name: the same recording as " + a[2].source + " of A"));
+  CHECK(compared(a, a).same_in_both.size() == 3);
 }
 
 TEST_CASE("of records that differ in length lines are compared, and no peaks", "[analysis]") {
@@ -210,6 +231,19 @@ TEST_CASE("channels that are not the same are told, not compared", "[analysis]")
   SECTION("another unit") {
     change([](Channel& channel) { channel.info.unit = "g"; });
     CHECK(is_told(compared(a, b), "accel_1x: in m/s² in A and g in B"));
+  }
+  SECTION("no acceleration") {
+    auto two = a;
+    for (auto* side : {&two, &b}) {
+      for (Recording& record : *side) {
+        record.channels.push_back(record.channels.front());
+        record.channels.back().info = {"proximity", "V", "", not_known};
+      }
+    }
+    const Comparison c = compared(two, b);
+    CHECK(c.channels.size() == 1);
+    CHECK(is_told(c, "record 20, proximity: is in V, no acceleration"));
+    CHECK_FALSE(is_told(c, "accel_1x: is in"));
   }
   SECTION("mounted another way") {
     change([](Channel& channel) { channel.info.direction = "-Z"; });

@@ -68,6 +68,25 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("slip moves a harmonic and its sidebands alike: the shaft that makes them does not slip",
+          "[analysis][evidence]") {
+  constexpr double race_order = 11.0 / 26;
+  analysis::Kinematics k;
+  k.signatures = analysis::bearing_signatures({9, 7.94, 39.04, 0}, race_order, 0.02);
+  const SignatureComb inner = signature_combs(k, resolution).front();
+  for (const double stretch : {0.98, 1.0, 1.013}) {
+    for (const analysis::SignatureLine& line : inner.lines) {
+      if (line.sideband_of < 0) {
+        CHECK(inner.order_of(line, stretch) == Approx(stretch * line.order));
+        continue;
+      }
+      const analysis::SignatureLine& harmonic = inner.lines[std::size_t(line.sideband_of)];
+      const double away = inner.order_of(line, stretch) - inner.order_of(harmonic, stretch);
+      CHECK(std::abs(away) == Approx(race_order));
+    }
+  }
+}
+
 TEST_CASE("decoys are fewer where so many would lie over an order away", "[analysis][evidence]") {
   // Four periods of 21 turns: an order is 84 lines, of which one in four is between two others.
   const auto small = analysis::rv_reducer("small", {12, 24, 2, 9, 10}, {11, 5, 26, 0});

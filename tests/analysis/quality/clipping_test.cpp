@@ -49,6 +49,46 @@ TEST_CASE("a fast signal that goes from rail to rail is clipped", "[analysis][qu
   CHECK(clipped_samples(fast) == 0);
 }
 
+TEST_CASE("a fast signal that is clipped on one side never stays there, and is clipped",
+          "[analysis][quality]") {
+  // A resonance of 3.2 samples a swing: two in a row at the rail at most.
+  const Eigen::VectorXd fast = test::tone(1563, count, rate_Hz) + noise(0.05);
+  const Eigen::Index below = (fast.array() <= -0.9).count();
+  REQUIRE(below > 3000);
+  CHECK(clipped_samples(fast.cwiseMax(-0.9)) == below);
+  CHECK(clipped_samples(-fast.cwiseMax(-0.9)) == below);
+  CHECK(clipped_samples(converted(2000 * fast).cwiseMax(-1800)) >= below);
+  CHECK(clipped_samples(fast.cwiseMax(-0.9).array() + 50) == below);
+  CHECK(clipped_samples(fast) == 0);
+  Eigen::VectorXd struck = fast.cwiseMax(-0.9);
+  for (const Eigen::Index at : {100, 2000, 3000}) struck[at] = -2;
+  CHECK(double(clipped_samples(struck)) > 0.99 * double(below));
+}
+
+TEST_CASE("white noise is clipped where its tail is one value", "[analysis][quality]") {
+  const Eigen::VectorXd white = noise(1);
+  const Eigen::Index above = (white.array() >= 2).count();
+  REQUIRE(above > 400);
+  CHECK(clipped_samples(white.cwiseMin(2)) == above);
+  CHECK(clipped_samples(white) == 0);
+}
+
+TEST_CASE("extreme values of few bits come seldom, and are no rail", "[analysis][quality]") {
+  // Standard deviations in steps of the converter: from hardly one step to nine bits. An offset
+  // puts the mean between two steps, or leaves one side a step more.
+  const double steps = GENERATE(0.3, 0.5, 1.0, 2.0, 4.0, 16.0, 100.0);
+  const double offset = GENERATE(0.0, 0.3, 0.5, 1000.2);
+  CAPTURE(steps, offset);
+  CHECK(clipped_samples(converted(noise(steps).array() + offset)) == 0);
+  const Eigen::VectorXd swings = steps * test::tone(1563, count, rate_Hz).array() + offset;
+  CHECK(clipped_samples(converted(swings)) == 0);
+  CHECK(clipped_samples(converted(swings + noise(0.1 * steps))) == 0);
+  // Rare shocks over a quiet ground, to one side.
+  Eigen::VectorXd shocks = converted(noise(steps).array() + offset);
+  for (Eigen::Index i = 0; i < count; i += 310) shocks[i] += 100 * steps + double(i % 7);
+  CHECK(clipped_samples(shocks) == 0);
+}
+
 TEST_CASE("glitches beyond a rail do not hide it", "[analysis][quality]") {
   Eigen::VectorXd x = (swing() + noise(0.3)).cwiseMin(2.5);
   const auto held = static_cast<double>(clipped_samples(x));

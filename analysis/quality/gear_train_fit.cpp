@@ -1,0 +1,239 @@
+#include "analysis/quality/gear_train_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "analysis/evidence/record_resolution.hpp"
+#include "analysis/order/resolution.hpp"
+#include "analysis/spectral_lines.hpp"
+
+namespace rvbench::analysis {
+namespace {
+
+constexpr int most_harmonics = 12;
+constexpr double same_line = 0.6;                  // of the resolution
+constexpr double nearest = 1e-3, furthest = 0.05;  // relative, of other speeds, at the least
+constexpr double too_far = 0.1;                    // the nearest, of a record that is too short
+constexpr int tries_each_way = 197;
+constexpr double hint_step = 2.5e-4;
+constexpr double stands_out = 1.5;     // a share, over that at any other speed
+constexpr double worth_a_hint = 0.25;  // of the lines' power
+
+double distance_to_multiple(double order, double of) {
+  return std::abs(order - std::round(order / of) * of);
+}
+
+// Orders that this machine has, and not any that turns, in ascending order. Not all that repeats
+// with the gear train: so close a comb lies on itself again at speeds that are a little off.
+class OwnOrders {
+ public:
+  explicit OwnOrders(const Kinematics& kinematics) {
+    for (const CharacteristicOrder& o : kinematics.orders) {
+      if (slips(o.order, kinematics)) continue;
+      for (int h = 1; h <= most_harmonics; ++h) add(h * o.order, o.mesh);
+      if (o.mesh) add_sidebands(o.order, kinematics);
+    }
+    std::ranges::sort(orders_);
+  }
+
+  bool empty() const { return orders_.empty(); }
+
+  bool hold(double order, double near) const {
+    const auto from = std::ranges::lower_bound(orders_, order - near);
+    return from != orders_.end() && *from <= order + near;
+  }
+
+ private:
+  void add(double order, bool is_mesh) {
+    constexpr double rounding = 1e-9;
+    if (!is_mesh && distance_to_multiple(order, 1) < rounding) return;
+    orders_.push_back(order);
+  }
+
+  // The first of each shaft: with more, one mesh's lines move onto those of the mesh whose wheel
+  // has a tooth more.
+  void add_sidebands(double mesh, const Kinematics& kinematics) {
+    for (const CharacteristicOrder& side : kinematics.orders) {
+      if (side.mesh || slips(side.order, kinematics)) continue;
+      for (int h = 1; h <= most_harmonics; ++h) {
+        add(h * mesh - side.order, false);
+        add(h * mesh + side.order, false);
+      }
+    }
+  }
+
+  std::vector<double> orders_;
+};
+
+// A line, and how far its order may be off.
+struct Line {
+  double order;
+  double power;
+  double near_order;
+  double near_relative;  // of its order
+  double near(double at) const { return std::max(near_order, near_relative * at); }
+};
+
+using ChannelLines = std::vector<Line>;
+
+// Whether a line is the input shaft's, as any machine has them: a whole order, unless it is a
+// mesh's that stands out from the shaft's own harmonics to either side.
+bool is_of_any_shaft(const SpectralLine& line, double near, const ChannelExamination& channel,
+                     const OwnOrders& own) {
+  if (distance_to_multiple(line.order, 1) > near) return false;
+  if (!own.hold(line.order, near)) return true;
+  constexpr double beside = 3;  // orders
+  constexpr double loud = 2;
+  return std::ranges::any_of(channel.lines, [&](const SpectralLine& other) {
+    return std::abs(other.order - line.order) < beside + near && &other != &line &&
+           distance_to_multiple(other.order, 1) <= near && !own.hold(other.order, near) &&
+           loud * other.amplitude > line.amplitude;
+  });
+}
+
+std::vector<ChannelLines> lines_of(const std::vector<Examination>& points,
+                                   const Kinematics& kinematics, const OwnOrders& own) {
+  std::vector<ChannelLines> channels;
+  for (const Examination& point : points) {
+    if (!(point.periods > 0)) continue;
+    const double near_order = same_line * record_resolution(point, kinematics);
+    const double near_relative = speed_error(point.angle_measured);
+    for (const ChannelExamination& channel : point.channels) {
+      ChannelLines& lines = channels.emplace_back();
+      for (const SpectralLine& l : channel.lines) {
+        const Line line{l.order, l.amplitude * l.amplitude, near_order, near_relative};
+        if (!is_of_any_shaft(l, line.near(l.order), channel, own)) lines.push_back(line);
+      }
+      if (lines.empty()) channels.pop_back();
+    }
+  }
+  return channels;
+}
+
+// With no line above the fifth of its channel, so that a few loud ones of another source do not
+// decide, at whatever speed they are met.
+std::vector<ChannelLines> evened(std::vector<ChannelLines> channels) {
+  constexpr std::size_t loudest = 5;
+  for (ChannelLines& lines : channels) {
+    const std::size_t last = std::min(loudest, lines.size()) - 1;
+    std::ranges::nth_element(lines, lines.begin() + std::ptrdiff_t(last), std::greater{},
+                             &Line::power);
+    const double cap = lines[last].power;
+    for (Line& line : lines) line.power = std::min(line.power, cap);
+  }
+  return channels;
+}
+
+double share_at(double speed, const std::vector<ChannelLines>& channels, const OwnOrders& own) {
+  double sum = 0;
+  for (const ChannelLines& lines : channels) {
+    double all = 0, fits = 0;
+    for (const Line& line : lines) {
+      const double order = line.order / speed;
+      all += line.power;
+      if (own.hold(order, line.near(order))) fits += line.power;
+    }
+    sum += fits / all;
+  }
+  return sum / static_cast<double>(channels.size());
+}
+
+// How far a speed must be off so that the lines that fit at the one used do no more: twice what
+// their orders may be off.
+double parted_from(const std::vector<ChannelLines>& channels, const OwnOrders& own) {
+  double sum = 0, power = 0;
+  for (const ChannelLines& lines : channels) {
+    for (const Line& line : lines) {
+      const double near = line.near(line.order);
+      if (!own.hold(line.order, near)) continue;
+      sum += line.power * 2 * near / line.order;
+      power += line.power;
+    }
+  }
+  return power > 0 ? std::max(sum / power, nearest) : nearest;
+}
+
+// What a speed explains, by the lines' power and with the loudest evened: of few loud lines alone
+// many speeds explain as much.
+struct Tried {
+  double speed;
+  double share;
+  double even_share;
+  double both() const { return share + even_share; }
+};
+
+class Trials {
+ public:
+  Trials(const std::vector<ChannelLines>& channels, const OwnOrders& own)
+      : channels_(channels), even_(evened(channels)), own_(own) {}
+
+  Tried at(double speed) const {
+    return {speed, share_at(speed, channels_, own_), share_at(speed, even_, own_)};
+  }
+
+  // At speeds that are off by `from` and more, evenly.
+  std::vector<Tried> beyond(double from) const {
+    std::vector<Tried> tried;
+    const double to = std::max(furthest, 5 * from);
+    for (int i = 0; i < tries_each_way; ++i) {
+      const double off = from + (to - from) * i / (tries_each_way - 1);
+      for (const double speed : {1 - off, 1 + off}) tried.push_back(at(speed));
+    }
+    return tried;
+  }
+
+  // Closer than those that are tried for chance: as far off as a rounded speed.
+  void add_nearer(double than, std::vector<Tried>& tried) const {
+    for (double off = 2 * stated_speed_error; off < than; off += hint_step) {
+      for (const double speed : {1 - off, 1 + off}) tried.push_back(at(speed));
+    }
+  }
+
+ private:
+  const std::vector<ChannelLines>& channels_;
+  std::vector<ChannelLines> even_;
+  const OwnOrders& own_;
+};
+
+void find_better_speed(const std::vector<Tried>& tried, GearTrainFit& fit) {
+  const Tried best = *std::ranges::max_element(tried, {}, &Tried::share);
+  if (best.share <= std::max(worth_a_hint, stands_out * fit.share)) return;
+  double sum = 0;
+  int equals = 0;
+  for (const Tried& t : tried) {
+    const bool is_near = std::abs(t.speed - best.speed) < 2 * nearest;
+    if (!is_near && stands_out * t.share >= best.share) return;
+    if (!is_near || t.share < best.share) continue;
+    sum += t.speed;
+    ++equals;
+  }
+  fit.best_speed = sum / equals;
+  fit.best_share = best.share;
+}
+
+}  // namespace
+
+bool has_own_lines(const Kinematics& kinematics) { return !OwnOrders(kinematics).empty(); }
+
+GearTrainFit gear_train_fit(const std::vector<Examination>& points, const Kinematics& kinematics) {
+  GearTrainFit fit;
+  const OwnOrders own(kinematics);
+  const std::vector<ChannelLines> channels = lines_of(points, kinematics, own);
+  if (channels.empty()) return fit;
+  const Trials trials(channels, own);
+  const Tried here = trials.at(1);
+  fit.share = here.share;
+  const double from = parted_from(channels, own);
+  fit.is_too_short = from > too_far;
+  if (fit.is_too_short) return fit;
+  std::vector<Tried> tried = trials.beyond(from);
+  fit.tried = static_cast<int>(tried.size());
+  fit.as_good = static_cast<int>(
+      std::ranges::count_if(tried, [&](const Tried& t) { return t.both() >= here.both(); }));
+  trials.add_nearer(from, tried);
+  find_better_speed(tried, fit);
+  return fit;
+}
+
+}  // namespace rvbench::analysis

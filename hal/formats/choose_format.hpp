@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "hal/formats/format.hpp"
+
+namespace rvbench::hal::formats {
+
+/// The format of a recording, by its content, then by its extension; nothing if none is known.
+/// `file` is a regular file, readable and not empty.
+std::optional<Format> choose_format(const std::filesystem::path& file);
+
+}  // namespace rvbench::hal::formats

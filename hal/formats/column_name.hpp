@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace rvbench::hal::formats {
+
+/// What the head of a column says.
+struct ColumnName {
+  std::string
+      name;  ///< of the signal: "a" of "a [g]"; the whole head if it names no unit in brackets
+  std::string unit;  ///< as it is written: "g"; empty if the head names none
+};
+
+/// Parts a head into name and unit. A unit is
+///
+///     a [g]          what stands in square brackets at the end, also where it is not known here,
+///                    unless it is an index or an axis: "a[1]", "a [x]"
+///     a (mm/s)       in round ones what is known, for others stand there too: "a (drive end)"
+///     a_mm/s, T degC what is known and no word: "a_g", "accel_in" and "a_rad" name none
+ColumnName column_name(std::string_view head);
+
+}  // namespace rvbench::hal::formats

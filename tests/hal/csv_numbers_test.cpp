@@ -1,0 +1,90 @@
+#include <catch2/catch.hpp>
+
+#include "hal/formats/csv_cells.hpp"
+#include "hal/formats/read_recordings.hpp"
+#include "tests/hal/foreign_file_builder.hpp"
+
+// How the tables of other programs write their numbers and names.
+namespace rvbench::hal {
+namespace {
+
+using Catch::Contains;
+using formats::csv_cells;
+using formats::csv_separator;
+
+Recording read_csv(const std::string& bytes) {
+  const test::ScratchFolder scratch;
+  const auto recordings = read_recordings(test::written(scratch, "a.csv", bytes));
+  INFO(bytes << (recordings ? "" : recordings.error().where));
+  REQUIRE(recordings);
+  return recordings.value()[0];
+}
+
+std::string complaint(const std::string& bytes) {
+  const test::ScratchFolder scratch;
+  const auto recordings = read_recordings(test::written(scratch, "a.csv", bytes));
+  REQUIRE_FALSE(recordings);
+  return recordings.error().where;
+}
+
+}  // namespace
+
+TEST_CASE("a decimal comma is read where columns are parted by another mark", "[hal][formats]") {
+  for (const char* text : {"a;b\n1,5;-2,25e1\n0,5;3\n", "a\tb\n1,5\t-2,25e1\n0,5\t3\n",
+                           "a,b\n\"1,5\",\"-2,25e1\"\n\"0,5\",3\n"}) {
+    const Recording recording = read_csv(text);
+    REQUIRE(recording.channels.size() == 2);
+    CHECK(recording.channels[0].samples == Eigen::Vector2d(1.5, 0.5));
+    CHECK(recording.channels[1].samples == Eigen::Vector2d(-22.5, 3));
+    REQUIRE(recording.notes.size() == 1);
+    CHECK(recording.notes[0] == "numbers have a decimal comma");
+  }
+  const Recording headless = read_csv("0,5;1,5\n2,5;3,5\n");
+  CHECK(headless.channels.at(1).samples == Eigen::Vector2d(1.5, 3.5));
+  CHECK(read_csv("a;b\n1.5;2\n").notes.empty());
+}
+
+TEST_CASE("numbers with a comma that may be anything are refused, with the place",
+          "[hal][formats]") {
+  CHECK_THAT(complaint("a;b\n1,5;2\n1;2.5\n"),
+             Contains("3:2: \"2.5\" has a decimal point, numbers before it have a comma"));
+  CHECK_THAT(complaint("a;b\n1.5;2\n1;2,5\n"),
+             Contains("3:2: \"2,5\" has a decimal comma, numbers before it have a point"));
+  CHECK_THAT(complaint("a;b\n1.234,5;2\n"), Contains("2:1: \"1.234,5\" is not a number: it has"));
+  CHECK_THAT(complaint("a;b\n1,234,567;2\n"), Contains("2:1: \"1,234,567\" is not a number"));
+  CHECK_THAT(complaint("a,b\n1,5,2,5\n"),
+             Contains("2: 4 values, not 2: with decimal commas, columns are to be parted by ;"));
+  CHECK_THAT(complaint("a,b\n1,2,3\n"), Contains("2: 3 values, not 2") && !Contains("decimal"));
+}
+
+TEST_CASE("names and numbers in quotes are those within", "[hal][formats]") {
+  const Recording recording = read_csv("\"a, left\" , \"b \"\n\"1\",2\n 3 , \"4\" \n");
+  REQUIRE(recording.channels.size() == 2);
+  CHECK(recording.channels[0].info.name == "a, left");
+  CHECK(recording.channels[1].info.name == "b");
+  CHECK(recording.channels[0].samples == Eigen::Vector2d(1, 3));
+  CHECK(recording.channels[1].samples == Eigen::Vector2d(2, 4));
+  CHECK(csv_cells("\"a \"\"x\"\"\",b", ',')->size() == 2);
+  CHECK_THAT(complaint("\"a,b\n1,2\n"), Contains("a.csv: 1: a quote that does not end"));
+  CHECK_THAT(complaint("a,b\n1,\"2\n"), Contains("2: a quote that does not end"));
+}
+
+TEST_CASE("what parts columns is not looked for within quotes", "[hal][formats]") {
+  CHECK(csv_separator("a,b") == ',');
+  CHECK(csv_separator("a;b, left") == ';');
+  CHECK(csv_separator("a\tb; left") == '\t');
+  CHECK(csv_separator("\"a;left\",b") == ',');
+  CHECK_FALSE(csv_separator("\"a,b\""));
+  CHECK_FALSE(csv_separator("a"));
+}
+
+TEST_CASE("a blank line among samples is a sample lost, and one behind them is none",
+          "[hal][formats]") {
+  CHECK_THAT(complaint("a\n1\n2\n\n4\n"), Contains("4: a blank line, and samples behind it"));
+  CHECK_THAT(complaint("1\n \r\n3\n"), Contains("2: a blank line"));
+  CHECK_THAT(complaint("a,b\n1,2\n\n\n3,4\n"), Contains("3: a blank line"));
+  CHECK(read_csv("a\n\n1\n2\n").channels[0].samples == Eigen::Vector2d(1, 2));
+  CHECK(read_csv("a\r\n1\r\n2\r\n\r\n \n").channels[0].samples == Eigen::Vector2d(1, 2));
+}
+
+}  // namespace rvbench::hal
