@@ -24,16 +24,16 @@ class TpaCommand final : public Command {
   std::string examples() const override {
     return "  rvbench tpa robot7/project.json --out robot7/paths\n"
            "  rvbench tpa robot7/project.json --json\n"
-           "  rvbench tpa --simulate virtual --seed 7    a virtual robot's files, and a project\n"
-           "  rvbench tpa virtual/project.json --out virtual/paths\n";
+           "  rvbench tpa --simulate virtual --seed 7 --out virtual/paths\n"
+           "                                     the whole story, on a virtual robot\n";
   }
   std::vector<Option> options() override {
     return {{"PROJECT", "project file: FRFs or hits, motions, sensors", &project_},
             {"--out", "folder for tpa.json and tpa.html; default: none are written", &out_},
             {"--json", "one JSON document on standard output", &json_},
             {"--simulate",
-             "measure a virtual robot instead, and write hits, motions, its reducers' recordings "
-             "and project.json into this folder",
+             "measure a virtual robot first, and write hits, motions, its reducers' recordings "
+             "and project.json into this folder; with --out or --json, PROJECT is that one",
              &simulate_},
             {"--seed", "of the virtual robot; default: 1", &seed_, false, {}, max_seed}};
   }
@@ -42,6 +42,7 @@ class TpaCommand final : public Command {
  private:
   int check_options(Console& console);
   int simulate(Console& console) const;
+  int study(Console& console);
   std::variant<TpaStudy, int> studied(Console& console);
   void write_out(const TpaStudy& study) const;
 
@@ -54,15 +55,12 @@ class TpaCommand final : public Command {
 int TpaCommand::run(Console& console) {
   if (const int refused = check_options(console); refused != exit_codes::done) return refused;
   try {
-    if (!simulate_.empty()) return simulate(console);
-    const auto study = studied(console);
-    if (const int* refused = std::get_if<int>(&study)) return *refused;
-    if (json_) {
-      console.out << study_to_json(std::get<0>(study));
-    } else {
-      print_study(console, std::get<0>(study));
-      if (!out_.empty()) console.out << "\nReport: " << out_ << "/tpa.html\n";
-    }
+    if (simulate_.empty()) return study(console);
+    const int simulated = simulate(console);
+    if (simulated != exit_codes::done) return simulated;
+    if (json_ || !out_.empty()) return study(console);
+    console.out << "A virtual robot was measured. Who shakes its arm:\n  rvbench tpa " << project_
+                << '\n';
     return exit_codes::done;
   } catch (const Interrupted&) {
     return tell_interrupted(console, name());
@@ -74,13 +72,11 @@ int TpaCommand::check_options(Console& console) {
   if (project_.empty() == simulate_.empty()) {
     return refuse_usage(console, "tpa: give a PROJECT, or --simulate and a folder");
   }
-  if (!simulate_.empty() && (json_ || !out_.empty())) {
-    return refuse_usage(console,
-                        "tpa: --simulate writes files and judges nothing: give its "
-                        "project.json to another rvbench tpa");
-  }
   if (simulate_.empty() && seed_) {
     return refuse_usage(console, "tpa: --seed is of --simulate");
+  }
+  if (!simulate_.empty()) {
+    project_ = (std::filesystem::path(simulate_) / "project.json").string();
   }
   if (out_.empty()) return exit_codes::done;
   const std::string why = out_folder_.make(out_, {"tpa.json", "tpa.html"});
@@ -90,7 +86,6 @@ int TpaCommand::check_options(Console& console) {
 int TpaCommand::simulate(Console& console) const {
   const StopOnSignal signals;
   OutFolder folder;
-  const std::filesystem::path project = std::filesystem::path(simulate_) / "project.json";
   const std::string why = folder.make(simulate_, {"project.json"});
   if (!why.empty()) return refuse_usage(console, "tpa: --simulate " + simulate_ + ": " + why);
   ProgressBar bar(console, progress_style(console, json_));
@@ -101,8 +96,18 @@ int TpaCommand::simulate(Console& console) const {
   } catch (const std::system_error& error) {
     return refuse_usage(console, "tpa: --simulate: " + reason_of(error));
   }
-  console.out << "A virtual robot was measured. Who shakes its arm:\n  rvbench tpa "
-              << project.string() << '\n';
+  return exit_codes::done;
+}
+
+int TpaCommand::study(Console& console) {
+  const auto study = studied(console);
+  if (const int* refused = std::get_if<int>(&study)) return *refused;
+  if (json_) {
+    console.out << study_to_json(std::get<0>(study));
+  } else {
+    print_study(console, std::get<0>(study));
+    if (!out_.empty()) console.out << "\nReport: " << out_ << "/tpa.html\n";
+  }
   return exit_codes::done;
 }
 
