@@ -14,6 +14,7 @@
 #include "analysis/evidence/severity.hpp"
 #include "analysis/statistics.hpp"
 #include "analysis/unexplained_families.hpp"
+#include "hal/types/units.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -131,6 +132,8 @@ void be_spoken_for(Finding& f, const std::vector<Examination>& points, const Kin
   const Finding known = weigh(other, gather(points, speaker), 1);
   f.severity_low = 0;
   f.severity_high = known.severity_high;
+  // What is shown is judged by the other's name, and hides nothing of this one.
+  if (!known.points.empty()) f.severity_high = std::min(known.severity_high, f.limit);
   f.cannot_tell_from = {name_of(other)};
 }
 
@@ -138,7 +141,7 @@ void be_spoken_for(Finding& f, const std::vector<Examination>& points, const Kin
 void describe(Finding& f, const Evidence& evidence, const Kinematics& kinematics,
               std::size_t signature) {
   f.order = evidence.scores.front()->order;
-  f.frequency_Hz = f.order * std::abs(evidence.shown_by.front()->speed_rpm) / 60;
+  f.frequency_Hz = f.order * units::Hz_from_rpm(std::abs(evidence.shown_by.front()->speed_rpm));
   for (const SignatureScore* score : evidence.scores) {
     if (std::find(f.imfs.begin(), f.imfs.end(), score->imf) == f.imfs.end()) {
       f.imfs.push_back(score->imf);

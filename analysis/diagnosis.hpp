@@ -107,8 +107,8 @@ struct Finding {
                             ///< NaN if no line of it could be read
   double severity_high = 0;
   double limit = 0;       ///< of severity
-  double confidence = 0;  ///< 0..1: share of severity over its limit, less what its growth
-                          ///< speaks against it, among all findings
+  double confidence = 0;  ///< 0..1: share of severity over limit, less what growth speaks against
+                          ///< it, among all findings; a cause has at least its consequence's
   std::string advice;
   std::vector<double> line_orders;  ///< evidence: the envelope lines, strongest first
   std::vector<double> line_depths;

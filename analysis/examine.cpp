@@ -22,6 +22,7 @@
 #include "analysis/spectral_lines.hpp"
 #include "analysis/statistics.hpp"
 #include "hal/types/parallel_for.hpp"
+#include "hal/types/units.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -252,7 +253,10 @@ Examination examine(const Recording& record, const Kinematics& kinematics,
     return e;
   }
   e.angle_measured = angle->is_measured();
-  if (!std::isfinite(e.speed_rpm)) e.speed_rpm = angle->mean_speed_Hz() * 60;
+  if (e.angle_measured || !std::isfinite(e.speed_rpm)) {
+    const double direction = e.speed_rpm < 0 ? -1 : 1;
+    e.speed_rpm = direction * units::rpm_from_Hz(angle->mean_speed_Hz());
+  }
 
   std::vector<ChannelResult> results(channels.size());
   const Task task{kinematics, *angle, options};

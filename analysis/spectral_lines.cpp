@@ -18,7 +18,6 @@ namespace {
 constexpr int most_harmonics = 12;
 constexpr int most_sidebands = 3;
 constexpr int most_slipping = 3;      // harmonics of what slips
-constexpr double same_line = 0.6;     // of the resolution
 constexpr double same_family = 5e-4;  // relative: what one line of an estimate may be off
 
 bool same(double a, double b, double near) { return std::abs(a - b) <= near; }
@@ -172,8 +171,7 @@ std::vector<SpectralLine> spectral_lines(const OrderLines& x, const Kinematics& 
   std::vector<SpectralLine> lines;
   for (const StandingLine& line : standing_lines(spectrum, floor, last, alpha)) {
     const double order = line.place * spectrum.resolution;
-    const double near =
-        std::max(same_line * spectrum.resolution, speed_error(x.angle_is_measured()) * order);
+    const double near = near_order(order, spectrum.resolution, x.angle_is_measured());
     std::string meaning = meaning_of(order, near, kinematics);
     if (meaning.empty()) meaning = may_be(order, kinematics);
     lines.push_back(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "analysis/diagnosis.hpp"
@@ -8,6 +9,9 @@
 #include "analysis/shaft_angle.hpp"
 
 namespace rvbench::analysis {
+
+/// That are listed of a spectrum, whatever they lie on.
+inline constexpr std::size_t most_lines = 40;
 
 /// Lines of the order spectrum of x that noise alone would not raise once in a thousand spectra,
 /// strongest first, each with what the kinematics calls it: the `most` strongest, and those on a
@@ -22,12 +26,13 @@ namespace rvbench::analysis {
 /// Errors  throws std::invalid_argument of amplitude_spectrum(): sample not finite
 /// Source  standing_lines() for the lines; what they are called is ours
 std::vector<SpectralLine> spectral_lines(const Channel& x, const ShaftAngle& angle,
-                                         const Kinematics& kinematics, std::size_t most = 40);
+                                         const Kinematics& kinematics,
+                                         std::size_t most = most_lines);
 
 /// The same of a channel that was transformed already.
 /// Shape, units, source  as above. Errors  none thrown: OrderLines has seen the samples
 std::vector<SpectralLine> spectral_lines(const OrderLines& x, const Kinematics& kinematics,
-                                         std::size_t most = 40);
+                                         std::size_t most = most_lines);
 
 /// Whether the line lies on a characteristic order itself, not on a harmonic or a sideband: told by
 /// its meaning. Nothing is thrown. Source  meaning_of()
@@ -47,7 +52,8 @@ std::string meaning_of(double order, double near, const Kinematics& kinematics);
 /// What the order may be though no characteristic order is there: up to the third harmonic of a
 /// rolling element's that slips, as "may be bearing inner race x2"; empty if it is none. That is no
 /// more than a hint: a few percent of slip reach many orders, and is_characteristic() is false of
-/// it. Units   orders of the input shaft. Errors  none thrown. Source  slip of the signatures
+/// it.
+/// Units   orders of the input shaft. Errors  none thrown. Source  slip of the signatures
 std::string may_be(double order, const Kinematics& kinematics);
 
 /// Unexplained lines that are harmonics of a common fundamental, or sidebands of a mesh line at up

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "hal/types/units.hpp"
+
 namespace rvbench::analysis {
 namespace {
 
@@ -42,7 +44,7 @@ Kinematics published_table4(double speed_rpm) {
     throw std::invalid_argument("published_table4: speed_rpm is not finite");
   }
   const std::size_t column = nearest_column(speed_rpm);
-  const double shaft_Hz = table4_speeds_rpm[column] / 60;
+  const double shaft_Hz = units::Hz_from_rpm(table4_speeds_rpm[column]);
   Kinematics kinematics;
   kinematics.machine = "RV-20E, Table 4 as published";
   kinematics.period_turns = 121;

@@ -32,7 +32,7 @@ std::string sentence_section(const Comparison& comparison, const CompareFacts& f
 std::string families_section(const Comparison& comparison, const analysis::Kinematics& kinematics) {
   std::string items;
   for (const analysis::FamilyHeadline& f : analysis::family_headlines(comparison)) {
-    items += "<li>" + family_text(f, kinematics) + "</li>\n";
+    items += "<li>" + xml_escaped(family_text(f, kinematics)) + "</li>\n";
   }
   if (items.empty()) return "";
   return section("Whose lines changed",

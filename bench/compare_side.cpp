@@ -161,6 +161,14 @@ std::variant<CompareSide, JudgeRefusal> CompareSide::open_files(const std::files
   auto read = recordings_to_judge({.files = files, .hints = hints, .channel = "", .stop = stop});
   if (read.index() == 1) return std::get<1>(std::move(read));
   side.records_ = std::get<0>(std::move(read));
+  for (const Recording& record : side.records_) {
+    for (const std::string& note : record.notes) {
+      // The comparison tells of that itself, of runs as well.
+      if (note.find(", no acceleration") == note.npos) {
+        side.left_out_.push_back({record.source, note});
+      }
+    }
+  }
   return side;
 }
 

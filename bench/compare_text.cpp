@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "analysis/compare/compared_channels.hpp"
+#include "bench/report/finding_text.hpp"
 #include "bench/report/html.hpp"
 #include "hal/formats/printable.hpp"
 
@@ -171,13 +172,11 @@ std::string scatter_sentence(const Comparison& comparison) {
   return text;
 }
 
-std::string p_text(double p_value) {
-  return p_value < 1e-15 ? "p < 1e-15" : fmt::format("p {:.1e}", p_value);
-}
-
 // "planet gear (tooth damage)"
 std::string signature_text(const analysis::Signature& signature) {
-  return report::spoken(signature.component) + " (" + report::spoken(signature.mechanism) + ")";
+  std::string text = signature.component + " (" + signature.mechanism + ")";
+  std::ranges::replace(text, '_', ' ');
+  return text;
 }
 
 std::string order_of(const analysis::Quantity& quantity, double period_turns) {
@@ -199,7 +198,7 @@ void print_headline(Console& console, const Headline& h, const Comparison& compa
   console.out << fmt::format("             {}{}: {}, {:+.1f} ± {:.2g} dB, {}\n",
                              h.compared > 1 ? "most at " : "", place_text(most, comparison),
                              levels_text(most, comparison), most.change_dB, most.uncertainty_dB,
-                             p_text(most.adjusted_p));
+                             "p " + report::p_text(most.adjusted_p));
 }
 
 // Whose lines they are; parts share lines, so several.

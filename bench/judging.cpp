@@ -33,7 +33,7 @@ std::string first_beyond(const Judgement& judgement) {
     const analysis::Finding& worst = judgement.diagnosis.findings.front();
     return fmt::format("{}: {} at order {:.4g}, modulation depth {:.3g} above its limit {:.3g}{}",
                        worst.component, worst.mechanism, worst.order, worst.severity, worst.limit,
-                       worst.severity_low <= worst.limit ? ", but not surely" : "");
+                       report::is_close(worst) ? ", but not surely" : "");
   }
   const auto check = std::ranges::find_if(judgement.limits, is_beyond);
   if (check == judgement.limits.end()) return "";
@@ -105,15 +105,15 @@ void hold_against_earlier(std::vector<JudgedPoint>& points) {
 
 analysis::Kinematics with_limits(analysis::Kinematics kinematics,
                                  const std::vector<sequences::Limit>& limits) {
-  for (const bool for_one : {false, true}) {
+  for (analysis::Signature& signature : kinematics.signatures) {
+    const sequences::Limit* strictest = nullptr;
     for (const sequences::Limit& limit : limits) {
-      if (limit.measure != modulation_depth || limit.component.empty() == for_one) continue;
-      for (analysis::Signature& signature : kinematics.signatures) {
-        if (!is_about(limit, signature.component)) continue;
-        signature.depth_limit = limit.max;
-        signature.limit_why = limit.why;
-      }
+      if (limit.measure != modulation_depth || !is_about(limit, signature.component)) continue;
+      if (strictest == nullptr || limit.max < strictest->max) strictest = &limit;
     }
+    if (strictest == nullptr) continue;
+    signature.depth_limit = strictest->max;
+    signature.limit_why = strictest->why;
   }
   return kinematics;
 }

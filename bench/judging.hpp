@@ -10,8 +10,8 @@
 
 namespace rvbench::bench {
 
-/// The kinematics with the plan's limits on "modulation_depth" in place of its own: first those
-/// for every component, then those for one.
+/// The kinematics with the plan's limits on "modulation_depth" in place of its own: of each part
+/// the strictest of those that are about it.
 /// Units  of depths: 1. Errors  none thrown. Source  the plan
 analysis::Kinematics with_limits(analysis::Kinematics kinematics,
                                  const std::vector<sequences::Limit>& limits);
@@ -44,11 +44,11 @@ JudgedPoint judge_point(const Recording& record, const analysis::Kinematics& kin
 void conclude(Judgement& judgement, const analysis::Kinematics& kinematics,
               const std::vector<sequences::Limit>& limits, const Ending& measured);
 
-/// After conclude(): where no line of the machine's shaft is in the data, or its gear train's orders
-/// fit the lines no better than chance does, the judgement ends INVALID, with a quality note: orders
-/// that were looked for at a wrong speed, or of another machine, are silent, too. The note names the
-/// speed at which the lines would fit, if one stands out.
-/// Errors  none thrown. Source  shows_shaft(), gear_train_fit()
+/// After conclude(): where no line of the machine's shaft is in the data, or its gear train's
+/// orders fit the lines no better than chance does, the judgement ends INVALID, with a quality
+/// note: orders that were looked for at a wrong speed, or of another machine, are silent, too. The
+/// note names the speed at which the lines would fit, if one stands out. Errors  none thrown.
+/// Source  shows_shaft(), gear_train_fit()
 void demand_confirmation(Judgement& judgement, const analysis::Kinematics& kinematics);
 
 }  // namespace rvbench::bench

@@ -27,7 +27,7 @@ bool is_about(const LimitCheck& check, const analysis::Finding& finding) {
 void check_findings(LimitCheck& check, const std::vector<analysis::Finding>& findings) {
   for (const analysis::Finding& finding : findings) {
     if (!is_about(check, finding)) continue;
-    if (finding.severity <= check.measured) continue;  // never of what is not measured yet: NaN
+    if (finding.severity <= check.measured) continue;
     check.measured = finding.severity;
     check.where = finding.component + ": " + finding.mechanism;
   }

@@ -20,8 +20,7 @@ constexpr std::size_t most_lines = 8;
 
 std::string evidence_of(const analysis::Finding& finding, double period_turns) {
   std::string text;
-  const std::size_t count = std::min(finding.line_orders.size(), finding.line_depths.size());
-  for (std::size_t i = 0; i < std::min(count, most_lines); ++i) {
+  for (std::size_t i = 0; i < finding.line_orders.size(); ++i) {
     text += fmt::format("{}{} {:.3f}", text.empty() ? "" : ", ",
                         report::order_text(finding.line_orders[i], period_turns),
                         finding.line_depths[i]);

@@ -35,14 +35,13 @@ std::string why_not_shown(const analysis::GearTrainFit& fit) {
   }
   if (fit.tried == 0) {
     return "no line is in the data but those of its input shaft, which any machine has: nothing "
-           "says "
-           "that it is this one";
+           "says that it is this one";
   }
   return fmt::format(
-      "the lines in the data are not this machine's: {:.0f} % of their power lies on its orders, "
-      "no "
-      "more than by chance (as much at {} of {} other speeds): it is another machine, or the speed "
-      "or the sample rate is wrong",
+      "the lines in the data are not shown to be this machine's: {:.0f} % of their power lies on "
+      "its orders, and at {} of {} other speeds they fit as well: it may be another machine, or "
+      "the "
+      "speed or the sample rate is wrong",
       100 * fit.share, fit.as_good, fit.tried);
 }
 

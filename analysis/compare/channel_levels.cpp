@@ -59,10 +59,10 @@ struct LinesOf {
   double within(const Quantity& q) const {
     return (q.stray + speed_error(angle.is_measured())) * q.order;
   }
+  double top_order() const { return held_band * rate_Hz / angle.mean_speed_Hz(); }
   bool holds(const Quantity& q) const {
     const bool is_of_kind = period_turns == 1 || locked == (q.stray == 0);
-    const double highest = held_band * rate_Hz / angle.mean_speed_Hz();
-    return q.is_line() && is_of_kind && q.order + within(q) < highest;
+    return q.is_line() && is_of_kind && q.order + within(q) < top_order();
   }
 };
 
@@ -80,9 +80,18 @@ Places nominal_places(const LinesOf& of) {
   return places;
 }
 
-// Lines of parts that slip stand where all of a part's do, or are another part's.
-void find_slipping(const LinesOf& of, const Spectrum& spectrum, const LineFloor& floor,
-                   double blocks, Places& places, ChannelLevels& measured) {
+// What the channel was sampled fast enough for.
+Spectrum up_to_top(const LinesOf& of, const Spectrum& spectrum) {
+  const auto lines = static_cast<Eigen::Index>(of.top_order() / spectrum.resolution) + 1;
+  return {spectrum.resolution, spectrum.amplitude.head(std::min(lines, spectrum.amplitude.size()))};
+}
+
+// Lines of parts that slip stand where all of a part's do, or are another part's. The search weighs
+// them over the higher floor, of one block: decoys are of that kind.
+void find_slipping(const LinesOf& of, const Spectrum& whole, double blocks, Places& places,
+                   ChannelLevels& measured) {
+  const Spectrum spectrum = up_to_top(of, whole);
+  const LineFloor floor = line_floor(spectrum, of.every());
   const SlippingLines found = find_slipping_lines(of.kinematics, of.quantities, spectrum, floor,
                                                   blocks, speed_error(of.angle.is_measured()));
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -102,10 +111,7 @@ Places measure_whole(const LinesOf& of, ChannelLevels& measured) {
   const double blocks =
       std::floor(double(of.even.samples.size()) / of.even.samples_per_turn / of.block);
   const LineFloor floor = block_floor(spectrum, of.every(), blocks);
-  // The search for parts weighs lines over the higher floor, of one block: decoys are of that kind.
-  if (!of.locked) {
-    find_slipping(of, spectrum, line_floor(spectrum, of.every()), blocks, places, measured);
-  }
+  if (!of.locked) find_slipping(of, spectrum, blocks, places, measured);
   for (std::size_t i = 0; i < of.quantities.size(); ++i) {
     const Quantity& q = of.quantities[i];
     if (!of.holds(q) || levels[i].taken) continue;
@@ -140,7 +146,7 @@ void measure_parts(const LinesOf& of, const Places& places, std::vector<Level>& 
     const Spectrum spectrum =
         amplitude_spectrum(of.even.samples.segment(part * size, size), of.even.samples_per_turn,
                            of.locked ? Window::rectangular : Window::hann);
-    const LineFloor floor = line_floor(spectrum, 0);
+    const LineFloor floor = of.locked ? LineFloor{} : line_floor(spectrum, 0);
     for (std::size_t i = 0; i < of.quantities.size(); ++i) {
       if (!of.holds(of.quantities[i]) || levels[i].taken) continue;
       levels[i].parts_dB.conservativeResize(parts);

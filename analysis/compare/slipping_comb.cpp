@@ -99,7 +99,7 @@ SlippingComb::Best SlippingComb::best_of(const std::vector<double>& orders) cons
 double SlippingComb::sum_at(const std::vector<double>& orders, double stretch) const {
   double sum = 0;
   for (const double order : orders) {
-    const Index line = std::min(peaks_->line_of(order * stretch), peaks_->size() - 1);
+    const Index line = peaks_->line_of(order * stretch);
     if (!taken_[static_cast<std::size_t>(line)]) sum += peaks_->log_ratio(line);
   }
   return sum;
@@ -112,7 +112,9 @@ std::vector<double> SlippingComb::decoy(int number) const {
     const double harmonic = std::max(1.0, std::round(order / order_));
     const double part = std::fmod(golden * (number + 1) * (2 * harmonic - 1), 1.0);
     const double farthest = std::min(1.0, order_ / 2);
-    orders.push_back(std::abs(order + farthest * (2 * part - 1)));
+    const double off = farthest * (2 * part - 1);
+    const double moved = std::abs(order + off);
+    orders.push_back(fits(moved) ? moved : order - std::abs(off));
   }
   return orders;
 }

@@ -14,11 +14,10 @@ namespace {
 
 constexpr int mesh_harmonics = 3;
 constexpr int multiples = 2;
-constexpr double same_line = 0.6;  // of a record's resolution
 
 // Where the angle was not measured, orders are as far off as the stated speed.
 bool has_line(const Examination& point, double order, double resolution) {
-  const double near = same_line * resolution + speed_error(point.angle_measured) * std::abs(order);
+  const double near = near_order(order, resolution, point.angle_measured);
   return std::ranges::any_of(point.channels, [&](const ChannelExamination& channel) {
     return std::ranges::any_of(channel.lines, [&](const SpectralLine& line) {
       return std::abs(line.order - order) <= near;

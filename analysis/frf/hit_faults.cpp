@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "analysis/fft.hpp"
+#include "analysis/quality/clipping.hpp"
 #include "analysis/smallest_step.hpp"
 #include "analysis/statistics.hpp"
 #include "hal/types/require.hpp"
@@ -15,7 +16,6 @@ namespace rvbench::analysis {
 namespace {
 
 constexpr Eigen::Index shortest_flat_top = 3;
-constexpr double steps_of_a_cut = 4;
 constexpr double surely_no_noise = 1e-6;  // p-value
 
 std::string place_of(const FrfChannel& channel) {
@@ -25,7 +25,7 @@ std::string place_of(const FrfChannel& channel) {
 // Samples that stay at the largest magnitude, where the signal was cut off there.
 Eigen::Index cut_off_samples(const Eigen::VectorXd& x) {
   const double top = x.cwiseAbs().maxCoeff();
-  const double cut = steps_of_a_cut * smallest_step(x);
+  const double cut = steps_of_crest * smallest_step(x);
   const auto falls_steeply = [&](Eigen::Index i) {
     return i >= 0 && i < x.size() && top - std::abs(x[i]) > cut;
   };

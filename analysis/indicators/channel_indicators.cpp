@@ -40,7 +40,7 @@ class List {
     put(measure, of, value, unit_);
   }
   std::vector<Indicator> sorted() {
-    // By first appearance of the measure, so that each stands together.
+    // In the order of measures(), so that each stands together.
     std::vector<Indicator> sorted;
     for (const Measure& measure : measures()) {
       std::ranges::copy_if(all_, std::back_inserter(sorted),
@@ -81,12 +81,10 @@ void add_bands(const OrderLines& lines, const Kinematics& kinematics, List& list
   }
 }
 
-bool is_parted(double spacing, double turns) { return spacing * turns > lines_to_part - 1e-6; }
-
 void add_orders(const OrderLines& lines, const Spectrum& spectrum, double near,
                 const Kinematics& kinematics, List& list) {
   for (const CharacteristicOrder& o : locked_orders(kinematics)) {
-    if (o.order > lines.top_order() || !is_parted(o.order, lines.turns())) continue;
+    if (o.order > lines.top_order() || !are_parted(o.order, 0, lines.turns())) continue;
     list.add_level(names::order_level, o.name, level_at_order(spectrum, o.order, near * o.order));
   }
 }
@@ -125,7 +123,7 @@ void add_sidebands(const Task& task, List& list) {
     const double last = place.mesh.order + sidebands * place.spacing;
     if (!task.hears(place.mesh.order) || last > task.lines.top_order()) continue;
     if (!task.places(last)) continue;
-    if (!is_parted(place.spacing, task.lines.turns())) continue;
+    if (!are_parted(place.spacing, 0, task.lines.turns())) continue;
     if (!stands_clear(task, place.mesh.order)) continue;
     list.add(names::sideband_ratio, place.name,
              sideband_ratio(task.spectrum, place.mesh.order, place.spacing, sidebands));

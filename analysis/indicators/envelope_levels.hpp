@@ -21,9 +21,8 @@ namespace rvbench::analysis {
 ///         parts from the mean, each named after its order
 /// Units   dimensionless; m for a carrier (1 + m·cos): fully modulated is 1
 /// Limits  noise counts as well: compare with that of a sound unit. Of rolling elements the order
-/// is
-///         looked for within their slip, with what repeats with the gear train taken out: the most
-///         that noise has there counts
+///         is looked for within their slip, with what repeats with the gear train taken out: the
+///         most that noise has there counts
 /// Source  Randall & Antoni, Mech. Syst. Signal Process. 25(2), 485-520 (2011) for the spectrum;
 ///         the sum over IMFs is ours, as in comb_evidence()
 class EnvelopeLevels {

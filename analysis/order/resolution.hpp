@@ -7,6 +7,10 @@ namespace rvbench::analysis {
 /// Source  Harris, Proc. IEEE 66(1), 51-83 (1978), table 1: 4 lines from null to null
 inline constexpr double lines_to_part = 4;
 
+/// Of a spectrum's step: how far a line may lie from an order and still be taken for it.
+/// Source  ours: half a line where the peak falls between two, and a tenth for noise
+inline constexpr double same_line = 0.6;
+
 /// Relative: what orders may be off where a mean speed was stated, and no angle measured.
 /// Source  ours: 0.2 rpm of 605
 inline constexpr double stated_speed_error = 3e-4;
@@ -15,6 +19,14 @@ inline constexpr double stated_speed_error = 3e-4;
 /// Units  dimensionless. Errors  none thrown. Source  of stated_speed_error
 constexpr double speed_error(bool angle_is_measured) {
   return angle_is_measured ? 0 : stated_speed_error;
+}
+
+/// How far a line may lie from an order and still be taken for it.
+/// Units  orders; `resolution` is that of the spectrum. Errors  none thrown
+/// Source  same_line, stated_speed_error: whichever is more
+constexpr double near_order(double order, double resolution, bool angle_is_measured) {
+  const double by_speed = speed_error(angle_is_measured) * (order < 0 ? -order : order);
+  return same_line * resolution > by_speed ? same_line * resolution : by_speed;
 }
 
 /// Turns of the reference shaft that a record must span to part two orders: 4 / |a − b|. Orders

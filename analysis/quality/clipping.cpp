@@ -13,7 +13,6 @@ namespace {
 constexpr Eigen::Index shortest_run = 3;
 constexpr double rounding = 1e-9;      // of the largest magnitude
 constexpr double few = 0.1;            // pass a rail, of those that it holds
-constexpr double steps_of_crest = 5;   // from a crest of equal samples to its neighbours
 constexpr double least_jump = 0.03;    // of the rms change from sample to sample
 constexpr double at_rest = 0.75;       // of all samples
 constexpr double least_moving = 0.01;  // of all samples, in no run

@@ -4,16 +4,18 @@
 
 namespace rvbench::analysis {
 
+/// Steps of the converter from a crest of equal samples to its neighbours: three samples of a
+/// parabola within one step have neighbours within four, and it rounds by one more.
+inline constexpr double steps_of_crest = 5;
+
 /// Samples that a rail holds, of a signal whose full scale is not known: at the top and at the
 /// bottom, each looked at by itself, and both as one, for a fast signal goes from rail to rail.
 ///
 /// A rail is, first, the outermost value that three samples in a row or more have, if
 ///
 ///     few pass it       at most a tenth as many as it holds: glitches
-///     the signal jumps  on average its neighbours are more than five steps of the converter away,
-///                       and more than 3 % of the rms change from sample to sample. What a
-///                       converter makes of a crest is no further: three samples of a parabola
-///                       within one step have neighbours within four, and it rounds by one more
+///     the signal jumps  on average its neighbours are more than `steps_of_crest` away, and more
+///                       than 3 % of the rms change from sample to sample
 ///     it does not rest  it holds less than three quarters of all samples, as a force does not
 ///                       that acts in pulses
 ///

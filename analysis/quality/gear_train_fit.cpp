@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <ranges>
 
 #include "analysis/evidence/record_resolution.hpp"
 #include "analysis/order/resolution.hpp"
@@ -12,7 +13,6 @@ namespace rvbench::analysis {
 namespace {
 
 constexpr int most_harmonics = 12;
-constexpr double same_line = 0.6;                  // of the resolution
 constexpr double nearest = 1e-3, furthest = 0.05;  // relative, of other speeds, at the least
 constexpr double too_far = 0.1;                    // the nearest, of a record that is too short
 constexpr int tries_each_way = 197;
@@ -70,9 +70,9 @@ class OwnOrders {
 struct Line {
   double order;
   double power;
-  double near_order;
-  double near_relative;  // of its order
-  double near(double at) const { return std::max(near_order, near_relative * at); }
+  double resolution;
+  bool angle_is_measured;
+  double near(double at) const { return near_order(at, resolution, angle_is_measured); }
 };
 
 using ChannelLines = std::vector<Line>;
@@ -97,12 +97,12 @@ std::vector<ChannelLines> lines_of(const std::vector<Examination>& points,
   std::vector<ChannelLines> channels;
   for (const Examination& point : points) {
     if (!(point.periods > 0)) continue;
-    const double near_order = same_line * record_resolution(point, kinematics);
-    const double near_relative = speed_error(point.angle_measured);
+    const double resolution = record_resolution(point, kinematics);
     for (const ChannelExamination& channel : point.channels) {
       ChannelLines& lines = channels.emplace_back();
-      for (const SpectralLine& l : channel.lines) {
-        const Line line{l.order, l.amplitude * l.amplitude, near_order, near_relative};
+      // Weaker ones are listed only where they lie on orders of the speed that was used.
+      for (const SpectralLine& l : channel.lines | std::views::take(most_lines)) {
+        const Line line{l.order, l.amplitude * l.amplitude, resolution, point.angle_measured};
         if (!is_of_any_shaft(l, line.near(l.order), channel, own)) lines.push_back(line);
       }
       if (lines.empty()) channels.pop_back();
@@ -139,15 +139,16 @@ double share_at(double speed, const std::vector<ChannelLines>& channels, const O
   return sum / static_cast<double>(channels.size());
 }
 
-// How far a speed must be off so that the lines that fit at the one used do no more: twice what
-// their orders may be off.
-double parted_from(const std::vector<ChannelLines>& channels, const OwnOrders& own) {
+// How far another speed must be off so that the lines that fit at this one do no more: twice what
+// their orders may be off. Relative.
+double parted_from(double speed, const std::vector<ChannelLines>& channels, const OwnOrders& own) {
   double sum = 0, power = 0;
   for (const ChannelLines& lines : channels) {
     for (const Line& line : lines) {
-      const double near = line.near(line.order);
-      if (!own.hold(line.order, near)) continue;
-      sum += line.power * 2 * near / line.order;
+      const double order = line.order / speed;
+      const double near = line.near(order);
+      if (!own.hold(order, near)) continue;
+      sum += line.power * 2 * near / order;
       power += line.power;
     }
   }
@@ -196,13 +197,15 @@ class Trials {
   const OwnOrders& own_;
 };
 
-void find_better_speed(const std::vector<Tried>& tried, GearTrainFit& fit) {
+void find_better_speed(const std::vector<Tried>& tried, const std::vector<ChannelLines>& channels,
+                       const OwnOrders& own, GearTrainFit& fit) {
   const Tried best = *std::ranges::max_element(tried, {}, &Tried::share);
   if (best.share <= std::max(worth_a_hint, stands_out * fit.share)) return;
+  const double shoulder = std::max(2 * nearest, parted_from(best.speed, channels, own));
   double sum = 0;
   int equals = 0;
   for (const Tried& t : tried) {
-    const bool is_near = std::abs(t.speed - best.speed) < 2 * nearest;
+    const bool is_near = std::abs(t.speed - best.speed) < shoulder;
     if (!is_near && stands_out * t.share >= best.share) return;
     if (!is_near || t.share < best.share) continue;
     sum += t.speed;
@@ -224,7 +227,7 @@ GearTrainFit gear_train_fit(const std::vector<Examination>& points, const Kinema
   const Trials trials(channels, own);
   const Tried here = trials.at(1);
   fit.share = here.share;
-  const double from = parted_from(channels, own);
+  const double from = parted_from(1, channels, own);
   fit.is_too_short = from > too_far;
   if (fit.is_too_short) return fit;
   std::vector<Tried> tried = trials.beyond(from);
@@ -232,7 +235,7 @@ GearTrainFit gear_train_fit(const std::vector<Examination>& points, const Kinema
   fit.as_good = static_cast<int>(
       std::ranges::count_if(tried, [&](const Tried& t) { return t.both() >= here.both(); }));
   trials.add_nearer(from, tried);
-  find_better_speed(tried, fit);
+  find_better_speed(tried, channels, own, fit);
   return fit;
 }
 

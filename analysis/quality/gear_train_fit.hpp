@@ -18,8 +18,8 @@ struct GearTrainFit {
                                   ///< others: relative to the speed that was used; NaN: nowhere
   double best_share = not_known;
 
-  /// Whether the machine is this one, at this speed and rate: no other speed does as well.
-  bool is_shown() const { return tried > 0 && as_good == 0; }
+  /// Whether the machine is this one, at this speed and rate: one other speed at most does as well.
+  bool is_shown() const { return tried > 0 && as_good <= 1; }
 };
 
 /// Whether the machine has lines of its own: any that turns has those of its input shaft, and what
@@ -31,7 +31,7 @@ bool has_own_lines(const Kinematics& kinematics);
 /// for those that are a mesh's and stand out from the others: whatever turns has them. The same
 /// orders at speeds 0.1 to 5 % off, or as much more as the records need to part them, are gear
 /// trains that are not there: what they explain is what chance, and the density of the orders,
-/// explain. There are 394 of them: of records with lines anywhere about one in 400 passes.
+/// explain. There are 394 of them: of records with lines anywhere about one in 200 passes.
 ///
 /// Shape    any number of points; no line beside the input shaft's: share 0, none tried
 /// Units    orders of the input shaft; shares of power

@@ -16,8 +16,7 @@ using analysis::SpectralLine;
 
 std::string evidence_of(const Finding& finding, double period_turns) {
   std::string text;
-  const std::size_t lines = std::min(finding.line_orders.size(), finding.line_depths.size());
-  for (std::size_t i = 0; i < std::min<std::size_t>(lines, 12); ++i) {
+  for (std::size_t i = 0; i < finding.line_orders.size(); ++i) {
     text += fmt::format("{}order {}: depth {:.3f}", i == 0 ? "" : "; ",
                         order_text(finding.line_orders[i], period_turns), finding.line_depths[i]);
   }
@@ -40,7 +39,8 @@ std::string shown_in(const Finding& hypothesis, std::size_t points) {
 std::string consequence_of(const Finding& finding) {
   return fmt::format(
              "<dt>Confidence</dt><dd>{:.0f} %: this part's share of severity over limit, times how "
-             "well its growth fits, among all findings above theirs</dd>",
+             "well its growth fits, among all findings above theirs; a cause counts for no less "
+             "than what follows from it</dd>",
              100 * finding.confidence) +
          "<dt>Advice</dt><dd>" + xml_escaped(advice_text(finding)) + "</dd>";
 }

@@ -36,11 +36,13 @@ const std::vector<Measure>& measures() {
       {.name = sideband_ratio,
        .units = number,
        .meaning = "three sidebands to each side of a mesh over the mesh",
-       .absent_when = "no mesh is heard well above the noise"},
+       .absent_when = "no mesh is heard well above the noise, or no angle was measured that "
+                      "places its lines"},
       {.name = fm0,
        .units = number,
        .meaning = "range of a gear's average turn over its mesh lines; 2 for a sine",
-       .absent_when = "no mesh is heard well above the noise"},
+       .absent_when = "no mesh is heard well above the noise, or no angle was measured that "
+                      "places its lines"},
       {.name = fm4,
        .units = number,
        .meaning = "kurtosis of what a gear's average turn has beside its mesh; 3 for noise",

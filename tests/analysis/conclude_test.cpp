@@ -172,6 +172,20 @@ TEST_CASE("of two gears on one shaft the first speaks for the other", "[analysis
   CHECK(gear.cannot_tell_from == std::vector<std::string>{"shaft: wear at order 2"});
 }
 
+TEST_CASE("what the first of two gears shows leaves nothing open of the other",
+          "[analysis][conclude]") {
+  Kinematics k = two_parts();
+  k.signatures[1].order = k.signatures[0].order;
+  Examination near_limit = point("a", {0.19, 1e-12}, {0, 1});
+  near_limit.scores[0].depth2_variance = 0.02 * 0.02;
+  const Diagnosis d = conclude({near_limit}, k);
+  REQUIRE(d.below_limit.size() == 1);
+  CHECK(d.below_limit[0].severity_high > d.below_limit[0].limit);
+  REQUIRE(d.not_shown.size() == 1);
+  CHECK(d.not_shown[0].component == "gear");
+  CHECK_FALSE(d.not_shown[0].is_open());
+}
+
 TEST_CASE("a shaft that turns backwards has its lines at the same frequencies",
           "[analysis][conclude]") {
   Examination backwards = point("a", {0.5, 1e-12}, nothing);

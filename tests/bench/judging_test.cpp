@@ -104,8 +104,10 @@ TEST_CASE("a limit that is narrowed to a gear is deaf to others", "[bench]") {
 TEST_CASE("an indicator that is in no record is no pass", "[bench]") {
   const Judgement judgement = concluded({point_with_fm4(3, 3)}, {limit_on("fm0", 1e9)});
   CHECK(judgement.ending.outcome == Outcome::invalid);
-  CHECK(judgement.ending.reason ==
-        "fm0 could not be measured: no mesh is heard well above the noise");
+  CHECK(
+      judgement.ending.reason ==
+      "fm0 could not be measured: no mesh is heard well above the noise, or no angle was measured "
+      "that places its lines");
   CHECK(std::isnan(judgement.limits.at(0).measured));
   CHECK(concluded({point_with_fm4(3, 3)}, {limit_on("fm4", 1e9, "mesh, wheel")}).ending.reason ==
         "fm4 of mesh, wheel could not be measured");
@@ -160,9 +162,11 @@ TEST_CASE("a limit that could not be measured outweighs one that is exceeded, an
   const std::vector<Limit> limits{limit_on("fm4", 8), limit_on("fm0", 4)};
   const Judgement judgement = concluded({point_with_fm4(9, 6)}, limits);
   CHECK(exit_code(judgement.ending) == 20);
-  CHECK(judgement.ending.reason ==
-        "fm0 could not be measured: no mesh is heard well above the noise; beside it fm4 9 above "
-        "its max 8 at recording.h5#000, accel_1y, mesh, sun");
+  CHECK(
+      judgement.ending.reason ==
+      "fm0 could not be measured: no mesh is heard well above the noise, or no angle was measured "
+      "that places its lines; beside it fm4 9 above "
+      "its max 8 at recording.h5#000, accel_1y, mesh, sun");
 }
 
 TEST_CASE("of data that cannot be trusted it is said why, not what is missing for it", "[bench]") {
@@ -413,6 +417,8 @@ TEST_CASE("the plan's limits on modulation depth replace those of the kinematics
   CHECK(limited.signatures[1].depth_limit == 0.1);
   CHECK(limited.signatures[1].limit_why == "cranks");
   CHECK(with_limits(kinematics, {peak_in_g}).signatures[0].depth_limit == 0.5);
+  const Limit looser{"modulation_depth", "crank", "1", 0.5, "cranks may"};
+  CHECK(with_limits(kinematics, {all, looser}).signatures[1].depth_limit == 0.3);
 }
 
 }  // namespace rvbench::bench
