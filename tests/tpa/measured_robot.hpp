@@ -46,7 +46,8 @@ inline std::vector<analysis::HammerSeries> hammer_series(std::vector<Recording> 
   return session;
 }
 
-/// FRFs of the simulated hammer test, smoothed, on the lines of the grid; its step is 1 / hit_s.
+/// FRFs of the simulated hammer test as they were estimated, on the lines of the grid; its step is
+/// 1 / hit_s.
 inline analysis::FrfMatrix measured_frfs(const sim::VirtualRobot& robot,
                                          const analysis::LineGrid& grid) {
   const auto results =
@@ -63,7 +64,7 @@ inline analysis::FrfMatrix measured_frfs(const sim::VirtualRobot& robot,
       }
     }
   }
-  return analysis::smoothed_frfs(analysis::assemble_frf_matrix(set).matrix.value());
+  return analysis::assemble_frf_matrix(set).matrix.value();
 }
 
 inline analysis::FrfMatrix exact_frfs(const sim::VirtualRobot& robot,
