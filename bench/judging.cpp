@@ -203,7 +203,11 @@ void demand_confirmation(Judgement& judgement, const analysis::Kinematics& kinem
   analysis::Diagnosis& diagnosis = judgement.diagnosis;
   if (!diagnosis.resolvable) return;
   const std::string what = why_not_this_machine(judgement, kinematics);
-  if (what.empty()) return;
+  if (what.empty()) {
+    const std::string caveat = what_confirms_it(judgement, kinematics);
+    if (!caveat.empty()) diagnosis.quality.push_back({kinematics.machine, caveat, false});
+    return;
+  }
   diagnosis.quality.push_back({kinematics.machine, "cannot tell: " + what, true});
   put_refusals_first(diagnosis.quality);
   judgement.ending =

@@ -18,7 +18,7 @@ namespace {
 // What the same lines would say of another speed; empty if nothing.
 std::string at_better_speed(const analysis::GearTrainFit& fit,
                             const std::vector<analysis::Examination>& points) {
-  if (std::isnan(fit.best_speed)) return "";
+  if (std::isnan(fit.best_speed) || fit.fits_a_ratio) return "";
   std::vector<std::string> speeds;
   for (const analysis::Examination& point : points) {
     if (point.angle_measured) return "";
@@ -37,15 +37,28 @@ std::string why_not_shown(const analysis::GearTrainFit& fit) {
     return "no line is in the data but those of its input shaft, which any machine has: nothing "
            "says that it is this one";
   }
+  if (fit.fits_a_ratio) {
+    return fmt::format(
+        "the lines in the data fit this machine as well at {:.3g} times the speed, {:.0f} % of "
+        "their power against {:.0f} %: the speed or the sample rate may be wrong by that",
+        fit.best_speed, 100 * fit.best_share, 100 * fit.share);
+  }
   return fmt::format(
       "the lines in the data are not shown to be this machine's: {:.0f} % of their power lies on "
       "its orders, and at {} of {} other speeds they fit as well: it may be another machine, or "
-      "the "
-      "speed or the sample rate is wrong",
+      "the speed or the sample rate is wrong",
       100 * fit.share, fit.as_good, fit.tried);
 }
 
 }  // namespace
+
+std::string what_confirms_it(const Judgement& judgement, const analysis::Kinematics& kinematics) {
+  if (analysis::has_own_lines(kinematics)) return "";
+  const std::vector<analysis::Examination> examined = examined_points(judgement);
+  if (std::ranges::all_of(examined, &analysis::Examination::angle_measured)) return "";
+  return "it has no teeth whose lines would tell: that speed and sample rate are right rests on "
+         "the line of its shaft alone";
+}
 
 std::string why_not_this_machine(const Judgement& judgement,
                                  const analysis::Kinematics& kinematics) {

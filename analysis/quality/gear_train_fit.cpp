@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <initializer_list>
+#include <optional>
 #include <ranges>
+#include <utility>
 
 #include "analysis/evidence/record_resolution.hpp"
 #include "analysis/order/resolution.hpp"
@@ -17,7 +20,8 @@ constexpr double nearest = 1e-3, furthest = 0.05;  // relative, of other speeds,
 constexpr double too_far = 0.1;                    // the nearest, of a record that is too short
 constexpr int tries_each_way = 197;
 constexpr double hint_step = 2.5e-4;
-constexpr double stands_out = 1.5;     // a share, over that at any other speed
+constexpr double stands_out = 1.5;  // a share, over that at any other speed
+constexpr double ratios[] = {1.5, 2, 3, 4, 5, 10};
 constexpr double worth_a_hint = 0.25;  // of the lines' power
 
 double distance_to_multiple(double order, double of) {
@@ -70,9 +74,7 @@ class OwnOrders {
 struct Line {
   double order;
   double power;
-  double resolution;
-  bool angle_is_measured;
-  double near(double at) const { return near_order(at, resolution, angle_is_measured); }
+  double near;
 };
 
 using ChannelLines = std::vector<Line>;
@@ -102,8 +104,9 @@ std::vector<ChannelLines> lines_of(const std::vector<Examination>& points,
       ChannelLines& lines = channels.emplace_back();
       // Weaker ones are listed only where they lie on orders of the speed that was used.
       for (const SpectralLine& l : channel.lines | std::views::take(most_lines)) {
-        const Line line{l.order, l.amplitude * l.amplitude, resolution, point.angle_measured};
-        if (!is_of_any_shaft(l, line.near(l.order), channel, own)) lines.push_back(line);
+        const double near = near_order(l.order, resolution, point.angle_measured);
+        if (is_of_any_shaft(l, near, channel, own)) continue;
+        lines.push_back({l.order, l.amplitude * l.amplitude, near});
       }
       if (lines.empty()) channels.pop_back();
     }
@@ -125,14 +128,17 @@ std::vector<ChannelLines> evened(std::vector<ChannelLines> channels) {
   return channels;
 }
 
-double share_at(double speed, const std::vector<ChannelLines>& channels, const OwnOrders& own) {
+// Share of the power of lines that fit at each of these speeds.
+double share_at(std::initializer_list<double> speeds, const std::vector<ChannelLines>& channels,
+                const OwnOrders& own) {
   double sum = 0;
   for (const ChannelLines& lines : channels) {
     double all = 0, fits = 0;
     for (const Line& line : lines) {
-      const double order = line.order / speed;
       all += line.power;
-      if (own.hold(order, line.near(order))) fits += line.power;
+      const bool fits_all = std::ranges::all_of(
+          speeds, [&](double speed) { return own.hold(line.order / speed, line.near / speed); });
+      if (fits_all) fits += line.power;
     }
     sum += fits / all;
   }
@@ -145,10 +151,8 @@ double parted_from(double speed, const std::vector<ChannelLines>& channels, cons
   double sum = 0, power = 0;
   for (const ChannelLines& lines : channels) {
     for (const Line& line : lines) {
-      const double order = line.order / speed;
-      const double near = line.near(order);
-      if (!own.hold(order, near)) continue;
-      sum += line.power * 2 * near / order;
+      if (!own.hold(line.order / speed, line.near / speed)) continue;
+      sum += line.power * 2 * line.near / line.order;
       power += line.power;
     }
   }
@@ -170,7 +174,7 @@ class Trials {
       : channels_(channels), even_(evened(channels)), own_(own) {}
 
   Tried at(double speed) const {
-    return {speed, share_at(speed, channels_, own_), share_at(speed, even_, own_)};
+    return {speed, share_at({speed}, channels_, own_), share_at({speed}, even_, own_)};
   }
 
   // At speeds that are off by `from` and more, evenly.
@@ -182,6 +186,28 @@ class Trials {
       for (const double speed : {1 - off, 1 + off}) tried.push_back(at(speed));
     }
     return tried;
+  }
+
+  // The best speed that is off by a ratio and explains so much that this one need not be right. At
+  // lower speeds the harmonics of a mesh lie on its higher ones. At higher ones most of them lie on
+  // none: where nearly all that is explained is explained there as well, nothing speaks for this
+  // one.
+  std::optional<Tried> rival_ratio(const Tried& here) const {
+    constexpr double nearly_all = 0.95;
+    std::optional<Tried> best;
+    const auto consider = [&](double speed, double least) {
+      const Tried tried = at(speed);
+      if (tried.share < worth_a_hint || tried.both() < least * here.both()) return;
+      const auto of = [](const Tried& t) { return std::pair(t.both(), t.speed); };
+      if (!best || of(tried) > of(*best)) best = tried;  // of equals the fastest
+    };
+    for (const double ratio : ratios) {
+      consider(1 / ratio, stands_out);
+      const double of_both =
+          share_at({1, ratio}, channels_, own_) + share_at({1, ratio}, even_, own_);
+      if (of_both >= nearly_all * here.both()) consider(ratio, nearly_all);
+    }
+    return best;
   }
 
   // Closer than those that are tried for chance: as far off as a rounded speed.
@@ -236,6 +262,11 @@ GearTrainFit gear_train_fit(const std::vector<Examination>& points, const Kinema
       std::ranges::count_if(tried, [&](const Tried& t) { return t.both() >= here.both(); }));
   trials.add_nearer(from, tried);
   find_better_speed(tried, channels, own, fit);
+  const auto ratio = trials.rival_ratio(here);
+  if (!ratio || ratio->share <= fit.best_share) return fit;
+  fit.fits_a_ratio = true;
+  fit.best_speed = ratio->speed;
+  fit.best_share = ratio->share;
   return fit;
 }
 

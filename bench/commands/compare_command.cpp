@@ -44,7 +44,8 @@ class CompareCommand final : public Command {
   std::string summary() const override { return "before and after, point by point"; }
   std::string examples() const override {
     return "  rvbench compare runs/A17/20260102T030405Z runs/A17/20260202T030405Z\n"
-           "  rvbench compare runs/golden/* runs/A18/* --out compared\n"
+           "  rvbench compare runs/golden/20251203T080000Z runs/A18/20260102T030405Z --out "
+           "compared\n"
            "  rvbench compare IR007_0.mat IR021_0.mat --kinematics cwru_6205 --rate 12000 \\\n"
            "      --same X105_DE_time=X209_DE_time\n";
   }

@@ -41,7 +41,8 @@ class Table {
 
 Fault Table::add(std::string_view line) {
   ++line_;
-  if (line.find('\0') != line.npos) return fmt::format("{}: not text", line_);
+  if (line.find('\0') != line.npos)
+    return fmt::format("{}: not text; UTF-16 is to be saved as UTF-8", line_);
   if (line_ == 1) {
     if (line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
     separator_ = csv_separator(line).value_or(',');

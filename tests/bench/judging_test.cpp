@@ -165,8 +165,8 @@ TEST_CASE("a limit that could not be measured outweighs one that is exceeded, an
   CHECK(
       judgement.ending.reason ==
       "fm0 could not be measured: no mesh is heard well above the noise, or no angle was measured "
-      "that places its lines; beside it fm4 9 above "
-      "its max 8 at recording.h5#000, accel_1y, mesh, sun");
+      "that places its lines; beside it fm4 9 above its "
+      "max 8 at recording.h5#000, accel_1y, mesh, sun");
 }
 
 TEST_CASE("of data that cannot be trusted it is said why, not what is missing for it", "[bench]") {

@@ -126,6 +126,21 @@ TEST_CASE("lines at a speed that is off name the speed at which they would fit",
   }
 }
 
+TEST_CASE(
+    "a speed that is wrong by a ratio is told from the right one, where harmonics fit as well",
+    "[analysis][quality]") {
+  for (const double speed : {0.1, 0.2, 0.5, 2.0 / 3, 1.5, 2.0, 5.0, 10.0}) {
+    CAPTURE(speed);
+    std::vector<double> moved;
+    for (const double order : mesh_with_sidebands) moved.push_back(speed * order);
+    const GearTrainFit fit = gear_train_fit({record_of(moved)}, gear_pair());
+    CHECK_FALSE(fit.is_shown());
+    CHECK(fit.best_speed == Approx(speed));
+  }
+  // A mesh with its harmonics alone fits at half the speed as well: at the right one it is shown.
+  CHECK(gear_train_fit({record_of({1, 23, 46, 69, 92})}, gear_pair()).is_shown());
+}
+
 TEST_CASE("a machine without teeth has no lines of its own", "[analysis][quality]") {
   CHECK(has_own_lines(gear_pair()));
   CHECK_FALSE(has_own_lines(motor()));
