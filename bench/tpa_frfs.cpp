@@ -10,6 +10,7 @@
 #include "analysis/tpa/smoothed_frfs.hpp"
 #include "bench/stop_on_signal.hpp"
 #include "bench/tpa_hits.hpp"
+#include "bench/tpa_methods.hpp"
 #include "hal/formats/read_frequency_responses.hpp"
 
 namespace rvbench::bench {
@@ -106,9 +107,26 @@ void note_bands_without_line(const TpaProject& project, const analysis::FrfMatri
     }
     if (lines > 0) continue;
     refusal.push_back(
-        fmt::format("band {:g} to {:g} Hz: no line of the FRFs, which are {:g} Hz apart",
+        fmt::format("band {:g} to {:g} Hz: holds none of the lines, which are {:g} Hz apart",
                     band.first_Hz, band.last_Hz, grid.step_Hz));
   }
+}
+
+// No FRFs, but the lines at which spectra are to be taken.
+std::variant<TpaFrfs, TpaRefusal> lines_alone(const TpaProject& project) {
+  const analysis::FrfBand band = whole_band(project);
+  const double step_Hz = project.step_Hz;
+  const double first = std::ceil(band.from_Hz / step_Hz - 1e-3);
+  const double last = std::floor(band.to_Hz / step_Hz + 1e-3);
+  TpaFrfs none;
+  none.matrix.first_Hz = first * step_Hz;
+  none.matrix.step_Hz = step_Hz;
+  none.matrix.values = {0, 0, std::max<Eigen::Index>(0, Eigen::Index(last - first) + 1)};
+  none.coherent.is_used.assign(std::size_t(none.matrix.values.lines), true);
+  TpaRefusal refusal;
+  note_bands_without_line(project, none.matrix, refusal);
+  if (!refusal.empty()) return refusal;
+  return none;
 }
 
 std::variant<TpaFrfs, TpaRefusal> assembled(const TpaProject& project, MeasuredHits measured) {
@@ -140,6 +158,7 @@ analysis::LineGrid grid_of(const analysis::FrfMatrix& matrix) {
 
 std::variant<TpaFrfs, TpaRefusal> read_tpa_frfs(const TpaProject& project, ProgressBar& bar,
                                                 const std::stop_token& stop) {
+  if (!tpa_method(project.method).needs_frfs) return lines_alone(project);
   auto read = project.hammer ? measure_hits(project, bar, stop) : ready_frfs(project, bar, stop);
   if (auto* refusal = std::get_if<TpaRefusal>(&read)) return std::move(*refusal);
   end_if_stopped(stop);

@@ -32,7 +32,8 @@ struct TpaFrfs {
 /// Why data cannot be used, each with file or place.
 using TpaRefusal = std::vector<std::string>;
 
-/// Reads the FRFs, or makes them of the hits (H1, no exponential window: it would damp them).
+/// Reads the FRFs, or makes them of the hits (H1, no exponential window: it would damp them). To a
+/// method that needs none there are no FRFs, only their lines.
 /// Refused: what a file is refused for; a sensor or path that is missing or there twice; a path
 /// without one good hit; lines that do not reach over the bands.
 /// @throws Interrupted

@@ -43,6 +43,7 @@ const char* word_text(LeadWord word) {
   switch (word) {
     case LeadWord::leads: return "leads";
     case LeadWord::not_sure: return "not_sure";
+    case LeadWord::not_told_apart: return "not_told_apart";
     case LeadWord::not_validated: return "not_validated";
   }
   return "";
@@ -120,6 +121,24 @@ ordered_json repair_json(const MotionAnswer& motion, const std::vector<analysis:
   return json;
 }
 
+ordered_json parameters_json(const analysis::MountParameters& parameters) {
+  return {{"stiffness_N_m", number(parameters.stiffness_N_m)},
+          {"damping_N_s_m", number(parameters.damping_N_s_m)},
+          {"mass_kg", number(parameters.mass_kg)}};
+}
+
+void add_findings(const MethodFindings& findings, ordered_json& json) {
+  json["halves_disagree_by"] = number(findings.disagreement);
+  json["mounts"] = ordered_json::array();
+  for (const MountAnswer& mount : findings.mounts) {
+    json["mounts"].push_back({{"path", place_json(mount.path)},
+                              {"found", parameters_json(mount.found)},
+                              {"standard_errors", parameters_json(mount.deviations)}});
+  }
+  json["mounts_score"] = number(findings.mounts_score);
+  json["independent_ways"] = numbers(findings.ways);
+}
+
 ordered_json motion_json(const MotionAnswer& motion, const TpaStudy& study) {
   ordered_json kept = ordered_json::array();
   for (const analysis::Regularisation& rule : motion.contributions.rules) kept.push_back(rule.kept);
@@ -136,7 +155,8 @@ ordered_json motion_json(const MotionAnswer& motion, const TpaStudy& study) {
   for (const BandAnswer& answer : motion.answers) {
     json["answers"].push_back(answer_json(answer, motion));
   }
-  for (const analysis::TpaFault& fault : motion.faults) {
+  add_findings(motion.findings, json);
+  for (const analysis::TpaFault& fault : motion.findings.faults) {
     json["faults"].push_back(
         {{"kind", to_string(fault.kind)}, {"where", fault.where}, {"reason", fault.reason}});
   }
@@ -164,7 +184,8 @@ ordered_json frfs_json(const TpaFrfs& frfs) {
 }
 
 ordered_json method_json(const TpaProject& project) {
-  return {{"forces", "regularised inverse of the FRFs to the indicators, line by line"},
+  return {{"method", project.method},
+          {"how", tpa_method(project.method).how},
           {"rule", project.rule},
           {"least_coherence", project.least_coherence},
           {"replicates", project.resampling.replicates},

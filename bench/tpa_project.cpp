@@ -1,7 +1,5 @@
 #include "bench/tpa_project.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -11,6 +9,7 @@
 #include "analysis/tpa/regularisation_rule.hpp"
 #include "bench/file_kind.hpp"
 #include "bench/kinematics_file.hpp"
+#include "bench/tpa_methods.hpp"
 #include "hal/did_you_mean.hpp"
 
 namespace rvbench::bench {
@@ -32,11 +31,15 @@ class ProjectReader {
 
   TpaProject read() {
     project_.name = root_.text("tpa");
-    project_.paths = places(root_, "paths");
-    read_frfs();
-    read_sensors();
+    const NamedTpaMethod& method = read_method();
+    if (method.needs_frfs) {
+      project_.paths = read_places(root_, "paths");
+      read_frfs();
+    }
+    read_sensors(method);
     read_bands();
-    read_settings();
+    read_settings(method);
+    method.read(root_, project_);
     read_motions();
     return std::move(project_);
   }
@@ -51,21 +54,11 @@ class ProjectReader {
     return file.string();
   }
 
-  static Places places(hal::ConfigReader& of, const char* key) {
-    hal::ConfigReader list = of.object(key);
-    Places all;
-    const std::vector<std::string> directions = list.texts("directions");
-    for (const std::string& direction : directions) {
-      if (direction.empty()) list.fault("directions", "a direction is empty");
-    }
-    for (const std::string& point : list.texts("points")) {
-      for (const std::string& direction : directions) {
-        const DegreeOfFreedom place = analysis::positive({point, direction});
-        if (holds(all, place)) list.fault("", analysis::name_of(place) + " is there twice");
-        all.push_back(place);
-      }
-    }
-    return all;
+  const NamedTpaMethod& read_method() {
+    std::vector<std::string_view> names;
+    for (const NamedTpaMethod& method : tpa_methods()) names.push_back(method.name);
+    project_.method = root_.choice("method", names, std::string(names.front()));
+    return tpa_method(project_.method);
   }
 
   void read_frfs() {
@@ -106,11 +99,15 @@ class ProjectReader {
     project_.hammer = std::move(hammer);
   }
 
-  void read_sensors() {
+  void read_sensors(const NamedTpaMethod& method) {
     hal::ConfigReader sensors = root_.object("sensors");
-    project_.indicators = places(sensors, "indicators");
-    project_.targets = places(sensors, "targets");
-    project_.validation = places(sensors, "validation");
+    project_.indicators = read_places(sensors, "indicators");
+    project_.targets = read_places(sensors, "targets");
+    if (method.needs_frfs) {
+      project_.validation = read_places(sensors, "validation");
+    } else if (sensors.has("validation")) {
+      sensors.fault("validation", project_.method + " is validated by blocks that are held out");
+    }
     for (const DegreeOfFreedom& place : project_.indicators) {
       if (holds(project_.targets, place)) {
         sensors.fault("indicators", analysis::name_of(place) + " is a target as well");
@@ -118,10 +115,6 @@ class ProjectReader {
       if (holds(project_.validation, place)) {
         sensors.fault("indicators", analysis::name_of(place) + " is to validate as well");
       }
-    }
-    if (project_.indicators.size() < project_.paths.size()) {
-      sensors.fault("indicators", fmt::format("{} indicators cannot tell the forces at {} paths",
-                                              project_.indicators.size(), project_.paths.size()));
     }
   }
 
@@ -135,13 +128,15 @@ class ProjectReader {
     if (project_.bands.empty()) root_.fault("bands", "no band");
   }
 
-  void read_settings() {
+  void read_settings(const NamedTpaMethod& method) {
     std::vector<std::string_view> names;
     for (const analysis::NamedRule& rule : analysis::regularisation_rules()) {
       names.push_back(rule.name);
     }
     project_.rule = root_.choice("rule", names, project_.rule);
-    project_.least_coherence = root_.number("least_coherence", {0, 1}, project_.least_coherence);
+    if (method.needs_frfs) {
+      project_.least_coherence = root_.number("least_coherence", {0, 1}, project_.least_coherence);
+    }
     auto json = root_.optional_object("resampling");
     if (!json) return;
     analysis::Resampling& resampling = project_.resampling;
@@ -201,6 +196,23 @@ std::variant<TpaProject, std::vector<hal::ConfigFault>> read_tpa_project(const s
   root.finish();
   if (!root.faults().empty()) return root.faults();
   return project;
+}
+
+std::vector<DegreeOfFreedom> read_places(hal::ConfigReader& of, const char* key) {
+  hal::ConfigReader list = of.object(key);
+  Places all;
+  const std::vector<std::string> directions = list.texts("directions");
+  for (const std::string& direction : directions) {
+    if (direction.empty()) list.fault("directions", "a direction is empty");
+  }
+  for (const std::string& point : list.texts("points")) {
+    for (const std::string& direction : directions) {
+      const DegreeOfFreedom place = analysis::positive({point, direction});
+      if (holds(all, place)) list.fault("", analysis::name_of(place) + " is there twice");
+      all.push_back(place);
+    }
+  }
+  return all;
 }
 
 std::string joint_of(const DegreeOfFreedom& path) {

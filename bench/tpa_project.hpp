@@ -43,9 +43,11 @@ struct TpaMotion {
   std::optional<TpaReducer> reducer;
 };
 
-/// What `rvbench tpa` works on. Either `frf_files` or `hammer` is given. Files are full paths.
+/// What `rvbench tpa` works on. Either `frf_files` or `hammer` is given, or neither to a method
+/// that needs no FRFs. Files are full paths.
 struct TpaProject {
   std::string name;
+  std::string method;                  ///< of tpa_methods()
   std::vector<std::string> frf_files;  ///< ready FRFs: UFF 58 and 58b, LMS text
   std::optional<TpaHammer> hammer;
   std::vector<DegreeOfFreedom> paths, indicators, targets, validation;
@@ -54,6 +56,10 @@ struct TpaProject {
   double least_coherence = 0.8;
   analysis::Resampling resampling;
   std::vector<TpaMotion> motions;
+
+  std::vector<std::string> source;      ///< points inside it, to blocked_forces
+  std::vector<DegreeOfFreedom> active;  ///< sides of mounts, one per path, to parametric_mounts
+  double step_Hz = not_known;           ///< of the lines, to operational; FRFs have their own
 };
 
 /// Reads a project file; what it names is relative to itself.
@@ -69,9 +75,15 @@ struct TpaProject {
 ///          "kinematics": "rv20e"}}]}
 ///
 /// Optional: "after" and "reducer", "rule" (a name of regularisation_rules()), "least_coherence",
-/// "resampling" with "replicates" and "seed". Every point has every direction of its list.
+/// "resampling" with "replicates" and "seed", "method" (a name of tpa_methods()) with keys of its
+/// own: "source" of blocked_forces, "active" of parametric_mounts, "step_Hz" of operational, which
+/// has no FRFs, paths or sensors to validate by. Every point has every direction of its list.
 /// @return the project, or every fault of the file; a file that is not there is one of them
 std::variant<TpaProject, std::vector<hal::ConfigFault>> read_tpa_project(const std::string& file);
+
+/// Places of a list {"points": [...], "directions": [...]}: every point in every direction, each
+/// once, directions positive.
+std::vector<DegreeOfFreedom> read_places(hal::ConfigReader& of, const char* key);
 
 /// The joint of a path: the first word of its point, "J3" of "J3 active".
 std::string joint_of(const DegreeOfFreedom& path);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "bench/sha256.hpp"
@@ -22,16 +23,23 @@ using Eigen::Index;
 
 constexpr double sure = 0.95;  // of the replicates
 
-// Spectra of an operating record at these sensors, or why there are none.
-std::variant<analysis::OperatingSpectra, TpaRefusal> spectra_of(
-    const std::string& file, const std::vector<DegreeOfFreedom>& sensors, const TpaFrfs& frfs) {
-  const auto read = hal::read_recordings(file);
+struct Operation {
+  analysis::OperatingSpectra spectra;
+  Recording recording;
+};
+
+// An operating record at these sensors, or why there is none.
+std::variant<Operation, TpaRefusal> operation_of(const std::string& file,
+                                                 const std::vector<DegreeOfFreedom>& sensors,
+                                                 const TpaFrfs& frfs) {
+  auto read = hal::read_recordings(file);
   if (!read) return TpaRefusal{read.error().where};
-  if (read.value().size() != 1) {
+  std::vector<Recording> recordings = std::move(read).value();
+  if (recordings.size() != 1) {
     return TpaRefusal{
-        fmt::format("{}: holds {} recordings; a motion is one", file, read.value().size())};
+        fmt::format("{}: holds {} recordings; a motion is one", file, recordings.size())};
   }
-  const Recording& record = read.value().front();
+  Recording& record = recordings.front();
   if (!record.status.empty() && record.status != "ok") {
     return TpaRefusal{file + ": " + record.status};
   }
@@ -40,11 +48,12 @@ std::variant<analysis::OperatingSpectra, TpaRefusal> spectra_of(
     for (std::string& fault : taken.faults) fault.insert(0, file + ": ");
     return std::move(taken.faults);
   }
-  if (taken.spectra->unit != frfs.matrix.response_unit) {
+  const bool has_frfs = frfs.matrix.values.rows > 0;
+  if (has_frfs && taken.spectra->unit != frfs.matrix.response_unit) {
     return TpaRefusal{fmt::format("{}: is in \"{}\", the FRFs tell of \"{}\"", file,
                                   taken.spectra->unit, frfs.matrix.response_unit)};
   }
-  return std::move(*taken.spectra);
+  return Operation{std::move(*taken.spectra), std::move(record)};
 }
 
 Eigen::MatrixXd band_rms(const Eigen::MatrixXd& amplitudes, const analysis::LineGrid& grid,
@@ -60,32 +69,42 @@ Eigen::MatrixXd band_rms(const Eigen::MatrixXd& amplitudes, const analysis::Line
   return rms;
 }
 
+// What operation is recorded by: sensors, and both sides of mounts.
+std::vector<DegreeOfFreedom> operating_places(const TpaProject& project) {
+  std::vector<DegreeOfFreedom> all = sensors_of(project);
+  if (project.active.empty()) return all;
+  for (const auto* side : {&project.active, &project.paths}) {
+    for (const DegreeOfFreedom& place : *side) {
+      if (std::ranges::find(all, place) == all.end()) all.push_back(place);
+    }
+  }
+  return all;
+}
+
 class Study {
  public:
-  Study(const TpaProject& project, const TpaFrfs& frfs, ProgressBar& bar, std::stop_token stop)
+  Study(const TpaProject& project, TpaFrfs& frfs, ProgressBar& bar, std::stop_token stop)
       : project_(project),
         frfs_(frfs),
-        roles_(project.indicators, project.targets, project.validation),
-        rule_(analysis::find_rule(project.rule)->rule),
+        method_(tpa_method(project.method)),
         bar_(bar),
         stop_(std::move(stop)) {}
 
   std::variant<MotionAnswer, TpaRefusal> answer(const TpaMotion& motion) {
     show(motion, "spectra");
-    auto taken = spectra_of(motion.recording, sensors_of(project_), frfs_);
+    auto taken = operation_of(motion.recording, operating_places(project_), frfs_);
     if (auto* refusal = std::get_if<TpaRefusal>(&taken)) return std::move(*refusal);
-    const auto& operating = std::get<0>(taken);
+    auto& [spectra, recording] = std::get<0>(taken);
+    const Index blocks = spectra.values.columns;
+    if (!method_.needs_frfs) frfs_.matrix.response_unit = spectra.unit;
+    auto made = method_.make(project_, frfs_, std::move(spectra));
+    if (const auto* why = std::get_if<std::string>(&made)) {
+      return TpaRefusal{motion.recording + ": " + *why};
+    }
     show(motion, "forces");
-    MotionAnswer answer{motion,
-                        analysis::matrix_inverse_contributions(frfs_.matrix, operating, roles_,
-                                                               rule_, frfs_.coherent.is_used),
-                        {},
-                        {},
-                        {},
-                        {}};
-    add_faults(operating, answer);
-    show(motion, "certainty");
-    add_answers(operating, answer);
+    MotionAnswer answer = analysed(motion, *std::get<0>(made), blocks);
+    show(motion, "histories");
+    answer.over_time = contributions_over_time(answer.contributions, recording);
     if (auto refusal = add_repair(answer)) return std::move(*refusal);
     if (auto refusal = add_reducer(answer)) return std::move(*refusal);
     ++done_;
@@ -98,33 +117,35 @@ class Study {
     bar_.show("paths", double(done_) / double(project_.motions.size()), motion.name + ": " + doing);
   }
 
-  void add_faults(const analysis::OperatingSpectra& operating, MotionAnswer& answer) const {
-    answer.faults = analysis::faults_before_inversion(
-        Index(roles_.indicators().size()), frfs_.matrix.values.columns, frfs_.coherent.is_used);
-    std::ranges::move(
-        analysis::faults_of_inversion(frfs_.matrix, operating, roles_, answer.contributions),
-        std::back_inserter(answer.faults));
-  }
-
-  void add_answers(const analysis::OperatingSpectra& operating, MotionAnswer& answer) const {
+  MotionAnswer analysed(const TpaMotion& motion, const TpaMethod& method, Index blocks) {
+    std::vector<Index> all(static_cast<std::size_t>(blocks));
+    std::iota(all.begin(), all.end(), 0);
+    MotionAnswer answer{motion, method.contributions(frfs_.matrix, all, 0), {}, {}, {}, {}, {}};
+    answer.findings = method.findings(answer.contributions);
+    show(motion, "certainty");
+    const auto anew = [&](const analysis::FrfMatrix& frfs, const std::vector<Index>& drawn) {
+      return method.contributions(frfs, drawn, 1);
+    };
     const auto rankings = analysis::rank_contributions(answer.contributions, project_.bands);
     const auto certainties =
-        analysis::ranking_certainty(frfs_.matrix, operating, roles_, rule_, frfs_.coherent.is_used,
-                                    rankings, project_.resampling);
+        analysis::ranking_certainty(frfs_.matrix, blocks, anew, rankings, project_.resampling);
     for (std::size_t i = 0; i < rankings.size(); ++i) {
-      answer.answers.push_back({rankings[i], certainties[i], word_of(rankings[i], certainties[i])});
+      answer.answers.push_back(
+          {rankings[i], certainties[i],
+           word_of(rankings[i], certainties[i], answer.findings.ways, answer.contributions.grid)});
     }
+    return answer;
   }
 
   std::optional<TpaRefusal> add_repair(MotionAnswer& answer) {
     if (answer.motion.after.empty()) return std::nullopt;
     show(answer.motion, "after the repair");
-    auto taken = spectra_of(answer.motion.after, project_.targets, frfs_);
+    auto taken = operation_of(answer.motion.after, project_.targets, frfs_);
     if (auto* refusal = std::get_if<TpaRefusal>(&taken)) return std::move(*refusal);
     const analysis::LineGrid grid = grid_of(frfs_.matrix);
     RepairAnswer repair{answer.motion.after,
                         mean_amplitudes(answer.contributions.measured_targets),
-                        mean_amplitudes(std::get<0>(taken).values),
+                        mean_amplitudes(std::get<0>(taken).spectra.values),
                         {},
                         {}};
     repair.before_rms = band_rms(repair.before, grid, project_.bands);
@@ -151,9 +172,8 @@ class Study {
   }
 
   const TpaProject& project_;
-  const TpaFrfs& frfs_;
-  analysis::SensorRoles roles_;
-  analysis::RegularisationRule rule_;
+  TpaFrfs& frfs_;
+  const NamedTpaMethod& method_;
   ProgressBar& bar_;
   std::stop_token stop_;
   std::size_t done_ = 0;
@@ -183,10 +203,18 @@ std::vector<std::pair<std::string, std::string>> hashes_of(const TpaProject& pro
 }  // namespace
 
 LeadWord word_of(const analysis::TargetRanking& ranking,
-                 const analysis::RankingCertainty& certainty) {
+                 const analysis::RankingCertainty& certainty, const Eigen::VectorXd& ways,
+                 const analysis::LineGrid& grid) {
   if (!(ranking.validation_score >= analysis::TpaFaultLimits{}.least_score)) {
     return LeadWord::not_validated;
   }
+  Index lines = 0, together = 0;
+  for (Index line = 0; line < ways.size(); ++line) {
+    if (!analysis::holds(ranking.band, grid, line)) continue;
+    ++lines;
+    if (ways[line] < double(ranking.paths.size()) - 0.5) ++together;
+  }
+  if (2 * together > lines) return LeadWord::not_told_apart;
   return certainty.led.front() >= sure ? LeadWord::leads : LeadWord::not_sure;
 }
 
@@ -214,7 +242,8 @@ std::variant<TpaStudy, TpaRefusal> study_paths(const TpaProject& project, Progre
   auto frfs = read_tpa_frfs(project, bar, stop);
   if (auto* refusal = std::get_if<TpaRefusal>(&frfs)) return std::move(*refusal);
   TpaStudy study{project, std::get<0>(std::move(frfs)), {}, software_version(), {}};
-  if (analysis::find_rule(project.rule)->needs_noise && study.frfs.matrix.noise.size() == 0) {
+  const bool asks_noise = analysis::find_rule(project.rule)->needs_noise;
+  if (asks_noise && study.frfs.matrix.noise.size() == 0) {
     return TpaRefusal{"FRFs: " + project.rule +
                       " needs their noise, and the bands have too few lines to tell it"};
   }

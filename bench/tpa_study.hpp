@@ -9,17 +9,19 @@
 
 #include "analysis/kinematics.hpp"
 #include "analysis/tpa/ranking_certainty.hpp"
-#include "analysis/tpa/tpa_faults.hpp"
 #include "bench/judgement.hpp"
 #include "bench/tpa_frfs.hpp"
+#include "bench/tpa_histories.hpp"
+#include "bench/tpa_methods.hpp"
 
 namespace rvbench::bench {
 
 /// What the first place of a ranking is worth.
 enum class LeadWord {
-  leads,         ///< validated, and ahead of all others in 95 % of the replicates
-  not_sure,      ///< another may be ahead of it
-  not_validated  ///< sensors that were not fitted to show something else
+  leads,           ///< validated, and ahead of all others in 95 % of the replicates
+  not_sure,        ///< another may be ahead of it
+  not_told_apart,  ///< references moved together
+  not_validated    ///< what was not fitted to shows something else
 };
 
 /// Who leads at one target over one band.
@@ -49,7 +51,9 @@ struct MotionAnswer {
   TpaMotion motion;
   analysis::PathContributions contributions;
   std::vector<BandAnswer> answers;  ///< bands x targets, targets of a band in a row
-  std::vector<analysis::TpaFault> faults;
+  MethodFindings findings;
+  std::optional<ContributionsOverTime>
+      over_time;  ///< not where the rate does not go with the lines
   std::optional<ReducerAnswer> reducer;
   std::optional<RepairAnswer> repair;
 };
@@ -64,9 +68,11 @@ struct TpaStudy {
 };
 
 /// What may be said of the first path.
+/// @param ways  of MethodFindings, on the grid
 /// Errors  none thrown: a score that is not known does not validate. Source  TpaFaultLimits
 LeadWord word_of(const analysis::TargetRanking& ranking,
-                 const analysis::RankingCertainty& certainty);
+                 const analysis::RankingCertainty& certainty, const Eigen::VectorXd& ways,
+                 const analysis::LineGrid& grid);
 
 /// Joints whose paths lead at a target of this motion, each once, in the order of the answers.
 /// Units  none. Errors  none thrown. Source  definition

@@ -92,7 +92,10 @@ void print_motion(Console& console, const MotionAnswer& motion, const std::strin
                              paint(console, Tone::strong, motion.motion.name),
                              motion.contributions.validation.score());
   for (const BandAnswer& answer : motion.answers) print_answer(console, answer, motion, unit);
-  for (const analysis::TpaFault& fault : motion.faults) {
+  for (const std::string& text : findings_text(motion.findings)) {
+    console.out << "  " << hal::formats::printable(text) << '\n';
+  }
+  for (const analysis::TpaFault& fault : motion.findings.faults) {
     console.out << "  ! " << hal::formats::printable(fault.where + ": " + fault.reason) << '\n';
   }
 }
@@ -138,6 +141,7 @@ std::string answer_text(const BandAnswer& answer, const Places& paths) {
       if (ranked.size() < 2) return "cannot tell whether " + first + " leads";
       return "cannot tell whether " + first + " or " +
              path_name(ranked[answer.certainty.rival()].path, paths) + " leads";
+    case LeadWord::not_told_apart: return "cannot tell: the references moved together";
     case LeadWord::not_validated: break;
   }
   return fmt::format("cannot tell: validation {:.2f}, less than {:g}",
@@ -194,6 +198,27 @@ std::string repair_sentence(const TpaStudy& study) {
   return text.empty() ? "" : text + ".";
 }
 
+std::vector<std::string> findings_text(const MethodFindings& findings) {
+  std::vector<std::string> lines;
+  if (std::isfinite(findings.disagreement)) {
+    lines.push_back(fmt::format(
+        "blocked forces: both halves of the indicators differ by {:.2g} % of their power",
+        100 * findings.disagreement));
+  }
+  for (const MountAnswer& mount : findings.mounts) {
+    const auto& [path, found, deviation] = mount;
+    lines.push_back(fmt::format(
+        "mount at {}: {:.4g} ± {:.2g} N/m, {:.4g} ± {:.2g} N s/m, {:.4g} ± {:.2g} kg",
+        analysis::name_of(path), found.stiffness_N_m, deviation.stiffness_N_m, found.damping_N_s_m,
+        deviation.damping_N_s_m, found.mass_kg, deviation.mass_kg));
+  }
+  if (!findings.mounts.empty()) {
+    lines.push_back(fmt::format("mounts: score {:.3f} at the lines that they were not fitted to",
+                                findings.mounts_score));
+  }
+  return lines;
+}
+
 const char* to_string(analysis::TpaFaultKind kind) noexcept {
   using Kind = analysis::TpaFaultKind;
   switch (kind) {
@@ -204,6 +229,9 @@ const char* to_string(analysis::TpaFaultKind kind) noexcept {
     case Kind::directions_swapped: return "directions_swapped";
     case Kind::missing_path: return "missing_path";
     case Kind::not_validated: return "not_validated";
+    case Kind::halves_disagree: return "halves_disagree";
+    case Kind::no_mount: return "no_mount";
+    case Kind::references_together: return "references_together";
   }
   return "unknown";
 }

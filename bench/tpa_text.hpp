@@ -34,6 +34,9 @@ std::string chain_sentence(const TpaStudy& study);
 /// What the repair did to the arm, over the first band; empty where there was none.
 std::string repair_sentence(const TpaStudy& study);
 
+/// What a method alone has to say, a line each; empty: nothing.
+std::vector<std::string> findings_text(const MethodFindings& findings);
+
 /// "sign_reversed", "missing_path", ...
 const char* to_string(analysis::TpaFaultKind kind) noexcept;
 

@@ -48,7 +48,7 @@ BlockedForces blocked_forces(const FrfMatrix& frfs, const OperatingSpectra& oper
     return matrix_inverse_contributions(frfs, operating, some, rule, is_used, threads);
   };
   BlockedForces blocked{found(roles), std::numeric_limits<double>::quiet_NaN()};
-  if (Index(roles.indicators().size() / 2) < frfs.values.columns) return blocked;
+  if (Index(roles.indicators().size() / 2) <= frfs.values.columns) return blocked;
   blocked.disagreement =
       disagreement(found(half_of(roles, 0)).forces, found(half_of(roles, 1)).forces,
                    blocked.contributions.forces);

@@ -13,7 +13,8 @@ struct BlockedForces {
   PathContributions contributions;  ///< forces are the blocked ones; it holds the score at sensors
                                     ///< that were not fitted to
   /// Σ|F₁ - F₂|² / Σ|F|² over the used lines, F₁ and F₂ from every other indicator each: as large
-  /// as 2 where halves agree on nothing. NaN where a half has fewer indicators than paths.
+  /// as 2 where halves agree on nothing. NaN where a half has no more indicators than paths: rules
+  /// that ask the data need some to spare.
   double disagreement = 0;
 };
 

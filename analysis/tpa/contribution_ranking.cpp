@@ -68,27 +68,24 @@ TargetRanking ranking_of(const PathContributions& contributions, const TpaBand& 
 
 }  // namespace
 
-Eigen::MatrixXd partial_mean_squares(const PathContributions& contributions, const TpaBand& band,
-                                     const Eigen::VectorXd& block_weights) {
-  const Eigen::VectorXd weights = block_weights * (mean_square_per_power / block_weights.sum());
+Eigen::MatrixXd partial_mean_squares(const PathContributions& contributions, const TpaBand& band) {
   Eigen::MatrixXd powers =
       Eigen::MatrixXd::Zero(contributions.forces.rows, contributions.target_frfs.rows);
   for (Index line = 0; line < contributions.grid.lines; ++line) {
     if (!counts(contributions, band, line)) continue;
-    const Eigen::VectorXd force_powers = contributions.forces[line].cwiseAbs2() * weights -
-                                         contributions.force_noise.col(line) * weights.sum();
+    const Eigen::VectorXd force_powers = contributions.forces[line].cwiseAbs2().rowwise().mean() -
+                                         contributions.force_noise.col(line);
     powers += force_powers.asDiagonal() * contributions.target_frfs[line].cwiseAbs2().transpose();
   }
-  return powers.cwiseMax(0);
+  return (mean_square_per_power * powers).cwiseMax(0);
 }
 
 std::vector<TargetRanking> rank_contributions(const PathContributions& contributions,
                                               const std::vector<TpaBand>& bands) {
   require(!bands.empty(), "no band");
-  const Eigen::VectorXd alike = Eigen::VectorXd::Ones(contributions.forces.columns);
   std::vector<TargetRanking> rankings;
   for (const TpaBand& band : bands) {
-    const Eigen::MatrixXd powers = partial_mean_squares(contributions, band, alike);
+    const Eigen::MatrixXd powers = partial_mean_squares(contributions, band);
     for (Index target = 0; target < powers.cols(); ++target) {
       rankings.push_back(ranking_of(contributions, band, target, powers.col(target)));
     }

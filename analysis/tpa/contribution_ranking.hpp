@@ -38,10 +38,9 @@ struct TargetRanking {
 std::vector<TargetRanking> rank_contributions(const PathContributions& contributions,
                                               const std::vector<TpaBand>& bands);
 
-/// Mean square of each path's partial response at each target over a band: paths x targets, each
-/// block counting by its weight, without what noise adds on average; 0 where that is more than all.
+/// Mean square of each path's partial response at each target over a band: paths x targets, without
+/// what noise adds on average; 0 where that is more than all.
 /// Units  of the targets, squared. Errors  none thrown
-Eigen::MatrixXd partial_mean_squares(const PathContributions& contributions, const TpaBand& band,
-                                     const Eigen::VectorXd& block_weights);
+Eigen::MatrixXd partial_mean_squares(const PathContributions& contributions, const TpaBand& band);
 
 }  // namespace rvbench::analysis

@@ -51,6 +51,7 @@ void weight_rows(LineMatrices& matrices, const Eigen::VectorXd& weights) {
 struct Weighted {
   FrfMatrix frfs;
   LineMatrices responses;
+  Eigen::VectorXd weights;
 };
 
 Weighted weighted(FrfMatrix frfs, LineMatrices responses, const std::vector<bool>& is_used) {
@@ -59,7 +60,7 @@ Weighted weighted(FrfMatrix frfs, LineMatrices responses, const std::vector<bool
   weight_rows(responses, weights);
   const Eigen::VectorXd squares = weights.cwiseAbs2().replicate(frfs.values.columns, 1);
   if (frfs.noise.size() > 0) frfs.noise = squares.asDiagonal() * frfs.noise;
-  return {std::move(frfs), std::move(responses)};
+  return {std::move(frfs), std::move(responses), weights};
 }
 
 struct ChosenLines {
@@ -93,6 +94,14 @@ Eigen::MatrixXd carried(const LineMatrices& inverse, const Eigen::VectorXd& nois
     of_forces.col(line) = noise[line] * inverse[line].rowwise().squaredNorm();
   }
   return of_forces;
+}
+
+// The inverse, taking indicators as they are.
+LineMatrices of_unweighted(LineMatrices inverse, const Eigen::VectorXd& weights) {
+  for (Index line = 0; line < inverse.lines; ++line) {
+    inverse[line] = Eigen::MatrixXcd(inverse[line]) * weights.asDiagonal();
+  }
+  return inverse;
 }
 
 LineMatrices product(const LineMatrices& a, const LineMatrices& b, unsigned threads) {
@@ -134,7 +143,9 @@ PathContributions matrix_inverse_contributions(const FrfMatrix& frfs,
           std::move(inverse.lines),
           std::move(inverse.conditions),
           std::move(is_used),
-          carried(inverse.values, lines.noise)};
+          carried(inverse.values, lines.noise),
+          roles.indicators(),
+          of_unweighted(std::move(inverse.values), indicators.weights)};
 }
 
 }  // namespace rvbench::analysis

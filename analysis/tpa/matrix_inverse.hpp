@@ -17,10 +17,14 @@ struct PathContributions {
   LineMatrices target_frfs;       ///< targets x paths
   LineMatrices measured_targets;  ///< targets x blocks
   OnBoardValidation validation;
-  std::vector<Regularisation> rules;  ///< one per line: kept singular values, parameter
-  Eigen::VectorXd conditions;         ///< one per line, of the FRFs to weighted indicators
+  std::vector<Regularisation> rules;  ///< one per line: kept singular values, parameter; empty
+                                      ///< where nothing was inverted
+  Eigen::VectorXd conditions;         ///< one per line, of the FRFs to weighted indicators; empty
+                                      ///< where none were inverted
   std::vector<bool> is_used;          ///< one per line; forces of the others are 0
   Eigen::MatrixXd force_noise;        ///< paths x lines: mean square of what noise adds to a force
+  std::vector<DegreeOfFreedom> inputs;  ///< sensors that forces are found from
+  LineMatrices to_forces;               ///< paths x inputs: forces = to_forces · inputs
 
   /// What each path adds to a target at a line: paths x blocks, 0-to-peak, in the target's unit.
   Eigen::MatrixXcd partial(Eigen::Index line, Eigen::Index target) const {

@@ -57,4 +57,10 @@ TakenSpectra operating_spectra(const Recording& recording,
                                const std::vector<DegreeOfFreedom>& places, const LineGrid& grid,
                                double overlap = 0.5);
 
+/// These blocks, in this order; one may be there twice.
+/// Shape   places x as many blocks, all lines. Units  of the whole
+/// Errors  throws std::invalid_argument of a block that is not there. Source  definition
+OperatingSpectra blocks_of(const OperatingSpectra& spectra,
+                           const std::vector<Eigen::Index>& blocks);
+
 }  // namespace rvbench::analysis

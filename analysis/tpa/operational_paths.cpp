@@ -35,6 +35,19 @@ std::vector<Regularisation> rules_of(const LineSvd& svd, const LineMatrices& tar
   return rules;
 }
 
+// Filter factors: 1 of a singular value that is taken whole, 0 of one that is not.
+Eigen::VectorXd ways_of(const LineSvd& svd, const std::vector<Regularisation>& rules) {
+  Eigen::VectorXd ways = Eigen::VectorXd::Zero(Index(rules.size()));
+  for (Index line = 0; line < ways.size(); ++line) {
+    const Regularisation& rule = rules[std::size_t(line)];
+    for (Index k = 0; k < rule.kept; ++k) {
+      const double size = svd.singular_values(k, line);
+      ways[line] += size * rule.weight(k, size);
+    }
+  }
+  return ways;
+}
+
 bool same_lines(const LineGrid& a, const LineGrid& b) {
   return a.lines == b.lines && std::abs(a.first_Hz - b.first_Hz) < 1e-6 * a.step_Hz &&
          std::abs(a.step_Hz - b.step_Hz) < 1e-6 * a.step_Hz;
@@ -68,12 +81,14 @@ OperationalPaths operational_paths(const OperatingSpectra& learnt, const Operati
     synthesised[line] = transmissibilities[line] * others[line];
   }
   const std::vector<bool> all(std::size_t(x.lines), true);
+  Eigen::VectorXd ways = ways_of(svd, inverse.lines);
   return {references,
           targets,
           std::move(transmissibilities),
           std::move(x),
           std::move(inverse.lines),
-          OnBoardValidation(rows_of(held_out, targets), std::move(synthesised), all)};
+          OnBoardValidation(rows_of(held_out, targets), std::move(synthesised), all),
+          std::move(ways)};
 }
 
 }  // namespace rvbench::analysis

@@ -146,6 +146,14 @@ void make_forces(const Eigen::VectorXd& parameters, const LineGrid& grid, const 
 
 }  // namespace
 
+std::complex<double> dynamic_mass(const MountParameters& mount, double frequency_Hz) {
+  const double omega = units::two_pi * frequency_Hz;
+  const Eigen::Vector3cd of = stiffnesses(omega);
+  const Complex stiffness =
+      mount.stiffness_N_m * of[0] + mount.damping_N_s_m * of[1] + mount.mass_kg * of[2];
+  return stiffness / (-omega * omega);
+}
+
 ParametricMounts parametric_mounts(const FrfMatrix& frfs, const OperatingSpectra& operating,
                                    const std::vector<MountPlaces>& mounts,
                                    const std::vector<DegreeOfFreedom>& fitted,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <complex>
 #include <vector>
 
 #include "analysis/tpa/on_board_validation.hpp"
@@ -16,6 +17,10 @@ struct MountPlaces {
 struct MountParameters {
   double stiffness_N_m = 0, damping_N_s_m = 0, mass_kg = 0;
 };
+
+/// Force per relative acceleration [kg]: (k + iω·c - ω²·m) / -ω².
+/// Errors  none thrown: not finite at 0 Hz. Source  definition
+std::complex<double> dynamic_mass(const MountParameters& mount, double frequency_Hz);
 
 /// Mounts as operation tells them, and the forces that they pass on.
 struct ParametricMounts {

@@ -32,15 +32,15 @@ FrfMatrix drawn(const FrfMatrix& frfs, std::mt19937_64& engine) {
   return other;
 }
 
-Eigen::VectorXd drawn_blocks(Index blocks, std::mt19937_64& engine) {
-  Eigen::VectorXd times = Eigen::VectorXd::Zero(blocks);
+std::vector<Index> drawn_blocks(Index blocks, std::mt19937_64& engine) {
+  std::vector<Index> drawn(static_cast<std::size_t>(blocks));
   std::uniform_int_distribution<Index> any(0, blocks - 1);
-  for (Index i = 0; i < blocks; ++i) ++times[any(engine)];
-  return times;
+  for (Index& block : drawn) block = any(engine);
+  return drawn;
 }
 
 Replicate replicate_of(const PathContributions& contributions,
-                       const std::vector<TargetRanking>& rankings, const Eigen::VectorXd& times) {
+                       const std::vector<TargetRanking>& rankings) {
   Replicate rms(contributions.forces.rows, Index(rankings.size()));
   Eigen::MatrixXd powers;
   const TpaBand* band = nullptr;
@@ -48,7 +48,7 @@ Replicate replicate_of(const PathContributions& contributions,
     const TargetRanking& ranking = rankings[i];
     const bool is_same = band != nullptr && band->first_Hz == ranking.band.first_Hz &&
                          band->last_Hz == ranking.band.last_Hz;
-    if (!is_same) powers = partial_mean_squares(contributions, ranking.band, times);
+    if (!is_same) powers = partial_mean_squares(contributions, ranking.band);
     band = &ranking.band;
     rms.col(Index(i)) = powers.col(ranking.target).cwiseSqrt();
   }
@@ -97,19 +97,18 @@ RankingCertainty certainty_of(const TargetRanking& ranking, Index column,
 
 }  // namespace
 
-std::vector<RankingCertainty> ranking_certainty(
-    const FrfMatrix& frfs, const OperatingSpectra& operating, const SensorRoles& roles,
-    const RegularisationRule& rule, const std::vector<bool>& is_used,
-    const std::vector<TargetRanking>& rankings, const Resampling& resampling, unsigned threads) {
+std::vector<RankingCertainty> ranking_certainty(const FrfMatrix& frfs, Index blocks,
+                                                const PathAnalysis& analysis,
+                                                const std::vector<TargetRanking>& rankings,
+                                                const Resampling& resampling, unsigned threads) {
   require(resampling.replicates >= fewest_replicates, "fewer than 20 replicates");
+  require(blocks > 0, "no block");
   std::vector<Replicate> replicates(std::size_t(resampling.replicates));
   const auto one = [&](std::size_t i) {
     std::seed_seq seeds{resampling.seed, std::uint64_t(i)};
     std::mt19937_64 engine(seeds);
     const FrfMatrix other = drawn(frfs, engine);
-    replicates[i] =
-        replicate_of(matrix_inverse_contributions(other, operating, roles, rule, is_used, 1),
-                     rankings, drawn_blocks(operating.values.columns, engine));
+    replicates[i] = replicate_of(analysis(other, drawn_blocks(blocks, engine)), rankings);
   };
   parallel_for(replicates.size(), one, threads);
   std::vector<RankingCertainty> certainties;

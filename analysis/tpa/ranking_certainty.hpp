@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "analysis/tpa/contribution_ranking.hpp"
@@ -34,6 +35,11 @@ struct RankingCertainty {
   }
 };
 
+/// An analysis by other FRFs, over these blocks of operation, in no order, some of them twice or
+/// more. It is called by several threads at a time.
+using PathAnalysis = std::function<PathContributions(const FrfMatrix& frfs,
+                                                     const std::vector<Eigen::Index>& blocks)>;
+
 /// Does the analysis anew with blocks drawn with replacement and FRFs drawn within their variances.
 ///
 /// A FRF's error has one draw for all lines, each scaled to the line's variance: what makes a
@@ -43,18 +49,19 @@ struct RankingCertainty {
 /// Replicates err about the estimate as that does about the truth, by the ratio of RMS values: what
 /// errors add to a contribution they add twice, so that the interval lies estimate² / quantile.
 ///
-/// @param rankings  of rank_contributions(), of the same data
+/// @param frfs, blocks  that rankings were made by: how many blocks there are
+/// @param rankings      of rank_contributions()
 /// Shape   one per ranking
 /// Units   those of the ranking
-/// Errors  throws std::invalid_argument of matrix_inverse_contributions(), or fewer than 20
-///         replicates. Without variances of the FRFs only blocks are drawn
+/// Errors  throws std::invalid_argument: fewer than 20 replicates, no block; and what the analysis
+///         throws. Without variances of the FRFs only blocks are drawn
 /// Threads up to `threads` (0: the free cores); the result does not depend on them
 /// Limits  blocks that overlap are not quite independent; steady lines do not vary by blocks
 /// Source  Davison & Hinkley, Bootstrap Methods and their Application (1997), sec. 2.4, 5.2
-std::vector<RankingCertainty> ranking_certainty(
-    const FrfMatrix& frfs, const OperatingSpectra& operating, const SensorRoles& roles,
-    const RegularisationRule& rule, const std::vector<bool>& is_used,
-    const std::vector<TargetRanking>& rankings, const Resampling& resampling = {},
-    unsigned threads = 0);
+std::vector<RankingCertainty> ranking_certainty(const FrfMatrix& frfs, Eigen::Index blocks,
+                                                const PathAnalysis& analysis,
+                                                const std::vector<TargetRanking>& rankings,
+                                                const Resampling& resampling = {},
+                                                unsigned threads = 0);
 
 }  // namespace rvbench::analysis

@@ -108,13 +108,15 @@ Faults faults_of_inversion(const FrfMatrix& frfs, const OperatingSpectra& operat
     add_missing_path(unexplained_power(frfs, operating, roles, contributions), roles,
                      contributions.grid, limits, faults);
   }
-  const double score = contributions.validation.score();
-  if (!(score >= limits.least_score)) {
-    faults.push_back(
-        {TpaFaultKind::not_validated, "over all lines",
-         "the paths explain " + percent(score) + " of what sensors show that were not fitted to"});
-  }
+  add_if_not_validated(contributions.validation.score(), limits, faults);
   return faults;
+}
+
+void add_if_not_validated(double score, const TpaFaultLimits& limits, Faults& faults) {
+  if (score >= limits.least_score) return;
+  faults.push_back(
+      {TpaFaultKind::not_validated, "over all lines",
+       "the paths explain " + percent(score) + " of what sensors show that were not fitted to"});
 }
 
 }  // namespace rvbench::analysis

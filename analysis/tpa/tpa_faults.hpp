@@ -14,7 +14,10 @@ enum class TpaFaultKind {
   sign_reversed,       ///< of a sensor, in operation against the hammer test
   directions_swapped,  ///< as well
   missing_path,        ///< something else acts than the paths
-  not_validated        ///< the synthesis does not explain sensors that it was not fitted to
+  not_validated,       ///< the synthesis does not explain sensors that it was not fitted to
+  halves_disagree,     ///< of the indicators, about blocked forces
+  no_mount,            ///< a stiffness, damping or mass of one comes out negative
+  references_together  ///< they moved in fewer independent ways than there are
 };
 
 /// What is wrong with the data of an analysis, or with what may follow from it.
@@ -53,5 +56,10 @@ std::vector<TpaFault> faults_of_inversion(const FrfMatrix& frfs, const Operating
                                           const SensorRoles& roles,
                                           const PathContributions& contributions,
                                           const TpaFaultLimits& limits = {});
+
+/// Adds not_validated if a score, over all lines, is below the limit or not known.
+/// Units  none. Errors  none thrown. Source  the limit: ours
+void add_if_not_validated(double score, const TpaFaultLimits& limits,
+                          std::vector<TpaFault>& faults);
 
 }  // namespace rvbench::analysis

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <system_error>
 
@@ -23,6 +25,7 @@ class TpaCommand final : public Command {
   std::string summary() const override { return "finds the joint and path that shake the arm"; }
   std::string examples() const override {
     return "  rvbench tpa robot7/project.json --out robot7/paths\n"
+           "  rvbench tpa robot7/project.json --out robot7/paths --histories\n"
            "  rvbench tpa robot7/project.json --json\n"
            "  rvbench tpa --simulate virtual --seed 7 --out virtual/paths\n"
            "                                     the whole story, on a virtual robot\n";
@@ -30,6 +33,9 @@ class TpaCommand final : public Command {
   std::vector<Option> options() override {
     return {{"PROJECT", "project file: FRFs or hits, motions, sensors", &project_},
             {"--out", "folder for tpa.json and tpa.html; default: none are written", &out_},
+            {"--histories",
+             "writes forces and contributions over time as well, into histories/ of that folder",
+             &histories_},
             {"--json", "one JSON document on standard output", &json_},
             {"--simulate",
              "measure a virtual robot first, and write hits, motions, its reducers' recordings "
@@ -45,9 +51,10 @@ class TpaCommand final : public Command {
   int study(Console& console);
   std::variant<TpaStudy, int> studied(Console& console);
   void write_out(const TpaStudy& study) const;
+  Status write_all_histories(const TpaStudy& study, const std::stop_token& stop) const;
 
   std::string project_, out_, simulate_;
-  bool json_ = false;
+  bool json_ = false, histories_ = false;
   std::optional<std::uint64_t> seed_;
   OutFolder out_folder_;
 };
@@ -78,8 +85,11 @@ int TpaCommand::check_options(Console& console) {
   if (!simulate_.empty()) {
     project_ = (std::filesystem::path(simulate_) / "project.json").string();
   }
+  if (histories_ && out_.empty()) {
+    return refuse_usage(console, "tpa: --histories are written into the folder of --out");
+  }
   if (out_.empty()) return exit_codes::done;
-  const std::string why = out_folder_.make(out_, {"tpa.json", "tpa.html"});
+  const std::string why = out_folder_.make(out_, {"tpa.json", "tpa.html", "histories"});
   return why.empty() ? exit_codes::done : refuse_usage(console, "tpa: --out " + out_ + ": " + why);
 }
 
@@ -125,6 +135,10 @@ std::variant<TpaStudy, int> TpaCommand::studied(Console& console) {
   }
   try {
     if (!out_.empty()) write_out(std::get<0>(study));
+    if (histories_) {
+      const Status written = write_all_histories(std::get<0>(study), signals.token());
+      if (!written) return refuse_data(console, "tpa: " + written.error().where);
+    }
   } catch (const std::system_error& error) {
     return refuse_usage(console, "tpa: --out: " + reason_of(error));
   }
@@ -136,6 +150,25 @@ void TpaCommand::write_out(const TpaStudy& study) const {
   const std::string page = make_tpa_page(study);
   write_file(folder / "tpa.json", study_to_json(study));
   write_file(folder / "tpa.html", page);
+}
+
+// A file per motion, in their order.
+Status TpaCommand::write_all_histories(const TpaStudy& study, const std::stop_token& stop) const {
+  const std::filesystem::path folder = std::filesystem::path(out_) / "histories";
+  const analysis::FrfMatrix& frfs = study.frfs.matrix;
+  const bool has_forces = tpa_method(study.project.method).needs_frfs;
+  const HistoryLabels labels{has_forces ? "force at " : "reference ",
+                             has_forces ? frfs.excitation_unit : frfs.response_unit,
+                             frfs.response_unit};
+  std::filesystem::create_directory(folder);
+  for (std::size_t i = 0; i < study.motions.size(); ++i) {
+    end_if_stopped(stop);
+    const MotionAnswer& motion = study.motions[i];
+    const Status written = write_histories(folder / fmt::format("motion_{}.h5", i + 1),
+                                           motion.contributions, motion.motion.recording, labels);
+    if (!written) return written;
+  }
+  return Done{};
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ namespace rvbench::bench::report {
 namespace {
 
 using Eigen::Index;
+using Places = std::vector<DegreeOfFreedom>;
 
 constexpr Index most_columns = 120;
 constexpr double width_px = 540, left_px = 44, right_px = 14, top_px = 22, row_px = 11,
@@ -59,54 +60,77 @@ std::string row_svg(const Eigen::RowVectorXd& amplitudes, double largest, double
   return svg;
 }
 
-std::string frequency_axis(const analysis::LineGrid& grid, double bottom_px) {
-  const double first_Hz = grid.first_Hz, last_Hz = grid.frequency_Hz(grid.lines - 1);
+// What a map shows of a target: paths x columns, and what the columns run over.
+struct PathMap {
+  std::string title;
+  Eigen::MatrixXd amplitudes;
+  std::string axis;
+  double first = 0, last = 0;
+};
+
+std::string axis_svg(const PathMap& map, double bottom_px) {
   std::string svg;
-  for (const double tick : round_ticks(first_Hz, last_Hz, 8)) {
+  for (const double tick : round_ticks(map.first, map.last, 8)) {
     const double x_px =
-        left_px + (tick - first_Hz) / (last_Hz - first_Hz) * (width_px - left_px - right_px);
+        left_px + (tick - map.first) / (map.last - map.first) * (width_px - left_px - right_px);
     svg += fmt::format(R"(<text x="{:.1f}" y="{:.1f}" class="mid">{:g}</text>)", x_px,
                        bottom_px + 13, tick);
   }
-  return svg + fmt::format(R"(<text x="{:.1f}" y="{:.1f}" class="mid">frequency [Hz]</text>)",
-                           (left_px + width_px - right_px) / 2, bottom_px + foot_px - 6);
+  return svg + fmt::format(R"(<text x="{:.1f}" y="{:.1f}" class="mid">{}</text>)",
+                           (left_px + width_px - right_px) / 2, bottom_px + foot_px - 6, map.axis);
 }
 
-std::string map_svg(const MotionAnswer& motion, Index target, const std::string& unit) {
-  const analysis::PathContributions& contributions = motion.contributions;
-  const Eigen::MatrixXd amplitudes = largest_by_columns(contributions, target);
-  const double largest = amplitudes.maxCoeff();
-  const double bottom_px = top_px + row_px * double(amplitudes.rows());
-  const std::string title =
-      fmt::format("{}: contributions, dark: {} {}", target_name(target, contributions.targets),
-                  number(largest), unit);
+std::string map_svg(const PathMap& map, const Places& paths, const std::string& unit) {
+  const double largest = map.amplitudes.maxCoeff();
+  const double bottom_px = top_px + row_px * double(map.amplitudes.rows());
+  const std::string title = fmt::format("{}, dark: {} {}", map.title, number(largest), unit);
   std::string svg = fmt::format(
       R"(<svg viewBox="0 0 {:.0f} {:.0f}" role="img" aria-label="{}"><text x="{}" y="14" class="title">{}</text>)",
       width_px, bottom_px + foot_px, xml_escaped(title), left_px, xml_escaped(title));
-  for (Index path = 0; path < amplitudes.rows(); ++path) {
+  for (Index path = 0; path < map.amplitudes.rows(); ++path) {
     const double y_px = top_px + row_px * double(path);
-    svg += row_svg(amplitudes.row(path), largest, y_px) +
+    svg += row_svg(map.amplitudes.row(path), largest, y_px) +
            fmt::format(R"(<text x="{:.1f}" y="{:.1f}" class="end small">{}</text>)", left_px - 4,
-                       y_px + row_px - 2.5, xml_escaped(path_label(path, contributions.paths)));
+                       y_px + row_px - 2.5, xml_escaped(path_label(path, paths)));
   }
   svg += fmt::format(R"(<rect class="frame" x="{}" y="{}" width="{}" height="{:.1f}"/>)", left_px,
                      top_px, width_px - left_px - right_px, bottom_px - top_px);
-  return svg + frequency_axis(contributions.grid, bottom_px) + "</svg>\n";
+  return svg + axis_svg(map, bottom_px) + "</svg>\n";
 }
 
 }  // namespace
 
-std::string contribution_maps(const MotionAnswer& motion, const std::string& unit) {
-  if (motion.contributions.grid.lines < 2) return "";
+std::string frequency_maps(const MotionAnswer& motion, const std::string& unit) {
+  const analysis::PathContributions& found = motion.contributions;
+  if (found.grid.lines < 2) return "";
   std::string maps;
-  for (std::size_t i = 0; i < motion.contributions.targets.size(); ++i) {
-    maps += map_svg(motion, Index(i), unit);
+  for (std::size_t i = 0; i < found.targets.size(); ++i) {
+    maps += map_svg(
+        {target_name(Index(i), found.targets), largest_by_columns(found, Index(i)),
+         "frequency [Hz]", found.grid.first_Hz, found.grid.frequency_Hz(found.grid.lines - 1)},
+        found.paths, unit);
   }
   return "<h3>Contributions over frequency</h3>\n<div class=\"figures\">" + maps + "</div>\n" +
          paragraph(fmt::format("Amplitudes, mean in power over the blocks, the largest of the "
                                "lines in a column. White: {:g} dB below the darkest and less, or "
                                "lines left out.",
                                range_dB));
+}
+
+std::string time_maps(const MotionAnswer& motion, const std::string& unit) {
+  if (!motion.over_time) return "";
+  const auto& [duration_s, build_up_s, rms] = *motion.over_time;
+  std::string maps;
+  for (std::size_t i = 0; i < rms.size(); ++i) {
+    maps += map_svg(
+        {target_name(Index(i), motion.contributions.targets), rms[i], "time [s]", 0, duration_s},
+        motion.contributions.paths, unit);
+  }
+  return "<h3>Contributions over time</h3>\n<div class=\"figures\">" + maps + "</div>\n" +
+         paragraph(fmt::format(
+             "RMS of the histories, which filters of the same inverse and FRFs make of the "
+             "record. They reach back {:.2g} s, and begin from rest.",
+             build_up_s));
 }
 
 }  // namespace rvbench::bench::report

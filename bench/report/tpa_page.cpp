@@ -49,7 +49,7 @@ std::string sentence_section(const TpaStudy& study) {
 
 std::string faults_of(const MotionAnswer& motion) {
   std::string items;
-  for (const analysis::TpaFault& fault : motion.faults) {
+  for (const analysis::TpaFault& fault : motion.findings.faults) {
     items +=
         "<li><b>" + xml_escaped(fault.where) + "</b>: " + xml_escaped(fault.reason) + "</li>\n";
   }
@@ -58,10 +58,13 @@ std::string faults_of(const MotionAnswer& motion) {
 
 std::string motion_section(const MotionAnswer& motion, const TpaStudy& study) {
   const std::string& unit = study.frfs.matrix.response_unit;
-  return section(motion.motion.name, faults_of(motion) + report::contributions_part(motion, unit) +
-                                         report::contribution_maps(motion, unit) +
-                                         report::validation_part(motion, unit) +
-                                         report::forces_part(motion, study.frfs));
+  std::string found;
+  for (const std::string& text : findings_text(motion.findings)) found += paragraph(text);
+  return section(motion.motion.name,
+                 faults_of(motion) + found + report::contributions_part(motion, unit) +
+                     report::frequency_maps(motion, unit) + report::time_maps(motion, unit) +
+                     report::validation_part(motion, unit) +
+                     report::forces_part(motion, study.frfs));
 }
 
 // The findings of the first motion that has any: one recording may stand for several motions.
@@ -105,16 +108,16 @@ std::string hits_text(const TpaFrfs& frfs) {
 
 std::string method_section(const TpaStudy& study) {
   const analysis::LineGrid grid = grid_of(study.frfs.matrix);
-  std::string body = paragraph(fmt::format(
-      "Forces are found line by line ({} lines, {:g} Hz apart) from {} indicators by an inverse of "
-      "their FRFs, regularised by {}. A contribution is FRF times force, complex; its bar is the "
-      "RMS over the band. Intervals hold in 95 % of {} replicates, in which blocks are drawn anew "
-      "and FRFs within their errors. A path leads if it is ahead of all others in 95 % of them and "
-      "if the paths explain {:.0f} % of what sensors show that were not fitted to. {} lines were "
-      "left out for want of coherence.",
+  std::string body = paragraph(std::string(tpa_method(study.project.method).how));
+  body += paragraph(fmt::format(
+      "{} lines, {:g} Hz apart; {} indicators; rule {}; {} lines were left out for want of "
+      "coherence. A contribution is complex, and its bar the RMS over the band. Intervals hold in "
+      "95 % of {} replicates, in which blocks are drawn anew and FRFs within their errors. A path "
+      "leads if it is ahead of all others in 95 % of them and if the paths explain {:.0f} % of "
+      "what was not fitted to.",
       grid.lines, grid.step_Hz, study.project.indicators.size(), study.project.rule,
-      study.project.resampling.replicates, 100 * analysis::TpaFaultLimits{}.least_score,
-      study.frfs.coherent.left_out));
+      study.frfs.coherent.left_out, study.project.resampling.replicates,
+      100 * analysis::TpaFaultLimits{}.least_score));
   body += hits_text(study.frfs);
   std::vector<std::vector<std::string>> rows;
   for (const auto& [file, hash] : study.hashes) {

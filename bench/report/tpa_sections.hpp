@@ -12,12 +12,16 @@ namespace rvbench::bench::report {
 std::string contributions_part(const MotionAnswer& motion, const std::string& unit);
 
 /// Contribution of each path over frequency, one map per target.
-std::string contribution_maps(const MotionAnswer& motion, const std::string& unit);
+std::string frequency_maps(const MotionAnswer& motion, const std::string& unit);
+
+/// As well over time.
+std::string time_maps(const MotionAnswer& motion, const std::string& unit);
 
 /// Measured against synthesised spectra at targets and at sensors that were not fitted to.
 std::string validation_part(const MotionAnswer& motion, const std::string& unit);
 
-/// Forces of the leading paths, condition number and kept singular values, line by line.
+/// Forces of the leading paths, condition number and kept singular values, line by line; of
+/// references, how far they can be told apart.
 std::string forces_part(const MotionAnswer& motion, const TpaFrfs& frfs);
 
 /// Spectra of the targets before and after the repair.

@@ -80,6 +80,28 @@ std::string figures(const std::string& svgs) {
   return "<div class=\"figures\">" + svgs + "</div>\n";
 }
 
+std::string inversion_figures(const analysis::PathContributions& found) {
+  const Spectrum decades = found.conditions.array().log10().unaryExpr(
+      [](double value) { return std::isfinite(value) ? value : not_known; });
+  Spectrum kept(found.grid.lines);
+  for (Index line = 0; line < kept.size(); ++line) {
+    kept[line] = double(found.rules[std::size_t(line)].kept);
+  }
+  return one_trace("condition number of the FRFs to indicators", found.grid,
+                   axis_around("logarithm to base 10", decades), decades) +
+         one_trace(fmt::format("singular values kept, of {}", found.forces.rows), found.grid,
+                   {"number", 0, double(found.forces.rows) + 1}, kept);
+}
+
+// Where forces are not known: how far references can be told apart.
+std::string references_part(const MotionAnswer& motion) {
+  const analysis::PathContributions& found = motion.contributions;
+  return "<h3>References</h3>\n" +
+         figures(one_trace(fmt::format("independent ways in which the {} moved", found.forces.rows),
+                           found.grid, {"number", 0, double(found.forces.rows) + 1},
+                           motion.findings.ways));
+}
+
 }  // namespace
 
 std::string validation_part(const MotionAnswer& motion, const std::string& unit) {
@@ -107,6 +129,7 @@ std::string validation_part(const MotionAnswer& motion, const std::string& unit)
 
 std::string forces_part(const MotionAnswer& motion, const TpaFrfs& frfs) {
   const analysis::PathContributions& found = motion.contributions;
+  if (motion.findings.ways.size() > 0) return references_part(motion);
   const Eigen::MatrixXd forces = mean_amplitudes(found.forces);
   std::string svgs;
   for (const Index path : first_paths(motion)) {
@@ -114,17 +137,8 @@ std::string forces_part(const MotionAnswer& motion, const TpaFrfs& frfs) {
     svgs += one_trace("force at " + path_name(path, found.paths), found.grid,
                       level_axis(frfs.matrix.excitation_unit, force, force), in_dB(force));
   }
-  const Spectrum decades = found.conditions.array().log10().unaryExpr(
-      [](double value) { return std::isfinite(value) ? value : not_known; });
-  svgs += one_trace("condition number of the FRFs to indicators", found.grid,
-                    axis_around("logarithm to base 10", decades), decades);
-  Spectrum kept(found.grid.lines);
-  for (Index line = 0; line < kept.size(); ++line) {
-    kept[line] = double(found.rules[std::size_t(line)].kept);
-  }
-  svgs += one_trace(fmt::format("singular values kept, of {}", found.forces.rows), found.grid,
-                    {"number", 0, double(found.forces.rows) + 1}, kept);
-  return "<h3>Forces and their inversion</h3>\n" + figures(svgs);
+  if (!found.rules.empty()) svgs += inversion_figures(found);
+  return "<h3>Forces</h3>\n" + figures(svgs);
 }
 
 std::string repair_part(const MotionAnswer& motion, const TpaStudy& study) {

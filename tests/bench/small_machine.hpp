@@ -23,6 +23,7 @@ struct SmallMachine {
   double forearm_noise = 0;         ///< of the sensor for validation, in operation
   double sign_of_j2 = 1;            ///< of the sensor at J2 active, in operation
   bool has_flange = true;           ///< in operation
+  double mount_stiffness_N_m = 0;   ///< forces act through springs, on the passive sides; 0: none
   unsigned seed = 1;                ///< of all noise and scatter
 
   /// Sensors' answers to a force at J1 and at J2, (m/s²)/N.
@@ -32,7 +33,8 @@ struct SmallMachine {
   };
   static constexpr Gain gains[] = {{"J1 active", 1, 0.2}, {"J1 passive", 0.6, 0.3},
                                    {"J2 active", 0.1, 1}, {"J2 passive", 0.2, 0.7},
-                                   {"flange", 0.5, 0.5},  {"forearm", 0.4, 0.6}};
+                                   {"flange", 0.5, 0.5},  {"forearm", 0.4, 0.6},
+                                   {"base", 0.3, 0.8},    {"plate", 0.7, 0.4}};
 };
 
 inline Channel channel_of(const char* name, const char* unit, double rate_Hz,
@@ -63,6 +65,15 @@ inline std::vector<Recording> hits_of(const SmallMachine& machine, bool at_j2, u
   return hits;
 }
 
+/// What the active side of a spring does beside what its passive side does: ẍ of F = k·x.
+inline Eigen::VectorXd give_of(const Eigen::VectorXd& force, double stiffness_N_m, double rate_Hz) {
+  const Eigen::Index n = force.size();
+  Eigen::VectorXd give = Eigen::VectorXd::Zero(n);
+  give.segment(1, n - 2) = (force.tail(n - 2) - 2 * force.segment(1, n - 2) + force.head(n - 2)) *
+                           (rate_Hz * rate_Hz / stiffness_N_m);
+  return give;
+}
+
 /// Ten seconds of operation.
 inline Recording operation_of(const SmallMachine& machine, unsigned seed) {
   std::mt19937 engine(seed);
@@ -78,6 +89,11 @@ inline Recording operation_of(const SmallMachine& machine, unsigned seed) {
     const std::string name = gain.point;
     if (name == "flange" && !machine.has_flange) continue;
     Eigen::VectorXd x = gain.j1 * at_j1 + gain.j2 * at_j2 + noise(machine.noise);
+    if (machine.mount_stiffness_N_m > 0 && (name == "J1 active" || name == "J2 active")) {
+      const bool is_1 = name == "J1 active";
+      x = (is_1 ? 0.6 : 0.2) * at_j1 + (is_1 ? 0.3 : 0.7) * at_j2 + noise(machine.noise) +
+          give_of(is_1 ? at_j1 : at_j2, machine.mount_stiffness_N_m, machine.rate_Hz);
+    }
     if (name == "J2 active") x *= machine.sign_of_j2;
     if (name == "forearm" && machine.forearm_noise > 0) x += noise(machine.forearm_noise);
     record.channels.push_back(channel_of(gain.point, "m/s²", machine.rate_Hz, std::move(x)));

@@ -5,6 +5,7 @@
 
 #include "analysis/frf/hammer_test.hpp"
 #include "analysis/tpa/matrix_inverse.hpp"
+#include "analysis/tpa/mimo_convolver.hpp"
 #include "analysis/tpa/smoothed_frfs.hpp"
 #include "sim/robot/hammer_test.hpp"
 #include "sim/robot/operation.hpp"
@@ -90,6 +91,31 @@ inline analysis::LineMatrices spectra_of(const Eigen::MatrixXd& histories, doubl
     recording.channels.push_back({{std::to_string(i), "", "+X"}, rate_Hz, 0, histories.col(i)});
   }
   return analysis::operating_spectra(recording, places, grid).spectra.value().values;
+}
+
+/// What a recording holds at these places: samples x places.
+inline Eigen::MatrixXd samples_of(const Recording& recording,
+                                  const std::vector<DegreeOfFreedom>& places) {
+  Eigen::MatrixXd samples(recording.channels.front().samples.size(), Eigen::Index(places.size()));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (const Channel& channel : recording.channels) {
+      if (DegreeOfFreedom{channel.info.name, channel.info.direction} != places[i]) continue;
+      samples.col(Eigen::Index(i)) = channel.samples;
+    }
+  }
+  return samples;
+}
+
+/// What filters make of inputs, their delay taken out, as far as the record goes.
+inline Eigen::MatrixXd filtered(const analysis::FirMatrix& filters, const Eigen::MatrixXd& inputs) {
+  const auto delay = static_cast<Eigen::Index>(std::floor(filters.delay_samples));
+  const Eigen::Index taps = filters.taps.rows();
+  analysis::MimoConvolver convolver(filters, {taps, 1});
+  Eigen::MatrixXd padded = Eigen::MatrixXd::Zero(inputs.rows() + 2 * taps, inputs.cols());
+  padded.topRows(inputs.rows()) = inputs;
+  Eigen::MatrixXd out(convolver.ready_after(padded.rows()), filters.outputs);
+  convolver.push(padded, out);
+  return out.middleRows(delay, inputs.rows());
 }
 
 }  // namespace rvbench::test

@@ -1,6 +1,8 @@
 #include <catch2/catch.hpp>
 #include <iostream>
 
+#include "analysis/tpa/linear_phase_filters.hpp"
+#include "analysis/tpa/path_histories.hpp"
 #include "tests/support/under_sanitizer.hpp"
 #include "tests/tpa/robot_study.hpp"
 
@@ -65,12 +67,40 @@ TEST_CASE("plain inversion invents forces where the matrix is ill-conditioned", 
         test::robot_roles(robot), find_rule(rule)->rule, {}, 1);
     CHECK(found.conditions.minCoeff() > 100);
     return test::force_error(
-        found, test::spectra_of(operation.truth.forces_N, robot.options().rate_Hz, quiet),
-        {100, 1e12});
+        found.forces, test::spectra_of(operation.truth.forces_N, robot.options().rate_Hz, quiet),
+        found.conditions, {100, 1e12});
   };
   // Off by more than if it said that there are none.
   CHECK(error("none") > 1);
   CHECK(error("tikhonov_by_evidence") < 1);
+}
+
+TEST_CASE("force histories of the virtual robot are its own; the article's filters lose them",
+          "[tpa][robot]") {
+  if (test::too_long_under_sanitizer()) return;
+  const sim::VirtualRobot robot(robot_of(3));
+  const double rate_Hz = robot.options().rate_Hz;
+  const sim::Operation operation = sim::operate(robot, sim::RobotMotion::straight_slow);
+  const FrfMatrix frfs = test::exact_frfs(robot, quarter_hertz);
+  const auto found = matrix_inverse_contributions(
+      frfs, test::spectra_of(robot, operation.recording, quarter_hertz), test::robot_roles(robot),
+      find_rule("tikhonov_by_gcv")->rule, {}, 1);
+  const Eigen::MatrixXd inputs = test::samples_of(operation.recording, found.inputs);
+  const auto off = [&](const Eigen::MatrixXd& forces_N) {
+    // Away from both ends: filters of 4 s reach back 3 s, and 1 s ahead.
+    const Index from = Index(3 * rate_Hz), rows = Index(16 * rate_Hz);
+    const auto spectra = [&](const Eigen::MatrixXd& histories) {
+      return test::spectra_of(histories.middleRows(from, rows), rate_Hz, quarter_hertz);
+    };
+    return test::force_error(spectra(forces_N), spectra(operation.truth.forces_N), found.conditions,
+                             test::well_conditioned);
+  };
+  const auto histories = path_histories(found, inputs, rate_Hz);
+  REQUIRE(histories);
+  CHECK(off(histories->forces) < 0.1);
+  const FirMatrix linear_phase =
+      linear_phase_filters(found.to_forces, quarter_hertz.first_Hz, quarter_hertz.step_Hz, rate_Hz);
+  CHECK(off(test::filtered(linear_phase, inputs)) > 0.5);
 }
 
 TEST_CASE("20 virtual robots", "[.tpa20]") {

@@ -31,13 +31,12 @@ struct Conditions {
 inline constexpr Conditions well_conditioned{1, 30}, ill_conditioned{2000, 1e12};
 
 /// Relative error of all forces over the lines of such conditions.
-inline double force_error(const analysis::PathContributions& found,
-                          const analysis::LineMatrices& truth, const Conditions& conditions) {
+inline double force_error(const analysis::LineMatrices& forces, const analysis::LineMatrices& truth,
+                          const Eigen::VectorXd& conditions, const Conditions& among) {
   double error = 0, power = 0;
   for (Eigen::Index line = 0; line < truth.lines; ++line) {
-    const double condition = found.conditions[line];
-    if (condition < conditions.least || condition > conditions.most) continue;
-    error += (found.forces[line] - truth[line]).squaredNorm();
+    if (conditions[line] < among.least || conditions[line] > among.most) continue;
+    error += (forces[line] - truth[line]).squaredNorm();
     power += truth[line].squaredNorm();
   }
   return std::sqrt(error / power);
@@ -93,9 +92,11 @@ inline void study_robot(const sim::VirtualRobot& robot, const analysis::FrfMatri
                                                                 analysis::find_rule(rules[i])->rule,
                                                                 {}, robot.options().threads);
       study.worst_score = std::min(study.worst_score, found.validation.score());
-      study.worst_force = std::max(study.worst_force, force_error(found, forces, well_conditioned));
+      study.worst_force = std::max(
+          study.worst_force, force_error(found.forces, forces, found.conditions, well_conditioned));
       study.worst_ill_force =
-          std::max(study.worst_ill_force, force_error(found, forces, ill_conditioned));
+          std::max(study.worst_ill_force,
+                   force_error(found.forces, forces, found.conditions, ill_conditioned));
       for (const auto& ranking : analysis::rank_contributions(found, {band})) {
         compare_target(found, ranking, partial[std::size_t(ranking.target)],
                        operation.truth.ranking.leaders[std::size_t(ranking.target)], study);

@@ -31,9 +31,18 @@ PathProblem with_levels(const Eigen::Vector4d& levels, unsigned seed) {
   return problem;
 }
 
+std::vector<RankingCertainty> certainty(const PathProblem& problem, const Resampling& resampling,
+                                        unsigned threads = 1) {
+  const auto anew = [&](const FrfMatrix& frfs, const std::vector<Index>& blocks) {
+    return matrix_inverse_contributions(frfs, blocks_of(problem.operating, blocks), problem.roles,
+                                        find_rule("none")->rule, {}, 1);
+  };
+  return ranking_certainty(problem.frfs, PathProblem::blocks, anew,
+                           rank_contributions(problem.solved(), {whole}), resampling, threads);
+}
+
 std::vector<RankingCertainty> certainty(const PathProblem& problem, std::uint64_t seed = 1) {
-  return ranking_certainty(problem.frfs, problem.operating, problem.roles, find_rule("none")->rule,
-                           {}, rank_contributions(problem.solved(), {whole}), {200, seed}, 1);
+  return certainty(problem, {200, seed});
 }
 
 }  // namespace
@@ -143,16 +152,10 @@ TEST_CASE("the interval holds the true contribution about as often as it says", 
 TEST_CASE("the same seed draws the same, on any number of threads", "[tpa]") {
   PathProblem problem = with_levels({6, 1, 3, 2}, 6);
   problem.add_frf_errors(0.05, 3);
-  const auto rankings = rank_contributions(problem.solved(), {whole});
   const auto again = [&](unsigned threads, std::uint64_t seed) {
-    return ranking_certainty(problem.frfs, problem.operating, problem.roles,
-                             find_rule("none")->rule, {}, rankings, {20, seed}, threads)[0]
-        .rms[0]
-        .low;
+    return certainty(problem, {20, seed}, threads)[0].rms[0].low;
   };
   CHECK(again(1, 7) == again(4, 7));
   CHECK(again(1, 7) != again(1, 8));
-  CHECK_THROWS_AS(ranking_certainty(problem.frfs, problem.operating, problem.roles,
-                                    find_rule("none")->rule, {}, rankings, {5, 1}),
-                  std::invalid_argument);
+  CHECK_THROWS_AS(certainty(problem, {5, 1}), std::invalid_argument);
 }
