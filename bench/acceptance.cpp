@@ -198,7 +198,7 @@ void conclude_run(Judgement& judgement, const Acceptance& acceptance, RunLog& lo
   if (!log_hung) judgement.facts.events = log.events();
   bar.show("report", 0, "writing");
   tell_in_files(judgement, [&](const Judgement& told) {
-    return write_results(acceptance.folder, told, acceptance.kinematics);
+    return write_results(acceptance.folder, told, acceptance.kinematics, acceptance.with_report);
   });
   bar.clear();
 }

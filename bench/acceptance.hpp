@@ -37,6 +37,7 @@ struct Acceptance {
                                     ///< rig, which is its own
   std::vector<std::string> warnings = {};  ///< of the rig file; they go into the log
   std::string lost_points = {};            ///< what an earlier part of the run has measured in vain
+  bool with_report = true;                 ///< report.html, which can be made later as well
   RecordingMaker begin_recording = make_recording;  ///< another watches what is recorded
 };
 

@@ -87,15 +87,18 @@ void tell_in_files(Judgement& judgement,
 
 std::vector<std::string> write_results(const std::filesystem::path& folder,
                                        const Judgement& judgement,
-                                       const analysis::Kinematics& kinematics) {
+                                       const analysis::Kinematics& kinematics, bool with_report) {
   const auto put = [&folder](const char* name, const std::function<std::string()>& text) {
     return ResultFile{name, [&folder, name, text] { write_file(folder / name, text()); }};
   };
-  return unwritten_files(folder,
-                         {put("verdict.json", [&] { return judgement_to_json(judgement); }),
-                          put("junit.xml", [&] { return junit_xml(judgement); }),
-                          {"report.html", [&] { write_report(folder, judgement, kinematics); }},
-                          {"SHA256SUMS", [&] { write_sums(folder); }}});
+  const auto report = [&] {
+    if (with_report) return write_report(folder, judgement, kinematics);
+    std::filesystem::remove(folder / "report.html");
+  };
+  return unwritten_files(folder, {put("verdict.json", [&] { return judgement_to_json(judgement); }),
+                                  put("junit.xml", [&] { return junit_xml(judgement); }),
+                                  {"report.html", report},
+                                  {"SHA256SUMS", [&] { write_sums(folder); }}});
 }
 
 }  // namespace rvbench::bench

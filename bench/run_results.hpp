@@ -28,11 +28,11 @@ std::vector<std::string> unwritten_files(const std::filesystem::path& folder,
 void tell_in_files(Judgement& judgement,
                    const std::function<std::vector<std::string>(const Judgement&)>& write);
 
-/// verdict.json, junit.xml, report.html and SHA256SUMS of a run folder. @return as
-/// unwritten_files()
+/// verdict.json, junit.xml, report.html, if it is asked for, and SHA256SUMS of a run folder. An
+/// older report goes in any case. @return as unwritten_files()
 std::vector<std::string> write_results(const std::filesystem::path& folder,
                                        const Judgement& judgement,
-                                       const analysis::Kinematics& kinematics);
+                                       const analysis::Kinematics& kinematics, bool with_report);
 
 /// report.html alone, out of what the folder holds.
 /// @throws std::system_error if it cannot be written

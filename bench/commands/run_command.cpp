@@ -65,6 +65,7 @@ class RunCommand final : public Command {
         {"--dry-run", "print the timeline and its envelope; touch nothing", &dry_run_},
         {"--out", "folder for run folders; default: " + out_, &out_},
         {"--resume", "go on with the newest unfinished run of this serial", &resume_},
+        {"--no-report", "no report.html: rvbench report makes it later", &no_report_},
         {"--json", "one JSON document on standard output", &json_}};
   }
   int run(Console& console) override;
@@ -87,6 +88,7 @@ class RunCommand final : public Command {
   std::string out_ = "runs";
   bool dry_run_ = false;
   bool resume_ = false;
+  bool no_report_ = false;
   bool json_ = false;
   RigFile file_;    // what --rig names, read once
   RunPlace place_;  // locked until the command ends
@@ -200,6 +202,7 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
   }
   ProgressBar bar(console, progress_style(console, json_));
   Acceptance acceptance{plan, kinematics, place_.folder, facts(plan), twin_of(file_)};
+  acceptance.with_report = !no_report_;
   for (const hal::ConfigFault& warning : warnings) {
     acceptance.warnings.push_back(hal::describe(rig_, warning));
   }

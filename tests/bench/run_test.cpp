@@ -67,6 +67,23 @@ TEST_CASE("a run leaves a folder that says everything and agrees with its exit c
   CHECK_THAT(judged.err, Catch::Contains("speed 1500 rpm as given: the shaft's angle, which says"));
 }
 
+TEST_CASE("a run without report is whole, and the report is made later", "[bench]") {
+  const rvbench::test::ScratchFolder scratch;
+  write_file(scratch.path() / "one.json", one_point_plan());
+  const std::string runs = (scratch.path() / "runs").string();
+  const Answer answer = test::rvbench({"run", (scratch.path() / "one.json").string(), "--rig",
+                                       "sim", "--serial", "A17", "--out", runs, "--no-report"});
+  CHECK(answer.code == 0);
+  CHECK_THAT(answer.out, Catch::Contains("PASS") && !Catch::Contains("Report:"));
+  const std::filesystem::path folder =
+      std::filesystem::directory_iterator(scratch.path() / "runs" / "A17")->path();
+  CHECK_FALSE(std::filesystem::exists(folder / "report.html"));
+  CHECK(verify_sums(folder).empty());
+  CHECK(test::rvbench({"report", folder.string()}).code == 0);
+  CHECK(std::filesystem::file_size(folder / "report.html") > 0);
+  CHECK(verify_sums(folder).empty());
+}
+
 TEST_CASE("a run whose points are all measured is resumed by judging them", "[bench]") {
   const rvbench::test::ScratchFolder scratch;
   const std::string plan = (scratch.path() / "one.json").string();
