@@ -48,7 +48,11 @@ std::optional<ContributionsOverTime> contributions_over_time(
   const auto histories = histories_of(contributions, recording);
   if (!histories) return std::nullopt;
   const Index samples = histories->forces.rows();
-  ContributionsOverTime over_time{double(samples) / histories->rate_Hz, histories->build_up_s, {}};
+  ContributionsOverTime over_time{double(samples) / histories->rate_Hz,
+                                  histories->reach_back_s,
+                                  histories->reach_ahead_s,
+                                  histories->cut_share,
+                                  {}};
   for (const Eigen::MatrixXd& at_target : histories->contributions) {
     over_time.rms.push_back(analysis::rms_over_time(at_target, std::min(most_stretches, samples)));
   }

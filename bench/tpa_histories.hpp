@@ -13,7 +13,7 @@ namespace rvbench::bench {
 /// What each path adds to each target as time goes on.
 struct ContributionsOverTime {
   double duration_s = 0;
-  double build_up_s = 0;             ///< of PathHistories
+  double reach_back_s = 0, reach_ahead_s = 0, cut_share = 0;  ///< of PathHistories
   std::vector<Eigen::MatrixXd> rms;  ///< one per target: paths x stretches of equal length
 };
 

@@ -61,12 +61,15 @@ std::optional<PathHistories> path_histories(const PathContributions& contributio
     return std::nullopt;
   }
   const FilterDesign design = design_of(grid, rate_Hz);
-  const auto filters_of = [&](const LineMatrices& lines) {
-    return deconvolution_filters(lines, grid.first_Hz, grid.step_Hz, design).filters;
-  };
   PathHistories histories;
+  const auto filters_of = [&](const LineMatrices& lines) {
+    DesignedFilters designed = deconvolution_filters(lines, grid.first_Hz, grid.step_Hz, design);
+    histories.cut_share = std::max(histories.cut_share, designed.cut_share.maxCoeff());
+    return std::move(designed.filters);
+  };
   histories.rate_Hz = rate_Hz;
-  histories.build_up_s = double(design.taps - design.delay_samples) / rate_Hz;
+  histories.reach_back_s = double(design.taps - design.delay_samples) / rate_Hz;
+  histories.reach_ahead_s = double(design.delay_samples) / rate_Hz;
   histories.forces = filtered(filters_of(contributions.to_forces), inputs);
   histories.contributions.assign(contributions.targets.size(),
                                  Eigen::MatrixXd(inputs.rows(), contributions.forces.rows));

@@ -119,18 +119,19 @@ std::string frequency_maps(const MotionAnswer& motion, const std::string& unit) 
 
 std::string time_maps(const MotionAnswer& motion, const std::string& unit) {
   if (!motion.over_time) return "";
-  const auto& [duration_s, build_up_s, rms] = *motion.over_time;
+  const ContributionsOverTime& over_time = *motion.over_time;
   std::string maps;
-  for (std::size_t i = 0; i < rms.size(); ++i) {
-    maps += map_svg(
-        {target_name(Index(i), motion.contributions.targets), rms[i], "time [s]", 0, duration_s},
-        motion.contributions.paths, unit);
+  for (std::size_t i = 0; i < over_time.rms.size(); ++i) {
+    maps += map_svg({target_name(Index(i), motion.contributions.targets), over_time.rms[i],
+                     "time [s]", 0, over_time.duration_s},
+                    motion.contributions.paths, unit);
   }
   return "<h3>Contributions over time</h3>\n<div class=\"figures\">" + maps + "</div>\n" +
          paragraph(fmt::format(
              "RMS of the histories, which filters of the same inverse and FRFs make of the "
-             "record. They reach back {:.2g} s, and begin from rest.",
-             build_up_s));
+             "record. They reach {:.2g} s back and {:.2g} s ahead, where the record begins from "
+             "rest and ends; what they cut off is {:.1g} of their energy.",
+             over_time.reach_back_s, over_time.reach_ahead_s, over_time.cut_share));
 }
 
 }  // namespace rvbench::bench::report

@@ -22,6 +22,18 @@ struct RobotStudy {
   double worst_score = 1;  ///< at the sensors for validation, over the band
   double worst_force = 0;  ///< relative error of the forces where the matrix is well conditioned
   double worst_ill_force = 0;  ///< and where it is ill-conditioned
+
+  void add(const RobotStudy& other) {
+    cases += other.cases;
+    leaders_right += other.leaders_right;
+    contributions += other.contributions;
+    within += other.within;
+    worst_rms = std::max(worst_rms, other.worst_rms);
+    worst_phase_deg = std::max(worst_phase_deg, other.worst_phase_deg);
+    worst_score = std::min(worst_score, other.worst_score);
+    worst_force = std::max(worst_force, other.worst_force);
+    worst_ill_force = std::max(worst_ill_force, other.worst_ill_force);
+  }
 };
 
 /// Condition numbers that lines lie between.
