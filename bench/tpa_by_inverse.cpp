@@ -28,8 +28,10 @@ ByInverse::ByInverse(const TpaProject& project, const TpaFrfs& frfs,
 analysis::PathContributions ByInverse::contributions(const analysis::FrfMatrix& frfs,
                                                      const std::vector<Eigen::Index>& blocks,
                                                      unsigned threads) const {
-  return analysis::matrix_inverse_contributions(frfs, blocks_of(motion_, blocks), roles_, rule_,
-                                                frfs_.coherent.is_used, threads);
+  // How much is inverted is one answer of all blocks; a few of them, some twice, would say less.
+  return analysis::over_blocks(analysis::matrix_inverse_contributions(
+                                   frfs, motion_, roles_, rule_, frfs_.coherent.is_used, threads),
+                               blocks);
 }
 
 MethodFindings ByInverse::findings(const analysis::PathContributions& whole) const {

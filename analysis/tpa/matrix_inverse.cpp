@@ -148,4 +148,10 @@ PathContributions matrix_inverse_contributions(const FrfMatrix& frfs,
           of_unweighted(std::move(inverse.values), indicators.weights)};
 }
 
+PathContributions over_blocks(PathContributions whole, const std::vector<Index>& blocks) {
+  whole.forces = columns_of(whole.forces, blocks);
+  whole.measured_targets = columns_of(whole.measured_targets, blocks);
+  return whole;
+}
+
 }  // namespace rvbench::analysis

@@ -58,4 +58,9 @@ PathContributions matrix_inverse_contributions(
     const FrfMatrix& frfs, const OperatingSpectra& operating, const SensorRoles& roles,
     const RegularisationRule& rule, std::vector<bool> is_used = {}, unsigned threads = 0);
 
+/// The same inverse over some of its blocks, in this order; one may be there twice. Validation
+/// stays that of all. Shape   of the whole, as many blocks. Units  of the whole Errors  throws
+/// std::invalid_argument of a block that is not there. Source  definition
+PathContributions over_blocks(PathContributions whole, const std::vector<Eigen::Index>& blocks);
+
 }  // namespace rvbench::analysis

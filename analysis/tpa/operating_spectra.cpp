@@ -157,14 +157,7 @@ TakenSpectra operating_spectra(const Recording& recording,
 }
 
 OperatingSpectra blocks_of(const OperatingSpectra& spectra, const std::vector<Index>& blocks) {
-  constexpr Require require{"blocks_of"};
-  const LineMatrices& all = spectra.values;
-  for (const Index block : blocks) {
-    require(block >= 0 && block < all.columns, "no block " + std::to_string(block));
-  }
-  LineMatrices some = LineMatrices::unset(all.rows, Index(blocks.size()), all.lines);
-  for (Index line = 0; line < all.lines; ++line) some[line] = all[line](Eigen::all, blocks);
-  return {spectra.places, spectra.unit, spectra.grid, std::move(some)};
+  return {spectra.places, spectra.unit, spectra.grid, columns_of(spectra.values, blocks)};
 }
 
 }  // namespace rvbench::analysis

@@ -14,7 +14,7 @@ struct PathHistories {
   std::vector<Eigen::MatrixXd> contributions;  ///< one per target: samples x paths
   double reach_back_s = 0;   ///< of the filters: what was before the record is not known to them
   double reach_ahead_s = 0;  ///< as well, what comes after it
-  double cut_share = 0;      ///< of the worst filter's energy, what its taps and their fading cut off
+  double cut_share = 0;  ///< of the worst filter's energy, what its taps and their fading cut off
 };
 
 /// Histories by filters of the same inverse and FRFs that contributions were found with: causal,

@@ -34,8 +34,9 @@ PathProblem with_levels(const Eigen::Vector4d& levels, unsigned seed) {
 std::vector<RankingCertainty> certainty(const PathProblem& problem, const Resampling& resampling,
                                         unsigned threads = 1) {
   const auto anew = [&](const FrfMatrix& frfs, const std::vector<Index>& blocks) {
-    return matrix_inverse_contributions(frfs, blocks_of(problem.operating, blocks), problem.roles,
-                                        find_rule("none")->rule, {}, 1);
+    return over_blocks(matrix_inverse_contributions(frfs, problem.operating, problem.roles,
+                                                    find_rule("none")->rule, {}, 1),
+                       blocks);
   };
   return ranking_certainty(problem.frfs, PathProblem::blocks, anew,
                            rank_contributions(problem.solved(), {whole}), resampling, threads);
