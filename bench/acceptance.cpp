@@ -15,6 +15,7 @@
 #include "bench/run_recordings.hpp"
 #include "bench/run_results.hpp"
 #include "bench/sha256.hpp"
+#include "bench/software_version.hpp"
 #include "bench/text_file.hpp"
 #include "bench/twin_check.hpp"
 #include "bench/verdict_json.hpp"
@@ -34,17 +35,6 @@ Ending fate_of(const RunLog& log) {
   return bench_fault({IoErrc::refused, std::string("log.jsonl: ") + std::strerror(log.error())});
 }
 
-hal::RecordingLayout layout_of(const Acceptance& acceptance, const hal::Rig& rig) {
-  hal::RecordingLayout layout;
-  layout.points = acceptance.plan.points();
-  layout.acceleration_channels = rig.accelerometers->channels();
-  layout.acceleration_rate_Hz = rig.accelerometers->rate_Hz();
-  layout.acceleration_range_m_s2 = rig.accelerometers->range_m_s2();
-  layout.torque_rate_Hz = rig.torque_sensor->rate_Hz();
-  layout.software = "rvbench " + acceptance.facts.software;
-  return layout;
-}
-
 // What an earlier part of the run saw of the bench, where this one has nothing to measure: it came
 // to rest.
 void take_over(const std::filesystem::path& folder, RunFacts& facts) {
@@ -59,7 +49,7 @@ void take_over(const std::filesystem::path& folder, RunFacts& facts) {
 Ending record(Acceptance& acceptance, hal::Rig& rig, RunLog& log, std::stop_token stop,
               const RunRecordings& before, int first_point) {
   const std::filesystem::path file = acceptance.folder / before.next_name();
-  auto writer = acceptance.begin_recording(file, layout_of(acceptance, rig));
+  auto writer = acceptance.begin_recording(file, layout_of(acceptance.plan, rig));
   if (!writer) return bench_fault(writer.error());
   const sequences::RunSummary summary = sequences::run_sequence(
       acceptance.plan, rig, *writer.value(), log, std::move(stop), first_point);
@@ -214,6 +204,17 @@ void conclude_run(Judgement& judgement, const Acceptance& acceptance, RunLog& lo
 }
 
 }  // namespace
+
+hal::RecordingLayout layout_of(const sequences::TestPlan& plan, const hal::Rig& rig) {
+  hal::RecordingLayout layout;
+  layout.points = plan.points();
+  layout.acceleration_channels = rig.accelerometers->channels();
+  layout.acceleration_rate_Hz = rig.accelerometers->rate_Hz();
+  layout.acceleration_range_m_s2 = rig.accelerometers->range_m_s2();
+  layout.torque_rate_Hz = rig.torque_sensor->rate_Hz();
+  layout.software = "rvbench " + software_version();
+  return layout;
+}
 
 Result<std::unique_ptr<hal::RecordingWriter>> make_recording(const std::filesystem::path& file,
                                                              const hal::RecordingLayout& layout) {

@@ -23,6 +23,10 @@ using RecordingMaker = std::function<Result<std::unique_ptr<hal::RecordingWriter
 Result<std::unique_ptr<hal::RecordingWriter>> make_recording(const std::filesystem::path& file,
                                                              const hal::RecordingLayout& layout);
 
+/// How a plan is recorded on a rig.
+/// Units  of the rig. Errors  none thrown. Source  the plan's points, the rig's devices
+hal::RecordingLayout layout_of(const sequences::TestPlan& plan, const hal::Rig& rig);
+
 /// What one acceptance test works with.
 struct Acceptance {
   const sequences::TestPlan& plan;

@@ -4,6 +4,7 @@
 
 #include "bench/software_version.hpp"
 #include "hal/recording_file.hpp"
+#include "hal/types/require.hpp"
 #include "hal/types/units.hpp"
 
 namespace rvbench::bench {
@@ -24,6 +25,20 @@ Status append(hal::RecordingWriter& writer, int point, const Recording& recordin
                            .t0_s = torque.start_s,
                            .speed_rpm = units::rpm_from_rad_s(turned_rad_s),
                            .torque_Nm = torque.samples.mean()});
+}
+
+hal::AccelerationBlock block_of(const Recording& recording, std::size_t channels) {
+  constexpr Require require{"write_vibration_hdf5"};
+  require(recording.channels.size() == channels, "recordings of other channels");
+  const Channel& first = recording.channels.front();
+  hal::AccelerationBlock block{first.start_s, {first.samples.size(), Eigen::Index(channels)}};
+  for (std::size_t i = 0; i < channels; ++i) {
+    const Channel& channel = recording.channels[i];
+    require(channel.rate_Hz == first.rate_Hz && channel.samples.size() == first.samples.size(),
+            "channels of other rates or lengths");
+    block.scans.col(Eigen::Index(i)) = channel.samples.cast<float>();
+  }
+  return block;
 }
 
 }  // namespace
@@ -67,6 +82,33 @@ Status write_hdf5(const std::filesystem::path& file, const std::vector<Recording
   for (std::size_t i = 0; i < recordings.size(); ++i) {
     if (Status written = append(*writer.value(), static_cast<int>(i), recordings[i]); !written) {
       return written;
+    }
+  }
+  return writer.value()->close();
+}
+
+Status write_vibration_hdf5(const std::filesystem::path& file,
+                            const std::vector<Recording>& recordings) {
+  constexpr Require require{"write_vibration_hdf5"};
+  require(!recordings.empty() && !recordings.front().channels.empty(), "nothing to write");
+  hal::RecordingLayout layout;
+  layout.software = "rvbench " + software_version();
+  layout.acceleration_rate_Hz = recordings.front().channels.front().rate_Hz;
+  for (const Channel& channel : recordings.front().channels) {
+    layout.acceleration_channels.push_back(channel.info);
+  }
+  for (const Recording& recording : recordings) {
+    layout.points.push_back({recording.planned_speed_rpm, recording.load_pct, recording.repeat});
+  }
+  auto writer = hal::RecordingWriter::create(file, layout);
+  if (!writer) return writer.error();
+  for (std::size_t i = 0; i < recordings.size(); ++i) {
+    const hal::AccelerationBlock block =
+        block_of(recordings[i], layout.acceleration_channels.size());
+    const int point = static_cast<int>(i);
+    if (Status written = writer.value()->append(point, block); !written) return written;
+    if (Status ended = writer.value()->end_point({.point = point, .t0_s = block.t0_s}); !ended) {
+      return ended;
     }
   }
   return writer.value()->close();

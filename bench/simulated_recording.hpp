@@ -19,4 +19,12 @@ std::string csv_of(const Recording& recording);
 /// @return why not: one of them has no such channels, the file exists or cannot be written
 Status write_hdf5(const std::filesystem::path& file, const std::vector<Recording>& recordings);
 
+/// A recording of rvbench's own format, of vibration alone: a point of each, all channels on one
+/// clock. Units stay those of the channels.
+/// @return why not: the file exists or cannot be written
+/// @throws std::invalid_argument: no recording, channels that differ in rate or length, or from
+///         those of the first recording in number
+Status write_vibration_hdf5(const std::filesystem::path& file,
+                            const std::vector<Recording>& recordings);
+
 }  // namespace rvbench::bench

@@ -12,7 +12,7 @@ foreach(file IN ITEMS  # the only users of sim
     order_between.hpp order_campaign.cpp order_campaign.hpp order_choice.cpp order_choice.hpp order_features.cpp order_features.hpp order_pushes.cpp
     order_pushes.hpp order_records.hpp order_twin.cpp
     order_twin.hpp planned_inputs.cpp planned_inputs.hpp plant_family.cpp plant_family.hpp programme_cells.cpp programme_cells.hpp
-    rig_factory.cpp served_bench.cpp served_bench.hpp sim_world.cpp sim_world.hpp standstill.cpp standstill.hpp time_records.cpp time_records.hpp time_twin.cpp time_twin.hpp twin.cpp twin.hpp twin_candidates.cpp
+    rig_factory.cpp served_bench.cpp served_bench.hpp sim_world.cpp sim_world.hpp standstill.cpp standstill.hpp time_records.cpp time_records.hpp time_twin.cpp time_twin.hpp tpa_simulation.cpp twin.cpp twin.hpp twin_candidates.cpp
     twin_candidates.hpp twin_check.cpp twin_check.hpp
     commands/check_command.cpp commands/devices_command.cpp commands/explain_command.cpp
     commands/simulate_command.cpp

@@ -28,7 +28,8 @@ struct DirectionDoubt {
 /// A driving point that gives power is reversed. A place whose reciprocal pairs are nearly all
 /// equal but for the sign is reversed too; where only one pair says so, both of its places are
 /// named. Axes of a point are swapped where its responses agree (score above 0.8) with those to the
-/// other axis' force and not with those to their own, both ways round.
+/// other axis' force and not with those to their own, both ways round. A pair that differs by no
+/// more than a lean of 0.1 rad makes of the largest response between its points is not doubted.
 ///
 /// Shape   any number of responses of the same lines; each doubt once
 /// Units   responses to reciprocal places in the same unit

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "analysis/frf/unlike_hits.hpp"
 #include "analysis/statistics.hpp"
 
 namespace rvbench::analysis {
@@ -37,15 +38,33 @@ void reject_unequal(JudgedHit& hit, const FrfRecord& record, const FrfRecord& fi
                                     first.rate_Hz)});
 }
 
+void reject_unlike(HammerResult& result, std::vector<std::size_t>& used,
+                   std::vector<FrfRecord>& windowed, double most) {
+  const Eigen::VectorXd distances = distances_to_others(windowed);
+  for (Eigen::Index i = distances.size() - 1; i >= 0; --i) {
+    const double distance = distances[i];
+    if (distance <= most) continue;
+    result.hits[used[std::size_t(i)]].faults.push_back(
+        {HitFaultKind::unlike_others, distance, most,
+         fmt::format("unlike others: {:.0f} % from what most hits at this place gave, at most "
+                     "{:.0f} % is allowed: off in direction or place",
+                     100 * distance, 100 * most)});
+    used.erase(used.begin() + i);
+    windowed.erase(windowed.begin() + i);
+  }
+}
+
 void average(const HammerSeries& series, const HammerOptions& options, HammerResult& result) {
+  std::vector<std::size_t> used;
   std::vector<FrfRecord> accepted;
   for (std::size_t i = 0; i < series.hits.size(); ++i) {
     if (!result.hits[i].accepted()) continue;
-    if (!accepted.empty()) reject_unequal(result.hits[i], series.hits[i], accepted.front());
-    if (result.hits[i].accepted()) {
-      accepted.push_back(windowed_hit(series.hits[i], options.windows));
-    }
+    if (!used.empty()) reject_unequal(result.hits[i], series.hits[i], series.hits[used.front()]);
+    if (!result.hits[i].accepted()) continue;
+    used.push_back(i);
+    accepted.push_back(windowed_hit(series.hits[i], options.windows));
   }
+  reject_unlike(result, used, accepted, options.most_apart);
   if (accepted.empty()) return;
   result.estimates =
       estimate_responses(hit_spectra(accepted), series.setup, options.estimator,

@@ -18,6 +18,7 @@ struct HammerOptions {
   HitWindows windows = {};
   HitLimits limits = {};
   double least_share_of_median = 0.2;  ///< of the session's median peak; weaker hits are rejected
+  double most_apart = 0.2;             ///< of distances_to_others(); hits further off are rejected
   FrfEstimator estimator = FrfEstimator::h1;
 };
 

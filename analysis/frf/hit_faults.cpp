@@ -182,6 +182,7 @@ const char* to_string(HitFaultKind kind) noexcept {
     case HitFaultKind::response_clipped: return "response clipped";
     case HitFaultKind::not_decayed: return "not decayed";
     case HitFaultKind::unequal: return "unequal";
+    case HitFaultKind::unlike_others: return "unlike others";
   }
   return "unknown";
 }

@@ -17,7 +17,8 @@ enum class HitFaultKind {
   narrow_spectrum,   ///< mis-hit or soft tip: the force does not reach all of the band
   response_clipped,  ///< a response was
   not_decayed,       ///< a response goes on at the end: leakage
-  unequal            ///< rate or length are not those of the hits before it
+  unequal,           ///< rate or length are not those of the hits before it
+  unlike_others      ///< other responses than most hits at the place: off in direction or place
 };
 
 /// Why a hit is not used: what was measured, and what would have been allowed.

@@ -27,4 +27,16 @@ inline double same_axis(const DegreeOfFreedom& a, const DegreeOfFreedom& b) {
   return a.point == b.point && one.axis == other.axis ? one.sign * other.sign : 0;
 }
 
+/// Along the axis, not against it: "-X" and "X" are "+X". No direction stays none.
+/// Units  none. Errors  none thrown. Source  definition
+inline DegreeOfFreedom positive(const DegreeOfFreedom& place) {
+  if (place.direction.empty()) return place;
+  return {place.point, "+" + axis_of(place.direction).axis};
+}
+
+/// "J3 active +X". Errors  none thrown. Source  definition
+inline std::string name_of(const DegreeOfFreedom& place) {
+  return place.direction.empty() ? place.point : place.point + " " + place.direction;
+}
+
 }  // namespace rvbench::analysis

@@ -11,8 +11,12 @@ struct FilterGrid {
   Eigen::Index first = 0;
 };
 
-/// @throws std::invalid_argument in the name of `where` if rate and first line are no multiples of
-///         the step (to 1e-6 of it), or a line lies above half the rate
+/// Whether rate and first line are multiples of the step, to 1e-6 of it.
+/// Units  Hz. Errors  none thrown. Source  definition
+bool has_filter_grid(double first_Hz, double step_Hz, double rate_Hz);
+
+/// @throws std::invalid_argument in the name of `where` if there is none, or a line lies above
+///         half the rate
 FilterGrid filter_grid(const char* where, const LineMatrices& lines, double first_Hz,
                        double step_Hz, double rate_Hz);
 

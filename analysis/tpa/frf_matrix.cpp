@@ -14,24 +14,11 @@ using Places = std::vector<DegreeOfFreedom>;
 // Frequencies come from files as decimal numbers.
 constexpr double same_Hz = 1e-6;
 
-struct Signed {
-  DegreeOfFreedom place;
-  double sign = 1;
-};
-
-Signed positive(DegreeOfFreedom place) {
-  const SignedAxis along = axis_of(place.direction);
-  if (!place.direction.empty()) place.direction = "+" + along.axis;
-  return {place, along.sign};
-}
-
-std::string name_of(const DegreeOfFreedom& place) {
-  return place.direction.empty() ? place.point : place.point + " " + place.direction;
-}
-
-std::string name_of(const DegreeOfFreedom& response, const DegreeOfFreedom& excitation) {
+std::string pair_name(const DegreeOfFreedom& response, const DegreeOfFreedom& excitation) {
   return name_of(response) + " per " + name_of(excitation);
 }
+
+double sign_of(const DegreeOfFreedom& place) { return axis_of(place.direction).sign; }
 
 // Its place in the list, the end if it is not there.
 Index index_of(const Places& places, const DegreeOfFreedom& place) {
@@ -48,7 +35,7 @@ class Assembly {
  public:
   Assembly(const std::vector<FrequencyResponse>& set, const Places& columns) : set_(set) {
     for (const DegreeOfFreedom& column : columns) {
-      matrix_.excitations.push_back(positive(column).place);
+      matrix_.excitations.push_back(positive(column));
     }
     may_add_columns_ = columns.empty();
   }
@@ -66,25 +53,25 @@ class Assembly {
  private:
   void fault(const FrequencyResponse& frf, const std::string& what) {
     const std::string from = frf.source.empty() ? "" : " (" + frf.source + ")";
-    faults_.push_back(name_of(frf.response, frf.excitation) + from + ": " + what);
+    faults_.push_back(pair_name(frf.response, frf.excitation) + from + ": " + what);
   }
 
   void find_places() {
     for (const FrequencyResponse& frf : set_) {
-      const Signed response = positive(frf.response), excitation = positive(frf.excitation);
-      const bool is_column = may_add_columns_ || index_of(matrix_.excitations, excitation.place) <
+      const DegreeOfFreedom excitation = positive(frf.excitation);
+      const bool is_column = may_add_columns_ || index_of(matrix_.excitations, excitation) <
                                                      Index(matrix_.excitations.size());
       if (!is_column) fault(frf, "its excitation is none of the paths");
-      find_or_add(matrix_.responses, response.place);
-      if (is_column) find_or_add(matrix_.excitations, excitation.place);
-      if (response.sign < 0) note_flip("response", frf.response);
-      if (excitation.sign < 0) note_flip("excitation", frf.excitation);
+      find_or_add(matrix_.responses, positive(frf.response));
+      if (is_column) find_or_add(matrix_.excitations, excitation);
+      if (sign_of(frf.response) < 0) note_flip("response", frf.response);
+      if (sign_of(frf.excitation) < 0) note_flip("excitation", frf.excitation);
     }
   }
 
   void note_flip(const std::string& what, const DegreeOfFreedom& place) {
     const std::string note = what + " " + name_of(place) + " is taken as " +
-                             name_of(positive(place).place) + ", with the other sign";
+                             name_of(positive(place)) + ", with the other sign";
     const auto& known = matrix_.notes;
     if (std::find(known.begin(), known.end(), note) == known.end()) matrix_.notes.push_back(note);
   }
@@ -100,7 +87,9 @@ class Assembly {
           frf.values.size() == first.values.size() &&
           std::abs(frf.first_Hz - first.first_Hz) <= tolerance_Hz &&
           std::abs(last_Hz - first.frequency_Hz(first.values.size() - 1)) <= tolerance_Hz;
-      if (!same_lines) fault(frf, "other lines than " + name_of(first.response, first.excitation));
+      if (!same_lines) {
+        fault(frf, "other lines than " + pair_name(first.response, first.excitation));
+      }
       check_unit(frf, frf.response_unit, first.response_unit);
       check_unit(frf, frf.excitation_unit, first.excitation_unit);
       check_values(frf);
@@ -131,17 +120,17 @@ class Assembly {
     const Index rows = Index(matrix_.responses.size()), columns = Index(matrix_.excitations.size());
     pairs_.assign(std::size_t(rows * columns), nullptr);
     for (const FrequencyResponse& frf : set_) {
-      const Index column = index_of(matrix_.excitations, positive(frf.excitation).place);
+      const Index column = index_of(matrix_.excitations, positive(frf.excitation));
       if (column == columns) continue;
-      const Index row = index_of(matrix_.responses, positive(frf.response).place);
+      const Index row = index_of(matrix_.responses, positive(frf.response));
       const FrequencyResponse*& pair = pairs_[std::size_t(column * rows + row)];
       if (pair != nullptr) fault(frf, "given twice");
       pair = &frf;
     }
     for (Index i = 0; i < rows * columns; ++i) {
       if (pairs_[std::size_t(i)] != nullptr) continue;
-      faults_.push_back(name_of(matrix_.responses[std::size_t(i % rows)],
-                                matrix_.excitations[std::size_t(i / rows)]) +
+      faults_.push_back(pair_name(matrix_.responses[std::size_t(i % rows)],
+                                  matrix_.excitations[std::size_t(i / rows)]) +
                         ": missing");
     }
   }
@@ -161,7 +150,7 @@ class Assembly {
     if (errors_are_known) matrix_.variances.resize(rows * columns, lines);
     for (Index i = 0; i < rows * columns; ++i) {
       const FrequencyResponse& frf = *pairs_[std::size_t(i)];
-      const double sign = positive(frf.response).sign * positive(frf.excitation).sign;
+      const double sign = sign_of(frf.response) * sign_of(frf.excitation);
       for (Index line = 0; line < lines; ++line) {
         matrix_.values.values[line * rows * columns + i] = sign * frf.values[line];
         if (errors_are_known) matrix_.variances(i, line) = variance(frf, line);

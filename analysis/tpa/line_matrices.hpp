@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 namespace rvbench::analysis {
 
@@ -38,5 +39,10 @@ struct LineMatrices {
     return {values.data() + line * rows * columns, rows, columns};
   }
 };
+
+/// These columns, in this order; one may be there twice.
+/// Shape   as many columns, all lines. Units  of the whole
+/// Errors  throws std::invalid_argument of a column that is not there. Source  definition
+LineMatrices columns_of(const LineMatrices& all, const std::vector<Eigen::Index>& columns);
 
 }  // namespace rvbench::analysis

@@ -19,11 +19,11 @@ double noise_floor(const Eigen::Ref<const Eigen::MatrixXd>& variances) {
 Eigen::VectorXd noise_floors(const FrfMatrix& frfs) {
   constexpr Require require{"noise_floors"};
   const LineMatrices& values = frfs.values;
-  require(frfs.variances.cols() == values.lines, "the errors of the FRFs are not known");
+  require(frfs.noise.cols() == values.lines, "the noise of the FRFs is not known");
   Eigen::VectorXd floors(values.lines);
   for (Eigen::Index line = 0; line < values.lines; ++line) {
-    floors[line] = noise_floor(
-        Eigen::MatrixXd(frfs.variances.col(line).reshaped(values.rows, values.columns)));
+    floors[line] =
+        noise_floor(Eigen::MatrixXd(frfs.noise.col(line).reshaped(values.rows, values.columns)));
   }
   return floors;
 }

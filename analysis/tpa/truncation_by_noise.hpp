@@ -14,14 +14,14 @@ namespace rvbench::analysis {
 ///
 /// Shape   variances of the elements of one line: rows x columns → one, in units of the matrix
 /// Errors  throws std::invalid_argument: a variance that is negative or not finite
-/// Limits  takes the errors of different elements as independent; those of one hammer blow, which
-///         its force has in common, are not, and lie higher
+/// Limits  takes the errors of different elements as independent: those of noise are, those of a
+///         hammer blow's place and direction are not, but mix columns and lower no rank
 /// Source  Bandeira & van Handel, Ann. Probab. 44(4), 2479-2506 (2016); equal variances: Davidson &
 ///         Szarek, Handbook of the Geometry of Banach Spaces 1, 317-366 (2001)
 double noise_floor(const Eigen::Ref<const Eigen::MatrixXd>& variances);
 
-/// noise_floor() of each line of a matrix of FRFs.
-/// Errors  throws std::invalid_argument also if its variances are not known
+/// noise_floor() of each line of a matrix of FRFs, of its `noise`.
+/// Errors  throws std::invalid_argument also if that is not known
 Eigen::VectorXd noise_floors(const FrfMatrix& frfs);
 
 /// Keeps the singular values above the floor.

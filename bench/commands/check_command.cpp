@@ -11,6 +11,7 @@
 #include "bench/rig_factory.hpp"
 #include "bench/run_start.hpp"
 #include "bench/sha256.hpp"
+#include "bench/tpa_project.hpp"
 #include "hal/formats/printable.hpp"
 #include "sequences/plan.hpp"
 #include "sim/plant_json.hpp"
@@ -47,15 +48,21 @@ Faults campaign_faults(const std::string& file) {
   return campaign.index() == 1 ? std::get<1>(std::move(campaign)).faults : Faults{};
 }
 
+Faults tpa_faults(const std::string& file) {
+  auto project = read_tpa_project(file);
+  return project.index() == 1 ? std::get<1>(std::move(project)) : Faults{};
+}
+
 Faults faults_of(const std::string& kind, const std::string& file) {
   if (kind == "plan") return plan_faults(file);
   if (kind == "rig") return check_rig(file);
   if (kind == "kinematics") return kinematics_faults(file);
   if (kind == "plant") return plant_faults(file);
   if (kind == "campaign") return campaign_faults(file);
+  if (kind == "tpa") return tpa_faults(file);
   return {{1, "",
-           "neither plan (\"main\"), rig (\"rig\"), kinematics (\"machine\"), plant (\"plant\") "
-           "nor campaign (\"campaign\")"}};
+           "neither plan (\"main\"), rig (\"rig\"), kinematics (\"machine\"), plant (\"plant\"), "
+           "campaign (\"campaign\") nor tpa project (\"tpa\")"}};
 }
 
 int check_run(Console& console, const std::filesystem::path& folder) {
@@ -111,7 +118,8 @@ class CheckCommand final : public Command {
  public:
   std::string name() const override { return "check"; }
   std::string summary() const override {
-    return "validates plan, rig, kinematics, plant and campaign files, recordings and run folders";
+    return "validates plan, rig, kinematics, plant, campaign and tpa files, recordings and run "
+           "folders";
   }
   std::string examples() const override {
     return "  rvbench check plans/mine.json bench_a.json\n"

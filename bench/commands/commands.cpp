@@ -22,6 +22,7 @@ std::vector<std::unique_ptr<Command>> make_commands() {
   commands.push_back(make_probe_command());
   commands.push_back(make_devices_command());
   commands.push_back(make_judge_command());
+  commands.push_back(make_tpa_command());
   commands.push_back(make_compare_command());
   commands.push_back(make_explain_command());
   commands.push_back(make_simulate_command());

@@ -19,6 +19,7 @@ std::unique_ptr<Command> make_probe_command(
     std::filesystem::path lock_folder = BenchLock::folder_for_all());
 std::unique_ptr<Command> make_devices_command();
 std::unique_ptr<Command> make_judge_command();
+std::unique_ptr<Command> make_tpa_command();
 std::unique_ptr<Command> make_compare_command();
 std::unique_ptr<Command> make_explain_command();
 std::unique_ptr<Command> make_simulate_command();

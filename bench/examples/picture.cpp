@@ -80,7 +80,7 @@ Drawn draw(const Bars& bars) {
   for (const Bars::Group& group : bars.groups) {
     PlotGroup side_by_side{group.label, {}};
     for (const double value : group.values) {
-      side_by_side.bars.push_back({value, 0, styles.at(side_by_side.bars.size())});
+      side_by_side.bars.push_back({value, 0, 0, styles.at(side_by_side.bars.size())});
     }
     groups.push_back(std::move(side_by_side));
   }

@@ -57,10 +57,11 @@ std::string line_plot(const UnseenRecord& record) {
   std::vector<PlotGroup> groups;
   for (const Eigen::Index k : strongest(largest, most_lines)) {
     const double scatter = record.scatter.size() > 0 ? record.scatter[k] : 0;
-    groups.push_back({short_order(k + 1, 1 / b.step),
-                      {{b.measured[k], scatter, "measured"},
-                       {b.simulated[k], 0, "before"},
-                       {record.after.simulated[k], 0, "after"}}});
+    groups.push_back(
+        {short_order(k + 1, 1 / b.step),
+         {{b.measured[k], b.measured[k] - scatter, b.measured[k] + scatter, "measured"},
+          {b.simulated[k], 0, 0, "before"},
+          {record.after.simulated[k], 0, 0, "after"}}});
   }
   SvgPlot plot(title_of(record), {b.over, 0, static_cast<double>(groups.size())},
                axis_around(b.channel + " [" + b.unit + "]", largest), wide_px, high_px);

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "bench/report/explanation_sections.hpp"
+#include "bench/report/heat_colour.hpp"
 #include "bench/report/html.hpp"
 #include "bench/xml_text.hpp"
 
@@ -28,19 +28,6 @@ struct ResidualMap {
   std::vector<MapRow> rows;
   double largest = 0;
 };
-
-// White, yellow, red, dark: even steps of lightness.
-std::string colour(double share) {
-  constexpr std::array<std::array<double, 3>, 5> steps{
-      {{255, 255, 255}, {253, 231, 159}, {249, 160, 75}, {206, 58, 60}, {82, 12, 58}}};
-  const double at = std::clamp(share, 0.0, 1.0) * (steps.size() - 1);
-  const auto low = std::min(static_cast<std::size_t>(at), steps.size() - 2);
-  const auto mixed = [&](std::size_t c) {
-    return static_cast<int>(
-        std::lround(std::lerp(steps[low][c], steps[low + 1][c], at - static_cast<double>(low))));
-  };
-  return fmt::format("#{:02x}{:02x}{:02x}", mixed(0), mixed(1), mixed(2));
-}
 
 // Small ones are to be seen beside large ones.
 double share_of(double size, double largest) { return largest > 0 ? std::sqrt(size / largest) : 0; }
@@ -112,10 +99,10 @@ std::string row_svg(const ResidualMap& map, const Eigen::VectorXd& sizes, double
   std::string svg;
   const double cell_px = (width_px - left_px - right_px) / static_cast<double>(sizes.size());
   for (Eigen::Index i = 0; i < sizes.size(); ++i) {
-    svg +=
-        fmt::format(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}"/>)",
-                    left_px + static_cast<double>(i) * cell_px, y_px, cell_px + 0.3, row_px + 0.3,
-                    sizes[i] == not_shown ? "#e4e9ed" : colour(share_of(sizes[i], map.largest)));
+    svg += fmt::format(
+        R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}"/>)",
+        left_px + static_cast<double>(i) * cell_px, y_px, cell_px + 0.3, row_px + 0.3,
+        sizes[i] == not_shown ? "#e4e9ed" : heat_colour(share_of(sizes[i], map.largest)));
   }
   return svg;
 }
@@ -158,7 +145,7 @@ std::string map_svg(const ResidualMap& map, const std::string& title,
 std::string legend(const ResidualMap& map) {
   std::string cells;
   for (int i = 0; i < legend_cells; ++i) {
-    cells += "<i style=\"background:" + colour((i + 0.5) / legend_cells) + "\"></i>";
+    cells += "<i style=\"background:" + heat_colour((i + 0.5) / legend_cells) + "\"></i>";
   }
   return fmt::format(
       "<div class=\"scale\"><span>0</span>{}<span>{} {}</span></div><p class=\"note\">{}: size of "

@@ -124,10 +124,9 @@ void SvgPlot::add_groups(const std::vector<PlotGroup>& groups) {
       traces_ += fmt::format(
           R"(<rect class="bar {}" x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}"/>)",
           bar.style, left_at, py(bar.value), right_at - left_at, py(0) - py(bar.value));
-      if (bar.whisker == 0) continue;
+      if (!(bar.high > bar.low)) continue;
       traces_ += fmt::format(R"(<path class="whisker" d="M{0:.1f},{1:.1f}V{2:.1f}"/>)",
-                             (left_at + right_at) / 2, py(bar.value - bar.whisker),
-                             py(bar.value + bar.whisker));
+                             (left_at + right_at) / 2, py(bar.low), py(bar.high));
     }
     labels_ += fmt::format(R"(<text x="{:.1f}" y="{}" class="mid">{}</text>)",
                            px(static_cast<double>(g) + 0.5), height_px_ - bottom_px + 13,

@@ -12,9 +12,9 @@ struct PlotAxis {
   double max = 1;
 };
 
-/// A bar from 0, with a whisker each way if its value is uncertain by that.
+/// A bar from 0, with a whisker from `low` to `high` if these differ.
 struct PlotBar {
-  double value = 0, whisker = 0;
+  double value = 0, low = 0, high = 0;
   std::string style;  ///< class of the style sheet
 };
 

@@ -64,8 +64,8 @@ TEST_CASE("a band is as wide in each column as at its widest", "[bench]") {
 
 TEST_CASE("groups of bars stand on zero, with their labels in place of the ticks", "[bench]") {
   SvgPlot plot("groups", {"order", 0, 2}, {"x", 0, 2});
-  plot.add_groups(
-      {{"39/121", {{1, 0.5, "measured"}, {2, 0, "before"}}}, {"<1>", {{0, 0, "after"}}}});
+  plot.add_groups({{"39/121", {{1, 0.5, 1.5, "measured"}, {2, 0, 0, "before"}}},
+                   {"<1>", {{0, 0, 0, "after"}}}});
   const std::string svg = plot.svg();
   // 120 px from zero to the top of the frame.
   CHECK_THAT(svg, Contains("class=\"bar measured\"") && Contains("height=\"60.0\""));

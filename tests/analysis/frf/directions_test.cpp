@@ -162,6 +162,24 @@ SCENARIO("wrong directions are named", "[analysis][frf]") {
       CHECK(doubts[0].place == DegreeOfFreedom{"P1", "X"});
     }
   }
+  GIVEN("a weak pair across axes, and hits on one of its places that lean") {
+    const auto leaning = [&](double lean_rad) {
+      std::vector<FrequencyResponse> hit = all;
+      for (FrequencyResponse& frf : hit) {
+        const bool is_pair =
+            (is_at(frf.response, "P1", "+X") && is_at(frf.excitation, "P2", "+Y")) ||
+            (is_at(frf.response, "P2", "+Y") && is_at(frf.excitation, "P1", "+X"));
+        if (is_pair) frf.values *= 0.02;
+      }
+      for (std::size_t i = 0; i < hit.size(); ++i) {
+        if (!is_at(hit[i].excitation, "P2", "+Y")) continue;
+        hit[i].values += lean_rad * all[i - 1].values;  // the same response to P2 X
+      }
+      return direction_doubts(hit, band);
+    };
+    THEN("a lean as hits have it is not doubted") { CHECK(leaning(0.05).empty()); }
+    THEN("one beyond is") { CHECK_FALSE(leaning(0.4).empty()); }
+  }
   GIVEN("two places only, one of them reversed") {
     std::vector<FrequencyResponse> pair{two_masses(1, 0), two_masses(0, 1)};
     pair[0].values *= -1;

@@ -238,12 +238,12 @@ TEST_CASE("singular values of noise lie below its floor, those of paths above", 
   CHECK(of_noise.singular_values.row(0).mean() > 0.9 * floor);  // no lower than it need be
 }
 
-TEST_CASE("floors of a test's lines come from its coherence", "[analysis][tpa]") {
+TEST_CASE("floors of a test's lines come from its noise", "[analysis][tpa]") {
   FrfMatrix frfs;
   frfs.values = LineMatrices(2, 1, 2);
   CHECK_THROWS_AS(noise_floors(frfs), std::invalid_argument);
-  frfs.variances = Eigen::MatrixXd(2, 2);
-  frfs.variances << 9, 0, 16, 0;
+  frfs.noise = Eigen::MatrixXd(2, 2);
+  frfs.noise << 9, 0, 16, 0;
   const Eigen::VectorXd floors = noise_floors(frfs);
   CHECK(floors[0] == Approx(4 + 5));
   CHECK(floors[1] == 0);

@@ -1,0 +1,186 @@
+#include "analysis/tpa/parametric_mounts.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <string>
+#include <utility>
+
+#include "analysis/frf/signed_axis.hpp"
+#include "hal/types/require.hpp"
+#include "hal/types/units.hpp"
+
+namespace rvbench::analysis {
+namespace {
+
+using Eigen::Index;
+using Complex = std::complex<double>;
+constexpr Require require{"parametric_mounts"};
+constexpr Index per_mount = 3;  // stiffness, damping, mass
+
+void require_alike(const FrfMatrix& frfs, const OperatingSpectra& operating,
+                   const std::vector<MountPlaces>& mounts) {
+  const LineGrid& grid = operating.grid;
+  require(grid.lines == frfs.values.lines && operating.values.lines == grid.lines &&
+              std::abs(grid.first_Hz - frfs.first_Hz) < 1e-6 * frfs.step_Hz &&
+              std::abs(grid.step_Hz - frfs.step_Hz) * double(grid.lines) < 0.05 * frfs.step_Hz,
+          "the spectra are not on the lines of the FRFs");
+  require(frfs.response_unit == "m/s²" && frfs.excitation_unit == "N" && operating.unit == "m/s²",
+          "parameters of mounts need m/s² and N");
+  require(Index(mounts.size()) == frfs.values.columns,
+          std::to_string(mounts.size()) + " mounts for " + std::to_string(frfs.values.columns) +
+              " paths");
+  for (std::size_t i = 0; i < mounts.size(); ++i) {
+    require(positive(mounts[i].passive) == frfs.excitations[i],
+            name_of(mounts[i].passive) + " is not path " + std::to_string(i + 1));
+  }
+}
+
+// What each mount gives way by, mounts x blocks [m].
+LineMatrices gives_of(const OperatingSpectra& operating, const std::vector<MountPlaces>& mounts) {
+  std::vector<DegreeOfFreedom> active, passive;
+  for (const MountPlaces& mount : mounts) {
+    active.push_back(mount.active);
+    passive.push_back(mount.passive);
+  }
+  LineMatrices gives = rows_of(operating, active).values;
+  gives.values -= rows_of(operating, passive).values.values;
+  for (Index line = 0; line < gives.lines; ++line) {
+    const double omega = units::two_pi * operating.grid.frequency_Hz(line);
+    gives[line] /= -omega * omega;
+  }
+  return gives;
+}
+
+Eigen::VectorXd weights_of(const LineMatrices& rows) {
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(rows.rows);
+  for (Index line = 0; line < rows.lines; ++line) squares += rows[line].rowwise().squaredNorm();
+  const double loudest = squares.maxCoeff();
+  if (!(loudest > 0)) return Eigen::VectorXd::Ones(rows.rows);
+  return (squares / loudest).cwiseMax(1e-12).cwiseSqrt().cwiseInverse();
+}
+
+// Force per displacement of a unit of each parameter.
+Eigen::Vector3cd stiffnesses(double omega) { return {1.0, Complex(0, omega), -omega * omega}; }
+
+// Sums over all that is fitted to: KᵀK, Kᵀy, yᵀy, and how many real numbers y is.
+struct NormalEquations {
+  Eigen::MatrixXd square;
+  Eigen::VectorXd right;
+  double power = 0;
+  Index count = 0;
+
+  void add(const Eigen::MatrixXcd& columns, const Eigen::VectorXcd& values) {
+    square += (columns.adjoint() * columns).real();
+    right += (columns.adjoint() * values).real();
+    power += values.squaredNorm();
+    count += 2 * values.size();
+  }
+};
+
+void add_line(const Eigen::MatrixXcd& frfs, const Eigen::MatrixXcd& gives,
+              const Eigen::MatrixXcd& responses, double omega, NormalEquations& sums) {
+  const Eigen::Vector3cd of = stiffnesses(omega);
+  Eigen::MatrixXcd columns(frfs.rows(), per_mount * frfs.cols());
+  for (Index block = 0; block < gives.cols(); ++block) {
+    for (Index i = 0; i < columns.cols(); ++i) {
+      const Index mount = i / per_mount;
+      columns.col(i) = frfs.col(mount) * (of[i % per_mount] * gives(mount, block));
+    }
+    sums.add(columns, responses.col(block));
+  }
+}
+
+struct Solution {
+  Eigen::VectorXd parameters, deviations;
+};
+
+Solution solve(const NormalEquations& sums) {
+  const Eigen::VectorXd sizes = sums.square.diagonal().cwiseSqrt();
+  const Eigen::VectorXd scales = (sizes.array() > 0).select(sizes.cwiseInverse(), 0.0);
+  const Eigen::MatrixXd scaled = scales.asDiagonal() * sums.square * scales.asDiagonal();
+  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposed(scaled);
+  const Eigen::MatrixXd inverse = decomposed.pseudoInverse();
+  const Eigen::VectorXd x = scales.cwiseProduct(inverse * scales.cwiseProduct(sums.right));
+  const double left_over =
+      std::max(0.0, sums.power - 2 * x.dot(sums.right) + x.dot(sums.square * x));
+  const double freedom = double(std::max<Index>(sums.count - x.size(), 1));
+  return {
+      x, scales.cwiseProduct((inverse.diagonal().cwiseMax(0) * (left_over / freedom)).cwiseSqrt())};
+}
+
+std::vector<MountParameters> by_mount(const Eigen::VectorXd& values) {
+  std::vector<MountParameters> mounts;
+  for (Index i = 0; i < values.size(); i += per_mount) {
+    mounts.push_back({values[i], values[i + 1], values[i + 2]});
+  }
+  return mounts;
+}
+
+// Every other line of the band, from the second on.
+std::vector<bool> held_out_lines(const LineGrid& grid, const TpaBand& band) {
+  std::vector<bool> is_held_out(std::size_t(grid.lines), false);
+  Index in_band = 0;
+  for (Index line = 0; line < grid.lines; ++line) {
+    if (!holds(band, grid, line)) continue;
+    require(grid.frequency_Hz(line) > 0, "a mount has no stiffness at 0 Hz that could be told");
+    is_held_out[std::size_t(line)] = in_band++ % 2 == 1;
+  }
+  require(in_band >= 4, std::to_string(in_band) + " lines in the band");
+  return is_held_out;
+}
+
+// Turns what the mounts give way by into what they pass on; 0 outside the band.
+void make_forces(const Eigen::VectorXd& parameters, const LineGrid& grid, const TpaBand& band,
+                 LineMatrices& gives) {
+  for (Index line = 0; line < grid.lines; ++line) {
+    const Eigen::Vector3cd of = stiffnesses(units::two_pi * grid.frequency_Hz(line));
+    for (Index mount = 0; mount < gives.rows; ++mount) {
+      const auto own = parameters.segment<per_mount>(per_mount * mount);
+      const Complex stiffness = own[0] * of[0] + own[1] * of[1] + own[2] * of[2];
+      gives[line].row(mount) *= holds(band, grid, line) ? stiffness : 0.0;
+    }
+  }
+}
+
+}  // namespace
+
+std::complex<double> dynamic_mass(const MountParameters& mount, double frequency_Hz) {
+  const double omega = units::two_pi * frequency_Hz;
+  const Eigen::Vector3cd of = stiffnesses(omega);
+  const Complex stiffness =
+      mount.stiffness_N_m * of[0] + mount.damping_N_s_m * of[1] + mount.mass_kg * of[2];
+  return stiffness / (-omega * omega);
+}
+
+ParametricMounts parametric_mounts(const FrfMatrix& frfs, const OperatingSpectra& operating,
+                                   const std::vector<MountPlaces>& mounts,
+                                   const std::vector<DegreeOfFreedom>& fitted,
+                                   const TpaBand& band) {
+  require_alike(frfs, operating, mounts);
+  const LineGrid& grid = operating.grid;
+  std::vector<bool> is_held_out = held_out_lines(grid, band);
+  OperatingSpectra sensors = rows_of(operating, fitted);
+  const LineMatrices to_sensors = rows_of(frfs, fitted).values;
+  LineMatrices forces = gives_of(operating, mounts);
+  const Eigen::VectorXd weights = weights_of(sensors.values);
+  const Index unknowns = per_mount * Index(mounts.size());
+  NormalEquations sums{Eigen::MatrixXd::Zero(unknowns, unknowns), Eigen::VectorXd::Zero(unknowns)};
+  for (Index line = 0; line < grid.lines; ++line) {
+    if (!holds(band, grid, line) || is_held_out[std::size_t(line)]) continue;
+    add_line(weights.asDiagonal() * Eigen::MatrixXcd(to_sensors[line]), forces[line],
+             weights.asDiagonal() * Eigen::MatrixXcd(sensors.values[line]),
+             units::two_pi * grid.frequency_Hz(line), sums);
+  }
+  const Solution found = solve(sums);
+  make_forces(found.parameters, grid, band, forces);
+  LineMatrices synthesised(sensors.values.rows, sensors.values.columns, grid.lines);
+  for (Index line = 0; line < grid.lines; ++line) {
+    synthesised[line] = to_sensors[line] * forces[line];
+  }
+  return {by_mount(found.parameters), by_mount(found.deviations), std::move(forces),
+          OnBoardValidation(std::move(sensors), std::move(synthesised), std::move(is_held_out))};
+}
+
+}  // namespace rvbench::analysis

@@ -1,0 +1,261 @@
+#include "bench/tpa_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "bench/sha256.hpp"
+#include "bench/software_version.hpp"
+#include "bench/stop_on_signal.hpp"
+#include "bench/tpa_hits.hpp"
+#include "bench/tpa_reducer.hpp"
+#include "hal/formats/read_recordings.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+using Eigen::Index;
+
+constexpr double sure = 0.95;  // of the replicates
+
+struct Operation {
+  analysis::OperatingSpectra spectra;
+  Recording recording;
+};
+
+// An operating record at these sensors, or why there is none.
+std::variant<Operation, TpaRefusal> operation_of(const std::string& file,
+                                                 const std::vector<DegreeOfFreedom>& sensors,
+                                                 const TpaFrfs& frfs) {
+  auto read = hal::read_recordings(file);
+  if (!read) return TpaRefusal{read.error().where};
+  std::vector<Recording> recordings = std::move(read).value();
+  if (recordings.size() != 1) {
+    return TpaRefusal{
+        fmt::format("{}: holds {} recordings; a motion is one", file, recordings.size())};
+  }
+  Recording& record = recordings.front();
+  if (!record.status.empty() && record.status != "ok") {
+    return TpaRefusal{file + ": " + record.status};
+  }
+  auto taken = analysis::operating_spectra(record, sensors, grid_of(frfs.matrix));
+  if (!taken.spectra) {
+    for (std::string& fault : taken.faults) fault.insert(0, file + ": ");
+    return std::move(taken.faults);
+  }
+  const bool has_frfs = frfs.matrix.values.rows > 0;
+  if (has_frfs && taken.spectra->unit != frfs.matrix.response_unit) {
+    return TpaRefusal{fmt::format("{}: is in \"{}\", the FRFs tell of \"{}\"", file,
+                                  taken.spectra->unit, frfs.matrix.response_unit)};
+  }
+  return Operation{std::move(*taken.spectra), std::move(record)};
+}
+
+Eigen::MatrixXd band_rms(const Eigen::MatrixXd& amplitudes, const analysis::LineGrid& grid,
+                         const std::vector<analysis::TpaBand>& bands) {
+  Eigen::MatrixXd rms(amplitudes.rows(), Index(bands.size()));
+  for (std::size_t band = 0; band < bands.size(); ++band) {
+    Eigen::VectorXd power = Eigen::VectorXd::Zero(amplitudes.rows());
+    for (Index line = 0; line < grid.lines; ++line) {
+      if (analysis::holds(bands[band], grid, line)) power += amplitudes.col(line).cwiseAbs2();
+    }
+    rms.col(Index(band)) = (analysis::mean_square_per_power * power).cwiseSqrt();
+  }
+  return rms;
+}
+
+// What operation is recorded by: sensors, and both sides of mounts.
+std::vector<DegreeOfFreedom> operating_places(const TpaProject& project) {
+  std::vector<DegreeOfFreedom> all = sensors_of(project);
+  if (project.active.empty()) return all;
+  for (const auto* side : {&project.active, &project.paths}) {
+    for (const DegreeOfFreedom& place : *side) {
+      if (std::ranges::find(all, place) == all.end()) all.push_back(place);
+    }
+  }
+  return all;
+}
+
+class Study {
+ public:
+  Study(const TpaProject& project, TpaFrfs& frfs, ProgressBar& bar, std::stop_token stop)
+      : project_(project),
+        frfs_(frfs),
+        method_(tpa_method(project.method)),
+        bar_(bar),
+        stop_(std::move(stop)) {}
+
+  std::variant<MotionAnswer, TpaRefusal> answer(const TpaMotion& motion) {
+    show(motion, "spectra");
+    auto taken = operation_of(motion.recording, operating_places(project_), frfs_);
+    if (auto* refusal = std::get_if<TpaRefusal>(&taken)) return std::move(*refusal);
+    auto& [spectra, recording] = std::get<0>(taken);
+    const Index blocks = spectra.values.columns;
+    if (!method_.needs_frfs) frfs_.matrix.response_unit = spectra.unit;
+    auto made = method_.make(project_, frfs_, std::move(spectra));
+    if (const auto* why = std::get_if<std::string>(&made)) {
+      return TpaRefusal{motion.recording + ": " + *why};
+    }
+    show(motion, "forces");
+    MotionAnswer answer = analysed(motion, *std::get<0>(made), blocks);
+    show(motion, "histories");
+    answer.over_time = contributions_over_time(answer.contributions, recording);
+    if (auto refusal = add_repair(answer)) return std::move(*refusal);
+    if (auto refusal = add_reducer(answer)) return std::move(*refusal);
+    ++done_;
+    return answer;
+  }
+
+ private:
+  void show(const TpaMotion& motion, const char* doing) {
+    end_if_stopped(stop_);
+    bar_.show("paths", double(done_) / double(project_.motions.size()), motion.name + ": " + doing);
+  }
+
+  MotionAnswer analysed(const TpaMotion& motion, const TpaMethod& method, Index blocks) {
+    std::vector<Index> all(static_cast<std::size_t>(blocks));
+    std::iota(all.begin(), all.end(), 0);
+    MotionAnswer answer{motion, method.contributions(frfs_.matrix, all, 0), {}, {}, {}, {}, {}};
+    answer.findings = method.findings(answer.contributions);
+    show(motion, "certainty");
+    const auto anew = [&](const analysis::FrfMatrix& frfs, const std::vector<Index>& drawn) {
+      return method.contributions(frfs, drawn, 1);
+    };
+    const auto rankings = analysis::rank_contributions(answer.contributions, project_.bands);
+    const auto certainties =
+        analysis::ranking_certainty(frfs_.matrix, blocks, anew, rankings, project_.resampling);
+    for (std::size_t i = 0; i < rankings.size(); ++i) {
+      answer.answers.push_back(
+          {rankings[i], certainties[i],
+           word_of(rankings[i], certainties[i], answer.findings.ways, answer.contributions.grid)});
+    }
+    return answer;
+  }
+
+  std::optional<TpaRefusal> add_repair(MotionAnswer& answer) {
+    if (answer.motion.after.empty()) return std::nullopt;
+    show(answer.motion, "after the repair");
+    auto taken = operation_of(answer.motion.after, project_.targets, frfs_);
+    if (auto* refusal = std::get_if<TpaRefusal>(&taken)) return std::move(*refusal);
+    const analysis::LineGrid grid = grid_of(frfs_.matrix);
+    RepairAnswer repair{answer.motion.after,
+                        mean_amplitudes(answer.contributions.measured_targets),
+                        mean_amplitudes(std::get<0>(taken).spectra.values),
+                        {},
+                        {}};
+    repair.before_rms = band_rms(repair.before, grid, project_.bands);
+    repair.after_rms = band_rms(repair.after, grid, project_.bands);
+    answer.repair = std::move(repair);
+    return std::nullopt;
+  }
+
+  // One recording may stand for several motions: it is judged once.
+  std::optional<TpaRefusal> add_reducer(MotionAnswer& answer) {
+    const auto& reducer = answer.motion.reducer;
+    if (!reducer) return std::nullopt;
+    const auto joints = leading_joints(answer.answers, answer.contributions.paths);
+    if (std::ranges::find(joints, reducer->joint) == joints.end()) return std::nullopt;
+    const std::array key{reducer->recording, reducer->after, reducer->kinematics};
+    if (!judged_.contains(key)) {
+      show(answer.motion, "reducer");
+      auto judged = judge_reducer(*reducer, stop_);
+      if (auto* why = std::get_if<std::string>(&judged)) return TpaRefusal{*why};
+      judged_.emplace(key, std::get<0>(std::move(judged)));
+    }
+    answer.reducer = judged_.at(key);
+    return std::nullopt;
+  }
+
+  const TpaProject& project_;
+  TpaFrfs& frfs_;
+  const NamedTpaMethod& method_;
+  ProgressBar& bar_;
+  std::stop_token stop_;
+  std::size_t done_ = 0;
+  std::map<std::array<std::string, 3>, ReducerAnswer> judged_;
+};
+
+std::vector<std::pair<std::string, std::string>> hashes_of(const TpaProject& project) {
+  std::vector<std::string> files = project.frf_files;
+  if (project.hammer) {
+    for (const TpaHits& hits : project.hammer->hits) files.push_back(hits.file);
+  }
+  for (const TpaMotion& motion : project.motions) {
+    files.push_back(motion.recording);
+    if (!motion.after.empty()) files.push_back(motion.after);
+    if (motion.reducer) files.push_back(motion.reducer->recording);
+    if (motion.reducer && !motion.reducer->after.empty()) files.push_back(motion.reducer->after);
+  }
+  std::vector<std::pair<std::string, std::string>> hashes;
+  std::set<std::string> known;
+  for (const std::string& file : files) {
+    if (!known.insert(file).second) continue;
+    if (const auto hash = sha256_of_file(file)) hashes.emplace_back(file, *hash);
+  }
+  return hashes;
+}
+
+}  // namespace
+
+LeadWord word_of(const analysis::TargetRanking& ranking,
+                 const analysis::RankingCertainty& certainty, const Eigen::VectorXd& ways,
+                 const analysis::LineGrid& grid) {
+  if (!(ranking.validation_score >= analysis::TpaFaultLimits{}.least_score)) {
+    return LeadWord::not_validated;
+  }
+  Index lines = 0, together = 0;
+  for (Index line = 0; line < ways.size(); ++line) {
+    if (!analysis::holds(ranking.band, grid, line)) continue;
+    ++lines;
+    if (ways[line] < double(ranking.paths.size()) - 0.5) ++together;
+  }
+  if (2 * together > lines) return LeadWord::not_told_apart;
+  return certainty.led.front() >= sure ? LeadWord::leads : LeadWord::not_sure;
+}
+
+std::vector<std::string> leading_joints(const std::vector<BandAnswer>& answers,
+                                        const std::vector<DegreeOfFreedom>& paths) {
+  std::vector<std::string> joints;
+  for (const BandAnswer& answer : answers) {
+    if (answer.word != LeadWord::leads) continue;
+    const std::string joint = joint_of(paths[std::size_t(answer.ranking.paths.front().path)]);
+    if (std::ranges::find(joints, joint) == joints.end()) joints.push_back(joint);
+  }
+  return joints;
+}
+
+Eigen::MatrixXd mean_amplitudes(const analysis::LineMatrices& values) {
+  Eigen::MatrixXd amplitudes(values.rows, values.lines);
+  for (Index line = 0; line < values.lines; ++line) {
+    amplitudes.col(line) = values[line].cwiseAbs2().rowwise().mean().cwiseSqrt();
+  }
+  return amplitudes;
+}
+
+std::variant<TpaStudy, TpaRefusal> study_paths(const TpaProject& project, ProgressBar& bar,
+                                               const std::stop_token& stop) {
+  auto frfs = read_tpa_frfs(project, bar, stop);
+  if (auto* refusal = std::get_if<TpaRefusal>(&frfs)) return std::move(*refusal);
+  TpaStudy study{project, std::get<0>(std::move(frfs)), {}, software_version(), {}};
+  const bool asks_noise = analysis::find_rule(project.rule)->needs_noise;
+  if (asks_noise && study.frfs.matrix.noise.size() == 0) {
+    return TpaRefusal{"FRFs: " + project.rule +
+                      " needs their noise, and the bands have too few lines to tell it"};
+  }
+  Study motions(study.project, study.frfs, bar, stop);
+  for (const TpaMotion& motion : study.project.motions) {
+    auto answer = motions.answer(motion);
+    if (auto* refusal = std::get_if<TpaRefusal>(&answer)) return std::move(*refusal);
+    study.motions.push_back(std::get<0>(std::move(answer)));
+  }
+  bar.clear();
+  study.hashes = hashes_of(project);
+  return study;
+}
+
+}  // namespace rvbench::bench
