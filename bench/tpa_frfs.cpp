@@ -48,30 +48,15 @@ void keep_wanted(const TpaProject& project, Responses& responses) {
   });
 }
 
-analysis::FrfBand whole_band(const TpaProject& project) {
-  analysis::FrfBand band{project.bands.front().first_Hz, project.bands.front().last_Hz};
-  for (const analysis::TpaBand& one : project.bands) {
-    band.from_Hz = std::min(band.from_Hz, one.first_Hz);
-    band.to_Hz = std::max(band.to_Hz, one.last_Hz);
-  }
-  return band;
-}
-
 // Leaves the lines from the lowest band's first to the highest one's last. @return why not
 std::string cut_to(const analysis::FrfBand& band, FrequencyResponse& response) {
-  const double step_Hz = response.step_Hz;
-  const auto line_at = [&](double frequency_Hz) {
-    return (frequency_Hz - response.first_Hz) / step_Hz;
-  };
-  const auto first =
-      std::max<Eigen::Index>(0, Eigen::Index(std::ceil(line_at(band.from_Hz) - 1e-3)));
-  const auto last = Eigen::Index(std::floor(line_at(band.to_Hz) + 1e-3));
-  if (last >= response.values.size() || first > last || line_at(band.from_Hz) < -1) {
+  const auto [first, count] = analysis::lines_of(band, response.first_Hz, response.step_Hz);
+  if (first + count > response.values.size() || count < 1 ||
+      band.from_Hz < response.first_Hz - response.step_Hz) {
     return fmt::format("lines from {:g} to {:g} Hz do not reach over the bands, {:g} to {:g} Hz",
                        response.first_Hz, response.frequency_Hz(response.values.size() - 1),
                        band.from_Hz, band.to_Hz);
   }
-  const Eigen::Index count = last - first + 1;
   response.first_Hz = response.frequency_Hz(first);
   response.values = response.values.segment(first, count).eval();
   if (response.coherence.size() >= first + count) {
@@ -114,19 +99,50 @@ void note_bands_without_line(const TpaProject& project, const analysis::FrfMatri
 
 // No FRFs, but the lines at which spectra are to be taken.
 std::variant<TpaFrfs, TpaRefusal> lines_alone(const TpaProject& project) {
-  const analysis::FrfBand band = whole_band(project);
-  const double step_Hz = project.step_Hz;
-  const double first = std::ceil(band.from_Hz / step_Hz - 1e-3);
-  const double last = std::floor(band.to_Hz / step_Hz + 1e-3);
+  const auto [first, count] = analysis::lines_of(whole_band(project), 0, project.step_Hz);
   TpaFrfs none;
-  none.matrix.first_Hz = first * step_Hz;
-  none.matrix.step_Hz = step_Hz;
-  none.matrix.values = {0, 0, std::max<Eigen::Index>(0, Eigen::Index(last - first) + 1)};
+  none.matrix.first_Hz = double(first) * project.step_Hz;
+  none.matrix.step_Hz = project.step_Hz;
+  none.matrix.values = {0, 0, std::max<Eigen::Index>(0, count)};
   none.coherent.is_used.assign(std::size_t(none.matrix.values.lines), true);
   TpaRefusal refusal;
   note_bands_without_line(project, none.matrix, refusal);
   if (!refusal.empty()) return refusal;
   return none;
+}
+
+// Rows and signs as the matrix has them.
+Eigen::MatrixXcf as_in_matrix(const Eigen::MatrixXcf& deviations, const PlaceDeviations& place,
+                              const analysis::FrfMatrix& matrix) {
+  Eigen::MatrixXcf rows(matrix.values.rows, deviations.cols());
+  for (std::size_t row = 0; row < matrix.responses.size(); ++row) {
+    for (std::size_t i = 0; i < place.responses.size(); ++i) {
+      const double sense = analysis::same_axis(place.responses[i], matrix.responses[row]) *
+                           analysis::axis_of(place.excitation.direction).sign;
+      if (sense != 0) {
+        rows.row(Eigen::Index(row)) = float(sense) * deviations.row(Eigen::Index(i));
+      }
+    }
+  }
+  return rows;
+}
+
+// How hits differ, smoothed as the FRFs; empty where none are known.
+std::vector<analysis::ColumnDeviations> column_deviations(
+    const std::vector<PlaceDeviations>& places, const analysis::SmoothedFrfs& smooth) {
+  const analysis::FrfMatrix& matrix = smooth.frfs;
+  std::vector<analysis::ColumnDeviations> columns;
+  for (const DegreeOfFreedom& excitation : matrix.excitations) {
+    const auto place = std::ranges::find_if(places, [&](const PlaceDeviations& one) {
+      return analysis::positive(one.excitation) == excitation;
+    });
+    if (place == places.end() || place->deviations.empty()) return {};
+    analysis::ColumnDeviations& hits = columns.emplace_back();
+    for (const Eigen::MatrixXcf& hit : place->deviations) {
+      hits.push_back(analysis::smoothed_alike(as_in_matrix(hit, *place, matrix), smooth.lines));
+    }
+  }
+  return columns;
 }
 
 std::variant<TpaFrfs, TpaRefusal> assembled(const TpaProject& project, MeasuredHits measured) {
@@ -144,9 +160,15 @@ std::variant<TpaFrfs, TpaRefusal> assembled(const TpaProject& project, MeasuredH
   if (!put_together.matrix) return put_together.faults;
   note_bands_without_line(project, *put_together.matrix, refusal);
   if (!refusal.empty()) return refusal;
-  return TpaFrfs{analysis::smoothed_frfs(std::move(*put_together.matrix)),
+  analysis::SmoothedFrfs smooth = analysis::smooth_frfs(std::move(*put_together.matrix));
+  auto deviations = column_deviations(measured.deviations, smooth);
+  analysis::HammerAlignment alignment = analysis::hammer_alignment(smooth.frfs);
+  return TpaFrfs{analysis::aligned_frfs(std::move(smooth.frfs), alignment),
+                 std::move(deviations),
+                 std::move(alignment),
                  analysis::coherent_lines(responses, project.least_coherence),
-                 analysis::direction_doubts(responses, band), measured.hits,
+                 analysis::direction_doubts(responses, band),
+                 measured.hits,
                  std::move(measured.rejected)};
 }
 

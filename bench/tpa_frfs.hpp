@@ -7,7 +7,8 @@
 
 #include "analysis/frf/direction_doubts.hpp"
 #include "analysis/tpa/coherent_lines.hpp"
-#include "analysis/tpa/frf_matrix.hpp"
+#include "analysis/tpa/frf_draws.hpp"
+#include "analysis/tpa/hammer_alignment.hpp"
 #include "analysis/tpa/operating_spectra.hpp"
 #include "bench/progress_bar.hpp"
 #include "bench/tpa_project.hpp"
@@ -23,6 +24,8 @@ struct RejectedHit {
 /// The FRFs of a project, and how far they can be trusted.
 struct TpaFrfs {
   analysis::FrfMatrix matrix;  ///< the project's sensors x its paths, lines of its bands
+  std::vector<analysis::ColumnDeviations> deviations;  ///< of hits; empty if there are none
+  analysis::HammerAlignment alignment;                 ///< taken out of the matrix
   analysis::CoherentLines coherent;
   std::vector<analysis::DirectionDoubt> doubts;
   std::size_t hits = 0;  ///< of a hammer, that were read

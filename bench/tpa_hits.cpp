@@ -100,10 +100,29 @@ std::string reasons_of(const analysis::JudgedHit& hit) {
   return text;
 }
 
-std::variant<MeasuredHits, TpaRefusal> averaged(const std::vector<HammerSeries>& session) {
+PlaceDeviations deviations_of(const analysis::FrfSetup& setup,
+                              std::vector<Eigen::MatrixXcf> deviations) {
+  PlaceDeviations place{setup.excitations.front().place, {}, std::move(deviations)};
+  for (const FrfChannel& channel : setup.responses) place.responses.push_back(channel.place);
+  return place;
+}
+
+// Whether the lines of a hit reach over the band; if not, that is told when responses are cut to
+// it.
+bool reaches_over(const HammerSeries& series, const analysis::FrfBand& band) {
+  return std::ranges::all_of(
+      series.hits, [&](const analysis::FrfRecord& hit) { return band.to_Hz <= hit.rate_Hz / 2; });
+}
+
+std::variant<MeasuredHits, TpaRefusal> averaged(const std::vector<HammerSeries>& session,
+                                                const analysis::FrfBand& band) {
   MeasuredHits measured;
   TpaRefusal refusal;
-  const std::vector<analysis::HammerResult> results = analysis::measure_session(session, {});
+  analysis::HammerOptions options;
+  if (std::ranges::all_of(session, [&](const auto& one) { return reaches_over(one, band); })) {
+    options.deviations_in = band;
+  }
+  std::vector<analysis::HammerResult> results = analysis::measure_session(session, options);
   for (std::size_t i = 0; i < results.size(); ++i) {
     measured.hits += results[i].hits.size();
     for (const analysis::JudgedHit& hit : results[i].hits) {
@@ -112,6 +131,8 @@ std::variant<MeasuredHits, TpaRefusal> averaged(const std::vector<HammerSeries>&
     for (const analysis::EstimatedResponse& estimated : results[i].estimates.responses) {
       measured.responses.push_back(estimated.response);
     }
+    measured.deviations.push_back(
+        deviations_of(session[i].setup, std::move(results[i].deviations)));
     if (!results[i].estimates.responses.empty()) continue;
     refusal.push_back(fmt::format(
         "{}: none of its {} hits can be used; the last: {}",
@@ -123,6 +144,15 @@ std::variant<MeasuredHits, TpaRefusal> averaged(const std::vector<HammerSeries>&
 }
 
 }  // namespace
+
+analysis::FrfBand whole_band(const TpaProject& project) {
+  analysis::FrfBand band{project.bands.front().first_Hz, project.bands.front().last_Hz};
+  for (const analysis::TpaBand& one : project.bands) {
+    band.from_Hz = std::min(band.from_Hz, one.first_Hz);
+    band.to_Hz = std::max(band.to_Hz, one.last_Hz);
+  }
+  return band;
+}
 
 std::vector<DegreeOfFreedom> sensors_of(const TpaProject& project) {
   std::vector<DegreeOfFreedom> all = project.indicators;
@@ -147,7 +177,7 @@ std::variant<MeasuredHits, TpaRefusal> measure_hits(const TpaProject& project, P
   }
   if (!refusal.empty()) return refusal;
   bar.show("hammer", double(files.size()) / double(files.size() + 1), "averages");
-  return averaged(session);
+  return averaged(session, whole_band(project));
 }
 
 }  // namespace rvbench::bench

@@ -166,14 +166,19 @@ ordered_json motion_json(const MotionAnswer& motion, const TpaStudy& study) {
 }
 
 ordered_json frfs_json(const TpaFrfs& frfs) {
-  ordered_json json{{"first_Hz", frfs.matrix.first_Hz},
-                    {"step_Hz", frfs.matrix.step_Hz},
-                    {"lines", frfs.matrix.values.lines},
-                    {"lines_left_out", frfs.coherent.left_out},
-                    {"hits", frfs.hits},
-                    {"rejected_hits", ordered_json::array()},
-                    {"doubts", ordered_json::array()},
-                    {"notes", frfs.matrix.notes}};
+  ordered_json json{
+      {"first_Hz", frfs.matrix.first_Hz},
+      {"step_Hz", frfs.matrix.step_Hz},
+      {"lines", frfs.matrix.values.lines},
+      {"lines_left_out", frfs.coherent.left_out},
+      {"hits", frfs.hits},
+      {"rejected_hits", ordered_json::array()},
+      {"aligned", frfs.alignment.is_used},
+      {"largest_turn_deg", number(frfs.alignment.largest_turn_rad() / units::degree_rad)},
+      {"asymmetry_before", number(frfs.alignment.asymmetry_before)},
+      {"asymmetry_after", number(frfs.alignment.asymmetry_after)},
+      {"doubts", ordered_json::array()},
+      {"notes", frfs.matrix.notes}};
   for (const RejectedHit& hit : frfs.rejected) {
     json["rejected_hits"].push_back({{"source", hit.source}, {"reason", hit.reason}});
   }

@@ -127,8 +127,11 @@ class Study {
       return method.contributions(frfs, drawn, 1);
     };
     const auto rankings = analysis::rank_contributions(answer.contributions, project_.bands);
-    const auto certainties =
-        analysis::ranking_certainty(frfs_.matrix, blocks, anew, rankings, project_.resampling);
+    const auto draw = frfs_.deviations.empty()
+                          ? analysis::draws_within_variances(frfs_.matrix)
+                          : analysis::draws_of_hits(frfs_.matrix, frfs_.deviations);
+    const auto certainties = analysis::ranking_certainty(analysis::aligned_draws(draw), blocks,
+                                                         anew, rankings, project_.resampling);
     for (std::size_t i = 0; i < rankings.size(); ++i) {
       answer.answers.push_back(
           {rankings[i], certainties[i],

@@ -101,6 +101,7 @@ void print_motion(Console& console, const MotionAnswer& motion, const std::strin
 }
 
 void print_frfs(Console& console, const TpaFrfs& frfs) {
+  if (frfs.alignment.is_used) console.out << alignment_text(frfs.alignment) << '\n';
   if (frfs.hits > 0) {
     console.out << fmt::format("{} of {} hits used\n", frfs.hits - frfs.rejected.size(), frfs.hits);
   }
@@ -196,6 +197,14 @@ std::string repair_sentence(const TpaStudy& study) {
     }
   }
   return text.empty() ? "" : text + ".";
+}
+
+std::string alignment_text(const analysis::HammerAlignment& alignment) {
+  return fmt::format(
+      "blows turned by up to {:.1f}° against the sensors, which reciprocity tells, were set right: "
+      "the FRFs' asymmetry fell from {:.2g} to {:.2g} %",
+      alignment.largest_turn_rad() / units::degree_rad, 100 * alignment.asymmetry_before,
+      100 * alignment.asymmetry_after);
 }
 
 std::vector<std::string> findings_text(const MethodFindings& findings) {

@@ -34,6 +34,9 @@ std::string chain_sentence(const TpaStudy& study);
 /// What the repair did to the arm, over the first band; empty where there was none.
 std::string repair_sentence(const TpaStudy& study);
 
+/// How blows were turned, and what setting them right did.
+std::string alignment_text(const analysis::HammerAlignment& alignment);
+
 /// What a method alone has to say, a line each; empty: nothing.
 std::vector<std::string> findings_text(const MethodFindings& findings);
 

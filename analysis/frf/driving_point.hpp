@@ -4,14 +4,10 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/frf/frf_band.hpp"
 #include "hal/types/frequency_response.hpp"
 
 namespace rvbench::analysis {
-
-/// A band of frequencies, both ends included.
-struct FrfBand {
-  double from_Hz = 0, to_Hz = 0;
-};
 
 enum class DrivingPointWord {
   sound,     ///< takes up power, as a passive structure must

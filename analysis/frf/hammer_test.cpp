@@ -70,6 +70,9 @@ void average(const HammerSeries& series, const HammerOptions& options, HammerRes
       estimate_responses(hit_spectra(accepted), series.setup, options.estimator,
                          fmt::format("{} of {} hits from {}", accepted.size(), series.hits.size(),
                                      series.hits.front().source));
+  if (options.deviations_in.to_Hz > 0) {
+    result.deviations = hit_deviations(accepted, options.deviations_in);
+  }
   if (!std::isfinite(options.windows.decay_s)) return;
   for (EstimatedResponse& pair : result.estimates.responses) {
     pair.response.notes.push_back(

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <random>
 
 #include "hal/types/parallel_for.hpp"
@@ -17,20 +16,6 @@ constexpr int fewest_replicates = 20;
 
 // RMS of all paths, one column a ranking.
 using Replicate = Eigen::MatrixXd;
-
-FrfMatrix drawn(const FrfMatrix& frfs, std::mt19937_64& engine) {
-  FrfMatrix other = frfs;
-  const Index pairs = frfs.variances.rows();
-  std::normal_distribution<double> part(0, std::sqrt(0.5));
-  for (Index pair = 0; pair < pairs; ++pair) {
-    const double real = part(engine);
-    const std::complex<double> error(real, part(engine));
-    for (Index line = 0; line < frfs.values.lines; ++line) {
-      other.values.values[line * pairs + pair] += error * std::sqrt(frfs.variances(pair, line));
-    }
-  }
-  return other;
-}
 
 std::vector<Index> drawn_blocks(Index blocks, std::mt19937_64& engine) {
   std::vector<Index> drawn(static_cast<std::size_t>(blocks));
@@ -97,7 +82,7 @@ RankingCertainty certainty_of(const TargetRanking& ranking, Index column,
 
 }  // namespace
 
-std::vector<RankingCertainty> ranking_certainty(const FrfMatrix& frfs, Index blocks,
+std::vector<RankingCertainty> ranking_certainty(const FrfDraw& draw, Index blocks,
                                                 const PathAnalysis& analysis,
                                                 const std::vector<TargetRanking>& rankings,
                                                 const Resampling& resampling, unsigned threads) {
@@ -107,7 +92,7 @@ std::vector<RankingCertainty> ranking_certainty(const FrfMatrix& frfs, Index blo
   const auto one = [&](std::size_t i) {
     std::seed_seq seeds{resampling.seed, std::uint64_t(i)};
     std::mt19937_64 engine(seeds);
-    const FrfMatrix other = drawn(frfs, engine);
+    const FrfMatrix other = draw(engine);
     replicates[i] = replicate_of(analysis(other, drawn_blocks(blocks, engine)), rankings);
   };
   parallel_for(replicates.size(), one, threads);

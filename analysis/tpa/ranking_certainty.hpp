@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/tpa/contribution_ranking.hpp"
+#include "analysis/tpa/frf_draws.hpp"
 
 namespace rvbench::analysis {
 
@@ -40,25 +41,22 @@ struct RankingCertainty {
 using PathAnalysis = std::function<PathContributions(const FrfMatrix& frfs,
                                                      const std::vector<Eigen::Index>& blocks)>;
 
-/// Does the analysis anew with blocks drawn with replacement and FRFs drawn within their variances.
-///
-/// A FRF's error has one draw for all lines, each scaled to the line's variance: what makes a
-/// hammer's hits differ, place and direction, shifts neighbouring lines alike, and errors that
-/// average out over a band would make the result look surer than it is.
+/// Does the analysis anew with blocks drawn with replacement and FRFs drawn anew.
 ///
 /// Replicates err about the estimate as that does about the truth, by the ratio of RMS values: what
 /// errors add to a contribution they add twice, so that the interval lies estimate² / quantile.
 ///
-/// @param frfs, blocks  that rankings were made by: how many blocks there are
-/// @param rankings      of rank_contributions()
+/// @param draw      of the FRFs that rankings were made by
+/// @param blocks    how many there are
+/// @param rankings  of rank_contributions()
 /// Shape   one per ranking
 /// Units   those of the ranking
 /// Errors  throws std::invalid_argument: fewer than 20 replicates, no block; and what the analysis
-///         throws. Without variances of the FRFs only blocks are drawn
+///         throws
 /// Threads up to `threads` (0: the free cores); the result does not depend on them
 /// Limits  blocks that overlap are not quite independent; steady lines do not vary by blocks
 /// Source  Davison & Hinkley, Bootstrap Methods and their Application (1997), sec. 2.4, 5.2
-std::vector<RankingCertainty> ranking_certainty(const FrfMatrix& frfs, Eigen::Index blocks,
+std::vector<RankingCertainty> ranking_certainty(const FrfDraw& draw, Eigen::Index blocks,
                                                 const PathAnalysis& analysis,
                                                 const std::vector<TargetRanking>& rankings,
                                                 const Resampling& resampling = {},

@@ -117,7 +117,8 @@ LineFit fit(const WindowMatrix& gram, Index at, double elements) {
   }
   const Eigen::VectorXcd inverse = inverse_denominator(gram, powers, elements);
   const WindowMatrix inside = projector(inverse.asDiagonal() * powers);
-  const double left_over = gram.trace().real() - inside.cwiseProduct(gram.transpose()).sum().real();
+  const double left_over =
+      std::max(0.0, gram.trace().real() - inside.cwiseProduct(gram.transpose()).sum().real());
   return {inside.row(at), left_over / (double(window - numerator) * elements),
           inside(at, at).real()};
 }
@@ -141,23 +142,27 @@ double usual_remainder(const std::vector<LineFit>& fits) {
 
 }  // namespace
 
-FrfMatrix smoothed_frfs(FrfMatrix frfs, unsigned threads) {
-  constexpr Require require{"smoothed_frfs"};
+SmoothedFrfs smooth_frfs(FrfMatrix frfs, unsigned threads) {
+  constexpr Require require{"smooth_frfs"};
   require(frfs.values.values.allFinite(), "a value is not finite");
   const Index lines = frfs.values.lines, count = frfs.values.rows * frfs.values.columns;
-  if (lines < window || count == 0) return frfs;
+  if (lines < window || count == 0) return {std::move(frfs), {}};
   Eigen::MatrixXcd elements =
       Eigen::Map<const Eigen::MatrixXcd>(frfs.values.values.data(), count, lines);
   const Eigen::VectorXd sizes = deviations(elements);
   frfs.noise = Eigen::MatrixXd::Zero(count, lines);
-  if (!(sizes.maxCoeff() > 0)) return frfs;
+  if (!(sizes.maxCoeff() > 0)) return {std::move(frfs), {}};
   const Eigen::VectorXd scales = sizes.cwiseMax(1e-12 * sizes.maxCoeff());
   elements = scales.cwiseInverse().asDiagonal() * elements;
   const std::vector<LineFit> fits = fits_of(elements, threads);
   const double usual = usual_remainder(fits);
+  std::vector<LineSmoothing> smoothings(std::size_t(lines), LineSmoothing{});
   for (Index line = 0; line < lines; ++line) {
     const LineFit& fit = fits[std::size_t(line)];
-    const bool is_kept = fit.remainder > most_misfit * usual;
+    LineSmoothing& smoothing = smoothings[std::size_t(line)];
+    smoothing.first = first_of_window(line, lines);
+    if (fit.remainder <= most_misfit * usual) smoothing.of_window = fit.weights;
+    const bool is_kept = smoothing.of_window.size() == 0;
     const double gain = is_kept ? 1 : std::min(fit.gain, 1.0);
     const Eigen::VectorXd all = (is_kept ? usual : fit.remainder) * scales.cwiseAbs2();
     frfs.noise.col(line) = gain * all;
@@ -166,11 +171,30 @@ FrfMatrix smoothed_frfs(FrfMatrix frfs, unsigned threads) {
     }
     if (is_kept) continue;
     const Eigen::VectorXcd smooth =
-        elements.middleCols(first_of_window(line, lines), window) * fit.weights.transpose();
+        elements.middleCols(smoothing.first, window) * smoothing.of_window.transpose();
     frfs.values[line] =
         (scales.asDiagonal() * smooth).reshaped(frfs.values.rows, frfs.values.columns);
   }
-  return frfs;
+  return {std::move(frfs), std::move(smoothings)};
+}
+
+FrfMatrix smoothed_frfs(FrfMatrix frfs, unsigned threads) {
+  return smooth_frfs(std::move(frfs), threads).frfs;
+}
+
+Eigen::MatrixXcf smoothed_alike(const Eigen::MatrixXcf& elements,
+                                const std::vector<LineSmoothing>& lines) {
+  constexpr Require require{"smoothed_alike"};
+  if (lines.empty()) return elements;
+  require(elements.cols() == Index(lines.size()), "other lines than were smoothed");
+  Eigen::MatrixXcf smooth = elements;
+  for (Index line = 0; line < elements.cols(); ++line) {
+    const auto& [first, of_window] = lines[std::size_t(line)];
+    if (of_window.size() == 0) continue;
+    smooth.col(line).noalias() = elements.middleCols(first, of_window.size()) *
+                                 of_window.transpose().cast<std::complex<float>>();
+  }
+  return smooth;
 }
 
 }  // namespace rvbench::analysis

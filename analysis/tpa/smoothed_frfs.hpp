@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "analysis/tpa/frf_matrix.hpp"
 
 namespace rvbench::analysis {
@@ -25,5 +27,27 @@ namespace rvbench::analysis {
 /// Source  McKelvey & Guérin, IFAC Proc. Vol. 45(16), 716-721 (2012); Sanathanan & Koerner, IEEE
 ///         Trans. Autom. Control 8(1), 56-58 (1963)
 FrfMatrix smoothed_frfs(FrfMatrix frfs, unsigned threads = 0);
+
+/// What smoothing makes of a line: the sum of `of_window` times the lines from `first` on;
+/// of_window is empty where the line stays as it was.
+struct LineSmoothing {
+  Eigen::Index first = 0;
+  Eigen::RowVectorXcd of_window;
+};
+
+struct SmoothedFrfs {
+  FrfMatrix frfs;
+  std::vector<LineSmoothing> lines;  ///< of all elements alike; empty: all stay
+};
+
+/// The same, and how. Errors, source  of smoothed_frfs()
+SmoothedFrfs smooth_frfs(FrfMatrix frfs, unsigned threads = 0);
+
+/// Does to other elements what was done to the FRFs.
+/// Shape   any number x lines of the smoothing. Units  of the elements
+/// Errors  throws std::invalid_argument: other lines. Source  of smoothed_frfs(): linear once poles
+///         are known
+Eigen::MatrixXcf smoothed_alike(const Eigen::MatrixXcf& elements,
+                                const std::vector<LineSmoothing>& lines);
 
 }  // namespace rvbench::analysis

@@ -92,6 +92,7 @@ std::string repair_section(const TpaStudy& study) {
 std::string hits_text(const TpaFrfs& frfs) {
   std::string body;
   for (const analysis::DirectionDoubt& doubt : frfs.doubts) body += paragraph(doubt_text(doubt));
+  if (frfs.alignment.is_used) body += paragraph(alignment_text(frfs.alignment));
   if (frfs.hits == 0) return body;
   std::vector<std::vector<std::string>> rows;
   for (const RejectedHit& hit : frfs.rejected) {

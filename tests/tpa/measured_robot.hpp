@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "analysis/frf/hammer_test.hpp"
+#include "analysis/tpa/hammer_alignment.hpp"
 #include "analysis/tpa/matrix_inverse.hpp"
 #include "analysis/tpa/mimo_convolver.hpp"
 #include "analysis/tpa/smoothed_frfs.hpp"
@@ -66,6 +67,13 @@ inline analysis::FrfMatrix measured_frfs(const sim::VirtualRobot& robot,
     }
   }
   return analysis::assemble_frf_matrix(set).matrix.value();
+}
+
+/// FRFs as the command works with them.
+inline analysis::FrfMatrix prepared(const analysis::FrfMatrix& measured) {
+  analysis::FrfMatrix smooth = analysis::smoothed_frfs(measured);
+  const analysis::HammerAlignment alignment = analysis::hammer_alignment(smooth);
+  return analysis::aligned_frfs(std::move(smooth), alignment);
 }
 
 inline analysis::FrfMatrix exact_frfs(const sim::VirtualRobot& robot,

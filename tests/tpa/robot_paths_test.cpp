@@ -48,7 +48,7 @@ TEST_CASE("a hammer test and an operation tell who leads at each target of the v
   const sim::VirtualRobot robot(robot_of(1));
   const FrfMatrix measured = test::measured_frfs(robot, quarter_hertz);
   const test::RobotStudy study =
-      studies_of(robot, smoothed_frfs(measured), {"tikhonov_by_gcv"}).front();
+      studies_of(robot, test::prepared(measured), {"tikhonov_by_gcv"}).front();
   CHECK(study.cases == 9);
   CHECK(study.leaders_right == 9);
   CHECK(study.worst_score >= 0.95);
@@ -116,13 +116,13 @@ TEST_CASE("20 virtual robots", "[.tpa20]") {
     const std::string of_seed = "seed " + std::to_string(seed) + ", ";
     const auto plain = studies_of(robot, measured, {"none"}).front();
     print(of_seed + "plain inversion of what was measured", plain);
-    const auto study = studies_of(robot, smoothed_frfs(measured), {"tikhonov_by_gcv"}).front();
-    print(of_seed + "smoothed, tikhonov_by_gcv", study);
+    const auto study = studies_of(robot, test::prepared(measured), {"tikhonov_by_gcv"}).front();
+    print(of_seed + "smoothed, aligned, tikhonov_by_gcv", study);
     plain_sums.add(plain);
     sums.add(study);
   }
   print("all, plain inversion of what was measured", plain_sums);
-  print("all, smoothed, tikhonov_by_gcv", sums);
+  print("all, smoothed, aligned, tikhonov_by_gcv", sums);
 }
 
 TEST_CASE("rules on one virtual robot", "[.tpa_rules]") {
@@ -131,6 +131,6 @@ TEST_CASE("rules on one virtual robot", "[.tpa_rules]") {
                                        "truncation_by_condition", "none"};
   const sim::VirtualRobot robot(robot_of(1));
   const auto studies =
-      studies_of(robot, smoothed_frfs(test::measured_frfs(robot, quarter_hertz)), rules);
+      studies_of(robot, test::prepared(test::measured_frfs(robot, quarter_hertz)), rules);
   for (std::size_t i = 0; i < rules.size(); ++i) print(rules[i], studies[i]);
 }

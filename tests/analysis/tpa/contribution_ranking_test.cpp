@@ -38,7 +38,7 @@ std::vector<RankingCertainty> certainty(const PathProblem& problem, const Resamp
                                                     find_rule("none")->rule, {}, 1),
                        blocks);
   };
-  return ranking_certainty(problem.frfs, PathProblem::blocks, anew,
+  return ranking_certainty(draws_within_variances(problem.frfs), PathProblem::blocks, anew,
                            rank_contributions(problem.solved(), {whole}), resampling, threads);
 }
 

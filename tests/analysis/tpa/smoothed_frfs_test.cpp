@@ -126,3 +126,17 @@ TEST_CASE("smoothing does not depend on the number of threads", "[tpa]") {
   const FrfMatrix frfs = with_noise(structure(arm), 0.01, 9);
   CHECK(smoothed_frfs(frfs, 1).values.values == smoothed_frfs(frfs, 3).values.values);
 }
+
+TEST_CASE("other elements are smoothed as the FRFs were", "[tpa]") {
+  const FrfMatrix noisy = with_noise(structure(arm), 0.01, 5);
+  const SmoothedFrfs smooth = smooth_frfs(noisy, 1);
+  const Eigen::MatrixXcf elements =
+      Eigen::Map<const Eigen::MatrixXcd>(noisy.values.values.data(), rows * columns, lines)
+          .cast<std::complex<float>>();
+  const Eigen::MatrixXcf alike = smoothed_alike(elements, smooth.lines);
+  const auto expected =
+      Eigen::Map<const Eigen::MatrixXcd>(smooth.frfs.values.values.data(), rows * columns, lines);
+  CHECK((alike.cast<std::complex<double>>() - expected).norm() < 1e-5 * expected.norm());
+  CHECK_THROWS_AS(smoothed_alike(elements.leftCols(9), smooth.lines), std::invalid_argument);
+  CHECK(smoothed_alike(elements, {}) == elements);
+}
