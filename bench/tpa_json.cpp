@@ -115,7 +115,7 @@ ordered_json repair_json(const MotionAnswer& motion, const std::vector<analysis:
                                  {"band", band_json(bands[band])},
                                  {"before_rms", number(before)},
                                  {"after_rms", number(after)},
-                                 {"change_dB", number(20 * std::log10(after / before))}});
+                                 {"change_dB", number(change_dB(repair, target, Index(band)))}});
     }
   }
   return json;

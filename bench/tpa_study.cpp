@@ -232,6 +232,10 @@ std::vector<std::string> leading_joints(const std::vector<BandAnswer>& answers,
   return joints;
 }
 
+double change_dB(const RepairAnswer& repair, Index target, Index band) {
+  return 20 * std::log10(repair.after_rms(target, band) / repair.before_rms(target, band));
+}
+
 Eigen::MatrixXd mean_amplitudes(const analysis::LineMatrices& values) {
   Eigen::MatrixXd amplitudes(values.rows, values.lines);
   for (Index line = 0; line < values.lines; ++line) {

@@ -79,6 +79,9 @@ LeadWord word_of(const analysis::TargetRanking& ranking,
 std::vector<std::string> leading_joints(const std::vector<BandAnswer>& answers,
                                         const std::vector<DegreeOfFreedom>& paths);
 
+/// What a repair changed at a target over a band [dB]. Errors  none thrown. Source  definition
+double change_dB(const RepairAnswer& repair, Eigen::Index target, Eigen::Index band);
+
 /// RMS over the blocks of each row's amplitude: rows x lines, in the unit of the matrices.
 /// Errors  none thrown. Source  definition
 Eigen::MatrixXd mean_amplitudes(const analysis::LineMatrices& values);

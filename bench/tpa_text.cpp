@@ -190,13 +190,17 @@ std::string repair_sentence(const TpaStudy& study) {
     if (!motion.repair) continue;
     text += (text.empty() ? "After the repair, " : "; ") + motion.motion.name + ": ";
     for (Index target = 0; target < motion.repair->before_rms.rows(); ++target) {
-      const double change_dB = 20 * std::log10(motion.repair->after_rms(target, 0) /
-                                               motion.repair->before_rms(target, 0));
-      text += fmt::format("{}{} {:+.1f} dB", target == 0 ? "" : ", ",
-                          target_name(target, motion.contributions.targets), change_dB);
+      text += fmt::format("{}{} {}", target == 0 ? "" : ", ",
+                          target_name(target, motion.contributions.targets),
+                          change_text(change_dB(*motion.repair, target, 0)));
     }
   }
   return text.empty() ? "" : text + ".";
+}
+
+std::string change_text(double change_dB) {
+  const double tenths = std::round(10 * change_dB) / 10;
+  return fmt::format("{:+.1f} dB", tenths == 0 ? 0.0 : tenths);  // never -0.0
 }
 
 std::string alignment_text(const analysis::HammerAlignment& alignment) {

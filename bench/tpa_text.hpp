@@ -34,6 +34,9 @@ std::string chain_sentence(const TpaStudy& study);
 /// What the repair did to the arm, over the first band; empty where there was none.
 std::string repair_sentence(const TpaStudy& study);
 
+/// "-1.2 dB"
+std::string change_text(double change_dB);
+
 /// How blows were turned, and what setting them right did.
 std::string alignment_text(const analysis::HammerAlignment& alignment);
 

@@ -146,13 +146,12 @@ std::string repair_part(const MotionAnswer& motion, const TpaStudy& study) {
   const analysis::LineGrid& grid = motion.contributions.grid;
   std::string svgs;
   for (Index target = 0; target < motion.repair->before.rows(); ++target) {
-    const double change_dB =
-        20 * std::log10(motion.repair->after_rms(target, 0) / motion.repair->before_rms(target, 0));
-    svgs += two_spectra(fmt::format("target {}: {:+.1f} dB over {}",
-                                    target_name(target, motion.contributions.targets), change_dB,
-                                    band_text(study.project.bands.front())),
-                        grid, study.frfs.matrix.response_unit, motion.repair->before.row(target),
-                        "before", motion.repair->after.row(target));
+    svgs += two_spectra(
+        fmt::format("target {}: {} over {}", target_name(target, motion.contributions.targets),
+                    change_text(change_dB(*motion.repair, target, 0)),
+                    band_text(study.project.bands.front())),
+        grid, study.frfs.matrix.response_unit, motion.repair->before.row(target), "before",
+        motion.repair->after.row(target));
   }
   return "<h3>" + spoken(motion.motion.name) + "</h3>\n" + legend("before", "before", "after") +
          figures(svgs);
