@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "analysis/frf/signed_axis.hpp"
@@ -22,6 +23,13 @@ class ByBlockedForces final : public ByInverse {
     found.disagreement = analysis::blocked_forces(frfs_.matrix, motion_, roles_, source_, rule_,
                                                   frfs_.coherent.is_used)
                              .disagreement;
+    if (!std::isfinite(found.disagreement)) {
+      found.faults.push_back(
+          {analysis::TpaFaultKind::halves_disagree, "blocked forces",
+           fmt::format("{} indicators are too few for halves that could be held against each "
+                       "other: {} at least",
+                       roles_.indicators().size(), 2 * (frfs_.matrix.values.columns + 1))});
+    }
     if (found.disagreement > most_disagreement) {
       found.faults.push_back(
           {analysis::TpaFaultKind::halves_disagree, "blocked forces",

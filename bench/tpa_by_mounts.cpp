@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <complex>
+#include <cstddef>
 #include <utility>
 
 #include "analysis/frf/signed_axis.hpp"
@@ -11,7 +13,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr Index fewest_lines = 4;
+constexpr std::ptrdiff_t fewest_lines = 4;
 constexpr double sure_deviations = 3;  // below nothing
 
 // From the lowest band's first line to the highest one's last.
@@ -19,12 +21,26 @@ analysis::TpaBand whole_band(const analysis::LineGrid& grid) {
   return {grid.first_Hz, grid.frequency_Hz(grid.lines - 1)};
 }
 
+// Coherent, and in a band: what lies between bands is nobody's to fit.
+std::vector<bool> used_lines(const TpaProject& project, const TpaFrfs& frfs) {
+  std::vector<bool> is_used = frfs.coherent.is_used;
+  const analysis::LineGrid grid = grid_of(frfs.matrix);
+  for (Index line = 0; line < grid.lines; ++line) {
+    const bool is_in_band = std::ranges::any_of(project.bands, [&](const analysis::TpaBand& band) {
+      return analysis::holds(band, grid, line);
+    });
+    if (!is_in_band) is_used[std::size_t(line)] = false;
+  }
+  return is_used;
+}
+
 class ByMounts final : public TpaMethod {
  public:
   ByMounts(const TpaProject& project, const TpaFrfs& frfs, analysis::OperatingSpectra motion)
       : frfs_(frfs),
         motion_(std::move(motion)),
-        roles_(project.indicators, project.targets, project.validation) {
+        roles_(project.indicators, project.targets, project.validation),
+        is_used_(used_lines(project, frfs)) {
     for (std::size_t i = 0; i < project.active.size(); ++i) {
       mounts_.push_back({project.active[i], project.paths[i]});
     }
@@ -36,12 +52,11 @@ class ByMounts final : public TpaMethod {
     const analysis::OperatingSpectra some = blocks_of(motion_, blocks);
     analysis::ParametricMounts fit = fitted(frfs, some);
     analysis::LineMatrices forces = std::move(fit.forces);
-    const std::vector<bool>& is_used = frfs_.coherent.is_used;
     analysis::LineMatrices unused_sum(Index(roles_.validation().size()), some.values.columns,
                                       forces.lines);
     const analysis::LineMatrices to_unused = rows_of(frfs, roles_.validation()).values;
     for (Index line = 0; line < forces.lines; ++line) {
-      if (!is_used[std::size_t(line)]) forces[line].setZero();
+      if (!is_used_[std::size_t(line)]) forces[line].setZero();
       unused_sum[line] = to_unused[line] * forces[line];
     }
     const Index paths = forces.rows, lines = forces.lines;
@@ -52,10 +67,10 @@ class ByMounts final : public TpaMethod {
             rows_of(frfs, roles_.targets()).values,
             rows_of(some, roles_.targets()).values,
             analysis::OnBoardValidation(rows_of(some, roles_.validation()), std::move(unused_sum),
-                                        is_used),
+                                        is_used_),
             {},
             {},
-            is_used,
+            is_used_,
             Eigen::MatrixXd::Zero(paths, lines),
             sides(),
             to_forces(fit.mounts, some.grid)};
@@ -77,7 +92,7 @@ class ByMounts final : public TpaMethod {
   analysis::ParametricMounts fitted(const analysis::FrfMatrix& frfs,
                                     const analysis::OperatingSpectra& motion) const {
     return analysis::parametric_mounts(frfs, motion, mounts_, roles_.indicators(),
-                                       whole_band(motion.grid));
+                                       whole_band(motion.grid), is_used_);
   }
 
   // Active sides, then passive ones.
@@ -94,7 +109,7 @@ class ByMounts final : public TpaMethod {
     const Index mounts = Index(found.size());
     analysis::LineMatrices per_side(mounts, 2 * mounts, grid.lines);
     for (Index line = 0; line < grid.lines; ++line) {
-      if (!frfs_.coherent.is_used[std::size_t(line)]) continue;
+      if (!is_used_[std::size_t(line)]) continue;
       for (Index i = 0; i < mounts; ++i) {
         const std::complex<double> mass =
             analysis::dynamic_mass(found[std::size_t(i)], grid.frequency_Hz(line));
@@ -105,7 +120,7 @@ class ByMounts final : public TpaMethod {
     return per_side;
   }
 
-  // Springs push back, dampers take away, and masses fall.
+  // No stiffness, damping or mass is below nothing.
   static void add_if_no_mount(const MountAnswer& mount, std::vector<analysis::TpaFault>& faults) {
     const auto is_below = [](double value, double deviation) {
       return value < -sure_deviations * deviation;
@@ -125,6 +140,7 @@ class ByMounts final : public TpaMethod {
   const TpaFrfs& frfs_;
   analysis::OperatingSpectra motion_;
   analysis::SensorRoles roles_;
+  std::vector<bool> is_used_;
   std::vector<analysis::MountPlaces> mounts_;
 };
 
@@ -145,8 +161,9 @@ MadeTpaMethod make(const TpaProject& project, const TpaFrfs& frfs,
            "\" per \"" + matrix.excitation_unit + "\"";
   }
   if (!(motion.grid.first_Hz > 0)) return "a mount's stiffness cannot be told at 0 Hz";
-  if (motion.grid.lines < fewest_lines) {
-    return fmt::format("{} lines of the FRFs are too few for a mount", motion.grid.lines);
+  const auto lines = std::ranges::count(used_lines(project, frfs), true);
+  if (lines < fewest_lines) {
+    return fmt::format("{} coherent lines in the bands are too few for a mount", lines);
   }
   return std::make_unique<ByMounts>(project, frfs, std::move(motion));
 }

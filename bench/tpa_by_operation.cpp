@@ -96,7 +96,8 @@ void read(hal::ConfigReader& json, TpaProject& project) {
 MadeTpaMethod make(const TpaProject& project, const TpaFrfs&, analysis::OperatingSpectra motion) {
   const Index learnt = learnt_of(motion.values.columns);
   const Index needed = blocks_per_reference * Index(project.indicators.size());
-  if (learnt < needed) {
+  constexpr Index fewest_held_out = 2;
+  if (learnt < needed || motion.values.columns - learnt - 1 < fewest_held_out) {
     return fmt::format(
         "{} blocks of {:g} s to learn from, of {}, cannot tell {} references apart: {} at least; "
         "a longer recording, a larger step_Hz or fewer references",

@@ -163,7 +163,8 @@ std::variant<TpaFrfs, TpaRefusal> assembled(const TpaProject& project, MeasuredH
   analysis::SmoothedFrfs smooth = analysis::smooth_frfs(std::move(*put_together.matrix));
   auto deviations = column_deviations(measured.deviations, smooth);
   analysis::HammerAlignment alignment = analysis::hammer_alignment(smooth.frfs);
-  return TpaFrfs{analysis::aligned_frfs(std::move(smooth.frfs), alignment),
+  return TpaFrfs{analysis::aligned_frfs(smooth.frfs, alignment),
+                 smooth.frfs,
                  std::move(deviations),
                  std::move(alignment),
                  analysis::coherent_lines(responses, project.least_coherence),

@@ -23,7 +23,8 @@ struct RejectedHit {
 
 /// The FRFs of a project, and how far they can be trusted.
 struct TpaFrfs {
-  analysis::FrfMatrix matrix;  ///< the project's sensors x its paths, lines of its bands
+  analysis::FrfMatrix matrix;    ///< the project's sensors x its paths, lines of its bands
+  analysis::FrfMatrix measured;  ///< the same before blows were set right: what is drawn from
   std::vector<analysis::ColumnDeviations> deviations;  ///< of hits; empty if there are none
   analysis::HammerAlignment alignment;                 ///< taken out of the matrix
   analysis::CoherentLines coherent;

@@ -24,7 +24,8 @@ const Channel* channel_at(const Recording& recording, const DegreeOfFreedom& pla
 }
 
 Eigen::MatrixXd samples_at(const Recording& recording, const std::vector<DegreeOfFreedom>& places) {
-  Eigen::MatrixXd samples(recording.channels.front().samples.size(), Index(places.size()));
+  Eigen::MatrixXd samples(channel_at(recording, places.front())->samples.size(),
+                          Index(places.size()));
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Channel& channel = *channel_at(recording, places[i]);
     const double sense =
@@ -67,9 +68,7 @@ Status write_histories(const std::filesystem::path& file,
   const Recording& motion = read.value().front();
   const auto histories = histories_of(contributions, motion);
   if (!histories) {
-    return IoError{IoErrc::refused, recording +
-                                        ": its sample rate is no multiple of the step of "
-                                        "the lines: no histories"};
+    return IoError{IoErrc::refused, recording + ": sample rate and lines allow for no filters"};
   }
   const double start_s = channel_at(motion, contributions.inputs.front())->start_s;
   Recording written;

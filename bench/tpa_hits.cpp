@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "analysis/frf/hammer_test.hpp"
@@ -50,8 +51,8 @@ analysis::FrfSetup setup_of(const std::vector<const Channel*>& channels, const T
   setup.excitations.push_back({hits.place, channels[0]->info.unit, hammer.range_N});
   for (std::size_t i = 1; i < channels.size(); ++i) {
     const ChannelInfo& info = channels[i]->info;
-    setup.responses.push_back(
-        {{info.name, info.direction}, info.unit, hammer.acceleration_range_m_s2});
+    setup.responses.push_back({analysis::positive({info.name, info.direction}), info.unit,
+                               hammer.acceleration_range_m_s2});
   }
   return setup;
 }
@@ -63,7 +64,8 @@ analysis::FrfRecord frf_record(const std::string& source,
       source, force.rate_Hz, force.samples,
       Eigen::MatrixXd(force.samples.size(), Eigen::Index(channels.size()) - 1)};
   for (std::size_t i = 1; i < channels.size(); ++i) {
-    record.responses.col(Eigen::Index(i) - 1) = channels[i]->samples;
+    record.responses.col(Eigen::Index(i) - 1) =
+        analysis::axis_of(channels[i]->info.direction).sign * channels[i]->samples;
   }
   return record;
 }
@@ -77,6 +79,26 @@ HammerSeries& series_at(std::vector<HammerSeries>& session, analysis::FrfSetup s
   return session.back();
 }
 
+// What of a hit is in other units than the first one at its place; empty: nothing.
+std::string other_units(const analysis::FrfSetup& setup, const analysis::FrfSetup& first) {
+  const auto differs = [](const FrfChannel& one, const FrfChannel& other) {
+    return one.unit != other.unit;
+  };
+  const auto text = [](const FrfChannel& one, const FrfChannel& other) {
+    return analysis::name_of(one.place) + ": in \"" + one.unit +
+           "\", an earlier hit at this place in \"" + other.unit + "\"";
+  };
+  if (differs(setup.excitations.front(), first.excitations.front())) {
+    return text(setup.excitations.front(), first.excitations.front());
+  }
+  for (std::size_t i = 0; i < setup.responses.size(); ++i) {
+    if (differs(setup.responses[i], first.responses[i])) {
+      return text(setup.responses[i], first.responses[i]);
+    }
+  }
+  return "";
+}
+
 // Adds the hits of one file. @return why not; empty if it did
 std::string add_file(const TpaHits& hits, const TpaProject& project,
                      std::vector<HammerSeries>& session) {
@@ -86,8 +108,11 @@ std::string add_file(const TpaHits& hits, const TpaProject& project,
     std::vector<const Channel*> channels;
     const std::string why = find_channels(record, project, channels);
     if (!why.empty()) return record.source + ": " + why;
-    series_at(session, setup_of(channels, hits, *project.hammer))
-        .hits.push_back(frf_record(record.source, channels));
+    const analysis::FrfSetup setup = setup_of(channels, hits, *project.hammer);
+    HammerSeries& series = series_at(session, setup);
+    const std::string units = other_units(setup, series.setup);
+    if (!units.empty()) return record.source + ": " + units;
+    series.hits.push_back(frf_record(record.source, channels));
   }
   return "";
 }
@@ -107,11 +132,14 @@ PlaceDeviations deviations_of(const analysis::FrfSetup& setup,
   return place;
 }
 
-// Whether the lines of a hit reach over the band; if not, that is told when responses are cut to
-// it.
-bool reaches_over(const HammerSeries& series, const analysis::FrfBand& band) {
-  return std::ranges::all_of(
-      series.hits, [&](const analysis::FrfRecord& hit) { return band.to_Hz <= hit.rate_Hz / 2; });
+// Whether the band holds lines of a hit, and none beyond them; if not, that is told when responses
+// are cut to it.
+bool has_lines(const HammerSeries& series, const analysis::FrfBand& band) {
+  return std::ranges::all_of(series.hits, [&](const analysis::FrfRecord& hit) {
+    const double samples = double(hit.responses.rows());
+    const auto lines = analysis::lines_of(band, 0, hit.rate_Hz / samples);
+    return lines.count > 0 && double(lines.first + lines.count) <= std::floor(samples / 2) + 1;
+  });
 }
 
 std::variant<MeasuredHits, TpaRefusal> averaged(const std::vector<HammerSeries>& session,
@@ -119,7 +147,7 @@ std::variant<MeasuredHits, TpaRefusal> averaged(const std::vector<HammerSeries>&
   MeasuredHits measured;
   TpaRefusal refusal;
   analysis::HammerOptions options;
-  if (std::ranges::all_of(session, [&](const auto& one) { return reaches_over(one, band); })) {
+  if (std::ranges::all_of(session, [&](const auto& one) { return has_lines(one, band); })) {
     options.deviations_in = band;
   }
   std::vector<analysis::HammerResult> results = analysis::measure_session(session, options);

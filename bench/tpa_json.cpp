@@ -44,6 +44,8 @@ const char* word_text(LeadWord word) {
     case LeadWord::leads: return "leads";
     case LeadWord::not_sure: return "not_sure";
     case LeadWord::not_told_apart: return "not_told_apart";
+    case LeadWord::contradicted: return "contradicted";
+    case LeadWord::target_unexplained: return "target_unexplained";
     case LeadWord::not_validated: return "not_validated";
   }
   return "";
@@ -72,6 +74,7 @@ ordered_json answer_json(const BandAnswer& answer, const MotionAnswer& motion) {
       {"order_held",
        certainty.order_held.empty() ? ordered_json(nullptr) : number(certainty.order_held.front())},
       {"validation_score", number(ranking.validation_score)},
+      {"target_score", number(target_score(ranking))},
       {"measured_rms", number(ranking.measured_rms)},
       {"synthesised_rms", number(ranking.synthesised_rms)},
       {"lines", ranking.lines},
@@ -161,6 +164,7 @@ ordered_json motion_json(const MotionAnswer& motion, const TpaStudy& study) {
         {{"kind", to_string(fault.kind)}, {"where", fault.where}, {"reason", fault.reason}});
   }
   if (motion.reducer) json["reducer"] = reducer_json(*motion.reducer);
+  json["reducer_refusal"] = motion.reducer_refusal;
   if (motion.repair) json["repair"] = repair_json(motion, study.project.bands);
   return json;
 }

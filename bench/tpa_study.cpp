@@ -9,6 +9,7 @@
 #include <numeric>
 #include <set>
 
+#include "analysis/frf/signed_axis.hpp"
 #include "bench/sha256.hpp"
 #include "bench/software_version.hpp"
 #include "bench/stop_on_signal.hpp"
@@ -31,7 +32,7 @@ struct Operation {
 // An operating record at these sensors, or why there is none.
 std::variant<Operation, TpaRefusal> operation_of(const std::string& file,
                                                  const std::vector<DegreeOfFreedom>& sensors,
-                                                 const TpaFrfs& frfs) {
+                                                 TpaFrfs& frfs) {
   auto read = hal::read_recordings(file);
   if (!read) return TpaRefusal{read.error().where};
   std::vector<Recording> recordings = std::move(read).value();
@@ -48,10 +49,14 @@ std::variant<Operation, TpaRefusal> operation_of(const std::string& file,
     for (std::string& fault : taken.faults) fault.insert(0, file + ": ");
     return std::move(taken.faults);
   }
-  const bool has_frfs = frfs.matrix.values.rows > 0;
-  if (has_frfs && taken.spectra->unit != frfs.matrix.response_unit) {
-    return TpaRefusal{fmt::format("{}: is in \"{}\", the FRFs tell of \"{}\"", file,
-                                  taken.spectra->unit, frfs.matrix.response_unit)};
+  if (frfs.matrix.values.rows == 0 && frfs.matrix.response_unit.empty()) {
+    frfs.matrix.response_unit = taken.spectra->unit;  // of the first motion
+  }
+  if (taken.spectra->unit != frfs.matrix.response_unit) {
+    return TpaRefusal{
+        fmt::format("{}: is in \"{}\", {} \"{}\"", file, taken.spectra->unit,
+                    frfs.matrix.values.rows == 0 ? "the first motion in" : "the FRFs tell of",
+                    frfs.matrix.response_unit)};
   }
   return Operation{std::move(*taken.spectra), std::move(record)};
 }
@@ -81,6 +86,31 @@ std::vector<DegreeOfFreedom> operating_places(const TpaProject& project) {
   return all;
 }
 
+// How the FRFs might have come out otherwise; set right again where they were.
+analysis::FrfDraw draw_of(const TpaFrfs& frfs) {
+  auto draw = frfs.deviations.empty() ? analysis::draws_within_variances(frfs.measured)
+                                      : analysis::draws_of_hits(frfs.measured, frfs.deviations);
+  return frfs.alignment.is_used ? analysis::aligned_draws(std::move(draw)) : draw;
+}
+
+// Nothing can be drawn of a path that was hit once, nor of FRFs without hits and coherence.
+void add_unknown_errors(const TpaFrfs& frfs, std::vector<analysis::TpaFault>& faults) {
+  const auto add = [&](std::string where, std::string reason) {
+    faults.push_back(
+        {analysis::TpaFaultKind::frf_errors_unknown, std::move(where), std::move(reason)});
+  };
+  if (frfs.deviations.empty() && frfs.matrix.variances.size() == 0) {
+    add("FRFs",
+        "their files do not tell coherence and number of averages: how far they are off "
+        "is not known, and no path can be said to lead");
+  }
+  for (std::size_t i = 0; i < frfs.deviations.size(); ++i) {
+    if (frfs.deviations[i].size() > 1) continue;
+    add(analysis::name_of(frfs.matrix.excitations[i]),
+        "one good hit does not tell how far it is off: no path can be said to lead");
+  }
+}
+
 class Study {
  public:
   Study(const TpaProject& project, TpaFrfs& frfs, ProgressBar& bar, std::stop_token stop)
@@ -96,7 +126,6 @@ class Study {
     if (auto* refusal = std::get_if<TpaRefusal>(&taken)) return std::move(*refusal);
     auto& [spectra, recording] = std::get<0>(taken);
     const Index blocks = spectra.values.columns;
-    if (!method_.needs_frfs) frfs_.matrix.response_unit = spectra.unit;
     auto made = method_.make(project_, frfs_, std::move(spectra));
     if (const auto* why = std::get_if<std::string>(&made)) {
       return TpaRefusal{motion.recording + ": " + *why};
@@ -106,7 +135,7 @@ class Study {
     show(motion, "histories");
     answer.over_time = contributions_over_time(answer.contributions, recording);
     if (auto refusal = add_repair(answer)) return std::move(*refusal);
-    if (auto refusal = add_reducer(answer)) return std::move(*refusal);
+    add_reducer(answer);
     ++done_;
     return answer;
   }
@@ -120,22 +149,20 @@ class Study {
   MotionAnswer analysed(const TpaMotion& motion, const TpaMethod& method, Index blocks) {
     std::vector<Index> all(static_cast<std::size_t>(blocks));
     std::iota(all.begin(), all.end(), 0);
-    MotionAnswer answer{motion, method.contributions(frfs_.matrix, all, 0), {}, {}, {}, {}, {}};
+    MotionAnswer answer{motion, method.contributions(frfs_.matrix, all, 0), {}, {}, {}, {}, {}, {}};
     answer.findings = method.findings(answer.contributions);
+    if (method_.needs_frfs) add_unknown_errors(frfs_, answer.findings.faults);
     show(motion, "certainty");
     const auto anew = [&](const analysis::FrfMatrix& frfs, const std::vector<Index>& drawn) {
       return method.contributions(frfs, drawn, 1);
     };
     const auto rankings = analysis::rank_contributions(answer.contributions, project_.bands);
-    const auto draw = frfs_.deviations.empty()
-                          ? analysis::draws_within_variances(frfs_.matrix)
-                          : analysis::draws_of_hits(frfs_.matrix, frfs_.deviations);
-    const auto certainties = analysis::ranking_certainty(analysis::aligned_draws(draw), blocks,
-                                                         anew, rankings, project_.resampling);
+    const auto certainties =
+        analysis::ranking_certainty(draw_of(frfs_), blocks, anew, rankings, project_.resampling);
     for (std::size_t i = 0; i < rankings.size(); ++i) {
-      answer.answers.push_back(
-          {rankings[i], certainties[i],
-           word_of(rankings[i], certainties[i], answer.findings.ways, answer.contributions.grid)});
+      answer.answers.push_back({rankings[i], certainties[i],
+                                word_of(rankings[i], certainties[i], answer.findings, frfs_.doubts,
+                                        answer.contributions.grid)});
     }
     return answer;
   }
@@ -158,20 +185,22 @@ class Study {
   }
 
   // One recording may stand for several motions: it is judged once.
-  std::optional<TpaRefusal> add_reducer(MotionAnswer& answer) {
+  void add_reducer(MotionAnswer& answer) {
     const auto& reducer = answer.motion.reducer;
-    if (!reducer) return std::nullopt;
+    if (!reducer) return;
     const auto joints = leading_joints(answer.answers, answer.contributions.paths);
-    if (std::ranges::find(joints, reducer->joint) == joints.end()) return std::nullopt;
+    if (std::ranges::find(joints, reducer->joint) == joints.end()) return;
     const std::array key{reducer->recording, reducer->after, reducer->kinematics};
     if (!judged_.contains(key)) {
       show(answer.motion, "reducer");
       auto judged = judge_reducer(*reducer, stop_);
-      if (auto* why = std::get_if<std::string>(&judged)) return TpaRefusal{*why};
+      if (auto* why = std::get_if<std::string>(&judged)) {
+        answer.reducer_refusal = *why;
+        return;
+      }
       judged_.emplace(key, std::get<0>(std::move(judged)));
     }
     answer.reducer = judged_.at(key);
-    return std::nullopt;
   }
 
   const TpaProject& project_;
@@ -206,11 +235,16 @@ std::vector<std::pair<std::string, std::string>> hashes_of(const TpaProject& pro
 }  // namespace
 
 LeadWord word_of(const analysis::TargetRanking& ranking,
-                 const analysis::RankingCertainty& certainty, const Eigen::VectorXd& ways,
+                 const analysis::RankingCertainty& certainty, const MethodFindings& findings,
+                 const std::vector<analysis::DirectionDoubt>& doubts,
                  const analysis::LineGrid& grid) {
   if (!(ranking.validation_score >= analysis::TpaFaultLimits{}.least_score)) {
     return LeadWord::not_validated;
   }
+  if (!(target_score(ranking) >= analysis::TpaFaultLimits{}.least_score)) {
+    return LeadWord::target_unexplained;
+  }
+  const Eigen::VectorXd& ways = findings.ways;
   Index lines = 0, together = 0;
   for (Index line = 0; line < ways.size(); ++line) {
     if (!analysis::holds(ranking.band, grid, line)) continue;
@@ -218,7 +252,23 @@ LeadWord word_of(const analysis::TargetRanking& ranking,
     if (ways[line] < double(ranking.paths.size()) - 0.5) ++together;
   }
   if (2 * together > lines) return LeadWord::not_told_apart;
+  const auto has = [&](analysis::TpaFaultKind kind) {
+    return std::ranges::find(findings.faults, kind, &analysis::TpaFault::kind) !=
+           findings.faults.end();
+  };
+  using Kind = analysis::TpaFaultKind;
+  if (!doubts.empty() || has(Kind::sign_reversed) || has(Kind::directions_swapped)) {
+    return LeadWord::contradicted;
+  }
+  if (has(Kind::frf_errors_unknown)) return LeadWord::not_sure;
   return certainty.led.front() >= sure ? LeadWord::leads : LeadWord::not_sure;
+}
+
+double target_score(const analysis::TargetRanking& ranking) {
+  double in_common = 0;
+  for (const analysis::BandContribution& path : ranking.paths) in_common += path.coherent_share;
+  const double synthesised = ranking.synthesised_rms / ranking.measured_rms;
+  return 2 * in_common - synthesised * synthesised;
 }
 
 std::vector<std::string> leading_joints(const std::vector<BandAnswer>& answers,

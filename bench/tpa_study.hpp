@@ -18,10 +18,12 @@ namespace rvbench::bench {
 
 /// What the first place of a ranking is worth.
 enum class LeadWord {
-  leads,           ///< validated, and ahead of all others in 95 % of the replicates
-  not_sure,        ///< another may be ahead of it
-  not_told_apart,  ///< references moved together
-  not_validated    ///< what was not fitted to shows something else
+  leads,               ///< validated, and ahead of all others in 95 % of the replicates
+  not_sure,            ///< another may be ahead of it
+  not_told_apart,      ///< references moved together
+  contradicted,        ///< sensors or FRFs contradict each other
+  target_unexplained,  ///< the sum of the paths is not what the target shows
+  not_validated        ///< what was not fitted to shows something else
 };
 
 /// Who leads at one target over one band.
@@ -55,6 +57,7 @@ struct MotionAnswer {
   std::optional<ContributionsOverTime>
       over_time;  ///< not where the rate does not go with the lines
   std::optional<ReducerAnswer> reducer;
+  std::string reducer_refusal;  ///< why its recording could not be judged; empty if it was
   std::optional<RepairAnswer> repair;
 };
 
@@ -68,11 +71,17 @@ struct TpaStudy {
 };
 
 /// What may be said of the first path.
-/// @param ways  of MethodFindings, on the grid
+/// @param findings, doubts  where references moved together, a sensor changed, FRFs contradict each
+///                          other or are off by who knows what, no path is said to lead
 /// Errors  none thrown: a score that is not known does not validate. Source  TpaFaultLimits
 LeadWord word_of(const analysis::TargetRanking& ranking,
-                 const analysis::RankingCertainty& certainty, const Eigen::VectorXd& ways,
+                 const analysis::RankingCertainty& certainty, const MethodFindings& findings,
+                 const std::vector<analysis::DirectionDoubt>& doubts,
                  const analysis::LineGrid& grid);
+
+/// Share of the target's power that the sum of the paths explains; NaN where it is silent.
+/// Errors  none thrown. Source  of OnBoardValidation::score()
+double target_score(const analysis::TargetRanking& ranking);
 
 /// Joints whose paths lead at a target of this motion, each once, in the order of the answers.
 /// Units  none. Errors  none thrown. Source  definition

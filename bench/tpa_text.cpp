@@ -60,6 +60,10 @@ std::string where_it_leads(const TpaStudy& study, const std::string& joint) {
   return text;
 }
 
+std::string share_text(double share) {
+  return std::isfinite(share) ? fmt::format("{:.0f} %", 100 * share) : "an unknown share";
+}
+
 double above_second(const analysis::TargetRanking& ranking) {
   if (ranking.paths.size() < 2 || !(ranking.paths[1].rms > 0)) return not_known;
   return 100 * (ranking.paths[0].rms / ranking.paths[1].rms - 1);
@@ -70,27 +74,30 @@ void print_answer(Console& console, const BandAnswer& answer, const MotionAnswer
   const auto& [ranking, certainty, word] = answer;
   const Places& paths = motion.contributions.paths;
   const analysis::BandContribution& first = ranking.paths.front();
-  console.out << fmt::format("  {}  {}: {}\n",
-                             target_name(ranking.target, motion.contributions.targets),
-                             band_text(ranking.band), answer_text(answer, paths));
+  console.out << fmt::format(
+      "  {}  {}: {}\n",
+      hal::formats::printable(target_name(ranking.target, motion.contributions.targets)),
+      band_text(ranking.band), hal::formats::printable(answer_text(answer, paths)));
   if (word == LeadWord::not_validated) return;
   console.out << fmt::format("     {} {:.3g} {} (95 %: {:.3g} to {:.3g}), phase {:.0f}°",
-                             path_name(first.path, paths), first.rms, unit,
+                             hal::formats::printable(path_name(first.path, paths)), first.rms, unit,
                              certainty.rms.front().low, certainty.rms.front().high,
                              first.phase_rad / units::degree_rad);
   if (ranking.paths.size() > 1) {
     const analysis::BandContribution& second = ranking.paths[1];
     console.out << fmt::format("; {:.0f} % above {} {:.3g}, in {:.0f} % of the replicates",
-                               above_second(ranking), path_name(second.path, paths), second.rms,
+                               above_second(ranking),
+                               hal::formats::printable(path_name(second.path, paths)), second.rms,
                                100 * certainty.order_held.front());
   }
   console.out << '\n';
 }
 
 void print_motion(Console& console, const MotionAnswer& motion, const std::string& unit) {
-  console.out << fmt::format("{}: validation {:.3f} over all lines\n",
-                             paint(console, Tone::strong, motion.motion.name),
-                             motion.contributions.validation.score());
+  console.out << fmt::format(
+      "{}: validation {:.3f} over all lines\n",
+      paint(console, Tone::strong, hal::formats::printable(motion.motion.name)),
+      motion.contributions.validation.score());
   for (const BandAnswer& answer : motion.answers) print_answer(console, answer, motion, unit);
   for (const std::string& text : findings_text(motion.findings)) {
     console.out << "  " << hal::formats::printable(text) << '\n';
@@ -143,7 +150,15 @@ std::string answer_text(const BandAnswer& answer, const Places& paths) {
       return "cannot tell whether " + first + " or " +
              path_name(ranked[answer.certainty.rival()].path, paths) + " leads";
     case LeadWord::not_told_apart: return "cannot tell: the references moved together";
+    case LeadWord::contradicted:
+      return "cannot tell: sensors or FRFs contradict each other; the largest would be " + first;
+    case LeadWord::target_unexplained:
+      return fmt::format("cannot tell: the paths explain {} of what the target shows",
+                         share_text(target_score(answer.ranking)));
     case LeadWord::not_validated: break;
+  }
+  if (!std::isfinite(answer.ranking.validation_score)) {
+    return "cannot tell: nothing is left to validate by";
   }
   return fmt::format("cannot tell: validation {:.2f}, less than {:g}",
                      answer.ranking.validation_score, analysis::TpaFaultLimits{}.least_score);
@@ -180,6 +195,11 @@ std::string chain_sentence(const TpaStudy& study) {
     return text;
   }
   if (unjudged == nullptr) return "";
+  if (!unjudged->reducer_refusal.empty()) {
+    return fmt::format(
+        "The way ends at the joint: the recording of {}'s reducer cannot be judged: {}.",
+        unjudged->motion.reducer->joint, unjudged->reducer_refusal);
+  }
   return fmt::format("The way ends at the joint: no path of {}, whose reducer was recorded, leads.",
                      unjudged->motion.reducer->joint);
 }
@@ -192,13 +212,13 @@ std::string repair_sentence(const TpaStudy& study) {
     for (Index target = 0; target < motion.repair->before_rms.rows(); ++target) {
       text += fmt::format("{}{} {}", target == 0 ? "" : ", ",
                           target_name(target, motion.contributions.targets),
-                          change_text(change_dB(*motion.repair, target, 0)));
+                          level_change_text(change_dB(*motion.repair, target, 0)));
     }
   }
   return text.empty() ? "" : text + ".";
 }
 
-std::string change_text(double change_dB) {
+std::string level_change_text(double change_dB) {
   const double tenths = std::round(10 * change_dB) / 10;
   return fmt::format("{:+.1f} dB", tenths == 0 ? 0.0 : tenths);  // never -0.0
 }
@@ -245,6 +265,7 @@ const char* to_string(analysis::TpaFaultKind kind) noexcept {
     case Kind::halves_disagree: return "halves_disagree";
     case Kind::no_mount: return "no_mount";
     case Kind::references_together: return "references_together";
+    case Kind::frf_errors_unknown: return "frf_errors_unknown";
   }
   return "unknown";
 }

@@ -35,7 +35,7 @@ std::string chain_sentence(const TpaStudy& study);
 std::string repair_sentence(const TpaStudy& study);
 
 /// "-1.2 dB"
-std::string change_text(double change_dB);
+std::string level_change_text(double change_dB);
 
 /// How blows were turned, and what setting them right did.
 std::string alignment_text(const analysis::HammerAlignment& alignment);

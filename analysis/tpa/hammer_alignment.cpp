@@ -18,6 +18,16 @@ constexpr double most_mixing = 0.2;
 constexpr double small_share = 1e-3;  // of the driving points' product: near antiresonances
 constexpr double unmodelled = 1e-4;   // of a pair's power: levers, which no mixing holds
 constexpr int rounds = 2;
+constexpr Index stretch = 32;  // of lines; more than smoothing takes together
+constexpr double least_fall = 0.1;
+
+// Which lines have their say.
+enum class Lines { all, even_stretches, odd_stretches };
+
+bool has_say(Lines lines, std::size_t line) {
+  const bool is_even = Index(line) / stretch % 2 == 0;
+  return lines == Lines::all || is_even == (lines == Lines::even_stretches);
+}
 
 // A column that has a row at its own place.
 struct DrivingPoint {
@@ -70,7 +80,7 @@ class Reciprocity {
   }
 
   // Of what is left when this mixing has been taken out.
-  Told ask(const Eigen::MatrixXd& known) const {
+  Told ask(const Eigen::MatrixXd& known, Lines lines) const {
     const Eigen::MatrixXcd inverse =
         (Eigen::MatrixXd::Identity(count_, count_) + known).inverse().cast<Complex>();
     const Index unknowns = Index(unknowns_.size());
@@ -78,9 +88,34 @@ class Reciprocity {
     Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns);
     Powers sums;
     for (std::size_t line = 0; line < blocks_.size(); ++line) {
+      if (!has_say(lines, line)) continue;
       add_line(blocks_[line] * inverse, noises_[line], square, right, sums);
     }
     return {solved(std::move(square), right), sums.all > 0 ? std::sqrt(sums.apart / sums.all) : 0};
+  }
+
+  // In two rounds.
+  Eigen::MatrixXd mixing(Lines lines) const {
+    const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(count_, count_);
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(count_, count_);
+    for (int round = 0; round < rounds && is_small(all); ++round) {
+      all = (one + ask(all, lines).mixing) * (one + all) - one;
+    }
+    return all;
+  }
+
+  // Whether stretches of lines foresee the others: by how much less asymmetric these are.
+  bool is_foreseen() const {
+    if (Index(blocks_.size()) < 2 * stretch) return false;
+    const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(count_, count_);
+    const Eigen::MatrixXd learnt = mixing(Lines::even_stretches);
+    if (!is_small(learnt)) return false;
+    const double before = ask(none, Lines::odd_stretches).asymmetry;
+    return ask(learnt, Lines::odd_stretches).asymmetry < (1 - least_fall) * before;
+  }
+
+  static bool is_small(const Eigen::MatrixXd& mixing) {
+    return mixing.allFinite() && mixing.cwiseAbs().maxCoeff() < most_mixing;
   }
 
  private:
@@ -158,14 +193,34 @@ class Reciprocity {
   std::vector<Eigen::MatrixXd> noises_;        // as blocks_; 0 where it is not known
 };
 
+// Errors of columns that are mixed add by power.
+void mix_errors(const Eigen::MatrixXd& squares, Index rows, Eigen::MatrixXd& errors) {
+  for (Index line = 0; line < errors.cols(); ++line) {
+    const Eigen::MatrixXd mixed = errors.col(line).reshaped(rows, squares.rows()) * squares;
+    errors.col(line) = mixed.reshaped();
+  }
+}
+
 FrfMatrix without(FrfMatrix frfs, const Eigen::MatrixXd& mixing) {
   const Index n = mixing.rows();
-  const Eigen::MatrixXcd inverse =
-      (Eigen::MatrixXd::Identity(n, n) + mixing).inverse().cast<Complex>();
+  const Eigen::MatrixXd inverse = (Eigen::MatrixXd::Identity(n, n) + mixing).inverse();
   for (Index line = 0; line < frfs.values.lines; ++line) {
-    frfs.values[line] = Eigen::MatrixXcd(frfs.values[line]) * inverse;
+    frfs.values[line] = Eigen::MatrixXcd(frfs.values[line]) * inverse.cast<Complex>();
   }
+  if (frfs.variances.size() > 0) mix_errors(inverse.cwiseAbs2(), frfs.values.rows, frfs.variances);
+  if (frfs.noise.size() > 0) mix_errors(inverse.cwiseAbs2(), frfs.values.rows, frfs.noise);
   return frfs;
+}
+
+Eigen::MatrixXd of_all_columns(const Eigen::MatrixXd& mixing,
+                               const std::vector<DrivingPoint>& points, Index columns) {
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(columns, columns);
+  for (Index i = 0; i < mixing.rows(); ++i) {
+    for (Index j = 0; j < mixing.cols(); ++j) {
+      all(points[std::size_t(i)].column, points[std::size_t(j)].column) = mixing(i, j);
+    }
+  }
+  return all;
 }
 
 }  // namespace
@@ -177,27 +232,20 @@ double HammerAlignment::largest_turn_rad() const {
 }
 
 HammerAlignment hammer_alignment(const FrfMatrix& frfs) {
+  const Index columns = frfs.values.columns;
   HammerAlignment alignment;
-  alignment.mixing = Eigen::MatrixXd::Zero(frfs.values.columns, frfs.values.columns);
+  alignment.mixing = Eigen::MatrixXd::Zero(columns, columns);
   const std::vector<DrivingPoint> points = driving_points(frfs);
   if (points.size() < 2 || frfs.values.lines == 0) return alignment;
   const Reciprocity reciprocity(frfs, points);
   const Index count = Index(points.size());
-  const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(count, count);
-  Eigen::MatrixXd mixing = Eigen::MatrixXd::Zero(count, count);
-  for (int round = 0; round < rounds; ++round) {
-    const Told told = reciprocity.ask(mixing);
-    if (round == 0) alignment.asymmetry_before = told.asymmetry;
-    mixing = (one + told.mixing) * (one + mixing) - one;
-    if (!(mixing.cwiseAbs().maxCoeff() < most_mixing)) return alignment;
-  }
-  alignment.asymmetry_after = reciprocity.ask(mixing).asymmetry;
-  alignment.is_used = alignment.asymmetry_after < alignment.asymmetry_before;
-  for (Index i = 0; i < count; ++i) {
-    for (Index j = 0; j < count; ++j) {
-      alignment.mixing(points[std::size_t(i)].column, points[std::size_t(j)].column) = mixing(i, j);
-    }
-  }
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(count, count);
+  alignment.asymmetry_before = reciprocity.ask(none, Lines::all).asymmetry;
+  const Eigen::MatrixXd mixing = reciprocity.mixing(Lines::all);
+  if (!Reciprocity::is_small(mixing)) return alignment;
+  alignment.asymmetry_after = reciprocity.ask(mixing, Lines::all).asymmetry;
+  alignment.mixing = of_all_columns(mixing, points, columns);
+  alignment.is_used = reciprocity.is_foreseen();
   return alignment;
 }
 
@@ -209,8 +257,9 @@ FrfMatrix aligned_frfs(FrfMatrix frfs, const HammerAlignment& alignment) {
 FrfDraw aligned_draws(FrfDraw draw) {
   return [draw = std::move(draw)](std::mt19937_64& engine) {
     FrfMatrix frfs = draw(engine);
-    const HammerAlignment alignment = hammer_alignment(frfs);
-    return aligned_frfs(std::move(frfs), alignment);
+    const std::vector<DrivingPoint> points = driving_points(frfs);
+    const Eigen::MatrixXd mixing = Reciprocity(frfs, points).mixing(Lines::all);
+    return without(std::move(frfs), of_all_columns(mixing, points, frfs.values.columns));
   };
 }
 

@@ -8,7 +8,7 @@ namespace rvbench::analysis {
 struct HammerAlignment {
   Eigen::MatrixXd mixing;  ///< columns x columns: measured = aligned·(I + mixing); (k, j): how much
                            ///< of direction k blows at j had. 0 between points
-  double asymmetry_before = 0;  ///< RMS of H_ij - H_ji over that of H_ij
+  double asymmetry_before = 0;  ///< RMS of H_ij - H_ji over that of H_ij, pairs weighted as above
   double asymmetry_after = 0;   ///< 0 where a blow would be off by too much
   bool is_used = false;  ///< not where nothing tells, or where a blow would be off by too much
 
@@ -26,8 +26,10 @@ struct HammerAlignment {
 /// Only ratios of strengths can be told: their mean is left as it was. A contribution of a path
 /// does not depend on them; it does on what blows had of other directions.
 ///
-/// Not used: fewer than two places with a row of their own, mixing above 0.2 (12 degrees), or an
-/// asymmetry that does not fall.
+/// Not used: fewer than two places with a row of their own, fewer than 64 lines, mixing above 0.2
+/// (12 degrees), or an asymmetry that does not fall, by a tenth, at stretches of 32 lines that
+/// the mixing of the stretches between foresees: what a sensor's lever or noise breaks, no mixing
+/// that is the same at all lines can mend.
 ///
 /// Shape   any; of it the columns that have a row at their place
 /// Units   none
@@ -39,10 +41,11 @@ struct HammerAlignment {
 ///         the hammer: ours
 HammerAlignment hammer_alignment(const FrfMatrix& frfs);
 
-/// FRFs from blows along the sensors' directions. Errors, source  of hammer_alignment()
+/// FRFs from blows along the sensors' directions, with what is known of their errors.
+/// Errors, source  of hammer_alignment()
 FrfMatrix aligned_frfs(FrfMatrix frfs, const HammerAlignment& alignment);
 
-/// Draws that are aligned each for itself, as the FRFs were.
+/// Draws of FRFs whose alignment is used: each is aligned by a mixing of its own, whatever it is.
 FrfDraw aligned_draws(FrfDraw draw);
 
 }  // namespace rvbench::analysis

@@ -70,7 +70,12 @@ class Reading {
         fault(places_[i],
               "unit \"" + channel.info.unit + "\" where the first has \"" + first.info.unit + "\"");
       }
-      if (!channel.samples.allFinite()) fault(places_[i], "a sample that is not finite");
+      if (!channel.samples.allFinite()) {
+        fault(places_[i], "a sample that is not finite");
+      } else if (channel.samples.size() > 0 &&
+                 (channel.samples.array() == channel.samples[0]).all()) {
+        fault(places_[i], "shows " + number(channel.samples[0] + 0.0) + " throughout: it is dead");
+      }
     }
   }
 

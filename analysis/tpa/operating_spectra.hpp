@@ -46,7 +46,8 @@ struct TakenSpectra {
 /// Shape   places x blocks, at each line of the grid
 /// Units   of the channels, 0-to-peak
 /// Errors  faults, all at once: a place without channel or with two, other rates, lengths, starts
-///         or units than the first channel's, a sample that is not finite, fewer than two blocks,
+///         or units than the first channel's, a sample that is not finite, all samples alike,
+///         fewer than two blocks,
 ///         lines that blocks of whole samples do not have (off by a twentieth of a step), lines
 ///         beyond half the sample rate. Throws std::invalid_argument: no place, a grid without
 ///         lines or step, overlap not in [0, 1)

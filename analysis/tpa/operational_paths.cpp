@@ -17,10 +17,25 @@ namespace {
 using Eigen::Index;
 constexpr Require require{"operational_paths"};
 
+constexpr double least_size = 0.01;  // of the largest singular value
+
+// A silent reference weighs no more than one of a millionth of the loudest.
+Eigen::VectorXd weights_of(const LineMatrices& references) {
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(references.rows);
+  for (Index line = 0; line < references.lines; ++line) {
+    squares += references[line].rowwise().squaredNorm();
+  }
+  const double loudest = squares.maxCoeff();
+  if (!(loudest > 0)) return Eigen::VectorXd::Ones(references.rows);
+  return (squares / loudest).cwiseMax(1e-12).cwiseSqrt().cwiseInverse();
+}
+
 // A row per block.
-LineMatrices by_blocks(const LineMatrices& sensors) {
+LineMatrices by_blocks(const LineMatrices& sensors, const Eigen::VectorXd& weights) {
   LineMatrices turned = LineMatrices::unset(sensors.columns, sensors.rows, sensors.lines);
-  for (Index line = 0; line < sensors.lines; ++line) turned[line] = sensors[line].adjoint();
+  for (Index line = 0; line < sensors.lines; ++line) {
+    turned[line] = (weights.asDiagonal() * sensors[line]).adjoint();
+  }
   return turned;
 }
 
@@ -42,6 +57,7 @@ Eigen::VectorXd ways_of(const LineSvd& svd, const std::vector<Regularisation>& r
     const Regularisation& rule = rules[std::size_t(line)];
     for (Index k = 0; k < rule.kept; ++k) {
       const double size = svd.singular_values(k, line);
+      if (size < least_size * svd.singular_values(0, line)) continue;
       ways[line] += size * rule.weight(k, size);
     }
   }
@@ -70,14 +86,16 @@ OperationalPaths operational_paths(const OperatingSpectra& learnt, const Operati
             place.point + " is both reference and target");
   }
   LineMatrices x = rows_of(learnt, references).values;
-  const LineMatrices y = by_blocks(rows_of(learnt, targets).values);
+  const Eigen::VectorXd weights = weights_of(x);
+  const LineMatrices y =
+      by_blocks(rows_of(learnt, targets).values, Eigen::VectorXd::Ones(Index(targets.size())));
   const LineMatrices others = rows_of(held_out, references).values;
-  const LineSvd svd = line_svd(by_blocks(x));
+  const LineSvd svd = line_svd(by_blocks(x, weights));
   RegularisedInverse inverse = regularised_inverse(svd, rules_of(svd, y, rule));
   LineMatrices transmissibilities(y.columns, x.rows, x.lines);
   LineMatrices synthesised(y.columns, others.columns, x.lines);
   for (Index line = 0; line < x.lines; ++line) {
-    transmissibilities[line] = (inverse.values[line] * y[line]).adjoint();
+    transmissibilities[line] = (inverse.values[line] * y[line]).adjoint() * weights.asDiagonal();
     synthesised[line] = transmissibilities[line] * others[line];
   }
   const std::vector<bool> all(std::size_t(x.lines), true);

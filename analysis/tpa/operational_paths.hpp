@@ -16,7 +16,8 @@ struct OperationalPaths {
   std::vector<Regularisation> rules;  ///< per line: principal components kept, parameter
   OnBoardValidation held_out;         ///< targets in blocks that nothing was learnt from
   Eigen::VectorXd ways;  ///< per line: in how many independent ways references moved, as the rule
-                         ///< takes them: Σ s·weight(s) over the singular values
+                         ///< takes them: Σ s·weight(s) over singular values within 40 dB of the
+                         ///< largest; what is below is sensors' noise
 
   /// What each reference adds to a target at a line: references x blocks, 0-to-peak.
   Eigen::MatrixXcd partial(Eigen::Index line, Eigen::Index target) const {
@@ -34,7 +35,8 @@ struct OperationalPaths {
 ///
 ///     Y = T·X,  Xᴴ = U·S·Vᴴ,  Tᴴ = V·S⁺·Uᴴ·Yᴴ     X: references, Y: targets, a column per block
 ///
-/// The SVD cancels cross-talk between references; the rule says which principal components are
+/// References are weighted by 1 / RMS: a quiet one near its source is none the less. The SVD cancels
+/// cross-talk between them; the rule says which principal components are
 /// noise, by truncation, or damps them, after Tikhonov.
 ///
 /// @param learnt    blocks to learn from: as many as references at least, better several times as

@@ -118,17 +118,26 @@ std::vector<MountParameters> by_mount(const Eigen::VectorXd& values) {
   return mounts;
 }
 
-// Every other line of the band, from the second on.
-std::vector<bool> held_out_lines(const LineGrid& grid, const TpaBand& band) {
-  std::vector<bool> is_held_out(std::size_t(grid.lines), false);
+// Lines of the band that are used: every other one is fitted to, from the first on.
+struct FittedLines {
+  std::vector<bool> is_fitted, is_held_out;
+};
+
+FittedLines lines_to_fit(const LineGrid& grid, const TpaBand& band,
+                         const std::vector<bool>& is_used) {
+  require(is_used.empty() || Index(is_used.size()) == grid.lines,
+          std::to_string(is_used.size()) + " marks of lines that are used");
+  const std::vector<bool> none(std::size_t(grid.lines), false);
+  FittedLines lines{none, none};
   Index in_band = 0;
   for (Index line = 0; line < grid.lines; ++line) {
-    if (!holds(band, grid, line)) continue;
+    const std::size_t i = std::size_t(line);
+    if (!holds(band, grid, line) || (!is_used.empty() && !is_used[i])) continue;
     require(grid.frequency_Hz(line) > 0, "a mount has no stiffness at 0 Hz that could be told");
-    is_held_out[std::size_t(line)] = in_band++ % 2 == 1;
+    (in_band++ % 2 == 1 ? lines.is_held_out : lines.is_fitted)[i] = true;
   }
   require(in_band >= 4, std::to_string(in_band) + " lines in the band");
-  return is_held_out;
+  return lines;
 }
 
 // Turns what the mounts give way by into what they pass on; 0 outside the band.
@@ -156,11 +165,11 @@ std::complex<double> dynamic_mass(const MountParameters& mount, double frequency
 
 ParametricMounts parametric_mounts(const FrfMatrix& frfs, const OperatingSpectra& operating,
                                    const std::vector<MountPlaces>& mounts,
-                                   const std::vector<DegreeOfFreedom>& fitted,
-                                   const TpaBand& band) {
+                                   const std::vector<DegreeOfFreedom>& fitted, const TpaBand& band,
+                                   const std::vector<bool>& is_used) {
   require_alike(frfs, operating, mounts);
   const LineGrid& grid = operating.grid;
-  std::vector<bool> is_held_out = held_out_lines(grid, band);
+  FittedLines lines = lines_to_fit(grid, band, is_used);
   OperatingSpectra sensors = rows_of(operating, fitted);
   const LineMatrices to_sensors = rows_of(frfs, fitted).values;
   LineMatrices forces = gives_of(operating, mounts);
@@ -168,7 +177,7 @@ ParametricMounts parametric_mounts(const FrfMatrix& frfs, const OperatingSpectra
   const Index unknowns = per_mount * Index(mounts.size());
   NormalEquations sums{Eigen::MatrixXd::Zero(unknowns, unknowns), Eigen::VectorXd::Zero(unknowns)};
   for (Index line = 0; line < grid.lines; ++line) {
-    if (!holds(band, grid, line) || is_held_out[std::size_t(line)]) continue;
+    if (!lines.is_fitted[std::size_t(line)]) continue;
     add_line(weights.asDiagonal() * Eigen::MatrixXcd(to_sensors[line]), forces[line],
              weights.asDiagonal() * Eigen::MatrixXcd(sensors.values[line]),
              units::two_pi * grid.frequency_Hz(line), sums);
@@ -179,8 +188,9 @@ ParametricMounts parametric_mounts(const FrfMatrix& frfs, const OperatingSpectra
   for (Index line = 0; line < grid.lines; ++line) {
     synthesised[line] = to_sensors[line] * forces[line];
   }
-  return {by_mount(found.parameters), by_mount(found.deviations), std::move(forces),
-          OnBoardValidation(std::move(sensors), std::move(synthesised), std::move(is_held_out))};
+  return {
+      by_mount(found.parameters), by_mount(found.deviations), std::move(forces),
+      OnBoardValidation(std::move(sensors), std::move(synthesised), std::move(lines.is_held_out))};
 }
 
 }  // namespace rvbench::analysis

@@ -41,7 +41,8 @@ struct ParametricMounts {
 ///
 /// @param frfs    of what carries the mounts, without the source: paths are the passive places
 /// @param mounts  one per column of the FRFs
-/// @param fitted  sensors, rows of the FRFs
+/// @param fitted   sensors, rows of the FRFs
+/// @param is_used  one per line, empty for all: those left out count nowhere
 /// Shape   lines of the FRFs; forces outside the band are 0
 /// Units   FRFs in (m/s²)/N, spectra in m/s²
 /// Errors  throws std::invalid_argument: other lines or units, a place that is not there, mounts
@@ -52,6 +53,7 @@ struct ParametricMounts {
 ///         OPAX, its single degree of freedom model; the lines held out: ours
 ParametricMounts parametric_mounts(const FrfMatrix& frfs, const OperatingSpectra& operating,
                                    const std::vector<MountPlaces>& mounts,
-                                   const std::vector<DegreeOfFreedom>& fitted, const TpaBand& band);
+                                   const std::vector<DegreeOfFreedom>& fitted, const TpaBand& band,
+                                   const std::vector<bool>& is_used = {});
 
 }  // namespace rvbench::analysis

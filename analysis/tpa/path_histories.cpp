@@ -68,8 +68,8 @@ std::optional<PathHistories> path_histories(const PathContributions& contributio
     return std::move(designed.filters);
   };
   histories.rate_Hz = rate_Hz;
-  histories.reach_back_s = double(design.taps - design.delay_samples) / rate_Hz;
-  histories.reach_ahead_s = double(design.delay_samples) / rate_Hz;
+  histories.reach_back_s = 2 * double(design.taps - design.delay_samples) / rate_Hz;
+  histories.reach_ahead_s = 2 * double(design.delay_samples) / rate_Hz;
   histories.forces = filtered(filters_of(contributions.to_forces), inputs);
   histories.contributions.assign(contributions.targets.size(),
                                  Eigen::MatrixXd(inputs.rows(), contributions.forces.rows));

@@ -48,32 +48,41 @@ double quantile(const std::vector<double>& sorted, double share) {
   return sorted[below] + (at - double(below)) * (above - sorted[below]);
 }
 
-Interval95 interval_of(double estimate, std::vector<double> values) {
+Interval95 interval_of(std::vector<double> values) {
   std::sort(values.begin(), values.end());
-  const double low = quantile(values, 0.025), high = quantile(values, 0.975);
-  if (!(low > 0)) return {0, high};
-  return {estimate * estimate / high, estimate * estimate / low};
+  return {quantile(values, 0.025), quantile(values, 0.975)};
+}
+
+// What a replicate says of each path: paths in the ranking's order.
+Eigen::VectorXd told_by(const Replicate& rms, const TargetRanking& ranking, Index column) {
+  Eigen::VectorXd told(Index(ranking.paths.size()));
+  for (Index i = 0; i < told.size(); ++i) {
+    const BandContribution& path = ranking.paths[std::size_t(i)];
+    const double again = rms(path.path, column);
+    told[i] = std::sqrt(std::max(0.0, 2 * path.rms * path.rms - again * again));
+  }
+  return told;
 }
 
 RankingCertainty certainty_of(const TargetRanking& ranking, Index column,
                               const std::vector<Replicate>& replicates) {
   const std::size_t paths = ranking.paths.size();
   RankingCertainty certainty{{}, std::vector<double>(paths - 1, 0), std::vector<double>(paths, 0)};
-  for (std::size_t i = 0; i < paths; ++i) {
-    std::vector<double> values;
-    for (const Replicate& rms : replicates) values.push_back(rms(ranking.paths[i].path, column));
-    certainty.rms.push_back(interval_of(ranking.paths[i].rms, std::move(values)));
+  Eigen::MatrixXd told(Index(paths), Index(replicates.size()));
+  for (std::size_t i = 0; i < replicates.size(); ++i) {
+    told.col(Index(i)) = told_by(replicates[i], ranking, column);
   }
-  for (const Replicate& rms : replicates) {
-    for (std::size_t i = 0; i + 1 < paths; ++i) {
-      const bool held = rms(ranking.paths[i].path, column) > rms(ranking.paths[i + 1].path, column);
-      if (held) ++certainty.order_held[i];
+  for (Index path = 0; path < told.rows(); ++path) {
+    const Eigen::VectorXd values = told.row(path);
+    certainty.rms.push_back(interval_of({values.begin(), values.end()}));
+  }
+  for (const auto& values : told.colwise()) {
+    for (Index i = 0; i + 1 < values.size(); ++i) {
+      if (values[i] > values[i + 1]) ++certainty.order_held[std::size_t(i)];
     }
     Index first = 0;
-    rms.col(column).maxCoeff(&first);
-    for (std::size_t i = 0; i < paths; ++i) {
-      if (ranking.paths[i].path == first) ++certainty.led[i];
-    }
+    values.maxCoeff(&first);
+    ++certainty.led[std::size_t(first)];
   }
   for (double& held : certainty.order_held) held /= double(replicates.size());
   for (double& led : certainty.led) led /= double(replicates.size());

@@ -43,8 +43,9 @@ using PathAnalysis = std::function<PathContributions(const FrfMatrix& frfs,
 
 /// Does the analysis anew with blocks drawn with replacement and FRFs drawn anew.
 ///
-/// Replicates err about the estimate as that does about the truth, by the ratio of RMS values: what
-/// errors add to a contribution they add twice, so that the interval lies estimate² / quantile.
+/// Replicates err about the estimate as that does about the truth: what errors add to a
+/// contribution's mean square they add twice. Each replicate speaks for estimate² + (estimate² -
+/// replicate²), not below 0: the basic bootstrap, of mean squares; intervals and orders alike.
 ///
 /// @param draw      of the FRFs that rankings were made by
 /// @param blocks    how many there are

@@ -17,6 +17,7 @@ using Eigen::Index;
 using Faults = std::vector<TpaFault>;
 
 std::string percent(double share) {
+  if (!std::isfinite(share)) return "an unknown share";
   const std::string digits = std::to_string(share * 100);
   return digits.substr(0, digits.find('.') + 2) + " %";
 }

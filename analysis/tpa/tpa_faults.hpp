@@ -8,16 +8,17 @@
 namespace rvbench::analysis {
 
 enum class TpaFaultKind {
-  too_few_indicators,  ///< fewer than paths, or as many: nothing left to check by
-  rank_below_paths,    ///< FRFs cannot tell all paths apart, by their own noise
-  incoherent_lines,    ///< left out
-  sign_reversed,       ///< of a sensor, in operation against the hammer test
-  directions_swapped,  ///< as well
-  missing_path,        ///< something else acts than the paths
-  not_validated,       ///< the synthesis does not explain sensors that it was not fitted to
-  halves_disagree,     ///< of the indicators, about blocked forces
-  no_mount,            ///< a stiffness, damping or mass of one comes out negative
-  references_together  ///< they moved in fewer independent ways than there are
+  too_few_indicators,   ///< fewer than paths, or as many: nothing left to check by
+  rank_below_paths,     ///< FRFs cannot tell all paths apart, by their own noise
+  incoherent_lines,     ///< left out
+  sign_reversed,        ///< of a sensor, in operation against the hammer test
+  directions_swapped,   ///< as well
+  missing_path,         ///< something else acts than the paths
+  not_validated,        ///< the synthesis does not explain sensors that it was not fitted to
+  halves_disagree,      ///< of the indicators, about blocked forces
+  no_mount,             ///< a stiffness, damping or mass of one comes out negative
+  references_together,  ///< they moved in fewer independent ways than there are
+  frf_errors_unknown    ///< neither hits nor coherence tell how far FRFs are off
 };
 
 /// What is wrong with the data of an analysis, or with what may follow from it.

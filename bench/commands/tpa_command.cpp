@@ -59,6 +59,18 @@ class TpaCommand final : public Command {
   OutFolder out_folder_;
 };
 
+// Which motion filters cannot be made for; empty: none.
+std::string no_histories(const TpaStudy& study) {
+  for (const MotionAnswer& motion : study.motions) {
+    if (motion.over_time) continue;
+    return fmt::format(
+        "{}: filters need eight lines or more, and a sample rate and first line that are "
+        "multiples of their step, {:g} Hz",
+        motion.motion.recording, study.frfs.matrix.step_Hz);
+  }
+  return "";
+}
+
 int TpaCommand::run(Console& console) {
   if (const int refused = check_options(console); refused != exit_codes::done) return refused;
   try {
@@ -132,6 +144,9 @@ std::variant<TpaStudy, int> TpaCommand::studied(Console& console) {
   if (const auto* refusal = std::get_if<TpaRefusal>(&study)) {
     for (const std::string& why : *refusal) refuse_data(console, "tpa: " + why);
     return exit_codes::data_refused;
+  }
+  if (const std::string why = no_histories(std::get<0>(study)); histories_ && !why.empty()) {
+    return refuse_data(console, "tpa: --histories: " + why);
   }
   try {
     if (!out_.empty()) write_out(std::get<0>(study));

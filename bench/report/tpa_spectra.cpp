@@ -148,7 +148,7 @@ std::string repair_part(const MotionAnswer& motion, const TpaStudy& study) {
   for (Index target = 0; target < motion.repair->before.rows(); ++target) {
     svgs += two_spectra(
         fmt::format("target {}: {} over {}", target_name(target, motion.contributions.targets),
-                    change_text(change_dB(*motion.repair, target, 0)),
+                    level_change_text(change_dB(*motion.repair, target, 0)),
                     band_text(study.project.bands.front())),
         grid, study.frfs.matrix.response_unit, motion.repair->before.row(target), "before",
         motion.repair->after.row(target));

@@ -23,8 +23,10 @@ struct SmallMachine {
   double forearm_noise = 0;         ///< of the sensor for validation, in operation
   double sign_of_j2 = 1;            ///< of the sensor at J2 active, in operation
   bool has_flange = true;           ///< in operation
+  double flange_gain = 1;           ///< in operation, of what the hammer test was told
   double mount_stiffness_N_m = 0;   ///< forces act through springs, on the passive sides; 0: none
   unsigned seed = 1;                ///< of all noise and scatter
+  int hits = 3;                     ///< at each path
 
   /// Sensors' answers to a force at J1 and at J2, (m/s²)/N.
   struct Gain {
@@ -32,7 +34,7 @@ struct SmallMachine {
     double j1, j2;
   };
   static constexpr Gain gains[] = {{"J1 active", 1, 0.2}, {"J1 passive", 0.6, 0.3},
-                                   {"J2 active", 0.1, 1}, {"J2 passive", 0.2, 0.7},
+                                   {"J2 active", 0.2, 1}, {"J2 passive", 0.2, 0.7},
                                    {"flange", 0.5, 0.5},  {"forearm", 0.4, 0.6},
                                    {"base", 0.3, 0.8},    {"plate", 0.7, 0.4}};
 };
@@ -42,12 +44,12 @@ inline Channel channel_of(const char* name, const char* unit, double rate_Hz,
   return {{name, unit, "+X"}, rate_Hz, 0, std::move(samples)};
 }
 
-/// Three hits of 0.5 s at a path, scattering by 2 % in strength of what is told of them.
+/// Hits of 0.5 s at a path, scattering by 2 % in strength of what is told of them.
 inline std::vector<Recording> hits_of(const SmallMachine& machine, bool at_j2, unsigned seed) {
   std::mt19937 engine(seed);
   std::normal_distribution<double> gaussian;
   const auto samples = static_cast<Eigen::Index>(machine.rate_Hz / 2);
-  std::vector<Recording> hits(3);
+  std::vector<Recording> hits(static_cast<std::size_t>(machine.hits));
   for (Recording& hit : hits) {
     Eigen::VectorXd force = Eigen::VectorXd::Zero(samples);
     for (int i = 0; i < 4; ++i) force[50 + i] = 200 * std::sin(std::numbers::pi * (i + 0.5) / 4);
@@ -95,6 +97,7 @@ inline Recording operation_of(const SmallMachine& machine, unsigned seed) {
           give_of(is_1 ? at_j1 : at_j2, machine.mount_stiffness_N_m, machine.rate_Hz);
     }
     if (name == "J2 active") x *= machine.sign_of_j2;
+    if (name == "flange") x *= machine.flange_gain;
     if (name == "forearm" && machine.forearm_noise > 0) x += noise(machine.forearm_noise);
     record.channels.push_back(channel_of(gain.point, "m/s²", machine.rate_Hz, std::move(x)));
   }

@@ -86,6 +86,18 @@ TEST_CASE("a sensor whose sign changed since the hammer test is named", "[bench]
   CHECK(answer.code == 0);
   CHECK_THAT(answer.out, Contains("J2 active +X: in operation it fits the hammer test with the "
                                   "other sign"));
+  // And nobody leads by what a wrong sensor says.
+  CHECK_THAT(answer.out, !Contains(" leads."));
+}
+
+TEST_CASE("a target that shows something else than the sum of its paths names nobody",
+          "[bench][tpa]") {
+  CHECK_THAT(tpa({.flange_gain = -1}).out,
+             Contains("cannot tell: the paths explain -300 % of what the target shows"));
+  CHECK_THAT(tpa({.flange_gain = 0.3}).out, Contains("of what the target shows"));
+  const Answer dead = tpa({.flange_gain = 0});
+  CHECK(dead.code == 20);
+  CHECK_THAT(dead.err, Contains("flange +X: shows 0 throughout: it is dead"));
 }
 
 TEST_CASE("data that cannot be used is refused, with its place", "[bench][tpa]") {
