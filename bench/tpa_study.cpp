@@ -10,6 +10,7 @@
 #include <set>
 
 #include "analysis/frf/signed_axis.hpp"
+#include "analysis/tpa/operational_paths.hpp"
 #include "bench/sha256.hpp"
 #include "bench/software_version.hpp"
 #include "bench/stop_on_signal.hpp"
@@ -249,7 +250,7 @@ LeadWord word_of(const analysis::TargetRanking& ranking,
   for (Index line = 0; line < ways.size(); ++line) {
     if (!analysis::holds(ranking.band, grid, line)) continue;
     ++lines;
-    if (ways[line] < double(ranking.paths.size()) - 0.5) ++together;
+    if (!analysis::tells_all(ways[line], Index(ranking.paths.size()))) ++together;
   }
   if (2 * together > lines) return LeadWord::not_told_apart;
   const auto has = [&](analysis::TpaFaultKind kind) {

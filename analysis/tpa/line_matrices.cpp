@@ -18,4 +18,15 @@ LineMatrices columns_of(const LineMatrices& all, const std::vector<Eigen::Index>
   return some;
 }
 
+Eigen::VectorXd inverse_rms(const LineMatrices& rows, const std::vector<bool>& is_used) {
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(rows.rows);
+  for (Eigen::Index line = 0; line < rows.lines; ++line) {
+    if (is_used.empty() || is_used[std::size_t(line)])
+      squares += rows[line].rowwise().squaredNorm();
+  }
+  const double loudest = squares.maxCoeff();
+  if (!(loudest > 0)) return Eigen::VectorXd::Ones(rows.rows);
+  return (squares / loudest).cwiseMax(1e-12).cwiseSqrt().cwiseInverse();
+}
+
 }  // namespace rvbench::analysis

@@ -45,4 +45,10 @@ struct LineMatrices {
 /// Errors  throws std::invalid_argument of a column that is not there. Source  definition
 LineMatrices columns_of(const LineMatrices& all, const std::vector<Eigen::Index>& columns);
 
+/// 1 / RMS of each row over the lines that are used, up to a factor that all have in common: the
+/// loudest has 1, and a silent one no more than one of a millionth of the loudest.
+/// @param is_used  one per line; empty for all
+/// Shape   rows. Units  none. Errors  none thrown: all silent are alike. Source  definition
+Eigen::VectorXd inverse_rms(const LineMatrices& rows, const std::vector<bool>& is_used = {});
+
 }  // namespace rvbench::analysis

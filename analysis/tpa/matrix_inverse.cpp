@@ -1,7 +1,6 @@
 #include "analysis/tpa/matrix_inverse.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -19,26 +18,11 @@ constexpr Require require{"matrix_inverse_contributions"};
 
 void require_alike(const FrfMatrix& frfs, const OperatingSpectra& operating,
                    const std::vector<bool>& is_used) {
-  const LineGrid& grid = operating.grid;
-  require(grid.lines == frfs.values.lines && operating.values.lines == grid.lines &&
-              std::abs(grid.first_Hz - frfs.first_Hz) < 1e-6 * frfs.step_Hz &&
-              std::abs(grid.step_Hz - frfs.step_Hz) * double(grid.lines) < 0.05 * frfs.step_Hz,
-          "the spectra are not on the lines of the FRFs");
+  require(is_on_lines_of(operating, frfs), "the spectra are not on the lines of the FRFs");
   require(operating.unit == frfs.response_unit,
           "spectra in \"" + operating.unit + "\", FRFs in \"" + frfs.response_unit + "\"");
-  require(Index(is_used.size()) == grid.lines,
+  require(Index(is_used.size()) == operating.grid.lines,
           std::to_string(is_used.size()) + " marks of lines that are used");
-}
-
-// A silent sensor weighs no more than one of a millionth of the loudest.
-Eigen::VectorXd weights_of(const LineMatrices& responses, const std::vector<bool>& is_used) {
-  Eigen::VectorXd squares = Eigen::VectorXd::Zero(responses.rows);
-  for (Index line = 0; line < responses.lines; ++line) {
-    if (is_used[std::size_t(line)]) squares += responses[line].rowwise().squaredNorm();
-  }
-  const double loudest = squares.maxCoeff();
-  if (!(loudest > 0)) return Eigen::VectorXd::Ones(responses.rows);
-  return (squares / loudest).cwiseMax(1e-12).cwiseSqrt().cwiseInverse();
 }
 
 void weight_rows(LineMatrices& matrices, const Eigen::VectorXd& weights) {
@@ -55,7 +39,7 @@ struct Weighted {
 };
 
 Weighted weighted(FrfMatrix frfs, LineMatrices responses, const std::vector<bool>& is_used) {
-  const Eigen::VectorXd weights = weights_of(responses, is_used);
+  const Eigen::VectorXd weights = inverse_rms(responses, is_used);
   weight_rows(frfs.values, weights);
   weight_rows(responses, weights);
   const Eigen::VectorXd squares = weights.cwiseAbs2().replicate(frfs.values.columns, 1);

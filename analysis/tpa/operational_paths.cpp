@@ -19,17 +19,6 @@ constexpr Require require{"operational_paths"};
 
 constexpr double least_size = 0.01;  // of the largest singular value
 
-// A silent reference weighs no more than one of a millionth of the loudest.
-Eigen::VectorXd weights_of(const LineMatrices& references) {
-  Eigen::VectorXd squares = Eigen::VectorXd::Zero(references.rows);
-  for (Index line = 0; line < references.lines; ++line) {
-    squares += references[line].rowwise().squaredNorm();
-  }
-  const double loudest = squares.maxCoeff();
-  if (!(loudest > 0)) return Eigen::VectorXd::Ones(references.rows);
-  return (squares / loudest).cwiseMax(1e-12).cwiseSqrt().cwiseInverse();
-}
-
 // A row per block.
 LineMatrices by_blocks(const LineMatrices& sensors, const Eigen::VectorXd& weights) {
   LineMatrices turned = LineMatrices::unset(sensors.columns, sensors.rows, sensors.lines);
@@ -86,7 +75,7 @@ OperationalPaths operational_paths(const OperatingSpectra& learnt, const Operati
             place.point + " is both reference and target");
   }
   LineMatrices x = rows_of(learnt, references).values;
-  const Eigen::VectorXd weights = weights_of(x);
+  const Eigen::VectorXd weights = inverse_rms(x);
   const LineMatrices y =
       by_blocks(rows_of(learnt, targets).values, Eigen::VectorXd::Ones(Index(targets.size())));
   const LineMatrices others = rows_of(held_out, references).values;

@@ -8,6 +8,13 @@
 
 namespace rvbench::analysis {
 
+/// Whether so many references moved in as many independent ways as there are: if not, what they
+/// hand on is shared out by least norm, and says little of one alone. Units  none. Errors  none
+/// thrown. Source  half a way of tolerance: ours
+inline bool tells_all(double ways, Eigen::Index references) {
+  return ways > double(references) - 0.5;
+}
+
 /// What each reference sensor hands on to each target, as operation alone tells it.
 struct OperationalPaths {
   std::vector<DegreeOfFreedom> references, targets;
@@ -24,10 +31,8 @@ struct OperationalPaths {
     return transmissibilities[line].row(target).transpose().asDiagonal() *
            measured_references[line];
   }
-  /// Whether references moved in as many independent ways as there are: if not, what they hand on
-  /// is shared out by least norm, and says little of one alone.
   bool tells_all(Eigen::Index line) const {
-    return ways[line] > double(measured_references.rows) - 0.5;
+    return analysis::tells_all(ways[line], measured_references.rows);
   }
 };
 
@@ -35,9 +40,9 @@ struct OperationalPaths {
 ///
 ///     Y = T·X,  Xᴴ = U·S·Vᴴ,  Tᴴ = V·S⁺·Uᴴ·Yᴴ     X: references, Y: targets, a column per block
 ///
-/// References are weighted by 1 / RMS: a quiet one near its source is none the less. The SVD cancels
-/// cross-talk between them; the rule says which principal components are
-/// noise, by truncation, or damps them, after Tikhonov.
+/// References are weighted by 1 / RMS: a quiet one near its source is none the less. The SVD
+/// cancels cross-talk between them; the rule says which principal components are noise, by
+/// truncation, or damps them, after Tikhonov.
 ///
 /// @param learnt    blocks to learn from: as many as references at least, better several times as
 ///                  many, of operation that varies (run-up, load)

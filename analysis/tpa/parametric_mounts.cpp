@@ -21,11 +21,7 @@ constexpr Index per_mount = 3;  // stiffness, damping, mass
 
 void require_alike(const FrfMatrix& frfs, const OperatingSpectra& operating,
                    const std::vector<MountPlaces>& mounts) {
-  const LineGrid& grid = operating.grid;
-  require(grid.lines == frfs.values.lines && operating.values.lines == grid.lines &&
-              std::abs(grid.first_Hz - frfs.first_Hz) < 1e-6 * frfs.step_Hz &&
-              std::abs(grid.step_Hz - frfs.step_Hz) * double(grid.lines) < 0.05 * frfs.step_Hz,
-          "the spectra are not on the lines of the FRFs");
+  require(is_on_lines_of(operating, frfs), "the spectra are not on the lines of the FRFs");
   require(frfs.response_unit == "m/s²" && frfs.excitation_unit == "N" && operating.unit == "m/s²",
           "parameters of mounts need m/s² and N");
   require(Index(mounts.size()) == frfs.values.columns,
@@ -51,14 +47,6 @@ LineMatrices gives_of(const OperatingSpectra& operating, const std::vector<Mount
     gives[line] /= -omega * omega;
   }
   return gives;
-}
-
-Eigen::VectorXd weights_of(const LineMatrices& rows) {
-  Eigen::VectorXd squares = Eigen::VectorXd::Zero(rows.rows);
-  for (Index line = 0; line < rows.lines; ++line) squares += rows[line].rowwise().squaredNorm();
-  const double loudest = squares.maxCoeff();
-  if (!(loudest > 0)) return Eigen::VectorXd::Ones(rows.rows);
-  return (squares / loudest).cwiseMax(1e-12).cwiseSqrt().cwiseInverse();
 }
 
 // Force per displacement of a unit of each parameter.
@@ -140,15 +128,19 @@ FittedLines lines_to_fit(const LineGrid& grid, const TpaBand& band,
   return lines;
 }
 
+Complex dynamic_stiffness(const MountParameters& mount, double omega) {
+  const Eigen::Vector3cd of = stiffnesses(omega);
+  return mount.stiffness_N_m * of[0] + mount.damping_N_s_m * of[1] + mount.mass_kg * of[2];
+}
+
 // Turns what the mounts give way by into what they pass on; 0 outside the band.
-void make_forces(const Eigen::VectorXd& parameters, const LineGrid& grid, const TpaBand& band,
-                 LineMatrices& gives) {
+void make_forces(const std::vector<MountParameters>& mounts, const LineGrid& grid,
+                 const TpaBand& band, LineMatrices& gives) {
   for (Index line = 0; line < grid.lines; ++line) {
-    const Eigen::Vector3cd of = stiffnesses(units::two_pi * grid.frequency_Hz(line));
-    for (Index mount = 0; mount < gives.rows; ++mount) {
-      const auto own = parameters.segment<per_mount>(per_mount * mount);
-      const Complex stiffness = own[0] * of[0] + own[1] * of[1] + own[2] * of[2];
-      gives[line].row(mount) *= holds(band, grid, line) ? stiffness : 0.0;
+    const double omega = units::two_pi * grid.frequency_Hz(line);
+    for (Index i = 0; i < gives.rows; ++i) {
+      gives[line].row(i) *=
+          holds(band, grid, line) ? dynamic_stiffness(mounts[std::size_t(i)], omega) : 0.0;
     }
   }
 }
@@ -157,10 +149,7 @@ void make_forces(const Eigen::VectorXd& parameters, const LineGrid& grid, const 
 
 std::complex<double> dynamic_mass(const MountParameters& mount, double frequency_Hz) {
   const double omega = units::two_pi * frequency_Hz;
-  const Eigen::Vector3cd of = stiffnesses(omega);
-  const Complex stiffness =
-      mount.stiffness_N_m * of[0] + mount.damping_N_s_m * of[1] + mount.mass_kg * of[2];
-  return stiffness / (-omega * omega);
+  return dynamic_stiffness(mount, omega) / (-omega * omega);
 }
 
 ParametricMounts parametric_mounts(const FrfMatrix& frfs, const OperatingSpectra& operating,
@@ -173,7 +162,7 @@ ParametricMounts parametric_mounts(const FrfMatrix& frfs, const OperatingSpectra
   OperatingSpectra sensors = rows_of(operating, fitted);
   const LineMatrices to_sensors = rows_of(frfs, fitted).values;
   LineMatrices forces = gives_of(operating, mounts);
-  const Eigen::VectorXd weights = weights_of(sensors.values);
+  const Eigen::VectorXd weights = inverse_rms(sensors.values);
   const Index unknowns = per_mount * Index(mounts.size());
   NormalEquations sums{Eigen::MatrixXd::Zero(unknowns, unknowns), Eigen::VectorXd::Zero(unknowns)};
   for (Index line = 0; line < grid.lines; ++line) {
@@ -183,13 +172,14 @@ ParametricMounts parametric_mounts(const FrfMatrix& frfs, const OperatingSpectra
              units::two_pi * grid.frequency_Hz(line), sums);
   }
   const Solution found = solve(sums);
-  make_forces(found.parameters, grid, band, forces);
+  std::vector<MountParameters> parameters = by_mount(found.parameters);
+  make_forces(parameters, grid, band, forces);
   LineMatrices synthesised(sensors.values.rows, sensors.values.columns, grid.lines);
   for (Index line = 0; line < grid.lines; ++line) {
     synthesised[line] = to_sensors[line] * forces[line];
   }
   return {
-      by_mount(found.parameters), by_mount(found.deviations), std::move(forces),
+      std::move(parameters), by_mount(found.deviations), std::move(forces),
       OnBoardValidation(std::move(sensors), std::move(synthesised), std::move(lines.is_held_out))};
 }
 

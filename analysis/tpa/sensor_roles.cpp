@@ -1,6 +1,7 @@
 #include "analysis/tpa/sensor_roles.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -88,6 +89,13 @@ FrfMatrix rows_of(const FrfMatrix& frfs, const Places& places) {
 OperatingSpectra rows_of(const OperatingSpectra& spectra, const Places& places) {
   return {all_positive(places), spectra.unit, spectra.grid,
           rows_of(spectra.values, indices_of(places, spectra.places))};
+}
+
+bool is_on_lines_of(const OperatingSpectra& spectra, const FrfMatrix& frfs) {
+  const LineGrid& grid = spectra.grid;
+  return grid.lines == frfs.values.lines && spectra.values.lines == grid.lines &&
+         std::abs(grid.first_Hz - frfs.first_Hz) < 1e-6 * frfs.step_Hz &&
+         std::abs(grid.step_Hz - frfs.step_Hz) * double(grid.lines) < 0.05 * frfs.step_Hz;
 }
 
 }  // namespace rvbench::analysis

@@ -35,4 +35,9 @@ FrfMatrix rows_of(const FrfMatrix& frfs, const std::vector<DegreeOfFreedom>& pla
 OperatingSpectra rows_of(const OperatingSpectra& spectra,
                          const std::vector<DegreeOfFreedom>& places);
 
+/// Whether spectra have the lines of the FRFs: the first to 1e-6 of a step, the last to a
+/// twentieth. Units  none. Errors  none thrown. Source  operating_spectra(), whose blocks are of
+/// whole samples
+bool is_on_lines_of(const OperatingSpectra& spectra, const FrfMatrix& frfs);
+
 }  // namespace rvbench::analysis
