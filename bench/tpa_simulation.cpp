@@ -14,7 +14,7 @@
 #include "bench/simulated_recording.hpp"
 #include "bench/stop_on_signal.hpp"
 #include "bench/text_file.hpp"
-#include "sequences/sequencer.hpp"
+#include "sequences/silent_observer.hpp"
 #include "sim/robot/hammer_test.hpp"
 #include "sim/robot/operation.hpp"
 
@@ -26,12 +26,6 @@ using nlohmann::ordered_json;
 constexpr const char* hammer_channel = "hammer";
 constexpr const char* plan_of_reducer = "quick";
 constexpr double from_Hz = 5, to_Hz = 500;  // of the project's band
-
-class SilentObserver final : public sequences::RunObserver {
- public:
-  void progress(double, double, const std::string&) override {}
-  void event(double, const std::string&) override {}
-};
 
 // "straight slow" → "straight_slow"
 std::string file_name(std::string name) {
@@ -136,7 +130,7 @@ class SessionWriter {
     auto writer =
         hal::RecordingWriter::create(folder_ / reducer_file(is_replaced), layout_of(test, rig));
     if (!writer) return writer.error();
-    SilentObserver observer;
+    sequences::SilentObserver observer;
     const auto summary = sequences::run_sequence(test, rig, *writer.value(), observer, stop_);
     end_if_stopped(stop_);
     if (summary.ending.outcome != Outcome::pass) {

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "hal/simulated_rig.hpp"
+#include "sequences/silent_observer.hpp"
 #include "tests/faults/oracle.hpp"
 #include "tests/faults/undrained_drive.hpp"
 #include "tests/support/nobody.hpp"
@@ -90,7 +91,7 @@ void Scene::strike() {
 }
 
 Ending Scene::measure() {
-  Nobody nobody;
+  sequences::SilentObserver nobody;
   const auto summary = sequences::run_sequence(plan_, rig_, *recording_, nobody, stop_.get_token());
   Oracle(fault_, bench_, report_).after_return();
   return summary.ending;

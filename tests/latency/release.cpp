@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "sequences/silent_observer.hpp"
 #include "tests/latency/figures.hpp"
 #include "tests/latency/live_plant.hpp"
 #include "tests/support/nobody.hpp"
@@ -27,7 +28,7 @@ double held_too_long_ms(bool is_deaf) {
   hal::Rig rig = make_live_plant_rig({});
   LivePlant& plant = live_plant(rig);
   Nowhere nowhere;
-  Nobody nobody;
+  sequences::SilentObserver nobody;
   std::stop_source stop;
   plant.look([&](FaultBench& bench) {
     bench.when(BenchState::warming_up, 1, [&, is_deaf] {

@@ -1,16 +1,8 @@
 #pragma once
 
 #include "hal/recording_file.hpp"
-#include "sequences/sequencer.hpp"
 
 namespace rvbench::test {
-
-/// Watches a run, and says nothing of it.
-class Nobody final : public sequences::RunObserver {
- public:
-  void progress(double, double, const std::string&) override {}
-  void event(double, const std::string&) override {}
-};
 
 /// Where what is recorded goes when nobody will look at it.
 class Nowhere final : public hal::RecordingWriter {
