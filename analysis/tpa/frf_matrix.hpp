@@ -21,7 +21,7 @@ struct FrfMatrix {
   Eigen::MatrixXd variances;  ///< rows·columns x lines, ordered as `values`: E|error|²; empty if
                               ///< the coherence or the averages of a response are not known
   Eigen::MatrixXd noise;      ///< as `variances`, of what differs from line to line; empty if not
-                              ///< known: smoothed_frfs() tells. What a hammer's places and
+                              ///< known: smooth_frfs() tells. What a hammer's places and
                               ///< directions do to a column mixes paths, and hides none of them
   std::vector<std::string> notes;
 

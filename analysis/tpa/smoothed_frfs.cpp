@@ -178,10 +178,6 @@ SmoothedFrfs smooth_frfs(FrfMatrix frfs, unsigned threads) {
   return {std::move(frfs), std::move(smoothings)};
 }
 
-FrfMatrix smoothed_frfs(FrfMatrix frfs, unsigned threads) {
-  return smooth_frfs(std::move(frfs), threads).frfs;
-}
-
 Eigen::MatrixXcf smoothed_alike(const Eigen::MatrixXcf& elements,
                                 const std::vector<LineSmoothing>& lines) {
   constexpr Require require{"smoothed_alike"};

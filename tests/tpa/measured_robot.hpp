@@ -71,7 +71,7 @@ inline analysis::FrfMatrix measured_frfs(const sim::VirtualRobot& robot,
 
 /// FRFs as the command works with them.
 inline analysis::FrfMatrix prepared(const analysis::FrfMatrix& measured) {
-  analysis::FrfMatrix smooth = analysis::smoothed_frfs(measured);
+  analysis::FrfMatrix smooth = analysis::smooth_frfs(measured).frfs;
   const analysis::HammerAlignment alignment = analysis::hammer_alignment(smooth);
   return analysis::aligned_frfs(std::move(smooth), alignment);
 }

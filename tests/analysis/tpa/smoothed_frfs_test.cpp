@@ -53,7 +53,7 @@ TEST_CASE("smoothing takes most of the noise out of FRFs, and says how much ther
   constexpr double deviation = 0.01;
   const unsigned seed = GENERATE(range(1u, 4u));
   const FrfMatrix exact = structure(arm, seed);
-  const FrfMatrix smooth = smoothed_frfs(with_noise(exact, deviation, seed + 50), 1);
+  const FrfMatrix smooth = smooth_frfs(with_noise(exact, deviation, seed + 50), 1).frfs;
   // Ten coefficients of 25 lines, four of them shared by 72 elements: 6/25 of the variance is left,
   // more at the ends.
   CHECK(off(smooth, exact) < 0.6 * deviation);
@@ -66,7 +66,7 @@ TEST_CASE("smoothing takes most of the noise out of FRFs, and says how much ther
 TEST_CASE("resonances are left as they are", "[tpa]") {
   const FrfMatrix exact = structure(arm);
   double largest = 0;
-  const FrfMatrix smooth = smoothed_frfs(exact, 1);
+  const FrfMatrix smooth = smooth_frfs(exact, 1).frfs;
   for (Index line = 0; line < lines; ++line) {
     largest = std::max(
         largest, (smooth.values[line] - exact.values[line]).norm() / exact.values[line].norm());
@@ -78,7 +78,7 @@ TEST_CASE("where more resonances are close than can be fitted, the measured valu
   const std::vector<Mode> crowd{{20, 0.002},   {20.7, 0.002}, {21.3, 0.002}, {22, 0.002},
                                 {22.8, 0.002}, {23.5, 0.002}, {24.1, 0.002}};
   const FrfMatrix exact = structure(crowd);
-  const FrfMatrix smooth = smoothed_frfs(with_noise(exact, 1e-3, 7), 1);
+  const FrfMatrix smooth = smooth_frfs(with_noise(exact, 1e-3, 7), 1).frfs;
   for (Index line = 60; line <= 76; ++line) {
     CAPTURE(exact.frequency_Hz(line));
     CHECK((smooth.values[line] - exact.values[line]).norm() < 0.02 * exact.values[line].norm());
@@ -87,17 +87,17 @@ TEST_CASE("where more resonances are close than can be fitted, the measured valu
 
 TEST_CASE("noise alone gets smaller and no resonance is seen in it", "[tpa][null]") {
   FrfMatrix nothing = structure({});
-  const FrfMatrix smooth = smoothed_frfs(with_noise(nothing, 1, 3), 1);
+  const FrfMatrix smooth = smooth_frfs(with_noise(nothing, 1, 3), 1).frfs;
   CHECK(off(smooth, nothing) < 0.6);
   CHECK(smooth.values.values.cwiseAbs().maxCoeff() < 4);
 }
 
 TEST_CASE("exact FRFs without resonances, and silent ones, stay as they are", "[tpa][null]") {
   FrfMatrix silent = structure({});
-  CHECK(smoothed_frfs(silent, 1).values.values.norm() == 0);
+  CHECK(smooth_frfs(silent, 1).frfs.values.values.norm() == 0);
   FrfMatrix flat = silent;
   flat.values.values.setConstant({2, 1});
-  const FrfMatrix smooth = smoothed_frfs(flat, 1);
+  const FrfMatrix smooth = smooth_frfs(flat, 1).frfs;
   CHECK((smooth.values.values - flat.values.values).norm() < 1e-9);
   CHECK(smooth.noise.maxCoeff() < 1e-18);
 }
@@ -106,7 +106,7 @@ TEST_CASE("what hits differ by alike at all lines stays in the variances, noise 
           "[tpa]") {
   FrfMatrix frfs = with_noise(structure(arm), 0.01, 4);
   frfs.variances = Eigen::MatrixXd::Constant(rows * columns, lines, 4e-4 + 1e-4);
-  const FrfMatrix smooth = smoothed_frfs(frfs, 1);
+  const FrfMatrix smooth = smooth_frfs(frfs, 1).frfs;
   const double noise_left = off(smooth, structure(arm));
   CHECK(smooth.variances.mean() == Approx(4e-4 + noise_left * noise_left).epsilon(0.05));
 }
@@ -115,16 +115,16 @@ TEST_CASE("too few lines are returned as they are", "[tpa]") {
   FrfMatrix few = structure(arm);
   few.values = LineMatrices(rows, columns, 24);
   few.values.values = test::complex_noise(rows * columns * 24, 1, 1);
-  const FrfMatrix same = smoothed_frfs(few, 1);
+  const FrfMatrix same = smooth_frfs(few, 1).frfs;
   CHECK(same.values.values == few.values.values);
   CHECK(same.noise.size() == 0);
   few.values.values[3] = std::nan("");
-  CHECK_THROWS_AS(smoothed_frfs(few, 1), std::invalid_argument);
+  CHECK_THROWS_AS(smooth_frfs(few, 1).frfs, std::invalid_argument);
 }
 
 TEST_CASE("smoothing does not depend on the number of threads", "[tpa]") {
   const FrfMatrix frfs = with_noise(structure(arm), 0.01, 9);
-  CHECK(smoothed_frfs(frfs, 1).values.values == smoothed_frfs(frfs, 3).values.values);
+  CHECK(smooth_frfs(frfs, 1).frfs.values.values == smooth_frfs(frfs, 3).frfs.values.values);
 }
 
 TEST_CASE("other elements are smoothed as the FRFs were", "[tpa]") {
