@@ -102,8 +102,8 @@ void add_unknown_errors(const TpaFrfs& frfs, std::vector<analysis::TpaFault>& fa
   };
   if (frfs.deviations.empty() && frfs.matrix.variances.size() == 0) {
     add("FRFs",
-        "their files do not tell coherence and number of averages: how far they are off "
-        "is not known, and no path can be said to lead");
+        "their files do not tell coherence and number of averages: how far they are off is not "
+        "known, and no path can be said to lead");
   }
   for (std::size_t i = 0; i < frfs.deviations.size(); ++i) {
     if (frfs.deviations[i].size() > 1) continue;
@@ -114,9 +114,11 @@ void add_unknown_errors(const TpaFrfs& frfs, std::vector<analysis::TpaFault>& fa
 
 class Study {
  public:
-  Study(const TpaProject& project, TpaFrfs& frfs, ProgressBar& bar, std::stop_token stop)
+  Study(const TpaProject& project, TpaFrfs& frfs, bool with_time, ProgressBar& bar,
+        std::stop_token stop)
       : project_(project),
         frfs_(frfs),
+        with_time_(with_time),
         method_(tpa_method(project.method)),
         bar_(bar),
         stop_(std::move(stop)) {}
@@ -133,8 +135,10 @@ class Study {
     }
     show(motion, "forces");
     MotionAnswer answer = analysed(motion, *std::get<0>(made), blocks);
-    show(motion, "histories");
-    answer.over_time = contributions_over_time(answer.contributions, recording);
+    if (with_time_) {
+      show(motion, "histories");
+      answer.over_time = contributions_over_time(answer.contributions, recording);
+    }
     if (auto refusal = add_repair(answer)) return std::move(*refusal);
     add_reducer(answer);
     ++done_;
@@ -206,6 +210,7 @@ class Study {
 
   const TpaProject& project_;
   TpaFrfs& frfs_;
+  bool with_time_;
   const NamedTpaMethod& method_;
   ProgressBar& bar_;
   std::stop_token stop_;
@@ -295,8 +300,8 @@ Eigen::MatrixXd mean_amplitudes(const analysis::LineMatrices& values) {
   return amplitudes;
 }
 
-std::variant<TpaStudy, TpaRefusal> study_paths(const TpaProject& project, ProgressBar& bar,
-                                               const std::stop_token& stop) {
+std::variant<TpaStudy, TpaRefusal> study_paths(const TpaProject& project, bool with_time,
+                                               ProgressBar& bar, const std::stop_token& stop) {
   auto frfs = read_tpa_frfs(project, bar, stop);
   if (auto* refusal = std::get_if<TpaRefusal>(&frfs)) return std::move(*refusal);
   TpaStudy study{project, std::get<0>(std::move(frfs)), {}, software_version(), {}};
@@ -305,7 +310,7 @@ std::variant<TpaStudy, TpaRefusal> study_paths(const TpaProject& project, Progre
     return TpaRefusal{"FRFs: " + project.rule +
                       " needs their noise, and the bands have too few lines to tell it"};
   }
-  Study motions(study.project, study.frfs, bar, stop);
+  Study motions(study.project, study.frfs, with_time, bar, stop);
   for (const TpaMotion& motion : study.project.motions) {
     auto answer = motions.answer(motion);
     if (auto* refusal = std::get_if<TpaRefusal>(&answer)) return std::move(*refusal);

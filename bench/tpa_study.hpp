@@ -54,8 +54,8 @@ struct MotionAnswer {
   analysis::PathContributions contributions;
   std::vector<BandAnswer> answers;  ///< bands x targets, targets of a band in a row
   MethodFindings findings;
-  std::optional<ContributionsOverTime>
-      over_time;  ///< not where the rate does not go with the lines
+  /// If it was asked for, and the rate goes with the lines.
+  std::optional<ContributionsOverTime> over_time;
   std::optional<ReducerAnswer> reducer;
   std::string reducer_refusal;  ///< why its recording could not be judged; empty if it was
   std::optional<RepairAnswer> repair;
@@ -96,9 +96,10 @@ double change_dB(const RepairAnswer& repair, Eigen::Index target, Eigen::Index b
 Eigen::MatrixXd mean_amplitudes(const analysis::LineMatrices& values);
 
 /// Reads and analyses all that the project names.
+/// @param with_time  contributions over time as well, which only the page and histories show
 /// @return the study, or why the data is refused: each with file or place
 /// @throws Interrupted
-std::variant<TpaStudy, TpaRefusal> study_paths(const TpaProject& project, ProgressBar& bar,
-                                               const std::stop_token& stop);
+std::variant<TpaStudy, TpaRefusal> study_paths(const TpaProject& project, bool with_time,
+                                               ProgressBar& bar, const std::stop_token& stop);
 
 }  // namespace rvbench::bench

@@ -139,7 +139,7 @@ std::variant<TpaStudy, int> TpaCommand::studied(Console& console) {
   const auto project = read_tpa_project(project_);
   if (project.index() == 1) return refuse_file(console, project_, std::get<1>(project));
   ProgressBar bar(console, progress_style(console, json_));
-  auto study = study_paths(std::get<0>(project), bar, signals.token());
+  auto study = study_paths(std::get<0>(project), !out_.empty(), bar, signals.token());
   bar.clear();
   if (const auto* refusal = std::get_if<TpaRefusal>(&study)) {
     for (const std::string& why : *refusal) refuse_data(console, "tpa: " + why);
