@@ -38,8 +38,8 @@ struct HammerResult {
 /// Shape   one result for each series
 /// Units   of the setups
 /// Errors  throws std::invalid_argument of judge_hit() and hit_deviations(). What a record is
-/// guilty of is a fault of
-///         the hit, another rate or length than that of the first accepted one included
+///         guilty of is a fault of the hit, another rate or length than that of the first accepted
+///         one included
 /// Source  Ewins, Modal Testing (2nd ed., 2000), ch. 3
 std::vector<HammerResult> measure_session(const std::vector<HammerSeries>& session,
                                           const HammerOptions& options);

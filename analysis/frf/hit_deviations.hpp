@@ -19,9 +19,8 @@ namespace rvbench::analysis {
 /// Units   of the responses per that of the excitation
 /// Errors  throws std::invalid_argument: no hit, hits that differ in length or channels, a band
 ///         that reaches beyond the lines or holds none. A line without force is 0
-/// Source  Davison & Hinkley, Bootstrap Methods and their Application (1997), sec. 2.7:
-/// infinitesimal
-///         jackknife of a ratio
+/// Source  Davison & Hinkley, Bootstrap Methods and their Application (1997), sec. 2.7: the
+///         infinitesimal jackknife of a ratio
 std::vector<Eigen::MatrixXcf> hit_deviations(const std::vector<FrfRecord>& hits,
                                              const FrfBand& band);
 

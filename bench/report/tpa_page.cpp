@@ -114,9 +114,8 @@ std::string method_section(const TpaStudy& study) {
       "{} lines, {:g} Hz apart; {} indicators; rule {}; {} lines were left out for want of "
       "coherence. A contribution is complex, and its bar the RMS over the band. Intervals hold in "
       "95 % of {} replicates, in which blocks and hits are drawn anew, ready FRFs within their "
-      "errors. A path "
-      "leads if it is ahead of all others in 95 % of them and if the paths explain {:.0f} % of "
-      "what was not fitted to.",
+      "errors. A path leads if it is ahead of all others in 95 % of them and if the paths explain "
+      "{:.0f} % of what was not fitted to.",
       grid.lines, grid.step_Hz, study.project.indicators.size(), study.project.rule,
       study.frfs.coherent.left_out, study.project.resampling.replicates,
       100 * analysis::TpaFaultLimits{}.least_score));
