@@ -28,6 +28,8 @@ std::vector<std::unique_ptr<Command>> make_commands() {
   commands.push_back(make_simulate_command());
   commands.push_back(make_report_command());
   commands.push_back(make_history_command());
+  commands.push_back(make_gage_command());
+  commands.push_back(make_chart_command());
   return commands;
 }
 
