@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "bench/commands/commands.hpp"
 #include "bench/out_folder.hpp"

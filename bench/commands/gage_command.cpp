@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "bench/commands/commands.hpp"
 #include "bench/out_folder.hpp"

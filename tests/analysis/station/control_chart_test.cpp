@@ -1,5 +1,6 @@
 #include "analysis/station/control_chart.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 

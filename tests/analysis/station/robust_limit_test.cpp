@@ -1,5 +1,6 @@
 #include "analysis/station/robust_limit.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
