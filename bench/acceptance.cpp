@@ -18,6 +18,7 @@
 #include "bench/software_version.hpp"
 #include "bench/text_file.hpp"
 #include "bench/twin_check.hpp"
+#include "bench/unexamined_point.hpp"
 #include "bench/verdict_json.hpp"
 #include "hal/service_watchdog.hpp"
 #include "hal/steady_clock.hpp"
@@ -129,17 +130,6 @@ struct Nowhere {
   ProgressBar bar{console, ProgressBar::Style::silent};
 };
 
-JudgedPoint point_without_samples(const hal::PlannedPoint& planned, int number,
-                                  std::string status) {
-  JudgedPoint point;
-  point.status = std::move(status);
-  point.planned_speed_rpm = planned.speed_rpm;
-  point.examination.source = fmt::format("point {:03}", number);
-  point.examination.load_pct = planned.load_pct;
-  point.examination.repeat = planned.repeat;
-  return point;
-}
-
 // Examines every point that was recorded; PASS if none was skipped by a stop.
 Ending judge_points(Judgement& judgement, const Acceptance& acceptance, RunRecordings& recordings,
                     const analysis::ExamineOptions& options, ProgressBar& bar,
@@ -155,14 +145,14 @@ Ending judge_points(Judgement& judgement, const Acceptance& acceptance, RunRecor
              fmt::format("{:.0f} rpm, {:.0f} %, repeat {}", planned.speed_rpm, planned.load_pct,
                          planned.repeat));
     if (!recordings.has(number)) {
-      judgement.points.push_back(point_without_samples(planned, number, "not_recorded"));
+      judgement.points.push_back(unexamined_point(planned, number, "not_recorded"));
     } else if (stop.stop_requested()) {
-      judgement.points.push_back(point_without_samples(planned, number, "not_judged"));
+      judgement.points.push_back(unexamined_point(planned, number, "not_judged"));
       ending = {Outcome::aborted, ErrorKind::none, "stopped by the operator while judging"};
     } else if (const Result<Recording> record = recordings.read(number)) {
       judgement.points.push_back(judge_point(record.value(), acceptance.kinematics, options));
     } else {
-      judgement.points.push_back(point_without_samples(planned, number, describe(record.error())));
+      judgement.points.push_back(unexamined_point(planned, number, describe(record.error())));
     }
   }
   return ending;

@@ -1,8 +1,5 @@
 #include "bench/result_database.hpp"
 
-#include <fmt/format.h>
-#include <sqlite3.h>
-
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -10,6 +7,10 @@
 #include <system_error>
 #include <utility>
 
+#include "bench/limits_versions.hpp"
+#include "bench/results/entry.hpp"
+#include "bench/results/rejudgement.hpp"
+#include "bench/results/schema.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/sha256.hpp"
 #include "bench/text_file.hpp"
@@ -18,41 +19,39 @@
 namespace rvbench::bench {
 namespace {
 
-constexpr int busy_timeout_ms = 2000;
-
-// Without WAL a reader would lock a writer out; FULL syncs the log at each commit.
-constexpr const char* schema = R"sql(
-  PRAGMA journal_mode = WAL;
-  PRAGMA synchronous = FULL;
-  CREATE TABLE IF NOT EXISTS runs (
-    folder TEXT PRIMARY KEY, serial TEXT NOT NULL, started_utc TEXT NOT NULL, plan TEXT NOT NULL,
-    verdict TEXT NOT NULL, error_kind TEXT NOT NULL, reason TEXT NOT NULL, software TEXT NOT NULL);
-  CREATE INDEX IF NOT EXISTS runs_of_serial ON runs (serial, started_utc);
-)sql";
-
-// The columns, in the order of the statements below.
+// The columns, in the order of the statement below.
 constexpr std::string RunRow::*columns[] = {&RunRow::folder, &RunRow::serial,  &RunRow::started_utc,
                                             &RunRow::plan,   &RunRow::verdict, &RunRow::error_kind,
                                             &RunRow::reason, &RunRow::software};
-constexpr const char* put = "INSERT OR REPLACE INTO runs VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)";
-constexpr const char* get =
-    "SELECT folder, serial, started_utc, plan, verdict, error_kind, reason, software FROM runs "
-    "WHERE ?1 = '' OR serial = ?1 ORDER BY started_utc, folder";
+constexpr const char* get_runs =
+    "SELECT folder, serial, started_utc, plan, verdict, error_kind, reason, software, is_whole "
+    "FROM runs WHERE ?1 = '' OR serial = ?1 ORDER BY started_utc, folder";
+constexpr const char* get_later =
+    "SELECT runs.folder, file, judged_utc, judgements.software, limits_version, "
+    "judgements.verdict, judgements.error_kind, judgements.reason FROM judgements "
+    "JOIN runs ON runs.id = judgements.run WHERE file != 'verdict.json' "
+    "ORDER BY runs.started_utc, runs.folder, length(file), file";
+constexpr const char* get_with_finding =
+    "SELECT DISTINCT runs.folder FROM findings JOIN runs ON runs.id = findings.run "
+    "WHERE component = ?1 AND standing = 'above_limit'";
 
-struct Finalize {
-  void operator()(sqlite3_stmt* statement) const noexcept { sqlite3_finalize(statement); }
+struct EnteredRun {
+  RunRow row;
+  bool is_whole = false;  ///< with all it measured and found
 };
-using Statement = std::unique_ptr<sqlite3_stmt, Finalize>;
 
-Statement prepare(sqlite3* database, const char* sql) {
-  sqlite3_stmt* statement = nullptr;
-  sqlite3_prepare_v2(database, sql, -1, &statement, nullptr);
-  return Statement(statement);
-}
-
-void bind(const Statement& statement, int at, const std::string& text) {
-  sqlite3_bind_text(statement.get(), at, text.data(), static_cast<int>(text.size()),
-                    SQLITE_TRANSIENT);
+Result<std::vector<EnteredRun>> entered_runs(const SqliteFile& file, const std::string& serial) {
+  SqlStatement query(file, get_runs);
+  query.bind(serial);
+  std::vector<EnteredRun> entered;
+  while (query.next()) {
+    EnteredRun& run = entered.emplace_back();
+    int at = 0;
+    for (const auto column : columns) run.row.*column = query.text(at++);
+    run.is_whole = query.integer(at) != 0;
+  }
+  if (!query.is_done()) return file.failure("cannot be read");
+  return entered;
 }
 
 bool may_be_resumed(const RunRow& row) {
@@ -103,12 +102,8 @@ RunRow row_without_result(const std::filesystem::path& root, const std::filesyst
 
 }  // namespace
 
-void ResultDatabase::Close::operator()(sqlite3* database) const noexcept {
-  sqlite3_close(database);
-}
-
-ResultDatabase::ResultDatabase(std::filesystem::path root, std::unique_ptr<sqlite3, Close> database)
-    : root_(std::move(root)), database_(std::move(database)) {}
+ResultDatabase::ResultDatabase(std::filesystem::path root, SqliteFile file)
+    : root_(std::move(root)), file_(std::move(file)) {}
 
 Result<ResultDatabase> ResultDatabase::open(const std::filesystem::path& root) {
   return open_at(root, root / result_database_name);
@@ -120,72 +115,108 @@ Result<ResultDatabase> ResultDatabase::in_memory(const std::filesystem::path& ro
 
 Result<ResultDatabase> ResultDatabase::open_at(const std::filesystem::path& root,
                                                const std::filesystem::path& file) {
-  sqlite3* opened = nullptr;
-  const int code =
-      sqlite3_open_v2(file.c_str(), &opened, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
-  ResultDatabase database(root, std::unique_ptr<sqlite3, Close>(opened));
-  if (code != SQLITE_OK) return database.failure("cannot be opened");
-  sqlite3_busy_timeout(opened, busy_timeout_ms);
-  if (const Status made = database.execute(schema); !made) return made.error();
+  auto opened = SqliteFile::open(file, root / result_database_name);
+  if (!opened) return opened.error();
+  ResultDatabase database(root, std::move(opened).value());
+  if (const Status made = bring_up_to_date(database.file_); !made) return made.error();
   return database;
 }
 
-Status ResultDatabase::enter(const RunRow& row) {
-  const Statement statement = prepare(database_.get(), put);
-  if (!statement) return failure("cannot be written");
-  int at = 0;
-  for (const auto column : columns) bind(statement, ++at, row.*column);
-  if (sqlite3_step(statement.get()) != SQLITE_DONE) return failure("cannot be written");
-  return Done{};
+Status ResultDatabase::enter(const RunRow& row, const Judgement& judgement) {
+  SqlTransaction transaction(file_);
+  if (!transaction.begun()) return file_.failure("cannot be written");
+  if (const Status done = enter_run(file_, row, judgement); !done) return done.error();
+  return transaction.commit();
 }
 
+Status ResultDatabase::enter(const JudgementRow& row) { return enter_judgement_row(file_, row); }
+
 Result<int> ResultDatabase::catch_up() {
-  const auto known = runs();
+  const auto known = entered_runs(file_, "");
   if (!known) return known.error();
-  std::map<std::string, RunRow> entered;
-  for (const RunRow& row : known.value()) entered.emplace(row.folder, row);
+  const auto later = later_judgements();
+  if (!later) return later.error();
+  std::map<std::string, EnteredRun> entered;
+  for (const EnteredRun& run : known.value()) entered.emplace(run.row.folder, run);
+  std::map<std::string, std::set<std::string>> files;
+  for (const JudgementRow& row : later.value()) files[row.folder].insert(row.file);
   int missing = 0;
   for (const std::filesystem::path& folder : run_folders(root_)) {
-    const auto old = entered.find(folder.lexically_relative(root_).string());
-    if (old != entered.end() && !may_be_resumed(old->second)) continue;
-    if (!has_sums(folder)) continue;  // written last: the verdict is still being written
-    const auto judgement = verdict_in(folder);
-    if (!judgement) continue;
-    const RunRow row = row_of(root_, folder, *judgement);
-    if (old != entered.end() && row == old->second) continue;
-    if (const Status done = enter(row); !done) return done.error();
+    const std::string name = folder.lexically_relative(root_).string();
+    const auto old = entered.find(name);
+    const bool is_known = old != entered.end();
+    const auto done = catch_up_run(folder, is_known ? &old->second.row : nullptr,
+                                   is_known && old->second.is_whole);
+    if (!done) return done.error();
+    const auto more = is_known || done.value() ? catch_up_later(folder, files[name]) : Result(0);
+    if (!more) return more.error();
+    missing += int{done.value()} + more.value();
+  }
+  for (const LimitsFile& limits : limits_versions(root_)) {
+    const Status done = enter_limits_version(file_, limits);
+    if (!done) return done.error();
+  }
+  return missing;
+}
+
+// @param old  as it was entered before; null if it was not. @return whether it was entered now
+Result<bool> ResultDatabase::catch_up_run(const std::filesystem::path& folder, const RunRow* old,
+                                          bool is_whole) {
+  if (is_whole && !may_be_resumed(*old)) return false;
+  if (!has_sums(folder)) return false;  // written last: the verdict is still being written
+  const auto judgement = verdict_in(folder);
+  if (!judgement) return false;
+  const RunRow row = row_of(root_, folder, *judgement);
+  if (is_whole && row == *old) return false;
+  if (const Status done = enter(row, *judgement); !done) return done.error();
+  return true;
+}
+
+Result<int> ResultDatabase::catch_up_later(const std::filesystem::path& folder,
+                                           const std::set<std::string>& known) {
+  int missing = 0;
+  for (const std::string& name : rejudgement_names(folder)) {
+    if (known.contains(name)) continue;
+    const auto later = rejudgement_from_json(read_file(folder / name).value_or(""));
+    if (!later) continue;
+    const Status done = enter(row_of(root_, folder / name, *later));
+    if (!done) return done.error();
     ++missing;
   }
   return missing;
 }
 
 Result<std::vector<RunRow>> ResultDatabase::runs(const std::string& serial) const {
-  const Statement statement = prepare(database_.get(), get);
-  if (!statement) return failure("cannot be read");
-  bind(statement, 1, serial);
+  const auto entered = entered_runs(file_, serial);
+  if (!entered) return entered.error();
   std::vector<RunRow> rows;
-  int code = SQLITE_ROW;
-  while ((code = sqlite3_step(statement.get())) == SQLITE_ROW) {
-    RunRow& row = rows.emplace_back();
-    int at = 0;
-    for (const auto column : columns) {
-      const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement.get(), at));
-      row.*column = text == nullptr ? "" : text;
-      ++at;
-    }
-  }
-  if (code != SQLITE_DONE) return failure("cannot be read");
+  for (const EnteredRun& run : entered.value()) rows.push_back(run.row);
   return rows;
 }
 
-Status ResultDatabase::execute(const char* sql) {
-  if (sqlite3_exec(database_.get(), sql, nullptr, nullptr, nullptr) == SQLITE_OK) return Done{};
-  return failure("cannot be used");
+Result<std::vector<JudgementRow>> ResultDatabase::later_judgements() const {
+  SqlStatement query(file_, get_later);
+  std::vector<JudgementRow> rows;
+  while (query.next()) {
+    rows.push_back({query.text(0), query.text(1), query.text(2), query.text(3), query.text(4),
+                    query.text(5), query.text(6), query.text(7)});
+  }
+  if (!query.is_done()) return file_.failure("cannot be read");
+  return rows;
 }
 
-IoError ResultDatabase::failure(const std::string& what) const {
-  return {IoErrc::refused, fmt::format("{} {}: {}", (root_ / result_database_name).string(), what,
-                                       sqlite3_errmsg(database_.get()))};
+Result<std::set<std::string>> ResultDatabase::runs_with_finding(
+    const std::string& component) const {
+  SqlStatement query(file_, get_with_finding);
+  query.bind(component);
+  std::set<std::string> folders;
+  while (query.next()) folders.insert(query.text(0));
+  if (!query.is_done()) return file_.failure("cannot be read");
+  return folders;
+}
+
+Result<std::vector<RunValue>> ResultDatabase::series(const SeriesOf& asked) const {
+  return read_series(file_, asked);
 }
 
 std::vector<RunRow> unfinished_runs(const std::filesystem::path& root) {
@@ -221,6 +252,19 @@ RunRow row_of(const std::filesystem::path& root, const std::filesystem::path& fo
           .error_kind = to_string(judgement.ending.error_kind),
           .reason = judgement.ending.reason,
           .software = judgement.facts.software};
+}
+
+JudgementRow row_of(const std::filesystem::path& root, const std::filesystem::path& file,
+                    const Rejudgement& rejudgement) {
+  const Ending& ending = rejudgement.judgement.ending;
+  return {.folder = file.parent_path().lexically_relative(root).string(),
+          .file = file.filename().string(),
+          .judged_utc = rejudgement.judged_utc,
+          .software = rejudgement.judgement.facts.software,
+          .limits_version = rejudgement.limits_version,
+          .verdict = to_string(ending.outcome),
+          .error_kind = to_string(ending.error_kind),
+          .reason = ending.reason};
 }
 
 }  // namespace rvbench::bench

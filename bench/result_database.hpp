@@ -1,14 +1,15 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "bench/judgement.hpp"
+#include "bench/results/rejudgement.hpp"
+#include "bench/results/series.hpp"
+#include "bench/results/sqlite.hpp"
 #include "hal/types/result.hpp"
-
-struct sqlite3;
 
 namespace rvbench::bench {
 
@@ -26,14 +27,28 @@ struct RunRow {
   bool operator==(const RunRow&) const = default;
 };
 
-/// The runs below one folder as a table: <root>/results.db, by SQLite in WAL mode, every entry
-/// synced to the disk before it counts.
+/// One judgement of a run: as it was judged then (verdict.json), or later.
+struct JudgementRow {
+  std::string folder;
+  std::string file;  ///< of the run folder
+  std::string judged_utc;
+  std::string software;
+  std::string limits_version;  ///< empty: the limits of the run's own plan
+  std::string verdict;
+  std::string error_kind;
+  std::string reason;
+
+  bool operator==(const JudgementRow&) const = default;
+};
+
+/// The runs below one folder with what they measured and found: <root>/results.db, by SQLite in WAL
+/// mode, every entry synced to the disk before it counts. results/schema.cpp has the tables.
 ///
 /// It is an index, the folders are the truth: a run whose entry failed (the database was locked,
-/// the process was killed between verdict and entry) is entered by catch_up() later on.
+/// the process was killed between verdict and entry) is entered by catch_up() later on, and so is
+/// what an older version of the tables did not hold.
 ///
-/// Errors   refused: the file is locked for longer than two seconds, is no database, cannot be
-///          written; the text says which
+/// Errors   as SqliteFile, and refused: the file is of a newer version, which the text names
 /// Threads  one caller at a time; several processes may have it open
 class ResultDatabase {
  public:
@@ -41,29 +56,39 @@ class ResultDatabase {
   /// Empty until catch_up(), and gone with this object: where results.db cannot be used.
   static Result<ResultDatabase> in_memory(const std::filesystem::path& root);
 
-  /// Enters a run; one that was entered before is replaced.
-  Status enter(const RunRow& row);
+  /// Enters a run with all it measured and found; one that was entered before is replaced.
+  Status enter(const RunRow& row, const Judgement& judgement);
 
-  /// Enters every run folder with a complete verdict that is missing, and every one that has come
-  /// to another verdict since: an ABORTED or ERROR run may be resumed. @return how many
+  /// Enters a later judgement of a run that has been entered.
+  Status enter(const JudgementRow& row);
+
+  /// Enters every run folder with a complete verdict that is missing or not whole, every one that
+  /// has come to another verdict since (an ABORTED or ERROR run may be resumed), and later
+  /// judgements and versions of limits. @return how many runs and later judgements
   Result<int> catch_up();
 
   /// Oldest first. @param serial  empty: of every unit
   Result<std::vector<RunRow>> runs(const std::string& serial = "") const;
 
- private:
-  struct Close {
-    void operator()(sqlite3* database) const noexcept;
-  };
+  /// All that judged a run after its end, by run and in the order they were made.
+  Result<std::vector<JudgementRow>> later_judgements() const;
 
-  ResultDatabase(std::filesystem::path root, std::unique_ptr<sqlite3, Close> database);
+  /// Folders of the runs that have a finding above its limit on that part.
+  Result<std::set<std::string>> runs_with_finding(const std::string& component) const;
+
+  /// As read_series().
+  Result<std::vector<RunValue>> series(const SeriesOf& asked) const;
+
+ private:
+  ResultDatabase(std::filesystem::path root, SqliteFile file);
   static Result<ResultDatabase> open_at(const std::filesystem::path& root,
                                         const std::filesystem::path& file);
-  Status execute(const char* sql);
-  IoError failure(const std::string& what) const;
+  Result<bool> catch_up_run(const std::filesystem::path& folder, const RunRow* old, bool is_whole);
+  Result<int> catch_up_later(const std::filesystem::path& folder,
+                             const std::set<std::string>& known);
 
   std::filesystem::path root_;
-  std::unique_ptr<sqlite3, Close> database_;
+  SqliteFile file_;
 };
 
 /// The runs below the root that have no result: their verdict is empty. Of what each recorded when
@@ -78,5 +103,9 @@ std::vector<RunRow> damaged_runs(const std::filesystem::path& root,
 /// The row of a run whose folder lies in `root`.
 RunRow row_of(const std::filesystem::path& root, const std::filesystem::path& folder,
               const Judgement& judgement);
+
+/// The row of a later judgement, which lies in that file of a run folder in `root`.
+JudgementRow row_of(const std::filesystem::path& root, const std::filesystem::path& file,
+                    const Rejudgement& rejudgement);
 
 }  // namespace rvbench::bench

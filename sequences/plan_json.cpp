@@ -8,6 +8,7 @@
 
 #include "hal/did_you_mean.hpp"
 #include "hal/types/measure.hpp"
+#include "sequences/limits_json.hpp"
 #include "sequences/phase_registry.hpp"
 #include "sequences/plan.hpp"
 #include "sequences/timeline.hpp"
@@ -137,27 +138,6 @@ void check_against_earlier(const Limit& limit, const std::vector<Limit>& earlier
                          hal::in_quotes(other->why)));
 }
 
-std::vector<Limit> parse_limits(hal::ConfigReader& root) {
-  std::vector<std::string> names;
-  for (const Measure& measure : measures()) names.emplace_back(measure.name);
-  std::vector<Limit> limits;
-  for (hal::ConfigReader& json : root.objects("limits", false)) {
-    const std::string name = json.text("measure");
-    if (const Measure* measure = find_measure(name)) {
-      Limit limit = parse_limit(*measure, json);
-      if (root.faults().empty()) check_against_earlier(limit, limits, json);
-      limits.push_back(std::move(limit));
-      continue;
-    }
-    if (!name.empty()) {
-      json.fault("measure",
-                 hal::in_quotes(name) + " is not measured" + hal::what_there_is(name, names));
-    }
-    json.disregard();
-  }
-  return limits;
-}
-
 // Whether the phase records what the measure is made of: a shaft that is wound to and fro tells of
 // nothing that turns, and one that turns of no torsion.
 bool shows(const Phase& phase, const Measure& measure) {
@@ -234,6 +214,29 @@ nlohmann::ordered_json limits_json(const std::vector<Limit>& limits) {
 }
 
 }  // namespace
+
+std::vector<Limit> parse_limits(hal::ConfigReader& root) {
+  std::vector<std::string> names;
+  for (const Measure& measure : measures()) names.emplace_back(measure.name);
+  std::vector<Limit> limits;
+  for (hal::ConfigReader& json : root.objects("limits", false)) {
+    const std::string name = json.text("measure");
+    if (const Measure* measure = find_measure(name)) {
+      Limit limit = parse_limit(*measure, json);
+      if (root.faults().empty()) check_against_earlier(limit, limits, json);
+      limits.push_back(std::move(limit));
+      continue;
+    }
+    if (!name.empty()) {
+      json.fault("measure",
+                 hal::in_quotes(name) + " is not measured" + hal::what_there_is(name, names));
+    }
+    json.disregard();
+  }
+  return limits;
+}
+
+std::string limits_to_json(const std::vector<Limit>& limits) { return limits_json(limits).dump(); }
 
 std::vector<hal::PlannedPoint> TestPlan::points() const {
   std::vector<hal::PlannedPoint> all;

@@ -7,6 +7,7 @@
 #include "bench/file_kind.hpp"
 #include "bench/judging.hpp"
 #include "bench/kinematics_file.hpp"
+#include "bench/limits_file.hpp"
 #include "bench/recording_facts.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/run_start.hpp"
@@ -53,6 +54,11 @@ Faults tpa_faults(const std::string& file) {
   return project.index() == 1 ? std::get<1>(std::move(project)) : Faults{};
 }
 
+Faults limits_faults(const std::string& file) {
+  auto limits = read_limits_file(file);
+  return limits.index() == 1 ? std::get<1>(std::move(limits)) : Faults{};
+}
+
 Faults faults_of(const std::string& kind, const std::string& file) {
   if (kind == "plan") return plan_faults(file);
   if (kind == "rig") return check_rig(file);
@@ -60,9 +66,10 @@ Faults faults_of(const std::string& kind, const std::string& file) {
   if (kind == "plant") return plant_faults(file);
   if (kind == "campaign") return campaign_faults(file);
   if (kind == "tpa") return tpa_faults(file);
+  if (kind == "limits") return limits_faults(file);
   return {{1, "",
            "neither plan (\"main\"), rig (\"rig\"), kinematics (\"machine\"), plant (\"plant\"), "
-           "campaign (\"campaign\") nor tpa project (\"tpa\")"}};
+           "campaign (\"campaign\"), tpa project (\"tpa\") nor limits (\"limits_version\")"}};
 }
 
 int check_run(Console& console, const std::filesystem::path& folder) {

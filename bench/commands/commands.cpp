@@ -6,7 +6,9 @@
 #include <system_error>
 #include <utility>
 
+#include "hal/did_you_mean.hpp"
 #include "hal/formats/printable.hpp"
+#include "hal/types/measure.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -30,6 +32,9 @@ std::vector<std::unique_ptr<Command>> make_commands() {
   commands.push_back(make_history_command());
   commands.push_back(make_gage_command());
   commands.push_back(make_chart_command());
+  commands.push_back(make_trend_command());
+  commands.push_back(make_rejudge_command());
+  commands.push_back(make_limits_command());
   return commands;
 }
 
@@ -52,6 +57,13 @@ void remark(Console& console, const char* kind, const std::filesystem::path& fil
 int refuse_usage(Console& console, const std::string& message) {
   complain(console, "rvbench: " + message);
   return exit_codes::usage;
+}
+
+int refuse_measure(Console& console, const std::string& command, const std::string& name) {
+  std::vector<std::string> names;
+  for (const Measure& measure : measures()) names.emplace_back(measure.name);
+  return refuse_usage(console, command + ": " + hal::in_quotes(name) + " is not measured" +
+                                   hal::what_there_is(name, names));
 }
 
 std::optional<BenchLock> lock_devices(Console& console, const std::string& command,

@@ -27,6 +27,9 @@ std::unique_ptr<Command> make_report_command();
 std::unique_ptr<Command> make_history_command();
 std::unique_ptr<Command> make_gage_command();
 std::unique_ptr<Command> make_chart_command();
+std::unique_ptr<Command> make_trend_command();
+std::unique_ptr<Command> make_rejudge_command();
+std::unique_ptr<Command> make_limits_command();
 
 /// Prints every fault of a file on standard error, one a line. @return exit_codes::bad_file
 int refuse_file(Console& console, const std::filesystem::path& file,
@@ -38,6 +41,9 @@ void remark(Console& console, const char* kind, const std::filesystem::path& fil
 
 /// Prints why the arguments make no sense. @return exit_codes::usage
 int refuse_usage(Console& console, const std::string& message);
+
+/// Prints that nothing of that name is measured, and what is. @return exit_codes::usage
+int refuse_measure(Console& console, const std::string& command, const std::string& name);
 
 /// Whether the value of an option is above 0 and finite, or not given; prints it if not.
 bool is_positive(Console& console, const std::string& option, std::optional<double> value);

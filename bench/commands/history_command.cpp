@@ -2,72 +2,18 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "bench/commands/commands.hpp"
 #include "bench/result_database.hpp"
+#include "bench/results/history_table.hpp"
+#include "bench/results/run_filter.hpp"
 #include "bench/sha256.hpp"
+#include "hal/did_you_mean.hpp"
+#include "hal/types/measure.hpp"
 
 namespace rvbench::bench {
 namespace {
-
-constexpr int widest_name = 32;
-constexpr int longest_reason = 500;
-
-// "2026-11-21 11:45:59" of "20261121T114559Z"; as it is, if it is written otherwise.
-std::string readable(const std::string& utc) {
-  if (utc.size() < 15 || utc[8] != 'T') return utc;
-  return fmt::format("{}-{}-{} {}:{}:{}", utc.substr(0, 4), utc.substr(4, 2), utc.substr(6, 2),
-                     utc.substr(9, 2), utc.substr(11, 2), utc.substr(13, 2));
-}
-
-nlohmann::ordered_json json_or_null(const std::string& text) {
-  return text.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(text);
-}
-
-std::string as_json(const std::vector<RunRow>& rows) {
-  auto runs = nlohmann::ordered_json::array();
-  for (const RunRow& row : rows) {
-    runs.push_back({{"folder", row.folder},
-                    {"serial", row.serial},
-                    {"started_utc", row.started_utc},
-                    {"plan", row.plan},
-                    {"verdict", json_or_null(row.verdict)},
-                    {"error_kind", json_or_null(row.error_kind)},
-                    {"reason", row.reason},
-                    {"software", json_or_null(row.software)}});
-  }
-  return nlohmann::ordered_json{{"runs", runs}}.dump(2, ' ', false,
-                                                     nlohmann::json::error_handler_t::replace) +
-         "\n";
-}
-
-std::string padded(const std::string& cell, int columns) {
-  return cell + std::string(std::size_t(std::max(0, columns - shown_width(cell))), ' ');
-}
-
-// @param none  what to say if there are none
-void print(Console& console, const std::vector<RunRow>& rows, const std::string& none) {
-  int serial_columns = 6, plan_columns = 4;
-  for (const RunRow& row : rows) {
-    serial_columns = std::max(serial_columns, shown_width(as_cell(row.serial, widest_name)));
-    plan_columns = std::max(plan_columns, shown_width(as_cell(row.plan, widest_name)));
-  }
-  console.out << fmt::format("{:<19}  {}  {}  {:<7}  reason\n", "started (UTC)",
-                             padded("serial", serial_columns), padded("plan", plan_columns),
-                             "verdict");
-  for (const RunRow& row : rows) {
-    const Tone tone = row.verdict == "PASS"   ? Tone::good
-                      : row.verdict == "FAIL" ? Tone::bad
-                                              : Tone::warning;
-    const std::string verdict = padded(row.verdict.empty() ? "-" : row.verdict, 7);
-    console.out << fmt::format("{:<19}  {}  {}  {}  {}\n", readable(row.started_utc),
-                               padded(as_cell(row.serial, widest_name), serial_columns),
-                               padded(as_cell(row.plan, widest_name), plan_columns),
-                               paint(console, tone, verdict), as_cell(row.reason, longest_reason));
-  }
-  if (rows.empty()) console.out << none << '\n';
-}
 
 // Those with a result, and those without: also of one that is resumed just now, but not of one that
 // has come to its end since it was seen without.
@@ -84,13 +30,32 @@ std::vector<RunRow> merged(std::vector<RunRow> judged, const std::vector<RunRow>
   return judged;
 }
 
-// Of every run with a result.
-Result<std::vector<RunRow>> entered_in(Result<ResultDatabase> database) {
-  if (!database) return database.error();
-  ResultDatabase results = std::move(database).value();
-  const auto caught_up = results.catch_up();
+// What is entered of every run with a result; the runs of --indicator and --component alone.
+Result<History> entered_in(Result<ResultDatabase> opened, const SeriesOf& series,
+                           const std::string& component) {
+  if (!opened) return opened.error();
+  ResultDatabase database = std::move(opened).value();
+  const auto caught_up = database.catch_up();
   if (!caught_up) return caught_up.error();
-  return results.runs();
+  auto runs = database.runs();
+  const auto later = database.later_judgements();
+  if (!runs) return runs.error();
+  if (!later) return later.error();
+  History history{std::move(runs).value(), {}, {}};
+  for (const JudgementRow& row : later.value()) history.later[row.folder].push_back(row);
+  if (!component.empty()) {
+    const auto with_finding = database.runs_with_finding(component);
+    if (!with_finding) return with_finding.error();
+    std::erase_if(history.runs,
+                  [&](const RunRow& row) { return !with_finding.value().contains(row.folder); });
+  }
+  if (series.measure.empty()) return history;
+  const auto values = database.series(series);
+  if (!values) return values.error();
+  for (const RunValue& value : values.value()) history.values.emplace(value.folder, value);
+  std::erase_if(history.runs,
+                [&](const RunRow& row) { return !history.values.contains(row.folder); });
+  return history;
 }
 
 class HistoryCommand final : public Command {
@@ -100,46 +65,103 @@ class HistoryCommand final : public Command {
   std::string examples() const override {
     return "  rvbench history\n"
            "  rvbench history --serial A17 --json\n"
+           "  rvbench history --from 2026-11-01 --verdict FAIL --component input_shaft\n"
+           "  rvbench history --indicator acceleration_peak --last 20\n"
            "Runs that are not in the folder's results.db yet are entered first; without the\n"
            "right to write there, all are read from their folders. One without a result has the\n"
-           "verdict - (null with --json).\n";
+           "verdict - (null with --json). What rvbench rejudge made of a run stands below it.\n";
   }
   std::vector<Option> options() override {
-    return {{"--serial", "of this unit only", &serial_},
+    return {{"--serial", "of this unit only", &filter_.serial},
+            {"--from", "begun then or later [UTC], as 2026-11-21 or \"2026-11-21 11:45\"", &from_},
+            {"--to", "begun then or earlier [UTC]; a day counts to its end", &to_},
+            {"--verdict",
+             "that were judged so when they ended",
+             &filter_.verdict,
+             false,
+             {"PASS", "FAIL", "INVALID", "ERROR", "ABORTED"}},
+            {"--plan", "of this plan only", &filter_.plan},
+            {"--indicator", "that have this measure, with its worst value", &indicator_},
+            {"--component", "with a finding above its limit on this part", &component_},
+            {"--last", "only the newest, so many", &last_, false, {}, UINT64_MAX, 1},
             {"--out", "folder of run folders; default: " + out_, &out_},
             {"--json", "one JSON document on standard output", &json_}};
   }
 
-  int run(Console& console) override {
-    std::error_code unknown;
-    if (!std::filesystem::is_directory(out_, unknown)) {
-      return refuse_usage(console, "history: no folder " + out_);
-    }
-    // Before those with a result: a run that ends in between is in both lists, not in neither.
-    const std::vector<RunRow> unfinished = unfinished_runs(out_);
-    auto rows = entered_in(ResultDatabase::open(out_));
-    if (!rows) {
-      console.err << "rvbench: warning: " << describe(rows.error())
-                  << "; the runs are read from their folders\n";
-      rows = entered_in(ResultDatabase::in_memory(out_));
-    }
-    if (!rows) return refuse_data(console, "history: " + describe(rows.error()));
-    std::vector<RunRow> all = merged(std::move(rows).value(), unfinished, out_);
-    std::erase_if(all,
-                  [&](const RunRow& row) { return !serial_.empty() && row.serial != serial_; });
-    if (json_) {
-      console.out << as_json(all);
-    } else {
-      print(console, all, serial_.empty() ? "no run yet" : "no run of " + serial_ + " in " + out_);
-    }
-    return exit_codes::done;
-  }
+  int run(Console& console) override;
 
  private:
-  std::string serial_;
+  int read_filter(Console& console);
+  void narrow(std::vector<RunRow>& rows) const;
+
+  RunFilter filter_;
+  std::string from_, to_;
+  std::string indicator_;
+  std::string component_;
+  std::optional<std::uint64_t> last_;
   std::string out_ = "runs";
   bool json_ = false;
 };
+
+int HistoryCommand::read_filter(Console& console) {
+  const auto refused = [&](const char* option, const std::string& text) {
+    return refuse_usage(console, fmt::format("history: {} {}: no time as 2026-11-21 or "
+                                             "\"2026-11-21 11:45\"",
+                                             option, hal::in_quotes(text)));
+  };
+  const auto from = utc_of_text(from_, false), to = utc_of_text(to_, true);
+  if (!from_.empty() && !from) return refused("--from", from_);
+  if (!to_.empty() && !to) return refused("--to", to_);
+  filter_.from_utc = from.value_or("");
+  filter_.to_utc = to.value_or("");
+  return indicator_.empty() || find_measure(indicator_) != nullptr
+             ? exit_codes::done
+             : refuse_measure(console, "history", indicator_);
+}
+
+void HistoryCommand::narrow(std::vector<RunRow>& rows) const {
+  std::erase_if(rows, [&](const RunRow& row) { return !matches(filter_, row); });
+  if (!last_ || *last_ >= rows.size()) return;
+  rows.erase(rows.begin(), rows.end() - static_cast<std::ptrdiff_t>(*last_));
+}
+
+int HistoryCommand::run(Console& console) {
+  std::error_code unknown;
+  if (!std::filesystem::is_directory(out_, unknown)) {
+    return refuse_usage(console, "history: no folder " + out_);
+  }
+  if (const int refused = read_filter(console); refused != exit_codes::done) return refused;
+  const Measure* measure = find_measure(indicator_);
+  const SeriesOf series{.measure = indicator_,
+                        .serial = filter_.serial,
+                        .least = measure != nullptr && measure->worst_is_least};
+  // Before those with a result: a run that ends in between is in both lists, not in neither.
+  const std::vector<RunRow> unfinished = unfinished_runs(out_);
+  auto entered = entered_in(ResultDatabase::open(out_), series, component_);
+  if (!entered) {
+    console.err << "rvbench: warning: " << describe(entered.error())
+                << "; the runs are read from their folders\n";
+    entered = entered_in(ResultDatabase::in_memory(out_), series, component_);
+  }
+  if (!entered) return refuse_data(console, "history: " + describe(entered.error()));
+  History history = std::move(entered).value();
+  // A run without a result has neither a value nor a finding.
+  if (indicator_.empty() && component_.empty()) {
+    history.runs = merged(std::move(history.runs), unfinished, out_);
+  }
+  const bool any = !history.runs.empty();
+  narrow(history.runs);
+  if (json_) {
+    console.out << history_to_json(history);
+    return exit_codes::done;
+  }
+  print_history(console, history);
+  if (!history.runs.empty()) return exit_codes::done;
+  console.out << (filter_.serial.empty() ? any ? "no such run in " + out_ : "no run yet"
+                                         : "no run of " + filter_.serial + " in " + out_)
+              << '\n';
+  return exit_codes::done;
+}
 
 }  // namespace
 

@@ -17,6 +17,7 @@
 #include "bench/find_plan.hpp"
 #include "bench/judging.hpp"
 #include "bench/kinematics_file.hpp"
+#include "bench/limits_versions.hpp"
 #include "bench/plan_files.hpp"
 #include "bench/progress_bar.hpp"
 #include "bench/result_database.hpp"
@@ -90,6 +91,7 @@ class RunCommand final : public Command {
   bool resume_ = false;
   bool no_report_ = false;
   bool json_ = false;
+  std::string limits_note_;
   RigFile file_;    // what --rig names, read once
   RunPlace place_;  // locked until the command ends
 };
@@ -100,7 +102,7 @@ int RunCommand::run(Console& console) {
     return refuse_usage(
         console, "run: --serial " + hal::in_quotes(serial_) + ": no blank may begin or end it");
   }
-  const auto plan = find_plan(plan_);
+  auto plan = find_plan(plan_);
   auto file = read_rig(rig_, unit_.rig_options());
   std::variant<hal::Rig, std::vector<hal::ConfigFault>> rig;
   if (file.index() == 0) {
@@ -116,7 +118,14 @@ int RunCommand::run(Console& console) {
   if (plan.index() == 1) refuse_file(console, plan_, std::get<1>(plan));
   if (rig.index() == 1) refuse_file(console, rig_, std::get<1>(rig));
   if (plan.index() == 1 || rig.index() == 1) return exit_codes::bad_file;
-  const sequences::TestPlan& test = std::get<0>(plan);
+  sequences::TestPlan& test = std::get<0>(plan);
+  auto active = active_limits(out_, test.name);
+  if (active.index() == 1) return refuse_usage(console, "run: " + std::get<1>(active));
+  if (auto& limits = std::get<0>(active)) {
+    test.limits = std::move(limits->limits);
+    limits_note_ = "limits " + limits->version + " are active, in place of the plan's";
+    console.err << "rvbench: note: " << limits_note_ << '\n';
+  }
   auto kinematics = read_kinematics(test.specimen.kinematics);
   if (kinematics.index() == 1) {
     return refuse_file(console, test.specimen.kinematics, std::get<1>(kinematics));
@@ -203,6 +212,7 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
   ProgressBar bar(console, progress_style(console, json_));
   Acceptance acceptance{plan, kinematics, place_.folder, facts(plan), twin_of(file_)};
   acceptance.with_report = !no_report_;
+  if (!limits_note_.empty()) acceptance.warnings.push_back(limits_note_);
   for (const hal::ConfigFault& warning : warnings) {
     acceptance.warnings.push_back(hal::describe(rig_, warning));
   }
@@ -243,7 +253,7 @@ std::string RunCommand::enter_result(const Judgement& judgement) const {
   Status entered = Done{};
   if (database) {
     ResultDatabase results = std::move(database).value();
-    entered = results.enter(row_of(out_, place_.folder, judgement));
+    entered = results.enter(row_of(out_, place_.folder, judgement), judgement);
     if (entered) {
       const auto caught_up = results.catch_up();
       if (!caught_up) entered = caught_up.error();

@@ -43,6 +43,10 @@ RunRow row_number(int number) {
           "0.1.0"};
 }
 
+Status entered(ResultDatabase& database, const RunRow& row) {
+  return database.enter(row, test::passed_run());
+}
+
 // A run folder with verdict and sums, as a run leaves it.
 std::filesystem::path finished_run(const ScratchFolder& root, const std::string& serial) {
   const auto folder = create_run_folder(root.path(), serial, "20260102T030405Z");
@@ -74,15 +78,15 @@ TEST_CASE("runs that were entered are there, oldest first, and by unit", "[bench
   const ScratchFolder root;
   {
     ResultDatabase database = opened(root);
-    REQUIRE(database.enter(row_number(2)));
-    REQUIRE(database.enter(row_number(1)));
+    REQUIRE(entered(database, row_number(2)));
+    REQUIRE(entered(database, row_number(1)));
     RunRow other = row_number(3);
     other.serial = "B'; DROP TABLE runs; --";
     other.folder = "B/3";
-    REQUIRE(database.enter(other));
+    REQUIRE(entered(database, other));
     RunRow again = row_number(2);
     again.verdict = "FAIL";
-    REQUIRE(database.enter(again));
+    REQUIRE(entered(database, again));
   }
   const ResultDatabase database = opened(root);
   const auto all = database.runs();
@@ -101,9 +105,9 @@ TEST_CASE("a locked database is told, and what it misses is entered later", "[be
   const auto folder = finished_run(root, "A17");
   {
     const Hog hog(root);
-    const Status entered = database.enter(row_number(1));
-    REQUIRE_FALSE(entered);
-    CHECK_THAT(entered.error().where, Catch::Contains("results.db cannot be written: database is "
+    const Status refused = entered(database, row_number(1));
+    REQUIRE_FALSE(refused);
+    CHECK_THAT(refused.error().where, Catch::Contains("results.db cannot be written: database is "
                                                       "locked"));
   }
   const auto caught_up = database.catch_up();
@@ -123,7 +127,7 @@ TEST_CASE("a run that was resumed to another verdict is entered anew", "[bench][
   const auto folder = finished_run(root, "A17");
   RunRow aborted = row_of(root.path(), folder, test::failed_run());
   aborted.verdict = "ABORTED";
-  REQUIRE(database.enter(aborted));  // as it was before, and its second entry failed
+  REQUIRE(entered(database, aborted));  // as it was before, and its second entry failed
   CHECK(database.catch_up().value() == 1);
   CHECK(database.runs().value().at(0).verdict == "FAIL");
   CHECK(database.catch_up().value() == 0);
@@ -175,7 +179,7 @@ TEST_CASE("kill -9 takes no entry back that was acknowledged", "[bench][results]
       auto database = ResultDatabase::open(root.path());
       for (int number = 0; database; ++number) {
         ResultDatabase& results = const_cast<ResultDatabase&>(database.value());
-        if (!results.enter(row_number(number))) ::_exit(1);
+        if (!entered(results, row_number(number))) ::_exit(1);
         if (::write(ends[1], &number, sizeof number) != sizeof number) ::_exit(2);
       }
       ::_exit(3);

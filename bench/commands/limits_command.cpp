@@ -1,0 +1,176 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "bench/commands/commands.hpp"
+#include "bench/fault_lines.hpp"
+#include "bench/limits_effect.hpp"
+#include "bench/limits_versions.hpp"
+#include "bench/progress_bar.hpp"
+#include "bench/results/run_filter.hpp"
+#include "bench/run_folder.hpp"
+#include "bench/text_file.hpp"
+#include "hal/did_you_mean.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+class LimitsCommand final : public Command {
+ public:
+  std::string name() const override { return "limits"; }
+  std::string summary() const override {
+    return "versions of limits: proposed, approved by somebody, activated";
+  }
+  std::string examples() const override {
+    return "  rvbench limits list\n"
+           "  rvbench limits propose --from limits.json --by \"J. Weber\"\n"
+           "  rvbench limits effect 2026-11               which past verdicts would change\n"
+           "  rvbench limits approve 2026-11 --by \"A. Sato\" --yes\n"
+           "  rvbench limits activate 2026-11 --by \"A. Sato\"\n"
+           "Without --yes, approve shows the effect and approves nothing. From its activation on,\n"
+           "rvbench run takes a version in place of the limits of its plan.\n";
+  }
+  std::vector<Option> options() override {
+    return {
+        {"STEP", "what to do", &step_, true, {"list", "propose", "effect", "approve", "activate"}},
+        {"VERSION", "version of the limits", &version_},
+        {"--from", "limits file to propose", &from_},
+        {"--by", "who proposes, approves or activates", &by_},
+        {"--yes", "approve, the effect having been seen", &yes_},
+        {"--out", "folder of run folders; default: " + out_, &out_}};
+  }
+
+  int run(Console& console) override {
+    if (step_ == "list") return list(console);
+    if (step_ == "propose") return propose(console);
+    if (version_.empty()) return refuse_usage(console, "limits: which VERSION?");
+    const std::filesystem::path path = limits_path(out_, version_);
+    if (!is_limits_version(version_) || !std::filesystem::exists(path)) {
+      return refuse_usage(console, "limits: no version " + hal::in_quotes(version_) + " in " +
+                                       out_ + hal::what_there_is(version_, names()));
+    }
+    auto read = read_limits_file(path);
+    if (read.index() == 1) return refuse_file(console, path, std::get<1>(read));
+    LimitsFile file = std::get<0>(std::move(read));
+    if (step_ == "activate") return activate(console, std::move(file));
+    return approve(console, std::move(file));
+  }
+
+ private:
+  std::vector<std::string> names() const;
+  int list(Console& console) const;
+  int propose(Console& console) const;
+  int approve(Console& console, LimitsFile file) const;
+  int activate(Console& console, LimitsFile file) const;
+  int record(Console& console, LimitsFile file, const std::string& step) const;
+  int show_effect(Console& console, const LimitsFile& file) const;
+
+  std::string step_;
+  std::string version_;
+  std::string from_;
+  std::string by_;
+  std::string out_ = "runs";
+  bool yes_ = false;
+};
+
+std::vector<std::string> LimitsCommand::names() const {
+  std::vector<std::string> names;
+  for (const LimitsFile& file : limits_versions(out_)) names.push_back(file.version);
+  return names;
+}
+
+int LimitsCommand::list(Console& console) const {
+  const std::vector<LimitsFile> versions = limits_versions(out_);
+  for (const LimitsFile& file : versions) {
+    console.out << fmt::format("{}  {}, plan {}, {} limits\n", file.version, status_of(file),
+                               file.plan, file.limits.size());
+    for (const LimitsStep& step : file.steps) {
+      console.out << fmt::format("  {}  {} by {}\n", readable_utc(step.utc), step.step,
+                                 as_cell(step.by, 64));
+    }
+  }
+  if (versions.empty()) console.out << "no limits in " << out_ << ": plans state their own\n";
+  return exit_codes::done;
+}
+
+int LimitsCommand::propose(Console& console) const {
+  if (from_.empty()) return refuse_usage(console, "limits: propose which limits? give --from FILE");
+  auto read = read_limits_file(from_);
+  if (read.index() == 1) return refuse_file(console, from_, with_lines(from_, std::get<1>(read)));
+  LimitsFile file = std::get<0>(std::move(read));
+  if (!is_limits_version(file.version)) {
+    return refuse_file(console, from_,
+                       {{0, "/limits_version",
+                         hal::in_quotes(file.version) + ": letters, digits, '.', '_' and '-'"}});
+  }
+  if (std::filesystem::exists(limits_path(out_, file.version))) {
+    return refuse_usage(console, "limits: there is a version " + file.version + " in " + out_ +
+                                     " already: give the new one another name");
+  }
+  file.steps.clear();  // whatever was done with it elsewhere
+  return record(console, std::move(file), "proposed");
+}
+
+int LimitsCommand::approve(Console& console, LimitsFile file) const {
+  if (step_ == "approve" && by_.empty()) {
+    return refuse_usage(console, "limits: who approves? give --by NAME");
+  }
+  const int shown = show_effect(console, file);
+  if (shown != exit_codes::done || step_ == "effect") return shown;
+  if (!yes_) {
+    console.out << "nothing is approved yet: add --yes to approve " << file.version << '\n';
+    return exit_codes::done;
+  }
+  return record(console, std::move(file), "approved");
+}
+
+int LimitsCommand::activate(Console& console, LimitsFile file) const {
+  if (status_of(file) == "draft") {
+    const bool was = last_step(file, "approved") != nullptr;
+    return refuse_usage(console, "limits: " + file.version +
+                                     (was ? " was changed since it was approved" : " is a draft") +
+                                     ": only approved limits become active, see rvbench limits "
+                                     "approve");
+  }
+  return record(console, std::move(file), "activated");
+}
+
+int LimitsCommand::show_effect(Console& console, const LimitsFile& file) const {
+  auto opened = ResultDatabase::open(out_);
+  if (!opened) return refuse_data(console, "limits: " + describe(opened.error()));
+  ResultDatabase database = std::move(opened).value();
+  const auto caught_up = database.catch_up();
+  if (!caught_up) return refuse_data(console, "limits: " + describe(caught_up.error()));
+  const auto runs = database.runs();
+  if (!runs) return refuse_data(console, "limits: " + describe(runs.error()));
+  ProgressBar bar(console, progress_style(console, false));
+  const LimitsEffect effect = effect_of(
+      file, out_, runs.value(), [&](double share) { bar.show("effect", share, file.version); });
+  bar.clear();
+  console.out << effect_text(effect);
+  return exit_codes::done;
+}
+
+int LimitsCommand::record(Console& console, LimitsFile file, const std::string& step) const {
+  if (by_.empty()) return refuse_usage(console, "limits: by whom? give --by NAME");
+  file.steps.push_back({step, utc_now(), by_, limits_hash(file.limits)});
+  const std::filesystem::path path = limits_path(out_, file.version);
+  try {
+    std::filesystem::create_directories(path.parent_path());
+    write_file(path, limits_file_to_json(file));
+  } catch (const std::system_error& error) {
+    return refuse_usage(console, "limits: cannot be written: " + reason_of(error));
+  }
+  console.out << file.version << ": " << step << " by " << by_ << '\n';
+  return exit_codes::done;
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_limits_command() { return std::make_unique<LimitsCommand>(); }
+
+}  // namespace rvbench::bench

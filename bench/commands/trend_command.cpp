@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+
+#include "bench/commands/commands.hpp"
+#include "bench/out_folder.hpp"
+#include "bench/result_database.hpp"
+#include "bench/results/trend.hpp"
+#include "bench/text_file.hpp"
+#include "hal/did_you_mean.hpp"
+#include "hal/types/measure.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+struct SpeedAndLoad {
+  double speed_rpm, load_pct;
+};
+
+std::optional<double> number_of(std::string_view text) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+// "1210/50"
+std::optional<SpeedAndLoad> point_of(std::string_view text) {
+  const auto at = text.find('/');
+  if (at == std::string_view::npos) return std::nullopt;
+  const auto speed_rpm = number_of(text.substr(0, at)), load_pct = number_of(text.substr(at + 1));
+  if (!speed_rpm || !load_pct) return std::nullopt;
+  return SpeedAndLoad{*speed_rpm, *load_pct};
+}
+
+Result<std::vector<RunValue>> values_in(Result<ResultDatabase> opened, const SeriesOf& asked) {
+  if (!opened) return opened.error();
+  ResultDatabase database = std::move(opened).value();
+  const auto caught_up = database.catch_up();
+  if (!caught_up) return caught_up.error();
+  return database.series(asked);
+}
+
+class TrendCommand final : public Command {
+ public:
+  std::string name() const override { return "trend"; }
+  std::string summary() const override { return "one indicator over the runs, and its drift"; }
+  std::string examples() const override {
+    return "  rvbench trend acceleration_peak\n"
+           "  rvbench trend band_rms --of \"sun-planet mesh\" --point 1210/50 --channel accel_1x\n"
+           "  rvbench trend kurtosis --serial golden --out golden_kurtosis\n"
+           "Of each run the worst value of what is asked for. A trend is told where the slope's\n"
+           "95 % interval leaves 0 out; ten runs are the least it takes.\n";
+  }
+  std::vector<Option> options() override {
+    return {{"INDICATOR", "a measure, as plans limit it", &measure_, true},
+            {"--of", "of this band, order or mesh only", &asked_.of},
+            {"--point", "at this speed and load only: RPM/PERCENT", &point_},
+            {"--channel", "of this channel only", &asked_.channel},
+            {"--serial", "of this unit only", &asked_.serial},
+            {"--runs", "folder of run folders; default: " + runs_, &runs_},
+            {"--out", "folder for trend.json and trend.html; default: none are written", &out_},
+            {"--json", "one JSON document on standard output", &json_}};
+  }
+  int run(Console& console) override;
+
+ private:
+  std::string measure_;
+  SeriesOf asked_;
+  std::string point_;
+  std::string runs_ = "runs";
+  std::string out_;
+  bool json_ = false;
+};
+
+int TrendCommand::run(Console& console) {
+  const Measure* measure = find_measure(measure_);
+  if (measure == nullptr) return refuse_measure(console, "trend", measure_);
+  asked_.measure = measure_;
+  asked_.least = measure->worst_is_least;
+  if (const auto point = point_of(point_); !point_.empty()) {
+    if (!point) {
+      return refuse_usage(console, "trend: --point " + hal::in_quotes(point_) +
+                                       ": state speed and load as 1210/50, in rpm and %");
+    }
+    asked_.speed_rpm = point->speed_rpm;
+    asked_.load_pct = point->load_pct;
+  }
+  std::error_code unknown;
+  if (!std::filesystem::is_directory(runs_, unknown)) {
+    return refuse_usage(console, "trend: no folder " + runs_);
+  }
+  OutFolder out;
+  const std::string unusable = out_.empty() ? "" : out.make(out_, {"trend.json", "trend.html"});
+  if (!unusable.empty()) return refuse_usage(console, "trend: " + unusable);
+  auto values = values_in(ResultDatabase::open(runs_), asked_);
+  if (!values) {
+    console.err << "rvbench: warning: " << describe(values.error())
+                << "; the runs are read from their folders\n";
+    values = values_in(ResultDatabase::in_memory(runs_), asked_);
+  }
+  if (!values) return refuse_data(console, "trend: " + describe(values.error()));
+  const Trend trend = trend_of(asked_, std::move(values).value());
+  if (!out_.empty()) {
+    write_file(std::filesystem::path(out_) / "trend.html", make_trend_page(trend));
+    write_file(std::filesystem::path(out_) / "trend.json", trend_to_json(trend));
+  }
+  console.out << (json_ ? trend_to_json(trend) : trend_text(trend));
+  return exit_codes::done;
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_trend_command() { return std::make_unique<TrendCommand>(); }
+
+}  // namespace rvbench::bench

@@ -1,0 +1,127 @@
+#include "bench/results/history_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "bench/limit_checks.hpp"
+#include "bench/results/run_filter.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+constexpr int widest_name = 32;
+constexpr int longest_reason = 500;
+constexpr const char* later_plan = "  re-judged";  // in place of the plan
+
+nlohmann::ordered_json json_or_null(const std::string& text) {
+  return text.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(text);
+}
+
+nlohmann::ordered_json later_json(const History& history, const std::string& folder) {
+  auto list = nlohmann::ordered_json::array();
+  const auto later = history.later.find(folder);
+  if (later == history.later.end()) return list;
+  for (const JudgementRow& row : later->second) {
+    list.push_back({{"file", row.file},
+                    {"judged_utc", row.judged_utc},
+                    {"verdict", row.verdict},
+                    {"error_kind", row.error_kind},
+                    {"reason", row.reason},
+                    {"software", row.software},
+                    {"limits_version", json_or_null(row.limits_version)}});
+  }
+  return list;
+}
+
+std::string padded(const std::string& cell, int columns) {
+  return cell + std::string(std::size_t(std::max(0, columns - shown_width(cell))), ' ');
+}
+
+std::string painted(const Console& console, const std::string& verdict) {
+  const Tone tone = verdict == "PASS" ? Tone::good : verdict == "FAIL" ? Tone::bad : Tone::warning;
+  return paint(console, tone, padded(verdict.empty() ? "-" : verdict, 7));
+}
+
+class HistoryTable {
+ public:
+  HistoryTable(Console& console, const History& history) : console_(console), history_(history) {
+    if (!history.later.empty()) plan_columns_ = shown_width(later_plan);
+    for (const RunRow& row : history.runs) {
+      serial_columns_ = std::max(serial_columns_, shown_width(as_cell(row.serial, widest_name)));
+      plan_columns_ = std::max(plan_columns_, shown_width(as_cell(row.plan, widest_name)));
+    }
+  }
+
+  void print() const {
+    print_row("started (UTC)", "serial", "plan", "verdict",
+              history_.values.empty() ? "reason" : "value, reason");
+    for (const RunRow& row : history_.runs) {
+      print_row(readable_utc(row.started_utc), row.serial, row.plan, painted(console_, row.verdict),
+                value_text(row) + row.reason);
+      const auto later = history_.later.find(row.folder);
+      if (later == history_.later.end()) continue;
+      for (const JudgementRow& again : later->second) print_later(again);
+    }
+  }
+
+ private:
+  void print_row(const std::string& time, const std::string& serial, const std::string& plan,
+                 const std::string& verdict, const std::string& reason) const {
+    console_.out << fmt::format("{:<19}  {}  {}  {}  {}\n", time,
+                                padded(as_cell(serial, widest_name), serial_columns_),
+                                padded(as_cell(plan, widest_name), plan_columns_), verdict,
+                                as_cell(reason, longest_reason));
+  }
+
+  void print_later(const JudgementRow& row) const {
+    const std::string by = row.limits_version.empty() ? "by rvbench " + row.software
+                                                      : "by limits " + row.limits_version;
+    print_row(readable_utc(row.judged_utc), "", later_plan, painted(console_, row.verdict),
+              by + ": " + row.reason);
+  }
+
+  std::string value_text(const RunRow& row) const {
+    const auto value = history_.values.find(row.folder);
+    if (value == history_.values.end()) return "";
+    return with_unit(value->second.value, value->second.unit) + ", ";
+  }
+
+  Console& console_;
+  const History& history_;
+  int serial_columns_ = 6, plan_columns_ = 4;
+};
+
+}  // namespace
+
+std::string history_to_json(const History& history) {
+  auto runs = nlohmann::ordered_json::array();
+  for (const RunRow& row : history.runs) {
+    runs.push_back({{"folder", row.folder},
+                    {"serial", row.serial},
+                    {"started_utc", row.started_utc},
+                    {"plan", row.plan},
+                    {"verdict", json_or_null(row.verdict)},
+                    {"error_kind", json_or_null(row.error_kind)},
+                    {"reason", row.reason},
+                    {"software", json_or_null(row.software)},
+                    {"rejudged", later_json(history, row.folder)}});
+    const auto value = history.values.find(row.folder);
+    if (value == history.values.end()) continue;
+    runs.back()["indicator"] = {{"value", value->second.value},
+                                {"unit", value->second.unit},
+                                {"of", json_or_null(value->second.of)},
+                                {"point", value->second.point},
+                                {"channel", json_or_null(value->second.channel)}};
+  }
+  return nlohmann::ordered_json{{"runs", runs}}.dump(2, ' ', false,
+                                                     nlohmann::json::error_handler_t::replace) +
+         "\n";
+}
+
+void print_history(Console& console, const History& history) {
+  HistoryTable(console, history).print();
+}
+
+}  // namespace rvbench::bench

@@ -1,0 +1,103 @@
+#include "bench/results/schema.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+
+namespace rvbench::bench {
+namespace {
+
+// Without WAL a reader would lock a writer out; FULL syncs the log at each commit.
+constexpr const char* mode = "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL;";
+
+// 1: the runs alone. Such files say 0, as an empty one does.
+constexpr const char* runs_alone = R"sql(
+  CREATE TABLE IF NOT EXISTS runs (
+    folder TEXT PRIMARY KEY, serial TEXT NOT NULL, started_utc TEXT NOT NULL, plan TEXT NOT NULL,
+    verdict TEXT NOT NULL, error_kind TEXT NOT NULL, reason TEXT NOT NULL, software TEXT NOT NULL);
+  CREATE INDEX IF NOT EXISTS runs_of_serial ON runs (serial, started_utc);
+)sql";
+
+// 2: what each run measured and found, every judgement of it, and the versions of the limits.
+// Runs that were entered before are not whole: their folders tell the rest. A quantity has a number
+// of its own, for there are thousands of values a run.
+constexpr const char* what_was_measured = R"sql(
+  ALTER TABLE runs RENAME TO runs_alone;
+  DROP INDEX IF EXISTS runs_of_serial;
+  CREATE TABLE units (serial TEXT PRIMARY KEY, machine TEXT NOT NULL);
+  CREATE TABLE runs (
+    id INTEGER PRIMARY KEY, folder TEXT NOT NULL UNIQUE, serial TEXT NOT NULL,
+    started_utc TEXT NOT NULL, plan TEXT NOT NULL, verdict TEXT NOT NULL,
+    error_kind TEXT NOT NULL, reason TEXT NOT NULL, software TEXT NOT NULL,
+    is_whole INTEGER NOT NULL);
+  CREATE INDEX runs_of_serial ON runs (serial, started_utc);
+  CREATE TABLE points (
+    run INTEGER NOT NULL REFERENCES runs (id), point INTEGER NOT NULL, status TEXT NOT NULL,
+    speed_rpm REAL, load_pct REAL, repeat INTEGER NOT NULL, torque_Nm REAL,
+    PRIMARY KEY (run, point)) WITHOUT ROWID;
+  CREATE TABLE quantities (
+    id INTEGER PRIMARY KEY, measure TEXT NOT NULL, of_what TEXT NOT NULL, unit TEXT NOT NULL,
+    UNIQUE (measure, of_what, unit));
+  CREATE TABLE indicators (
+    quantity INTEGER NOT NULL REFERENCES quantities (id), run INTEGER NOT NULL,
+    point INTEGER NOT NULL, channel TEXT NOT NULL, value REAL NOT NULL,
+    PRIMARY KEY (quantity, run, point, channel)) WITHOUT ROWID;
+  CREATE TABLE findings (
+    run INTEGER NOT NULL REFERENCES runs (id), rank INTEGER NOT NULL, standing TEXT NOT NULL,
+    component TEXT NOT NULL, mechanism TEXT NOT NULL, table4_item TEXT NOT NULL,
+    shaft_order REAL, depth REAL, depth_low REAL, depth_high REAL, depth_limit REAL, p_value REAL,
+    confidence REAL, PRIMARY KEY (run, rank)) WITHOUT ROWID;
+  CREATE INDEX findings_of_component ON findings (component, standing);
+  CREATE TABLE judgements (
+    run INTEGER NOT NULL REFERENCES runs (id), file TEXT NOT NULL, judged_utc TEXT NOT NULL,
+    software TEXT NOT NULL, limits_version TEXT NOT NULL, verdict TEXT NOT NULL,
+    error_kind TEXT NOT NULL, reason TEXT NOT NULL, PRIMARY KEY (run, file)) WITHOUT ROWID;
+  CREATE TABLE limits_versions (
+    version TEXT PRIMARY KEY, plan TEXT NOT NULL, status TEXT NOT NULL,
+    approved_by TEXT NOT NULL, approved_utc TEXT NOT NULL, activated_by TEXT NOT NULL,
+    activated_utc TEXT NOT NULL);
+  INSERT INTO runs (folder, serial, started_utc, plan, verdict, error_kind, reason, software,
+                    is_whole)
+    SELECT folder, serial, started_utc, plan, verdict, error_kind, reason, software, 0
+    FROM runs_alone;
+  INSERT INTO units SELECT DISTINCT serial, '' FROM runs;
+  DROP TABLE runs_alone;
+)sql";
+
+constexpr std::array steps = {runs_alone, what_was_measured};
+
+Result<int> version_of(const SqliteFile& file) {
+  SqlStatement asked(file, "PRAGMA user_version");
+  if (!asked.next()) return file.failure("cannot be used");
+  return static_cast<int>(asked.integer(0));
+}
+
+}  // namespace
+
+const int schema_version = static_cast<int>(steps.size());
+
+Status bring_up_to_date(SqliteFile& file) {
+  const Result<int> seen = version_of(file);
+  if (!seen) return seen.error();
+  if (seen.value() > schema_version) {
+    return IoError{IoErrc::refused,
+                   fmt::format("{} is of version {}, and this rvbench knows {}: use the rvbench "
+                               "that made it, or a newer one",
+                               file.name(), seen.value(), schema_version)};
+  }
+  if (const Status set = file.execute(mode); !set) return set.error();
+  if (seen.value() == schema_version) return Done{};
+  SqlTransaction transaction(file);
+  if (!transaction.begun()) return transaction.begun().error();
+  const Result<int> now = version_of(file);  // another process may have been at it
+  if (!now) return now.error();
+  for (int step = now.value(); step < schema_version; ++step) {
+    if (const Status done = file.execute(steps[std::size_t(step)]); !done) return done.error();
+  }
+  const std::string set = fmt::format("PRAGMA user_version = {}", schema_version);
+  if (const Status done = file.execute(set.c_str()); !done) return done.error();
+  return transaction.commit();
+}
+
+}  // namespace rvbench::bench

@@ -1,0 +1,65 @@
+#include "bench/results/series.hpp"
+
+#include <cmath>
+
+#include "hal/types/measure.hpp"
+#include "hal/types/recording.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+// With a bare column beside MAX() or MIN(), SQLite takes it from the row of the extreme: its
+// documentation of SELECT, "Bare columns in an aggregate query".
+constexpr const char* body =
+    "(indicators.value), quantities.unit, quantities.of_what, indicators.point, "
+    "indicators.channel, runs.folder, runs.serial, runs.started_utc, runs.verdict "
+    "FROM quantities JOIN indicators ON indicators.quantity = quantities.id "
+    "JOIN runs ON runs.id = indicators.run "
+    "JOIN points ON points.run = indicators.run AND points.point = indicators.point "
+    "WHERE quantities.measure = ?1 AND (?2 = '' OR quantities.of_what = ?2) "
+    "AND (?3 IS NULL OR abs(points.speed_rpm - ?3) < 1e-6) "
+    "AND (?4 IS NULL OR abs(points.load_pct - ?4) < 1e-6) "
+    "AND (?5 = '' OR indicators.channel = ?5) AND (?6 = '' OR runs.serial = ?6) "
+    "GROUP BY runs.id ORDER BY runs.started_utc, runs.folder";
+
+constexpr const char* depths =
+    "SELECT MAX(CASE standing WHEN 'not_shown' THEN 0 ELSE depth END), '1', component, -1, '', "
+    "runs.folder, runs.serial, runs.started_utc, runs.verdict "
+    "FROM findings JOIN runs ON runs.id = findings.run WHERE (?1 = '' OR component = ?1) "
+    "AND (?2 = '' OR runs.serial = ?2) AND (standing != 'not_shown' OR depth_high <= depth_limit) "
+    "GROUP BY runs.id ORDER BY runs.started_utc, runs.folder";
+
+SqlStatement query_of(const SqliteFile& file, const SeriesOf& asked) {
+  if (asked.measure == measure_names::modulation_depth) {
+    SqlStatement query(file, depths);
+    query.bind(asked.of, asked.serial);
+    return query;
+  }
+  const std::string sql = std::string(asked.least ? "SELECT MIN" : "SELECT MAX") + body;
+  SqlStatement query(file, sql.c_str());
+  query.bind(asked.measure, asked.of, asked.speed_rpm.value_or(not_known),
+             asked.load_pct.value_or(not_known), asked.channel, asked.serial);
+  return query;
+}
+
+}  // namespace
+
+Result<std::vector<RunValue>> read_series(const SqliteFile& file, const SeriesOf& asked) {
+  SqlStatement query = query_of(file, asked);
+  std::vector<RunValue> values;
+  while (query.next()) {
+    values.push_back({.folder = query.text(5),
+                      .serial = query.text(6),
+                      .started_utc = query.text(7),
+                      .verdict = query.text(8),
+                      .value = query.number(0),
+                      .unit = query.text(1),
+                      .of = query.text(2),
+                      .point = static_cast<int>(query.integer(3)),
+                      .channel = query.text(4)});
+  }
+  if (!query.is_done()) return file.failure("cannot be read");
+  return values;
+}
+
+}  // namespace rvbench::bench

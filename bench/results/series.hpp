@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/results/sqlite.hpp"
+
+namespace rvbench::bench {
+
+/// Which values of one indicator; what is empty narrows nothing.
+struct SeriesOf {
+  std::string measure;                   ///< a name of measures()
+  std::string of = {};                   ///< band, order or mesh
+  std::optional<double> speed_rpm = {};  ///< as planned
+  std::optional<double> load_pct = {};
+  std::string channel = {};
+  std::string serial = {};
+  bool least = false;  ///< the smallest value of a run is its worst
+};
+
+/// The worst of one run, among those asked for.
+struct RunValue {
+  std::string folder, serial, started_utc, verdict;
+  double value = 0;
+  std::string unit;
+  std::string of;
+  int point = 0;  ///< of the plan, from 0; -1 of a depth
+  std::string channel;
+};
+
+/// One value per run that has any, oldest first.
+/// Units   as measured: RunValue::unit. Errors  refused: the file cannot be read
+/// The depth of what was found is of no point or channel: narrowed by `of`, a part, and by serial.
+/// A part that noise may hide is not told; one that is not shown has depth 0.
+Result<std::vector<RunValue>> read_series(const SqliteFile& file, const SeriesOf& asked);
+
+}  // namespace rvbench::bench

@@ -1,0 +1,117 @@
+#include "bench/results/trend.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "bench/limit_checks.hpp"
+#include "bench/results/run_filter.hpp"
+#include "hal/types/measure.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+nlohmann::ordered_json json_or_null(const std::string& text) {
+  return text.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(text);
+}
+
+nlohmann::ordered_json json_or_null(const std::optional<double>& number) {
+  return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json(nullptr);
+}
+
+nlohmann::ordered_json slope_json(const Trend& trend) {
+  if (!trend.per_day) return {{"told", false}, {"why_not", trend.why_not}};
+  const analysis::SlopeOverTime& line = *trend.per_day;
+  return {{"told", line.is_told()},
+          {"slope_per_day", line.slope},
+          {"ci95_per_day", {line.low, line.high}},
+          {"level", line.level},
+          {"variance_widened_by", line.dependence}};
+}
+
+}  // namespace
+
+Trend trend_of(SeriesOf asked, std::vector<RunValue> values) {
+  Trend trend;
+  trend.asked = std::move(asked);
+  if (!values.empty()) trend.unit = values.back().unit;
+  std::vector<double> days, numbers;
+  for (RunValue& value : values) {
+    const auto day = days_of_utc(value.started_utc);
+    value.value = in_unit(value.value, value.unit, trend.unit);
+    if (!day || !std::isfinite(value.value)) continue;
+    value.unit = trend.unit;
+    days.push_back(*day);
+    numbers.push_back(value.value);
+    trend.values.push_back(std::move(value));
+  }
+  if (days.size() > analysis::most_for_slope) {
+    const auto old = static_cast<std::ptrdiff_t>(days.size() - analysis::most_for_slope);
+    days.erase(days.begin(), days.begin() + old);
+    numbers.erase(numbers.begin(), numbers.begin() + old);
+  }
+  if (days.size() < analysis::fewest_for_slope) {
+    trend.why_not = fmt::format("{} runs, {} are needed", days.size(), analysis::fewest_for_slope);
+  } else if (days.front() == days.back()) {
+    trend.why_not = "all runs began at one time";
+  } else {
+    trend.per_day = analysis::theil_sen(days, numbers);
+  }
+  return trend;
+}
+
+std::string trend_sentence(const Trend& trend) {
+  if (!trend.per_day) return "no trend can be told: " + trend.why_not;
+  constexpr double days = 30;
+  const analysis::SlopeOverTime& line = *trend.per_day;
+  const std::string interval =
+      fmt::format("95 %: {:.3g} to {:.3g}{}", days * line.low, days * line.high,
+                  line.dependence > 1 ? ", neighbours are alike" : "");
+  if (!line.is_told()) {
+    return fmt::format("no trend can be told: {} per {:.0f} days ({})",
+                       with_unit(days * line.slope, trend.unit), days, interval);
+  }
+  return fmt::format("{} by {} per {:.0f} days ({})", line.slope > 0 ? "rises" : "falls",
+                     with_unit(days * std::abs(line.slope), trend.unit), days, interval);
+}
+
+std::string trend_title(const Trend& trend) {
+  const SeriesOf& asked = trend.asked;
+  std::string title = asked.measure;
+  if (!asked.of.empty()) title += " of " + asked.of;
+  if (asked.speed_rpm) title += fmt::format(", {:g} rpm", *asked.speed_rpm);
+  if (asked.load_pct) title += fmt::format(", {:g} % load", *asked.load_pct);
+  if (!asked.channel.empty()) title += ", " + asked.channel;
+  if (!asked.serial.empty()) title += ", unit " + asked.serial;
+  return title;
+}
+
+std::string trend_to_json(const Trend& trend) {
+  auto values = nlohmann::ordered_json::array();
+  for (const RunValue& value : trend.values) {
+    values.push_back({{"folder", value.folder},
+                      {"serial", value.serial},
+                      {"started_utc", value.started_utc},
+                      {"verdict", value.verdict},
+                      {"value", value.value},
+                      {"of", json_or_null(value.of)},
+                      {"point", value.point},
+                      {"channel", json_or_null(value.channel)}});
+  }
+  const SeriesOf& asked = trend.asked;
+  const nlohmann::ordered_json json{{"indicator", asked.measure},
+                                    {"unit", json_or_null(trend.unit)},
+                                    {"of", json_or_null(asked.of)},
+                                    {"speed_rpm", json_or_null(asked.speed_rpm)},
+                                    {"load_pct", json_or_null(asked.load_pct)},
+                                    {"channel", json_or_null(asked.channel)},
+                                    {"serial", json_or_null(asked.serial)},
+                                    {"trend", slope_json(trend)},
+                                    {"sentence", trend_sentence(trend)},
+                                    {"values", values}};
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace rvbench::bench

@@ -1,0 +1,171 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "bench/limits_versions.hpp"
+#include "bench/plan_files.hpp"
+#include "bench/rejudging.hpp"
+#include "bench/results/rejudgement.hpp"
+#include "bench/sha256.hpp"
+#include "bench/text_file.hpp"
+#include "tests/bench/answers.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace rvbench::bench {
+
+using Catch::Matchers::Contains;
+using rvbench::test::ScratchFolder;
+using test::Answer;
+using test::rvbench;
+
+namespace {
+
+// Limits for the plan "quick": a bound that no unit keeps to, or one that all do.
+std::string limits_text(const std::string& version, const std::string& max_g,
+                        const std::string& plan = "quick") {
+  return R"({"limits_version": ")" + version + R"(", "plan": ")" + plan +
+         R"(", "limits": [{"measure": "acceleration_peak", "unit": "g", "max": )" + max_g +
+         R"(, "why": "a test"}]})";
+}
+
+// A healthy unit's run of one point of the quick plan.
+std::filesystem::path make_run(const ScratchFolder& scratch) {
+  const auto quick = std::ranges::find(plan_files(), "quick", &EmbeddedFile::name);
+  auto plan = nlohmann::ordered_json::parse(quick->text);
+  plan["main"][0]["speeds_rpm"] = {1815};
+  plan["main"][0]["loads_pct"] = {100};
+  write_file(scratch / "one.json", plan.dump(2));
+  const Answer run = rvbench({"run", (scratch / "one.json").string(), "--rig", "sim", "--serial",
+                              "A17", "--out", (scratch / "runs").string(), "--no-report"});
+  REQUIRE(run.code == 0);
+  return std::filesystem::directory_iterator(scratch / "runs/A17")->path();
+}
+
+}  // namespace
+
+TEST_CASE("a stored run is judged again, and both judgements stay", "[bench][results]") {
+  const ScratchFolder scratch;
+  const auto folder = make_run(scratch);
+  const std::string runs = (scratch / "runs").string();
+  const std::string verdict = read_file(folder / "verdict.json").value();
+
+  // By the same program with the same limits it comes to the same, from samples or from verdict.
+  const auto stored = std::get<StoredRun>(read_stored_run(folder));
+  const Judgement from_verdict = judged_by_limits(stored, stored.plan.limits);
+  CHECK(from_verdict.ending.outcome == Outcome::pass);
+  const Answer same = rvbench({"rejudge", folder.string(), "--json"});
+  CHECK(same.code == 0);
+  const auto told = nlohmann::json::parse(same.out).at("runs").at(0);
+  CHECK(told.at("as_judged") == told.at("rejudged"));
+  const auto first = rejudgement_from_json(read_file(folder / "rejudged-1.json").value());
+  REQUIRE(first);
+  const auto then = nlohmann::json::parse(verdict);
+  const auto now = nlohmann::json::parse(read_file(folder / "rejudged-1.json").value());
+  CHECK(now.at("points") == then.at("points"));
+  CHECK(now.at("quality") == then.at("quality"));
+
+  // By limits that it does not keep to.
+  write_file(scratch / "limits.json", limits_text("strict", "0.0001"));
+  const Answer strict =
+      rvbench({"rejudge", folder.string(), "--limits", (scratch / "limits.json").string()});
+  CHECK(strict.code == 10);
+  CHECK_THAT(strict.out, Contains("as judged then  PASS") && Contains("re-judged       FAIL"));
+
+  CHECK(read_file(folder / "verdict.json") == verdict);
+  CHECK(rvbench({"check", folder.string()}).code == 0);
+  CHECK(rejudgement_names(folder) ==
+        std::vector<std::string>{"rejudged-1.json", "rejudged-2.json"});
+  const Answer history = rvbench({"history", "--out", runs});
+  CHECK_THAT(history.out,
+             Contains("PASS") && Contains("re-judged") && Contains("by limits strict: acceler"));
+  const auto listed = nlohmann::json::parse(rvbench({"history", "--out", runs, "--json"}).out);
+  CHECK(listed.at("runs").at(0).at("verdict") == "PASS");
+  CHECK(listed.at("runs").at(0).at("rejudged").size() == 2);
+  CHECK(listed.at("runs").at(0).at("rejudged").at(1).at("limits_version") == "strict");
+
+  SECTION("an index that is made anew has them, too") {
+    std::filesystem::remove(scratch / "runs/results.db");
+    CHECK(rvbench({"history", "--out", runs, "--json"}).out == listed.dump(2) + "\n");
+  }
+  SECTION("of a run that was tampered with nothing is blessed") {
+    write_file(folder / "log.jsonl", "{}\n");
+    const Answer refused = rvbench({"rejudge", folder.string()});
+    CHECK(refused.code == 3);
+    CHECK_THAT(refused.err, Contains("log.jsonl: does not match its hash"));
+    CHECK(rejudgement_names(folder).size() == 2);
+  }
+  SECTION("limits of another plan, and faulty ones, are refused") {
+    write_file(scratch / "limits.json", limits_text("strict", "1", "other"));
+    const std::string file = (scratch / "limits.json").string();
+    CHECK(rvbench({"check", file}).code == 0);
+    const Answer other = rvbench({"rejudge", folder.string(), "--limits", file});
+    CHECK(other.code == 20);
+    CHECK_THAT(other.err, Contains("limits runs of plan \"other\""));
+    write_file(scratch / "limits.json", limits_text("strict", "\"much\""));
+    CHECK_THAT(rvbench({"rejudge", folder.string(), "--limits", file}).err,
+               Contains("/limits/0/max"));
+    CHECK(rvbench({"check", file}).code == 3);
+  }
+}
+
+TEST_CASE("limits go from draft to approved to active, their effect being shown first",
+          "[bench][results]") {
+  const ScratchFolder scratch;
+  make_run(scratch);
+  const std::string runs = (scratch / "runs").string();
+  const std::string from = (scratch / "limits.json").string();
+  const auto limits = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), "limits");
+    words.insert(words.end(), {"--out", runs});
+    return rvbench(words);
+  };
+  CHECK_THAT(limits({"list"}).out, Contains("no limits in "));
+  write_file(from, limits_text("v1", "0.0001"));
+  CHECK(limits({"propose", "--from", from}).code == 2);  // nobody's
+  CHECK(limits({"propose", "--from", from, "--by", "J. Weber"}).code == 0);
+  CHECK_THAT(limits({"propose", "--from", from, "--by", "J. Weber"}).err,
+             Contains("there is a version v1"));
+  CHECK_THAT(limits({"list"}).out, Contains("v1  draft") && Contains("proposed by J. Weber"));
+
+  const Answer too_soon = limits({"activate", "v1", "--by", "A. Sato"});
+  CHECK(too_soon.code == 2);
+  CHECK_THAT(too_soon.err, Contains("v1 is a draft"));
+  const Answer shown = limits({"approve", "v1", "--by", "A. Sato"});
+  CHECK_THAT(shown.out, Contains("1 of 1 verdicts would change: 1 PASS to FAIL") &&
+                            Contains("A17") && Contains("nothing is approved yet"));
+  CHECK_THAT(limits({"list"}).out, Contains("v1  draft"));
+  CHECK(limits({"approve", "v1", "--by", "A. Sato", "--yes"}).code == 0);
+  CHECK(active_limits(runs, "quick").index() == 0);
+  CHECK_FALSE(std::get<0>(active_limits(runs, "quick")));
+  CHECK(limits({"activate", "v1", "--by", "A. Sato"}).code == 0);
+  CHECK_THAT(limits({"list"}).out,
+             Contains("v1  activated, plan quick, 1 limits") && Contains("approved by A. Sato"));
+  CHECK(std::get<0>(active_limits(runs, "quick"))->version == "v1");
+  CHECK_FALSE(std::get<0>(active_limits(runs, "other")));
+  CHECK_THAT(limits({"effect", "v2"}).err, Contains("no version \"v2\"") && Contains("v1"));
+  CHECK(limits({"effect", "../A17"}).code == 2);
+
+  SECTION("a run takes the active limits, and says so") {
+    const Answer run = rvbench({"run", (scratch / "one.json").string(), "--rig", "sim", "--serial",
+                                "B", "--out", runs, "--no-report"});
+    CHECK(run.code == 10);
+    CHECK_THAT(run.err, Contains("limits v1 are active"));
+    const auto folder = std::filesystem::directory_iterator(scratch / "runs/B")->path();
+    CHECK_THAT(read_file(folder / "log.jsonl").value(), Contains("limits v1 are active"));
+    CHECK_THAT(read_file(folder / "plan.json").value(), Contains("0.0001"));
+  }
+  SECTION("what is changed after its approval is neither used nor activated") {
+    const auto path = limits_path(runs, "v1");
+    std::string text = read_file(path).value();
+    text.replace(text.find("0.0001"), 6, "9.0001");
+    write_file(path, text);
+    const Answer run = rvbench(
+        {"run", (scratch / "one.json").string(), "--rig", "sim", "--serial", "B", "--out", runs});
+    CHECK(run.code == 2);
+    CHECK_THAT(run.err, Contains("limits v1 were changed since they were approved"));
+    CHECK_THAT(limits({"activate", "v1", "--by", "A. Sato"}).err,
+               Contains("v1 was changed since it was approved"));
+  }
+}
+
+}  // namespace rvbench::bench
