@@ -60,17 +60,24 @@ std::string id_line(const std::string& text) {
   return (text.empty() ? "NONE" : text.substr(0, most_in_line)) + '\n';
 }
 
+void add(std::string& line, const char* what, double value) {
+  if (std::isfinite(value)) line += fmt::format("{}{}={:g}", line.empty() ? "" : " ", what, value);
+}
+
+// What is known of all, as text.
 std::string facts_line(const Recording& recording) {
-  std::string text;
-  const auto add = [&text](const char* what, double value) {
-    if (std::isfinite(value))
-      text += fmt::format("{}{}={:g}", text.empty() ? "" : " ", what, value);
-  };
-  add("speed_rpm", recording.speed_rpm);
-  add("load_pct", recording.load_pct);
-  add("torque_Nm", recording.torque_Nm);
-  if (recording.repeat > 0) add("repeat", recording.repeat);
-  return text;
+  std::string line;
+  add(line, "speed_rpm", recording.speed_rpm);
+  add(line, "load_pct", recording.load_pct);
+  add(line, "torque_Nm", recording.torque_Nm);
+  if (recording.repeat > 0) add(line, "repeat", recording.repeat);
+  return line;
+}
+
+std::string status_line(const Recording& recording) {
+  std::string line;
+  add(line, "planned_speed_rpm", recording.planned_speed_rpm);
+  return line + (line.empty() ? "" : " ") + "status=" + recording.status;
 }
 
 // The first ten bytes of the name tell the place; the first line of text tells all of it.
@@ -79,7 +86,7 @@ std::string header_of(const Recording& recording, const Channel& channel) {
   const Quantity quantity = quantity_of(channel.info.unit);
   const double start_utc_s = noted_start_s(recording);
   std::string lines = id_line(name) + id_line("") + id_line(uff_date(start_utc_s)) +
-                      id_line(facts_line(recording)) + id_line("");
+                      id_line(facts_line(recording)) + id_line(status_line(recording));
   lines += fmt::format("{:5}{:10}{:5}{:10} {:10}{:10}{:4} {:10}{:10}{:4}\n", time_response, 0, 0, 0,
                        name.size() <= most_in_place ? name : "NONE", 0,
                        code_of(channel.info.direction), "NONE", 0, 0);

@@ -123,7 +123,7 @@ TEST_CASE("UFF 58: each line as its definition says", "[hal][formats][export]") 
       "NONE",
       "14-Oct-16 10:51:17",
       "speed_rpm=604.5 load_pct=50 torque_Nm=1.25 repeat=2",
-      "NONE",
+      "planned_speed_rpm=605 status=ok",
       "    1         0    0         0 accel_1x           0  -2 NONE               0   0",
       "         4         5         1 2.500000E+00 2.000000E-04 0.000000E+00",
       "        17    0    0    0 Time                 s                   ",
