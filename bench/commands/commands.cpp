@@ -28,6 +28,8 @@ std::vector<std::unique_ptr<Command>> make_commands() {
   commands.push_back(make_compare_command());
   commands.push_back(make_explain_command());
   commands.push_back(make_simulate_command());
+  commands.push_back(make_import_command());
+  commands.push_back(make_export_command());
   commands.push_back(make_report_command());
   commands.push_back(make_history_command());
   commands.push_back(make_gage_command());

@@ -23,6 +23,8 @@ std::unique_ptr<Command> make_tpa_command();
 std::unique_ptr<Command> make_compare_command();
 std::unique_ptr<Command> make_explain_command();
 std::unique_ptr<Command> make_simulate_command();
+std::unique_ptr<Command> make_import_command();
+std::unique_ptr<Command> make_export_command();
 std::unique_ptr<Command> make_report_command();
 std::unique_ptr<Command> make_history_command();
 std::unique_ptr<Command> make_gage_command();

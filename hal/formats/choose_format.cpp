@@ -9,8 +9,11 @@ namespace rvbench::hal::formats {
 namespace {
 
 std::vector<Format> known_formats() {
-  return {hdf5_format(), mat5_format(), tdms_format(), wav_format(), uff_format(), csv_format()};
+  return {hdf5_format(), mat5_format(), mat73_format(), tdms_format(),
+          wav_format(),  flac_format(), uff_format(),   csv_format()};
 }
+
+}  // namespace
 
 std::string lower_extension(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
@@ -18,8 +21,6 @@ std::string lower_extension(const std::filesystem::path& file) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension;
 }
-
-}  // namespace
 
 std::optional<Format> choose_format(const std::filesystem::path& file) {
   const std::string head = head_of(file);

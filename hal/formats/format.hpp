@@ -23,8 +23,10 @@ struct Format {
 
 Format hdf5_format();
 Format mat5_format();
+Format mat73_format();
 Format tdms_format();
 Format wav_format();
+Format flac_format();
 Format uff_format();
 Format csv_format();
 

@@ -89,7 +89,7 @@ Result<std::vector<Recording>> read_recordings(const std::filesystem::path& file
   check_hint("speed_rpm", hints.speed_rpm);
   if (const auto obstacle = formats::find_obstacle(file)) return *obstacle;
   const std::optional<Format> format = formats::choose_format(file);
-  if (!format) return bad_file(file, "no known format (HDF5, MAT v5, TDMS, WAV, UFF, CSV)");
+  if (!format) return bad_file(file, "no known format (HDF5, MAT, TDMS, WAV, FLAC, UFF, CSV)");
   Result<std::vector<Recording>> read = format->read(file);
   if (!read) return IoError{read.error().code, formats::printable(read.error().where)};
 

@@ -20,7 +20,8 @@ struct RecordingHints {
 };
 
 /// Reads a recording of any supported format, chosen by content, then by extension: rvbench's own
-/// HDF5, MAT v5 (numeric arrays), TDMS, WAV, UFF (time responses of 58 and 58b), CSV.
+/// HDF5, MAT v5 and v7.3 (numeric arrays), TDMS, WAV, FLAC, UFF (time responses of 58 and 58b),
+/// CSV.
 ///
 /// Rate     of channels is 0 if neither file nor hints give it: it is never guessed, ask the user
 /// Units    SI where they are known, with a note of what values were multiplied by; else as the

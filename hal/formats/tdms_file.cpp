@@ -105,6 +105,9 @@ class Reading {
 
   Fault take_object(TdmsObject& object) {
     const std::vector<std::string> names = names_in(object.path);
+    if (names.size() == 1) {
+      for (auto& [name, value] : object.properties) file_.groups[names[0]][name] = value;
+    }
     if (names.size() != 2) return std::nullopt;  // the file itself, or a group
     const auto [at, is_new] = by_path_.try_emplace(object.path, file_.channels.size());
     const std::size_t channel = at->second;

@@ -27,6 +27,7 @@ struct TdmsChannel {
 };
 
 struct TdmsFile {
+  std::map<std::string, TdmsProperties> groups;
   std::vector<TdmsChannel> channels;  ///< with values or without, in order of appearance
   bool is_cut_off = false;            ///< less is there than the segments declare
   bool is_unfinished = false;         ///< its writer was cut off in the last segment

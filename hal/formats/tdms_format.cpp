@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "hal/formats/apply_units.hpp"
+#include "hal/formats/facts.hpp"
 #include "hal/formats/foreign_file.hpp"
 #include "hal/formats/format.hpp"
+#include "hal/formats/start_time.hpp"
 #include "hal/formats/tdms_file.hpp"
 #include "hal/formats/tdms_scaling.hpp"
 
@@ -30,6 +32,28 @@ std::string unit_text(const TdmsChannel& channel) {
   return channel.is_time ? "s" : "";
 }
 
+Facts facts_in(const TdmsProperties& properties) {
+  Facts facts;
+  for (const auto& [name, value] : properties) {
+    if (const auto* number = std::get_if<double>(&value)) facts.numbers[name] = *number;
+    if (const auto* text = std::get_if<std::string>(&value)) facts.texts[name] = *text;
+  }
+  return facts;
+}
+
+// The first sample's time on the recording's clock, whose 0 is where the first channel that states
+// a time says. A time of 0, 1904, is none.
+double start_of(const TdmsProperties& properties, Recording& recording) {
+  const double offset_s = number_in(properties, "wf_start_offset").value_or(0);
+  const double start_s = std::isfinite(offset_s) ? offset_s : 0;
+  const double since_1904_s = number_in(properties, "wf_start_time").value_or(0);
+  if (since_1904_s == 0) return start_s;
+  const double utc_s = since_1904_s - tdms_epoch_before_1970_s;
+  if (std::isnan(noted_start_s(recording))) note_start(utc_s, recording);
+  const double later_s = utc_s - noted_start_s(recording);
+  return std::abs(later_s) > 1e-6 ? start_s + later_s : start_s;
+}
+
 // Why the channel is left out, or nothing: then it was added.
 std::optional<std::string> add(const TdmsChannel& stored, Recording& recording) {
   if (!is_over_time(stored)) {
@@ -43,8 +67,8 @@ std::optional<std::string> add(const TdmsChannel& stored, Recording& recording) 
   channel.info.name = stored.name;
   const double increment_s = number_in(stored.properties, "wf_increment").value_or(0);
   channel.rate_Hz = increment_s > 0 && std::isnormal(1 / increment_s) ? 1 / increment_s : 0;
-  const double start_s = number_in(stored.properties, "wf_start_offset").value_or(0);
-  channel.start_s = std::isfinite(start_s) ? start_s : 0;
+  apply(facts_in(stored.properties), channel);
+  channel.start_s = start_of(stored.properties, recording);
   channel.samples =
       Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
   channel.samples = channel.samples.array().isFinite().select(channel.samples, not_known);
@@ -72,14 +96,16 @@ void describe(const TdmsFile& tdms, const TdmsChannel& channel, Recording& recor
   }
 }
 
-Recording& recording_of(const std::string& group, const std::filesystem::path& file,
-                        std::vector<Recording>& recordings) {
+Recording& recording_of(const std::string& group, const TdmsFile& tdms,
+                        const std::filesystem::path& file, std::vector<Recording>& recordings) {
   const std::string source = file.string() + "#" + group;
   const auto own = std::ranges::find(recordings, source, &Recording::source);
   if (own != recordings.end()) return *own;
   Recording& recording = recordings.emplace_back();
   recording.source = source;
   recording.status = "ok";
+  const auto properties = tdms.groups.find(group);
+  if (properties != tdms.groups.end()) apply(facts_in(properties->second), recording);
   return recording;
 }
 
@@ -91,7 +117,7 @@ Result<std::vector<Recording>> read(const std::filesystem::path& file) {
   std::vector<Recording> recordings;
   std::string left_out;
   for (const TdmsChannel& channel : tdms.channels) {
-    Recording& recording = recording_of(channel.group, file, recordings);
+    Recording& recording = recording_of(channel.group, tdms, file, recordings);
     describe(tdms, channel, recording);
     if (const auto why = add(channel, recording)) {
       recording.notes.push_back(fmt::format("{} is left out: {}", channel.name, *why));

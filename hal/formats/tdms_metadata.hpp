@@ -33,6 +33,9 @@ enum class TdmsType : std::uint32_t {
   daqmx_raw = 0xFFFFFFFF
 };
 
+/// From 1904-01-01 UTC, where the format's times begin, to 1970-01-01.
+inline constexpr double tdms_epoch_before_1970_s = 2082844800;
+
 /// Bytes of one value; 0 for text, and for what is not known here.
 std::size_t bytes_of_type(TdmsType type);
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
+#include <cstddef>
 #include <string_view>
 
 #include "hal/formats/even_grid.hpp"
@@ -71,6 +73,23 @@ void set_rate_by_time_column(bool has_names, Recording& table) {
       return;
     }
     if (!has_names) return;
+  }
+}
+
+void drop_time_column(Recording& table) {
+  if (table.channels.size() < 2) return;
+  for (std::size_t i = 0; i < table.channels.size(); ++i) {
+    const Channel time = table.channels[i];
+    const std::optional<double> unit_s = time_unit_s(time.info.name);
+    const std::optional<double> step = unit_s ? even_step(time.samples) : std::nullopt;
+    const bool says_rate = step && std::ranges::all_of(table.channels, [&](const Channel& other) {
+                             return other.samples.size() == time.samples.size() &&
+                                    std::abs(other.rate_Hz * *step * *unit_s - 1) < 1e-9;
+                           });
+    if (!says_rate) continue;
+    table.channels.erase(table.channels.begin() + static_cast<std::ptrdiff_t>(i));
+    for (Channel& channel : table.channels) channel.start_s = time.samples[0] * *unit_s;
+    return;
   }
 }
 

@@ -17,6 +17,10 @@ namespace rvbench::hal::formats {
 /// @param has_names  the file has them: "column_1" is otherwise made up
 void set_rate_by_time_column(bool has_names, Recording& table);
 
+/// Takes the time column by which all other channels have their rate off a table: its first value
+/// is when they start. A table of time alone stays as it is.
+void drop_time_column(Recording& table);
+
 /// Seconds in the unit of a column named as time: "time", "t", "time_s", "Time (ms)"; nothing if it
 /// is not named so.
 std::optional<double> time_unit_s(std::string_view name);

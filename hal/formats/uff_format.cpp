@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
 #include "hal/formats/apply_units.hpp"
 #include "hal/formats/foreign_file.hpp"
 #include "hal/formats/format.hpp"
+#include "hal/formats/start_time.hpp"
 #include "hal/formats/uff_units.hpp"
 
 namespace rvbench::hal::formats {
@@ -99,6 +101,7 @@ struct Gathered {
       notes.push_back(sensor.channel.info.name + ": " + said);
     }
     Recording& recording = recordings.back();
+    if (std::isnan(noted_start_s(recording))) note_start(utc_of_uff_date(sensor.date), recording);
     recording.notes.insert(recording.notes.end(), notes.begin(), notes.end());
     recording.channels.push_back(sensor.channel);
     sensors.push_back(std::move(sensor));

@@ -3,14 +3,15 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "hal/formats/start_time.hpp"
 #include "hal/hdf5/attributes.hpp"
+#include "hal/hdf5/plain_array.hpp"
 #include "hal/hdf5/stored_data.hpp"
 
 namespace rvbench::hal::hdf5 {
 namespace {
-
-constexpr hsize_t most_groups = 100000;
 
 Handle open_group(const Handle& file, const std::string& path) {
   return own(H5Gopen2(file.id(), path.c_str(), H5P_DEFAULT), H5Gclose, path);
@@ -21,15 +22,12 @@ bool is_group(const Handle& parent, const std::string& name) {
   return object && H5Iget_type(object.id()) == H5I_GROUP;
 }
 
-herr_t add_name(hid_t, const char* name, const H5L_info_t*, void* names) {
-  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
-  return 0;
-}
-
 struct Samples {
   Handle dataset;
   Extent extent;
   SampleGroup info;
+  double start_s = not_known;
+  double time_uncertainty_s = not_known;
 };
 
 Samples open_samples(const Handle& file, const std::string& point, const std::string& name,
@@ -47,6 +45,8 @@ Samples open_samples(const Handle& file, const std::string& point, const std::st
   samples.extent = checked_extent(samples.dataset, file_bytes, place);
   try {
     samples.info = read_sample_group(group, samples.extent.columns, name);
+    samples.start_s = read_number(group, "t0_s").value_or(not_known);
+    samples.time_uncertainty_s = read_number(group, "time_uncertainty_s").value_or(not_known);
   } catch (const FileFailure& failure) {
     throw FileFailure(failure.code(), path + ": " + failure.what());
   }
@@ -55,16 +55,17 @@ Samples open_samples(const Handle& file, const std::string& point, const std::st
 
 void add_channels(const Samples& samples, const std::string& place, double start_s,
                   Recording& recording) {
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  Rows rows(samples.extent.rows, samples.extent.columns);
+  RowMajor rows(samples.extent.rows, samples.extent.columns);
   if (rows.size() > 0) {
     check(H5Dread(samples.dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
                   rows.data()),
           place);
   }
   for (std::size_t i = 0; i < samples.extent.columns; ++i) {
-    recording.channels.push_back({samples.info.channels[i], samples.info.rate_Hz, start_s,
-                                  rows.col(static_cast<Eigen::Index>(i))});
+    recording.channels.push_back({samples.info.channels[i], samples.info.rate_Hz,
+                                  std::isfinite(samples.start_s) ? samples.start_s : start_s,
+                                  rows.col(static_cast<Eigen::Index>(i)),
+                                  samples.time_uncertainty_s});
   }
 }
 
@@ -72,11 +73,7 @@ void add_channels(const Samples& samples, const std::string& place, double start
 
 std::vector<std::string> groups_in(const Handle& file, const std::string& path) {
   const Handle group = open_group(file, path);
-  H5G_info_t info;
-  check(H5Gget_info(group.id(), &info), path);
-  if (info.nlinks > most_groups) throw FileFailure(IoErrc::bad_data, path + ": too many groups");
-  std::vector<std::string> names;
-  check(H5Literate(group.id(), H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, add_name, &names), path);
+  std::vector<std::string> names = names_in(file, path);
   std::erase_if(names, [&](const std::string& name) { return !is_group(group, name); });
   // Shorter numbers first, so that 1000 follows 999.
   std::sort(names.begin(), names.end(), [](const std::string& a, const std::string& b) {
@@ -111,6 +108,8 @@ Recording read_point(const Handle& file, const std::string& point, std::size_t f
   recording.speed_rpm = read_number(group, "measured_speed_rpm").value_or(not_known);
   recording.torque_Nm = read_number(group, "measured_torque_Nm").value_or(not_known);
   const double start_s = read_number(group, "t0_s").value_or(0);
+  recording.notes = read_texts(group, "notes");
+  formats::note_start(formats::utc_of_text(read_text(group, "start_time").value_or("")), recording);
   for (const std::string& name : groups_in(file, point)) {
     const Samples samples = open_samples(file, point, name, file_bytes);
     add_channels(samples, point + "/" + name + "/data", start_s, recording);

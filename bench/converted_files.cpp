@@ -1,0 +1,51 @@
+#include "bench/converted_files.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <set>
+#include <system_error>
+
+#include "bench/commands/commands.hpp"
+
+namespace rvbench::bench {
+
+PointSource point_source(const Recording& recording) {
+  const std::string& source = recording.source;
+  std::error_code unknown;
+  const std::size_t stroke = source.rfind('#');
+  if (stroke == std::string::npos || std::filesystem::exists(source, unknown)) return {source, ""};
+  return {source.substr(0, stroke), source.substr(stroke + 1)};
+}
+
+void tell_notes_of(Console& console, const std::vector<Recording>& recordings) {
+  std::set<std::string> told;
+  for (const Recording& recording : recordings) {
+    const std::string file = point_source(recording).file;
+    for (const std::string& note : recording.notes) {
+      if (told.insert(file + ": " + note).second) {
+        console.err << "rvbench: note: " << file << ": " << note << '\n';
+      }
+    }
+    if (recording.status == "ok") continue;
+    console.err << "rvbench: warning: " << recording.source << ": status " << recording.status
+                << '\n';
+  }
+}
+
+void tell_written(Console& console, const std::vector<hal::WrittenFile>& files) {
+  std::set<std::string> told;
+  for (const hal::WrittenFile& written : files) {
+    console.out << fmt::format("{}: {} channels\n", written.file.string(), written.channels);
+    for (const std::string& warning : written.warnings) {
+      if (told.insert(warning).second) console.err << "rvbench: warning: " << warning << '\n';
+    }
+  }
+}
+
+int refuse_writing(Console& console, const std::string& command, const IoError& error) {
+  return error.code == IoErrc::bad_data ? refuse_data(console, error.where)
+                                        : refuse_usage(console, command + ": " + error.where);
+}
+
+}  // namespace rvbench::bench

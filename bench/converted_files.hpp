@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/console.hpp"
+#include "hal/formats/write_recordings.hpp"
+#include "hal/types/recording.hpp"
+#include "hal/types/result.hpp"
+
+namespace rvbench::bench {
+
+/// The file, and the name of the point in it, of "recording.h5#012"; no name where the file has one
+/// recording only. A file's own name may have a # in it.
+struct PointSource {
+  std::string file, point;
+};
+PointSource point_source(const Recording& recording);
+
+/// Prints how files were read, each note of a file once, and which recordings are not to be
+/// trusted.
+void tell_notes_of(Console& console, const std::vector<Recording>& recordings);
+
+/// Prints what was written on `out`, and each thing that was lost once on `err`.
+void tell_written(Console& console, const std::vector<hal::WrittenFile>& files);
+
+/// Prints why nothing was written. @return the exit code: data are at fault, or the place
+int refuse_writing(Console& console, const std::string& command, const IoError& error);
+
+}  // namespace rvbench::bench

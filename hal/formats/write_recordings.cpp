@@ -1,0 +1,114 @@
+#include "hal/formats/write_recordings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "hal/formats/losses.hpp"
+#include "hal/types/require.hpp"
+
+namespace rvbench::hal {
+namespace {
+
+using formats::Holds;
+using formats::Writer;
+
+struct Part {
+  std::filesystem::path file;
+  std::vector<Recording> recordings;
+};
+
+bool is_one_clock(const Channel& a, const Channel& b) {
+  return a.rate_Hz == b.rate_Hz && a.start_s == b.start_s && a.samples.size() == b.samples.size();
+}
+
+// Recordings that each have one clock, and no more channels than may be.
+std::vector<Recording> by_clock(const Recording& whole, std::size_t most_channels) {
+  Recording head = whole;
+  head.channels.clear();
+  std::vector<Recording> parts;
+  for (const Channel& channel : whole.channels) {
+    auto own = std::ranges::find_if(parts, [&](const Recording& part) {
+      return is_one_clock(part.channels.front(), channel) && part.channels.size() < most_channels;
+    });
+    if (own == parts.end()) own = parts.insert(parts.end(), head);
+    own->channels.push_back(channel);
+  }
+  return parts;
+}
+
+std::filesystem::path named_after(const std::filesystem::path& file, const std::string& suffix) {
+  std::filesystem::path named = file;
+  named.replace_filename(file.stem().string() + suffix + file.extension().string());
+  return named;
+}
+
+// The number of a point in its file: that of "recording.h5#012", else its place.
+std::string point_of(const Recording& recording, std::size_t place) {
+  const std::size_t stroke = recording.source.rfind('#');
+  const std::string own = stroke == std::string::npos ? "" : recording.source.substr(stroke + 1);
+  const bool is_number = !own.empty() && own.find_first_not_of("0123456789") == std::string::npos;
+  return is_number ? own : fmt::format("{:03}", place);
+}
+
+std::vector<Part> parts_of(const std::vector<Recording>& recordings,
+                           const std::filesystem::path& file, const Holds& holds) {
+  if (holds.recordings && holds.clocks) return {{file, recordings}};
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i < recordings.size(); ++i) {
+    const std::string point = recordings.size() > 1 ? "_" + point_of(recordings[i], i) : "";
+    const std::vector<Recording> split =
+        holds.clocks ? std::vector{recordings[i]} : by_clock(recordings[i], holds.channels);
+    for (std::size_t k = 0; k < split.size(); ++k) {
+      const std::string suffix = point + (split.size() > 1 ? fmt::format("_{}", k + 1) : "");
+      parts.push_back({suffix.empty() ? file : named_after(file, suffix), {split[k]}});
+    }
+  }
+  return parts;
+}
+
+void require_samples(const std::vector<Recording>& recordings) {
+  constexpr Require require{"write_recordings"};
+  require(!recordings.empty(), "no recording");
+  for (const Recording& recording : recordings) {
+    require(!recording.channels.empty(), "a recording without channels");
+    for (const Channel& channel : recording.channels) {
+      require(channel.samples.size() > 0, "a channel without samples");
+    }
+  }
+}
+
+Status write_part(const Part& part, const Writer& writer, bool overwrite) {
+  formats::FileDraft draft(part.file, overwrite);
+  if (Status begun = draft.begin(); !begun) return begun;
+  if (Status written = writer.write(part.recordings, draft); !written) return written;
+  return draft.finish();
+}
+
+}  // namespace
+
+Result<std::vector<WrittenFile>> write_recordings(const std::vector<Recording>& recordings,
+                                                  const std::filesystem::path& file,
+                                                  const Writer& writer, bool overwrite) {
+  require_samples(recordings);
+  const std::vector<Part> parts = parts_of(recordings, file, writer.holds);
+  for (const Part& part : parts) {
+    if (Status place = formats::check_place(part.file, overwrite); !place) return place.error();
+  }
+  for (const Recording& recording : recordings) {
+    if (const auto fault = formats::unwritable(recording, writer)) {
+      return IoError{IoErrc::bad_data, recording.source + ": " + *fault};
+    }
+  }
+  std::vector<WrittenFile> written;
+  for (const Part& part : parts) {
+    if (Status done = write_part(part, writer, overwrite); !done) return done.error();
+    std::size_t channels = 0;
+    for (const Recording& recording : part.recordings) channels += recording.channels.size();
+    written.push_back({part.file, channels, formats::losses(part.recordings, writer)});
+  }
+  return written;
+}
+
+}  // namespace rvbench::hal

@@ -1,0 +1,136 @@
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "bench/simulated_recording.hpp"
+#include "hal/formats/read_recordings.hpp"
+#include "tests/bench/answers.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+using Catch::Contains;
+using rvbench::test::ScratchFolder;
+using test::Answer;
+
+// Two points of a run, with torque and angle.
+std::string run_in(const ScratchFolder& scratch) {
+  std::vector<Recording> points(2);
+  for (int i = 0; i < 2; ++i) {
+    Recording& point = points[static_cast<std::size_t>(i)];
+    point.planned_speed_rpm = 605;
+    point.load_pct = 50.0 * i;
+    for (const char* name : {"input_torque", "input_angle"}) {
+      point.channels.push_back(
+          {{name, "", "", not_known}, 1000, 0, Eigen::VectorXd::LinSpaced(64, 0, i + 1)});
+    }
+  }
+  const auto file = scratch / "recording.h5";
+  REQUIRE(write_hdf5(file, points));
+  return file.string();
+}
+
+std::string table_in(const ScratchFolder& scratch, const std::string& text) {
+  const auto file = scratch / "table.csv";
+  std::ofstream(file) << text;
+  return file.string();
+}
+
+}  // namespace
+
+TEST_CASE("import makes a point of each recording, with its start from the times",
+          "[bench][import]") {
+  const ScratchFolder scratch;
+  const std::string out = (scratch / "all.h5").string();
+  const std::string table = table_in(scratch, "time_s,a [g]\n5,0\n5.5,1\n6,2\n");
+  const Answer answer = test::rvbench({"import", table, table, "--speed", "605", "--out", out});
+  INFO(answer.err);
+  REQUIRE(answer.code == 0);
+  CHECK_THAT(answer.out, Contains("all.h5: 2 channels"));
+  CHECK_THAT(answer.err, Contains("note: ") && Contains("times 9.80665"));
+  const auto read = hal::read_recordings(out);
+  REQUIRE(read);
+  REQUIRE(read.value().size() == 2);
+  const Recording& second = read.value()[1];
+  REQUIRE(second.channels.size() == 1);
+  CHECK(second.channels[0].info.unit == "m/s²");
+  CHECK(second.channels[0].rate_Hz == 2);
+  CHECK(second.channels[0].start_s == 5);
+  CHECK(second.channels[0].samples[2] == 2 * 9.80665);
+  CHECK(second.speed_rpm == 605);
+  CHECK(second.status == "ok");
+
+  CHECK(test::rvbench({"import", table, "--out", out}).code == 2);
+  CHECK(test::rvbench({"import", table, "--out", out, "--force"}).code == 0);
+  CHECK(hal::read_recordings(out).value().size() == 1);
+}
+
+TEST_CASE("import asks for what it must not guess", "[bench][import]") {
+  const ScratchFolder scratch;
+  const std::string out = (scratch / "out.h5").string();
+  const std::string table = table_in(scratch, "a,b\n1,2\n3,4\n");
+  const Answer answer = test::rvbench({"import", table, "--out", out});
+  CHECK(answer.code == 20);
+  CHECK_THAT(answer.err, Contains("table.csv: a: its sample rate is not known; give it with "
+                                  "--rate HZ"));
+  CHECK_FALSE(std::filesystem::exists(out));
+  CHECK(test::rvbench({"import", table, "--rate", "1000", "--out", out}).code == 0);
+  const Answer ending = test::rvbench({"import", table, "--out", out + ".csv"});
+  CHECK(ending.code == 2);
+  CHECK_THAT(ending.err, Contains("must end in .h5"));
+  const Answer absent = test::rvbench({"import", table + "x", "--out", out, "--force"});
+  CHECK(absent.code == 20);
+  CHECK_THAT(absent.err, Contains("no such file"));
+  const Answer nowhere = test::rvbench(
+      {"import", table, "--rate", "1000", "--out", (scratch / "none/out.h5").string()});
+  CHECK(nowhere.code == 2);
+  CHECK_THAT(nowhere.err, Contains("none/out.h5: No such file or directory"));
+}
+
+TEST_CASE("export writes all points, or those that are asked for", "[bench][export]") {
+  const ScratchFolder scratch;
+  const std::string run = run_in(scratch);
+  const auto into = [&](const std::string& name, std::vector<std::string> more = {}) {
+    more.insert(more.begin(), {"export", run, "--to", (scratch / name).string()});
+    return test::rvbench(more);
+  };
+  const Answer all = into("all.tdms");
+  INFO(all.err);
+  REQUIRE(all.code == 0);
+  CHECK(all.err.empty());  // nothing is lost, nothing is said
+  CHECK_THAT(all.out, Contains("all.tdms: 4 channels"));
+  CHECK(hal::read_recordings(scratch / "all.tdms").value().size() == 2);
+
+  REQUIRE(into("p.mat").code == 0);
+  CHECK(std::filesystem::exists(scratch / "p_000.mat"));
+  CHECK(hal::read_recordings(scratch / "p_001.mat").value()[0].load_pct == 50);
+  REQUIRE(into("one", {"--format", "mat73", "--point", "1"}).code == 0);
+  CHECK(hal::read_recordings(scratch / "one").value()[0].load_pct == 50);
+
+  const Answer wav = into("p.wav", {"--point", "001"});
+  REQUIRE(wav.code == 0);
+  CHECK(std::filesystem::exists(scratch / "p.wav"));
+  CHECK_THAT(wav.err, Contains("warning: WAV has no place for units: left out"));
+  const Answer absent = into("q.wav", {"--point", "7"});
+  CHECK(absent.code == 2);
+  CHECK_THAT(absent.err, Contains("has no point 7; it has 000, 001"));
+}
+
+TEST_CASE("export refuses what it cannot name or must not replace", "[bench][export]") {
+  const ScratchFolder scratch;
+  const std::string run = run_in(scratch);
+  const Answer unknown = test::rvbench({"export", run, "--to", "a.xyz"});
+  CHECK(unknown.code == 2);
+  CHECK_THAT(unknown.err, Contains("no ending that says a format") && Contains("uff58b"));
+  const Answer itself = test::rvbench({"export", run, "--to", run, "--force"});
+  CHECK(itself.code == 2);
+  CHECK_THAT(itself.err, Contains("is what it would be made from"));
+  const std::string out = (scratch / "a.uff").string();
+  REQUIRE(test::rvbench({"export", run, "--point", "0", "--to", out}).code == 0);
+  const Answer again = test::rvbench({"export", run, "--point", "0", "--to", out});
+  CHECK(again.code == 2);
+  CHECK_THAT(again.err, Contains("a.uff: exists; --force replaces it"));
+  CHECK(test::rvbench({"export", run, "--point", "0", "--to", out, "--force"}).code == 0);
+}
+
+}  // namespace rvbench::bench
