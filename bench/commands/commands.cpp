@@ -37,6 +37,7 @@ std::vector<std::unique_ptr<Command>> make_commands() {
   commands.push_back(make_trend_command());
   commands.push_back(make_rejudge_command());
   commands.push_back(make_limits_command());
+  commands.push_back(make_serve_command());
   return commands;
 }
 
