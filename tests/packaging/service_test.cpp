@@ -95,7 +95,8 @@ TEST_CASE("installing makes a user who cannot log in, and its group", "[packagin
                                               " && cat etc/passwd etc/group");
   INFO(answer.err);
   CHECK(answer.code == 0);
-  CHECK_THAT(answer.out, Contains("rvbench:x:") && Contains(":/var/lib/rvbench:/usr/sbin/nologin"));
+  CHECK_THAT(answer.out, Contains(":/var/lib/rvbench:/usr/sbin/nologin\n"));
+  CHECK_THAT(answer.out, Contains("\nrvbench:x:"));
 }
 
 }  // namespace rvbench
