@@ -22,7 +22,6 @@ _rvbench() {{
   else
     case "$command $before" in
 {values}      *)
-        [[ $word == -* ]] || return 0
         case $command in
 {options}        esac ;;
     esac
@@ -38,22 +37,33 @@ std::string joined(const std::vector<std::string>& words) {
   return line;
 }
 
+std::vector<std::string> values_of(const Option& option, const BuiltInValues& built_in) {
+  if (!option.choices.empty()) return option.choices;
+  const auto known = built_in.find(option.name);
+  return known == built_in.end() ? std::vector<std::string>() : known->second;
+}
+
 }  // namespace
 
-std::string bash_completion(const std::vector<std::unique_ptr<Command>>& commands) {
+std::string bash_completion(const std::vector<std::unique_ptr<Command>>& commands,
+                            const BuiltInValues& built_in) {
   std::vector<std::string> names;
   std::string values, options;
   for (const auto& command : commands) {
     const std::string name = command->name();
-    std::vector<std::string> known = {"--help"};
+    std::string switches = "--help", arguments;
     for (const Option& option : command->options()) {
-      if (!option.name.starts_with("--")) continue;
-      known.push_back(option.name);
-      if (option.choices.empty()) continue;
-      values += fmt::format("      \"{} {}\") words=\"{}\" ;;\n", name, option.name,
-                            joined(option.choices));
+      const std::string known = joined(values_of(option, built_in));
+      if (!option.name.starts_with("--")) {
+        arguments += known;
+        continue;
+      }
+      switches += ' ' + option.name;
+      if (std::holds_alternative<bool*>(option.target)) continue;
+      values += fmt::format("      \"{} {}\") words=\"{}\" ;;\n", name, option.name, known);
     }
-    options += fmt::format("          {}) words=\"{}\" ;;\n", name, joined(known));
+    options += fmt::format("          {}) words=\"{}\"; [[ $word == -* ]] && words=\"{}\" ;;\n",
+                           name, arguments, switches);
     names.push_back(name);
   }
   return fmt::format(script, fmt::arg("commands", joined(names)), fmt::arg("values", values),

@@ -60,7 +60,8 @@ std::string complaints(const ScratchFolder& folder, const std::string& page) {
 // What bash offers after these words.
 std::string completed(const ScratchFolder& folder, const Commands& commands,
                       const std::string& words) {
-  bench::write_file(folder / "rvbench", bench::bash_completion(commands));
+  bench::write_file(folder / "rvbench",
+                    bench::bash_completion(commands, {{"FILE", {"x.csv"}}, {"--tare", {"box"}}}));
   return bash(folder.path(), "source ./rvbench; COMP_WORDS=(" + words +
                                  "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _rvbench; "
                                  "echo -n ${COMPREPLY[@]}")
@@ -128,9 +129,26 @@ TEST_CASE("bash completes commands, options and values, and leaves files to itse
   CHECK(completed(folder, commands, "rvbench weigh --scale f") == "fine");
   CHECK(completed(folder, commands, "rvbench weigh --scale = f") == "fine");
   CHECK(completed(folder, commands, "rvbench weigh --scale =") == "coarse fine");
+  CHECK(completed(folder, commands, "rvbench weigh x") == "x.csv");
+  CHECK(completed(folder, commands, "rvbench weigh --json ''") == "x.csv");
+  CHECK(completed(folder, commands, "rvbench weigh --tare ''") == "box");
+  CHECK(completed(folder, commands, "rvbench weigh --tare -") == "");
   CHECK(completed(folder, commands, "rvbench weigh a") == "");
   CHECK(completed(folder, commands, "rvbench lift --") == "");
-  CHECK_THAT(completed(folder, bench::make_commands(), "rvbench run --"), Contains("--serial"));
+}
+
+TEST_CASE("what is installed completes the commands that there are", "[packaging]") {
+  const test::Installed installed;
+  const std::string script = installed.text_of("share/bash-completion/completions/rvbench");
+  const std::string offer =
+      "source share/bash-completion/completions/rvbench; COMP_CWORD=2; "
+      "COMP_WORDS=(rvbench run ";
+  CHECK_THAT(bash(installed / "", offer + "--); _rvbench; echo ${COMPREPLY[@]}").out,
+             Contains("--serial"));
+  CHECK(bash(installed / "", offer + "qu); _rvbench; echo ${COMPREPLY[@]}").out == "quick\n");
+  for (const auto& command : bench::make_commands()) {
+    CHECK_THAT(script, Contains(' ' + command->name() + ") words="));
+  }
 }
 
 }  // namespace rvbench
