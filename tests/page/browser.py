@@ -17,7 +17,8 @@ class Browser:
         options = Options()
         options.binary_location = "/usr/bin/chromium"
         for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu",
-                         "--lang=en", "--force-prefers-reduced-motion"):
+                         "--lang=en", "--force-prefers-reduced-motion", "--no-first-run",
+                         "--disable-extensions", "--disable-component-update", "--disable-background-networking"):
             options.add_argument(argument)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
         self.driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
@@ -45,7 +46,7 @@ class Browser:
         return self.script("return document.activeElement.id || document.activeElement.name || "
                            "document.activeElement.innerText")
 
-    def wait(self, what, condition, within_s=5.0):
+    def wait(self, what, condition, within_s=10.0):
         end_s = time.monotonic() + within_s
         while time.monotonic() < end_s:
             with contextlib.suppress(Exception):
@@ -56,15 +57,16 @@ class Browser:
         raise AssertionError(f"{what}: not within {within_s} s; state {self.text('#state_word')!r}, "
                              f"focus {self.focused()!r}")
 
-    def wait_word(self, word, within_s=5.0):
+    def wait_word(self, word, within_s=10.0):
         self.wait(f"the big word {word!r}", lambda: self.text("#state_word") == word, within_s)
 
     def tab_to(self, name, most=40):
         """Presses Tab until the element of that id, name or text has the focus."""
-        for _ in range(most):
+        for tabs in range(most + 1):
             if self.focused() == name:
                 return
-            self.type(Keys.TAB)
+            if tabs < most:
+                self.type(Keys.TAB)
         raise AssertionError(f"Tab does not reach {name!r} from {self.focused()!r}")
 
     def overflows(self):

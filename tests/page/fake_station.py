@@ -317,12 +317,12 @@ class Handler(http.server.BaseHTTPRequestHandler):
                 if station.phase == "running":
                     share = station.share()
                     send("strip", strip(time.time() - station.begun_s, share))
-                    if round_ % 5 == 0:
+                    if round_ % 4 == 0:
                         send("spectrum", spectrum(share))
-                if round_ % 5 == 0:
+                if round_ % 2 == 0:
                     send("heartbeat", {"time_utc": time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime())})
                 round_ += 1
-                time.sleep(0.1)
+                time.sleep(0.2)
         except OSError:
             pass
 
