@@ -32,7 +32,7 @@ ADVICE = "Stiffen, shorten or support the input shaft."
 def run_json(serial, utc, verdict, reason=""):
     return {"folder": f"{serial}/{utc}", "serial": serial, "started_utc": utc,
             "plan": "rv20e_acceptance", "verdict": verdict, "reason": reason,
-            "judgements": [{"verdict": verdict, "limits": "", "judged_utc": utc}]}
+            "rejudged": []}
 
 
 class Station:
@@ -46,16 +46,25 @@ class Station:
                      enumerate([("PASS", ""), ("FAIL", "input_shaft: misalignment"), ("PASS", ""),
                                 ("INVALID", "channel 3 clipped"), ("PASS", ""), ("ERROR", "torque sensor silent")])]
         self.runs.append(run_json("A16", "20261126T071500Z", "PASS"))
-        self.versions = [{"version": "1", "status": "active", "proposed_utc": "20261101T080000Z",
-                          "approved_by": "enzo", "limits": self.limits(0.25),
-                          "effect": {"judged": 6, "would_fail": 0, "would_pass": 0, "changes": []}}]
+        self.versions = [{"limits_version": "1", "plan": "rv20e_acceptance", "status": "activated",
+                          "limits": self.limits(0.25),
+                          "steps": [{"step": step, "utc": "20261101T080000Z", "by": "enzo"}
+                                    for step in ("proposed", "approved", "activated")]}]
         if keep and keep.exists():
             self.__dict__.update(json.loads(keep.read_text()))
 
     @staticmethod
     def limits(most):
-        return [{"indicator": "acceleration_rms", "point": f"{speed}/100", "max": most * speed / 1815,
-                 "n": 50, "unit": "m/s²"} for speed in SPEEDS_RPM]
+        why = "50 good units: median + 3.4 robust sigma"
+        return [{"measure": "acceleration_rms", "unit": "m/s²", "max": most, "why": why},
+                {"measure": "kurtosis", "unit": "1", "max": 3.6, "why": why},
+                {"measure": "efficiency", "unit": "1", "min": 0.72, "why": why}]
+
+    @staticmethod
+    def effect():
+        return {"runs": 7, "left_out": 1,
+                "changes": [{"folder": "A14/20261124T051500Z", "was": "PASS", "would_be": "FAIL",
+                             "reason": "acceleration_rms 0.22 m/s², above 0.21"}]}
 
     def changed(self):
         self.number += 1
@@ -156,29 +165,27 @@ class Station:
         run = next((r for r in self.runs if r["folder"] == body.get("run")), None)
         if not run:
             return 422, {"error": "refused", "exit_code": 2, "reason": f"rejudge: no run {body.get('run')}"}
-        run["judgements"].append({"verdict": "FAIL", "limits": body.get("limits", ""), "judged_utc": "20261126T090000Z"})
+        then = {"verdict": run["verdict"], "reason": run["reason"]}
+        again = {"verdict": "FAIL", "reason": "", "limits_version": body.get("limits") or None,
+                 "judged_utc": "20261126T090000Z"}
+        run["rejudged"].append(again)
         self.changed()
-        return 200, {"verdict": "FAIL"}
+        return 200, {"runs": [{"folder": run["folder"], "as_judged": then, "rejudged": again}]}
 
-    def propose(self, _):
-        version = str(len(self.versions) + 1)
-        self.versions.append({"version": version, "status": "draft", "proposed_utc": "20261126T090000Z",
-                              "limits": self.limits(0.21),
-                              "effect": {"judged": 7, "would_fail": 1, "would_pass": 0,
-                                         "changes": [{"run": "A14/20261124T051500Z", "was": "PASS", "would_be": "FAIL"}]}})
+    def propose(self, _, by):
+        self.versions.append({"limits_version": str(len(self.versions) + 1), "plan": "rv20e_acceptance",
+                              "status": "draft", "limits": self.limits(0.21),
+                              "steps": [{"step": "proposed", "utc": "20261126T090000Z", "by": by}]})
         self.changed()
         return 200, self.versions[-1]
 
     def step(self, body, before, after, by):
-        version = next((v for v in self.versions if v["version"] == str(body.get("version"))), None)
+        wanted = body.get("version")
+        version = next((v for v in self.versions if v["limits_version"] == wanted), None)
         if not version or version["status"] != before:
-            return 422, {"error": "refused", "exit_code": 2, "reason": f"limits: version {body.get('version')} is not {before}"}
-        if after == "active":
-            for other in self.versions:
-                other["status"] = "retired" if other["status"] == "active" else other["status"]
-        else:
-            version["approved_by"] = by
+            return 422, {"error": "refused", "exit_code": 2, "reason": f"limits: version {wanted} is not {before}"}
         version["status"] = after
+        version["steps"].append({"step": after, "utc": "20261126T090500Z", "by": by})
         self.changed()
         return 200, version
 
@@ -239,12 +246,13 @@ class Handler(http.server.BaseHTTPRequestHandler):
             return self.answer(200, {"runs": runs})
         if url.path == "/api/trend":
             values = [{"serial": r["serial"], "started_utc": r["started_utc"], "verdict": r["verdict"],
-                       "value": 0.17 + 0.03 * math.sin(2.1 * i) + (0.12 if r["verdict"] == "FAIL" else 0)}
+                       "point": "1815 rpm, 100 %", "value": 0.17 + 0.03 * math.sin(2.1 * i) + (0.12 if r["verdict"] == "FAIL" else 0)}
                       for i, r in enumerate(self.station.runs)]
             return self.answer(200, {"indicator": query.get("indicator"), "unit": "m/s²", "values": values,
-                                     "limit": 0.25, "told": "No trend can be told from 7 runs."})
+                                     "sentence": "No trend can be told from 7 runs."})
         if url.path == "/api/limits":
-            return self.answer(200, {"versions": self.station.versions})
+            known = {"effect": self.station.effect()} if "version" in query else {"versions": self.station.versions}
+            return self.answer(200, known)
         if url.path.endswith("/report"):
             name = urllib.parse.unquote(url.path.split("/")[3])
             return self.answer(200, f"<!doctype html><title>Report of {name}</title><h1>{name}</h1>".encode(), "text/html")
@@ -263,9 +271,9 @@ class Handler(http.server.BaseHTTPRequestHandler):
         calls = {"scan": ("operator", station.scan), "start": ("operator", station.start),
                  "stop": ("operator", station.stop), "clear": ("operator", station.clear),
                  "logout": ("viewer", self.log_out), "rejudge": ("engineer", station.rejudge),
-                 "limits/propose": ("engineer", station.propose),
+                 "limits/propose": ("engineer", lambda b: station.propose(b, session["name"])),
                  "limits/approve": ("engineer", lambda b: station.step(b, "draft", "approved", session["name"])),
-                 "limits/activate": ("engineer", lambda b: station.step(b, "approved", "active", session["name"]))}
+                 "limits/activate": ("engineer", lambda b: station.step(b, "approved", "activated", session["name"]))}
         least, call = calls.get(self.path[5:], ("viewer", lambda _: (404, {"error": "not_found"})))
         if ROLES.index(session["role"]) < ROLES.index(least):
             return self.answer(403, {"error": "role"})

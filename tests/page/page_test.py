@@ -204,9 +204,10 @@ class WholeWay(PageTest):
         page.wait("approved", lambda: say["limits.approved"] in page.text("#limits tbody tr:first-child"))
         page.tab_to(say["limits.activate"])
         page.type(Keys.ENTER)
+        page.wait("the effect again", lambda: "7" in page.text("#version_effect"))
         page.tab_to("version_go")
         page.type(Keys.ENTER)
-        page.wait("active", lambda: say["limits.active"] in page.text("#limits tbody tr:first-child"))
+        page.wait("active", lambda: say["limits.activated"] in page.text("#limits tbody tr:first-child"))
         self.assertIn("enzo", page.text("#limits tbody tr:first-child"))
         self.look(f"{language}_limits")
 

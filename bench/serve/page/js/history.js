@@ -14,8 +14,7 @@ const unit_cell = (run) => [make("b", {}, run.serial), make("span", { class: "th
 
 // As judged then, and again since.
 function verdict_cell(run) {
-  const later = (run.judgements ?? []).slice(1);
-  return [chip(run.verdict), ...later.map((judgement) =>
+  return [chip(run.verdict), ...(run.rejudged ?? []).map((judgement) =>
     make("span", { class: "then" }, `${say("history.rejudged")}: `, chip(judgement.verdict)))];
 }
 

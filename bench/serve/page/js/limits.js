@@ -12,10 +12,13 @@ const step_of = { draft: "approve", approved: "activate" };
 let shown = null;
 let page = null;
 
-function effect_of(version) {
-  const effect = version.effect;
-  if (!effect) return say("limits.no_effect");
-  return say("limits.changes", { judged: effect.judged ?? 0, fail: effect.would_fail ?? 0, pass: effect.would_pass ?? 0 });
+const name_of = (version) => String(version.limits_version);
+const last_step = (version, step) => (version.steps ?? []).findLast((one) => one.step === step);
+
+function effect_of({ effect }) {
+  if (!effect) return "";
+  const to = (verdict) => effect.changes.filter((change) => change.would_be === verdict).length;
+  return say("limits.changes", { judged: effect.runs, fail: to("FAIL"), pass: to("PASS") });
 }
 
 function bounds(limit) {
@@ -24,28 +27,44 @@ function bounds(limit) {
   return `${low}${high}${limit.unit ?? ""}`;
 }
 
+function show_effect() {
+  const changes = shown.effect?.changes ?? [];
+  tell(by_id("version_effect"), effect_of(shown));
+  fill_table(by_id("version_changes"), ["limits.run", "limits.was", "limits.would_be", "history.reason"],
+    changes.map((change) => [change.folder, chip(change.was), chip(change.would_be), change.reason ?? ""]));
+  by_id("version_changes").hidden = !changes.length;
+  by_id("version_go").disabled = !shown.effect;  // what it would change is seen before it counts
+}
+
+// A list may leave the effect out: working it out takes time.
+async function ask_effect() {
+  await told_by(by_id("version_told"), async () => {
+    shown.effect ??= (await ask("limits", { version: name_of(shown) })).effect;
+    return shown.effect ? "" : say("limits.no_effect");
+  });
+  show_effect();
+}
+
 function open_version(version) {
   shown = version;
   const step = step_of[version.status];
-  tell(by_id("version_title"), say("limits.title", { version: version.version }));
-  tell(by_id("version_effect"), effect_of(version));
-  tell(by_id("version_told"), "");
-  fill_table(by_id("version_changes"), ["limits.run", "limits.was", "limits.would_be"],
-    (version.effect?.changes ?? []).map((change) => [change.run, chip(change.was), chip(change.would_be)]));
-  fill_table(by_id("version_limits"), ["trend.indicator", "trend.point", "limits.limit", "limits.units"],
-    (version.limits ?? []).map((limit) => [limit.indicator, limit.point ?? "", bounds(limit), String(limit.n ?? "")]));
+  tell(by_id("version_title"), say("limits.title", { version: name_of(version) }));
+  fill_table(by_id("version_limits"), ["trend.indicator", "limits.of", "limits.limit", "limits.why"],
+    (version.limits ?? []).map((limit) => [limit.measure, limit.of ?? limit.component ?? "", bounds(limit), limit.why ?? ""]));
   by_id("version_go").hidden = !step || page.session?.role !== "engineer";
   if (step) by_id("version_go").textContent = say(`limits.${step}_by`, { name: page.session?.name ?? "" });
+  show_effect();
   dialog.showModal();
   by_id("version_title").tabIndex = -1;
   by_id("version_title").focus();
+  ask_effect();
 }
 
 function row_of(version) {
   const word = `limits.${step_of[version.status] ?? "show"}`;
-  return [String(version.version), say_or(`limits.${version.status}`, version.status),
-    say_time(version.proposed_utc), version.approved_by ?? "", effect_of(version),
-    [row_button(word, version.version, () => open_version(version))]];
+  return [name_of(version), say_or(`limits.${version.status}`, version.status),
+    say_time(last_step(version, "proposed")?.utc), last_step(version, "approved")?.by ?? "", effect_of(version),
+    [row_button(word, name_of(version), () => open_version(version))]];
 }
 
 export async function show_limits() {
@@ -69,7 +88,7 @@ export function begin_limits(of_page) {
     if (has_proposed) await show_limits();
   });
   by_id("version_go").addEventListener("click", () => told_by(by_id("version_told"), async () => {
-    await act(`limits/${step_of[shown.status]}`, { version: shown.version });
+    await act(`limits/${step_of[shown.status]}`, { version: name_of(shown) });
     dialog.close("done");
     await show_limits();
   }));

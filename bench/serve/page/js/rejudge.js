@@ -12,7 +12,7 @@ async function fill_limits() {
   const answer = await ask("limits").catch(() => ({}));
   const usable = (answer.versions ?? []).filter((version) => version.status !== "draft");
   by_id("rejudge_limits").replaceChildren(make("option", { value: "" }, say("rejudge.present")),
-    ...usable.map(({ version, status }) => make("option", { value: String(version) },
+    ...usable.map(({ limits_version: version, status }) => make("option", { value: String(version) },
       say("rejudge.version", { version, status: say_or(`limits.${status}`, status) }))));
 }
 
@@ -31,7 +31,8 @@ export function begin_rejudge() {
   by_id("rejudge_go").addEventListener("click", () => told_by(by_id("rejudge_told"), async () => {
     const answer = await act("rejudge", { run: run.folder, limits: by_id("rejudge_limits").value });
     then();
-    const word = (verdict) => say_or(`state.${verdict}`, verdict ?? "–");
-    return say("rejudge.done", { before: word(run.verdict), now: word(answer.verdict) });
+    const word = (judged) => say_or(`state.${judged?.verdict}`, judged?.verdict ?? "–");
+    const { as_judged, rejudged } = answer.runs?.[0] ?? {};
+    return say("rejudge.done", { before: word(as_judged), now: word(rejudged) });
   }));
 }

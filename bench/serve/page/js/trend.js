@@ -10,31 +10,31 @@ import { say, say_number, say_time } from "./words.js";
 const form = by_id("trend_filter");
 let draw;
 
-function lines_of(limit) {
-  if (typeof limit === "number") return [limit];
-  return limit ? [limit.min, limit.max].filter(Number.isFinite) : [];
+// Of the limits in force on an indicator, those in the unit of its values.
+function lines_of(limits, { indicator, unit }) {
+  const meant = limits.filter((limit) => limit.measure === indicator && limit.unit === unit && !limit.of);
+  return meant.map((limit) => limit.max ?? limit.min).filter(Number.isFinite);
 }
 
-async function offer_indicators() {
-  const answer = await ask("limits").catch(() => ({}));
-  const named = (answer.versions ?? []).flatMap((version) => (version.limits ?? []).map((limit) => limit.indicator));
-  const names = [...new Set(named)].sort();
+async function limits_in_force() {
+  const versions = (await ask("limits").catch(() => ({}))).versions ?? [];
+  const names = [...new Set(versions.flatMap(({ limits = [] }) => limits.map(({ measure }) => measure)))].sort();
   by_id("indicators").replaceChildren(...names.map((name) => make("option", { value: name })));
-  if (!form.indicator.value && names.length) form.indicator.value = names[0];
+  return versions.findLast(({ status }) => status === "activated")?.limits ?? [];
 }
 
 export async function show_trend() {
-  if (!form.indicator.value) await offer_indicators();
   if (!form.indicator.value) return;
   await told_by(by_id("trend_told"), async () => {
-    const answer = await ask("trend", Object.fromEntries(new FormData(form)));
-    const values = answer.values ?? answer.points ?? [];
+    const [limits, answer] = await Promise.all([limits_in_force(),
+      ask("trend", Object.fromEntries(new FormData(form)))]);
+    const values = answer.values ?? [];
     draw ??= make_plot(by_id("trend_plot").querySelector("div"), { colour: "#005f9e", x: say("trend.runs"), dots: true });
-    draw(values.map((_, i) => i + 1), values.map(({ value }) => value ?? null), lines_of(answer.limit));
+    draw(values.map((_, i) => i + 1), values.map(({ value }) => value ?? null), lines_of(limits, answer));
     const rows = values.slice().reverse().map((at) =>
-      [say_time(at.started_utc), at.serial ?? "", `${say_number(at.value)} ${answer.unit ?? ""}`, at.verdict ? chip(at.verdict) : ""]);
-    fill_table(by_id("trend"), ["history.started", "history.serial", "trend.value", "history.verdict"], rows);
-    return values.length ? (answer.told ?? answer.trend?.text ?? "") : say("trend.none");
+      [say_time(at.started_utc), at.serial ?? "", at.point ?? "", `${say_number(at.value)} ${answer.unit ?? ""}`, at.verdict ? chip(at.verdict) : ""]);
+    fill_table(by_id("trend"), ["history.started", "history.serial", "trend.point", "trend.value", "history.verdict"], rows);
+    return values.length ? (answer.sentence ?? "") : say("trend.none");
   });
 }
 
