@@ -121,6 +121,7 @@ class WholeWay(PageTest):
         self.scan("")  # a scanner that sends Enter twice starts nothing
         time.sleep(0.2)
         page.wait_word(say["state.ready"])
+        self.assertEqual("", page.text("#scan_fault"))
         page.tab_to("start", most=1)
         page.type(Keys.ENTER)
         page.wait_word(say["state.running"])
@@ -247,6 +248,22 @@ class Scanning(PageTest):
         page.wait_word("READY")
         self.assertEqual("A33", page.text("#serial"))
         self.assertEqual("scan_text", page.focused())
+        page.tab_to("logout")
+        self.scan("A45")
+        page.wait("the next unit", lambda: page.text("#serial") == "A45")
+
+    def test_a_history_that_is_looked_at_takes_the_run_in_that_ends(self):
+        page = self.browser
+        self.scan("A47")
+        page.wait_word("READY")
+        page.tab_to("start")
+        page.type(Keys.ENTER)
+        page.wait_word("MEASURING")
+        page.tab_to("tab_station")
+        page.type(Keys.ARROW_RIGHT)
+        page.wait("the history", lambda: page.text("#history tbody"))
+        self.assertNotIn("A47", page.text("#history"))
+        page.wait("the new run", lambda: "A47" in page.text("#history"))
 
     def test_a_unit_tested_before_asks_first_and_escape_is_safe(self):
         page = self.browser

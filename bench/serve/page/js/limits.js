@@ -21,10 +21,9 @@ function effect_of({ effect }) {
   return say("limits.changes", { judged: effect.runs, fail: to("FAIL"), pass: to("PASS") });
 }
 
-function bounds(limit) {
-  const low = Number.isFinite(limit.min) ? `≥ ${say_number(limit.min)} ` : "";
-  const high = Number.isFinite(limit.max) ? `≤ ${say_number(limit.max)} ` : "";
-  return `${low}${high}${limit.unit ?? ""}`;
+function bound(limit) {
+  const unit = limit.unit === "1" ? "" : limit.unit;
+  return Number.isFinite(limit.min) ? `≥ ${say_number(limit.min)} ${unit}` : `≤ ${say_number(limit.max)} ${unit}`;
 }
 
 function show_effect() {
@@ -50,7 +49,7 @@ function open_version(version) {
   const step = step_of[version.status];
   tell(by_id("version_title"), say("limits.title", { version: name_of(version) }));
   fill_table(by_id("version_limits"), ["trend.indicator", "limits.of", "limits.limit", "limits.why"],
-    (version.limits ?? []).map((limit) => [limit.measure, limit.of ?? limit.component ?? "", bounds(limit), limit.why ?? ""]));
+    (version.limits ?? []).map((limit) => [limit.measure, limit.of ?? limit.component ?? "", bound(limit), limit.why ?? ""]));
   by_id("version_go").hidden = !step || page.session?.role !== "engineer";
   if (step) by_id("version_go").textContent = say(`limits.${step}_by`, { name: page.session?.name ?? "" });
   show_effect();

@@ -19,9 +19,9 @@ function range_of(values) {
   return [least - room, most + room];
 }
 
-// Two to five numbers that are easily read: multiples of 1, 2 or 5 times a power of ten.
+// Some numbers that are easily read: multiples of 1, 2 or 5 times a power of ten.
 function round_values(low, high) {
-  const rough = (high - low) / 3, power = 10 ** Math.floor(Math.log10(rough));
+  const rough = (high - low) / 4, power = 10 ** Math.floor(Math.log10(rough));
   const step = [1, 2, 5, 10].map((times) => times * power).find((candidate) => candidate >= rough);
   const values = [];
   for (let i = Math.ceil(low / step); i * step <= high; ++i) values.push(i * step);

@@ -23,6 +23,8 @@ async function limits_in_force() {
   return versions.findLast(({ status }) => status === "activated")?.limits ?? [];
 }
 
+const say_in = (unit, value) => `${say_number(value)} ${unit === "1" ? "" : unit ?? ""}`;
+
 export async function show_trend() {
   if (!form.indicator.value) return;
   await told_by(by_id("trend_told"), async () => {
@@ -32,7 +34,7 @@ export async function show_trend() {
     draw ??= make_plot(by_id("trend_plot").querySelector("div"), { colour: "#005f9e", x: say("trend.runs"), dots: true });
     draw(values.map((_, i) => i + 1), values.map(({ value }) => value ?? null), lines_of(limits, answer));
     const rows = values.slice().reverse().map((at) =>
-      [say_time(at.started_utc), at.serial ?? "", at.point ?? "", `${say_number(at.value)} ${answer.unit ?? ""}`, at.verdict ? chip(at.verdict) : ""]);
+      [say_time(at.started_utc), at.serial ?? "", at.point ?? "", say_in(answer.unit, at.value), at.verdict ? chip(at.verdict) : ""]);
     fill_table(by_id("trend"), ["history.started", "history.serial", "trend.point", "trend.value", "history.verdict"], rows);
     return values.length ? (answer.sentence ?? "") : say("trend.none");
   });
