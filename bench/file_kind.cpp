@@ -7,8 +7,9 @@
 namespace rvbench::bench {
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 7> key_of_kind = {
-    {{"plan", "main"},
+constexpr std::array<std::pair<const char*, const char*>, 8> key_of_kind = {
+    {{"station", "station"},  // which names plan and rig
+     {"plan", "main"},
      {"rig", "rig"},
      {"rig", "preset"},  // of a simulated one, which need not say so
      {"kinematics", "machine"},

@@ -54,8 +54,9 @@ ProgressBar::ProgressBar(Console& console, Style style, SecondsSource now_s)
 ProgressBar::~ProgressBar() { clear(); }
 
 void ProgressBar::show(const std::string& stage, double fraction, const std::string& doing) {
-  if (style_ == Style::silent || !takes_a_line(console_)) return;
   if (stage != stage_) start_stage(stage);
+  if (watcher_) watcher_(stage, fraction, left_s(fraction), doing);
+  if (style_ == Style::silent || !takes_a_line(console_)) return;
   if (style_ == Style::bar) {
     draw_bar(fraction, doing);
   } else {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "bench/console.hpp"
 #include "bench/seconds_source.hpp"
@@ -31,6 +33,12 @@ class ProgressBar {
   void show(const std::string& stage, double fraction, const std::string& doing);
   void clear();
 
+  /// Tells another as well, in whatever style, each time that show() is called; left_s is NaN where
+  /// it is not known yet. It must not wait for anybody.
+  using Watcher = std::function<void(const std::string& stage, double fraction, double left_s,
+                                     const std::string& doing)>;
+  void tell(Watcher watcher) { watcher_ = std::move(watcher); }
+
  private:
   void start_stage(const std::string& stage);
   void draw_bar(double fraction, const std::string& doing);
@@ -45,6 +53,7 @@ class ProgressBar {
   double drawn_s_ = 0;
   int tenths_ = -1;
   bool on_screen_ = false;
+  Watcher watcher_;
 };
 
 /// Silent with --json; a bar on a terminal; else lines.

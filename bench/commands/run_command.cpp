@@ -24,6 +24,8 @@
 #include "bench/rig_file.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/run_start.hpp"
+#include "bench/serve/live_feed.hpp"
+#include "bench/serve/watched_rig.hpp"
 #include "bench/software_version.hpp"
 #include "bench/stop_on_signal.hpp"
 #include "bench/summary.hpp"
@@ -65,6 +67,7 @@ class RunCommand final : public Command {
         {"--dry-run", "print the timeline and its envelope; touch nothing", &dry_run_},
         {"--out", "folder for run folders; default: " + out_, &out_},
         {"--resume", "go on with the newest unfinished run of this serial", &resume_},
+        {"--live", "tell how the run goes to this socket, which serve listens at", &live_},
         {"--no-report", "no report.html: rvbench report makes it later", &no_report_},
         {"--json", "one JSON document on standard output", &json_}};
   }
@@ -76,6 +79,8 @@ class RunCommand final : public Command {
   int measure(Console& console, const sequences::TestPlan& plan,
               const analysis::Kinematics& kinematics, hal::Rig& rig,
               const std::vector<hal::ConfigFault>& warnings);
+  void tell_live(const sequences::TestPlan& plan, hal::Rig& rig, Acceptance& acceptance,
+                 ProgressBar& bar) const;
   std::string enter_result(const Judgement& judgement) const;
   void tell(Console& console, const Judgement& judgement, const analysis::Kinematics& kinematics,
             const std::string& not_entered) const;
@@ -90,6 +95,7 @@ class RunCommand final : public Command {
   bool resume_ = false;
   bool no_report_ = false;
   bool json_ = false;
+  std::string live_;
   RigFile file_;    // what --rig names, read once
   RunPlace place_;  // locked until the command ends
 };
@@ -206,6 +212,7 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
   for (const hal::ConfigFault& warning : warnings) {
     acceptance.warnings.push_back(hal::describe(rig_, warning));
   }
+  if (!live_.empty()) tell_live(plan, rig, acceptance, bar);
   const Judgement judgement = run_acceptance(std::move(acceptance), rig, bar, signals.token());
   std::string not_entered;
   const auto enter = [&] { not_entered = enter_result(judgement); };
@@ -220,6 +227,22 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
   enter();
   tell(console, judgement, kinematics, not_entered);
   return exit_code(judgement.ending);
+}
+
+// A run does not end because nobody can be told how it goes.
+void RunCommand::tell_live(const sequences::TestPlan& plan, hal::Rig& rig, Acceptance& acceptance,
+                           ProgressBar& bar) const {
+  try {
+    const auto run = place_.folder.parent_path().filename() / place_.folder.filename();
+    const auto feed =
+        std::make_shared<LiveFeed>(LiveSocket::to(live_), run.string(), plan.points().size());
+    watch(rig, feed);
+    acceptance.begin_recording = watched_recording(acceptance.begin_recording, feed);
+    bar.tell([feed](const std::string& stage, double fraction, double left_s,
+                    const std::string& doing) { feed->progress(stage, fraction, left_s, doing); });
+  } catch (const std::system_error& error) {
+    acceptance.warnings.push_back("--live: " + reason_of(error));
+  }
 }
 
 // Standard output first: the other may be what hangs.

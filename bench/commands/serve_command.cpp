@@ -1,0 +1,195 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <thread>
+
+#include "bench/commands/commands.hpp"
+#include "bench/fault_lines.hpp"
+#include "bench/file_lock.hpp"
+#include "bench/serve/http_server.hpp"
+#include "bench/serve/station_api.hpp"
+#include "bench/stop_on_signal.hpp"
+#include "bench/text_file.hpp"
+#include "hal/did_you_mean.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+constexpr std::chrono::milliseconds tick_every{50};
+
+// What a station is called by on its own computer, and what its file adds.
+std::vector<std::string> hosts_of(const StationFile& station) {
+  std::vector<std::string> hosts = station.hosts;
+  hosts.insert(hosts.end(), {"localhost", "127.0.0.1", "[::1]"});
+  return hosts;
+}
+
+class ServeCommand final : public Command {
+ public:
+  std::string name() const override { return "serve"; }
+  std::string summary() const override { return "the operator's page of an end-of-line station"; }
+  std::string examples() const override {
+    return "  rvbench serve                                  a simulated station, to try\n"
+           "  rvbench serve --make-token anna --role engineer\n"
+           "  rvbench serve --station station.json --out runs\n"
+           "  rvbench check runs/.station/audit.jsonl        who did what: is it all there?\n"
+           "Without --station it runs the plan quick in simulation, and prints a token to log in\n"
+           "with. SIGTERM and Ctrl-C end the page, not a test: that goes on to its own end.\n";
+  }
+  std::vector<Option> options() override {
+    return {
+        {"--station", "station file", &station_},
+        {"--out", "folder of run folders; default: that of the station file, or runs", &out_},
+        {"--port",
+         "to listen at, 0 for any that is free; default: the station file's, or 8080",
+         &port_,
+         false,
+         {},
+         65535},
+        {"--bind", "address to listen at; any but this computer's own must be the station file's",
+         &bind_},
+        {"--make-token", "print a token for this user, and the entry of the station file",
+         &new_user_},
+        {"--role",
+         "of that user: viewer, operator or engineer; default: operator",
+         &role_,
+         false,
+         {"viewer", "operator", "engineer"}}};
+  }
+  int run(Console& console) override;
+
+ private:
+  int print_token(Console& console) const;
+  std::optional<StationFile> station(Console& console, int& refused);
+  int serve(Console& console, StationFile file);
+
+  std::string station_, out_, bind_, new_user_;
+  std::string role_ = "operator";
+  std::optional<std::uint64_t> port_;
+};
+
+int ServeCommand::print_token(Console& console) const {
+  if (!is_user_name(new_user_)) {
+    return refuse_usage(console, "serve: --make-token " + hal::in_quotes(new_user_) +
+                                     ": expected letters, digits, '-' and '_', at most 32");
+  }
+  const std::string token = make_token(new_user_);
+  const nlohmann::ordered_json entry{
+      {"name", new_user_}, {"role", role_}, {"token_hash", hash_of_token(token)}};
+  console.out << "Token, to be kept by " << new_user_ << " alone; it is not kept here:\n  " << token
+              << "\nEntry for \"users\" of the station file:\n  " << entry.dump() << '\n';
+  return exit_codes::done;
+}
+
+// Of the file, or one to try with a token that is printed.
+std::optional<StationFile> ServeCommand::station(Console& console, int& refused) {
+  if (!station_.empty()) {
+    auto read = read_station(station_);
+    if (read.index() == 0) return std::get<0>(std::move(read));
+    refused = refuse_file(console, station_, with_lines(station_, std::get<1>(read)));
+    return std::nullopt;
+  }
+  StationFile trial;
+  trial.name = "simulated station";
+  trial.plan = "quick";
+  trial.rig = "sim";
+  const std::string token = make_token("trial");
+  trial.users = {{"trial", Role::engineer, hash_of_token(token)}};
+  console.err << "rvbench: serve: no --station: a simulated one; log in with\n  " << token << '\n';
+  return trial;
+}
+
+int ServeCommand::run(Console& console) {
+  if (!new_user_.empty()) return print_token(console);
+  int refused = exit_codes::done;
+  auto file = station(console, refused);
+  if (!file) return refused;
+  if (!out_.empty()) file->runs = out_;
+  if (port_) file->port = static_cast<int>(*port_);
+  if (!bind_.empty() && bind_ != file->bind && !is_loopback(bind_)) {
+    return refuse_usage(console, "serve: --bind " + bind_ +
+                                     ": others could reach the station there; if they shall, say "
+                                     "\"bind\" and \"hosts\" in the station file");
+  }
+  if (!bind_.empty()) file->bind = bind_;
+  try {
+    return serve(console, std::move(*file));
+  } catch (const std::system_error& error) {
+    return refuse_usage(console, "serve: " + reason_of(error));
+  }
+}
+
+void warn(Console& console, const std::string& text) {
+  console.err << "rvbench: serve: warning: " << text << std::endl;
+}
+
+int ServeCommand::serve(Console& console, StationFile file) {
+  StopOnSignal signals;
+  EventHub hub;
+  const std::filesystem::path keep = Station::keep_of(file.runs);
+  std::filesystem::create_directories(keep);
+  const auto alone = FileLock::take(keep / "serve.lock");
+  if (!alone) {
+    return refuse_usage(console,
+                        "serve: another rvbench serves " + file.runs.string() + " already");
+  }
+  const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+  Station station(file, program, hub);
+  AuditLog audit(keep / "audit.jsonl");
+  const auto checked = check_audit(keep / "audit.jsonl");
+  if (checked && checked->broken_line > 0) {
+    warn(console, fmt::format("{}:{}: {}", (keep / "audit.jsonl").string(), checked->broken_line,
+                              checked->fault));
+  }
+  Sessions sessions;
+  std::unique_ptr<Gate> gate;
+  std::unique_ptr<StationApi> api;
+  const HttpLimits limits{.connections = static_cast<std::size_t>(file.most_connections),
+                          .body_bytes = static_cast<std::size_t>(file.most_body_bytes)};
+  HttpServer server(
+      limits, [&gate](const HttpRequest& request) { return gate->refused(request); },
+      [&api](const HttpRequest& request) { return api->answer(request); });
+  const int port = server.bind(file.bind, file.port);
+  if (port == 0) {
+    return refuse_usage(console, fmt::format("serve: port {} of {} is not to be had: another "
+                                             "program has it, or it asks for more rights",
+                                             file.port, file.bind));
+  }
+  gate = std::make_unique<Gate>(hosts_of(file), port, sessions);
+  api = std::make_unique<StationApi>(station, hub, sessions, *gate, audit, program);
+  if (!is_loopback(file.bind)) {
+    warn(console, "other computers reach " + file.bind +
+                      "; what they send can be read on its way unless a TLS proxy is before it");
+  }
+  std::thread serving([&server] { server.serve(); });
+  if (station.is_running()) {
+    console.err << "rvbench: serve: a test of " << station.serial() << " is running: found again\n";
+  }
+  console.err << fmt::format(
+                     "rvbench: serve: {} at http://{}:{}/", file.name,
+                     file.bind.find(':') == std::string::npos ? file.bind : "[" + file.bind + "]",
+                     port)
+              << std::endl;
+  while (!signals.token().stop_requested()) {
+    station.tick();
+    std::this_thread::sleep_for(tick_every);
+  }
+  hub.close();
+  server.stop();
+  serving.join();
+  if (station.is_running()) {
+    console.err << "rvbench: serve: ended; the test of " << station.serial()
+                << " goes on, and stops its shaft itself: serve finds it again\n";
+  } else {
+    console.err << "rvbench: serve: ended\n";
+  }
+  return exit_codes::done;
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_serve_command() { return std::make_unique<ServeCommand>(); }
+
+}  // namespace rvbench::bench

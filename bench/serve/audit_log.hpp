@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "hal/types/result.hpp"
+
+namespace rvbench::bench {
+
+/// Somebody's act, for the audit log.
+struct AuditEntry {
+  std::string user;     ///< "" if nobody was logged in
+  std::string address;  ///< where it came from
+  std::string action;   ///< "start", "login", "refused start"
+  std::string detail;   ///< JSON in text; "" for none
+};
+
+/// What a look at an audit log comes to.
+struct AuditCheck {
+  std::size_t lines = 0;
+  std::string last_hash;            ///< of the last sound line before the first broken one
+  std::size_t broken_line = 0;      ///< the first, from 1; 0 if none is
+  std::string fault = {};           ///< what is wrong with it
+  bool ends_within_a_line = false;  ///< as a power failure leaves it
+};
+
+/// Who did what, one JSON object a line. Each line carries the hash of the line before and its own:
+/// a line that is changed, taken out, put in or moved breaks the chain there. Lines taken from the
+/// end do not: whoever must rule that out keeps the last hash elsewhere.
+///
+///     {"time_utc":"20261126T101112Z","user":"anna","address":"127.0.0.1","action":"start",
+///      "detail":{...},"previous":"<64 hex digits>","hash":"<64 hex digits>"}
+///
+/// hash is the SHA-256 of the line up to, and without, `,"hash":`.
+///
+/// Threads  any
+class AuditLog {
+ public:
+  /// Makes the file if need be; goes on after its last sound line.
+  explicit AuditLog(std::filesystem::path file);
+  ~AuditLog();
+  AuditLog(const AuditLog&) = delete;
+  AuditLog& operator=(const AuditLog&) = delete;
+
+  /// On the disk when it returns. What is not logged must not be done.
+  Status add(const AuditEntry& entry);
+
+  /// The newest lines, oldest first, as a JSON array.
+  std::string last(std::size_t lines);
+
+ private:
+  std::filesystem::path file_;
+  std::mutex mutex_;
+  int descriptor_ = -1;
+  std::string previous_;
+};
+
+/// nullopt if it cannot be read.
+std::optional<AuditCheck> check_audit(const std::filesystem::path& file);
+
+/// Whether the first line of a file is one of an audit log, or was one.
+bool is_audit_log(const std::filesystem::path& file);
+
+}  // namespace rvbench::bench

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rvbench::bench {
+
+/// What a client asks for. Names of headers are in lower case; of several alike the first counts.
+struct HttpRequest {
+  std::string method, path;  ///< the path without its query, and with %xx decoded
+  std::map<std::string, std::string> headers = {};
+  std::map<std::string, std::string> query = {};
+  std::string body = {};
+  std::string address = {};  ///< of the client: "127.0.0.1"
+
+  std::string header(const std::string& name) const {
+    const auto found = headers.find(name);
+    return found == headers.end() ? "" : found->second;
+  }
+  std::string parameter(const std::string& name) const {
+    const auto found = query.find(name);
+    return found == query.end() ? "" : found->second;
+  }
+};
+
+/// Sends a part of an answer that goes on; false once nobody takes it any more.
+using HttpSend = std::function<bool(const std::string&)>;
+
+struct HttpAnswer {
+  int status = 200;
+  std::string type = "application/json";
+  std::string body = {};
+  std::vector<std::pair<std::string, std::string>> headers = {};
+  /// Where it is set, the answer goes on: called again and again until it returns false.
+  std::function<bool(const HttpSend&)> part = {};
+};
+
+/// {"error": word}
+HttpAnswer refusal(int status, const std::string& word);
+
+/// Asked before the body is read; an answer there is the last word.
+using HttpGate = std::function<std::optional<HttpAnswer>(const HttpRequest&)>;
+using HttpHandler = std::function<HttpAnswer(const HttpRequest&)>;
+
+/// What a client may ask of the server at most.
+struct HttpLimits {
+  std::size_t connections = 64;        ///< at a time; more are answered 503
+  std::size_t body_bytes = 64 * 1024;  ///< more is answered 413
+  std::size_t head_bytes = 32 * 1024;  ///< request line and headers; more ends the connection
+  double request_s = 5;                ///< for the whole request, however slowly it drips
+  double write_s = 5;                  ///< for what is sent at once to be taken
+};
+
+}  // namespace rvbench::bench

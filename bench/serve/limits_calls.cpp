@@ -1,0 +1,82 @@
+#include <nlohmann/json.hpp>
+
+#include "bench/serve/station_api.hpp"
+#include "bench/text_file.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+std::string text_at(const nlohmann::json& json, const char* key) {
+  const auto found = json.find(key);
+  if (found != json.end() && found->is_number_integer()) return found->dump();
+  return found != json.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+// A word that a command may take for an argument of its own.
+bool is_word(const std::string& text) {
+  return !text.empty() && text.size() <= 200 && text.front() != '-' &&
+         text.find("..") == std::string::npos && text.front() != '/';
+}
+
+}  // namespace
+
+HttpAnswer StationApi::trend(const Call& call) {
+  const std::string indicator = call.request.parameter("indicator");
+  if (!is_word(indicator)) return refusal(400, "indicator");
+  std::vector<std::string> words{"trend", indicator, "--json",
+                                 "--runs=" + station_.file().runs.string()};
+  for (const char* name : {"point", "channel", "serial"}) {
+    const std::string value = call.request.parameter(name);
+    if (!value.empty()) words.push_back(std::string("--") + name + "=" + value);
+  }
+  return ask(std::move(words));
+}
+
+HttpAnswer StationApi::rejudge(const Call& call) {
+  const std::string run = text_at(call.body, "run");
+  const std::string version = text_at(call.body, "limits");
+  if (!is_word(run)) return refusal(400, "run");
+  if (!version.empty() && !is_word(version)) return refusal(400, "limits");
+  return logged(call, "rejudge", [&] {
+    std::vector<std::string> words{"rejudge", (station_.file().runs / run).string(), "--json"};
+    if (!version.empty()) {
+      const auto file = station_.file().runs / "limits" / (version + ".json");
+      words.push_back("--limits=" + file.string());
+    }
+    return ask(std::move(words));
+  });
+}
+
+HttpAnswer StationApi::limits(const Call&) {
+  return ask({"limits", "list", "--out=" + station_.file().runs.string()});
+}
+
+HttpAnswer StationApi::propose_limits(const Call& call) {
+  return logged(call, "limits propose", [&] {
+    std::vector<std::string> words{"limits", "propose", "--by=" + call.session.user,
+                                   "--out=" + station_.file().runs.string()};
+    if (call.body.contains("limits")) {  // a limits file, from somebody who has one
+      const auto file = Station::keep_of(station_.file().runs) / "proposed.json";
+      write_file(file, call.body["limits"].dump() + "\n");
+      words.push_back("--from=" + file.string());
+    }
+    return ask(std::move(words));
+  });
+}
+
+HttpAnswer StationApi::approve_limits(const Call& call) { return limits_step(call, "approve"); }
+HttpAnswer StationApi::activate_limits(const Call& call) { return limits_step(call, "activate"); }
+
+// Who is logged in has seen the effect before, on the page.
+HttpAnswer StationApi::limits_step(const Call& call, const std::string& step) {
+  const std::string version = text_at(call.body, "version");
+  if (!is_word(version)) return refusal(400, "version");
+  return logged(call, "limits " + step, [&] {
+    std::vector<std::string> words{"limits", step, version, "--by=" + call.session.user,
+                                   "--out=" + station_.file().runs.string()};
+    if (step == "approve") words.emplace_back("--yes");
+    return ask(std::move(words));
+  });
+}
+
+}  // namespace rvbench::bench

@@ -1,0 +1,252 @@
+#include "bench/serve/station.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "bench/file_kind.hpp"
+#include "bench/find_plan.hpp"
+#include "bench/rig_factory.hpp"
+#include "bench/serve/station_state.hpp"
+#include "bench/text_file.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+// What of the unit outlives the station.
+constexpr const char* unit_file = "unit.json";
+constexpr const char* live_name = "live.sock";
+
+std::filesystem::path made(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  std::filesystem::permissions(folder, std::filesystem::perms::owner_all);
+  return folder;
+}
+
+StationFile with_whole_paths(StationFile file) {
+  std::filesystem::create_directories(file.runs);
+  file.runs = std::filesystem::canonical(file.runs);
+  return file;
+}
+
+std::string text_at(const nlohmann::json& json, const char* key) {
+  const auto found = json.find(key);
+  return found != json.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+}  // namespace
+
+Station::Station(StationFile file, std::filesystem::path program, EventHub& hub)
+    : file_(with_whole_paths(std::move(file))),
+      program_(std::move(program)),
+      keep_(made(keep_of(file_.runs))),
+      hub_(hub),
+      process_(keep_),
+      live_(LiveSocket::open(keep_ / live_name)) {
+  read_plan();
+  find_run();
+}
+
+std::string Station::scan(const std::string& text) {
+  const std::string serial = scanned_serial(text);
+  const std::string fault = serial_fault(file_.serial, serial);
+  {
+    const std::lock_guard lock(mutex_);
+    if (phase_ == Phase::running) return "running";
+    if (!fault.empty()) return fault;
+    read_plan();
+    serial_ = serial;
+    known_ = known_runs(file_.runs, serial_);
+    phase_ = known_.empty() ? Phase::ready : Phase::duplicate;
+    run_.clear();
+    verdict_ = "null";
+    progress_ = {};
+    point_states_.assign(points_.size(), 'o');
+  }
+  tell_change();
+  return "";
+}
+
+std::string Station::why_not(bool is_retest, const StationViewer& viewer) const {
+  if (phase_ == Phase::running) return "running";
+  if (viewer.is_remote && !file_.remote_start) return "remote_start_off";
+  if (!reasons_.empty()) return "not_qualified";
+  if (phase_ == Phase::duplicate && !is_retest) return "duplicate";
+  return phase_ == Phase::ready || phase_ == Phase::duplicate ? "" : "no_unit";
+}
+
+std::string Station::may_start(bool is_retest, const StationViewer& viewer) const {
+  const std::lock_guard lock(mutex_);
+  return why_not(is_retest, viewer);
+}
+
+// The process is made by tick(): it has the priority of whoever makes it.
+std::string Station::start(bool is_retest, const StationViewer& viewer) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (const std::string reason = why_not(is_retest, viewer); !reason.empty()) return reason;
+    phase_ = Phase::running;
+    progress_ = {.stage = "start", .text = ""};
+    is_due_ = true;
+  }
+  tell_change();
+  return "";
+}
+
+std::string Station::stop() {
+  const std::lock_guard lock(mutex_);
+  if (phase_ != Phase::running) return "not_running";
+  if (is_due_) {
+    is_due_ = false;
+    fail("stopped before it began");
+    return "";
+  }
+  return process_.stop() ? "" : "not_running";
+}
+
+std::string Station::clear() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (phase_ == Phase::running) return "running";
+    phase_ = Phase::idle;
+    serial_.clear();
+    known_.clear();
+    run_.clear();
+    verdict_ = "null";
+    progress_ = {};
+    point_states_.assign(points_.size(), 'o');
+    std::error_code ignored;
+    std::filesystem::remove(keep_ / unit_file, ignored);
+  }
+  tell_change();
+  return "";
+}
+
+std::string Station::serial() const {
+  const std::lock_guard lock(mutex_);
+  return serial_;
+}
+
+bool Station::is_running() const {
+  const std::lock_guard lock(mutex_);
+  return phase_ == Phase::running;
+}
+
+void Station::tick() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (is_due_) spawn();
+    hear();
+    if (phase_ == Phase::running && !process_.is_alive()) {
+      hear();  // what it said last
+      conclude();
+    }
+  }
+  tell_change();
+}
+
+// Also the rig: what cannot be read cannot be run on.
+void Station::read_plan() {
+  reasons_.clear();
+  const auto plan = find_plan(file_.plan);
+  if (plan.index() == 0) {
+    points_ = std::get<0>(plan).points();
+  } else {
+    reasons_.push_back(hal::describe(file_.plan, std::get<1>(plan).front()));
+  }
+  const auto faults = check_rig(file_.rig);
+  if (!faults.empty()) reasons_.push_back(hal::describe(file_.rig, faults.front()));
+  point_states_.assign(points_.size(), 'o');
+}
+
+// A run that another station began, and that goes on or has ended since.
+void Station::find_run() {
+  const auto unit =
+      nlohmann::json::parse(read_file(keep_ / unit_file).value_or(""), nullptr, false);
+  if (!unit.is_object() || text_at(unit, "serial").empty()) return;
+  serial_ = text_at(unit, "serial");
+  known_ = known_runs(file_.runs, serial_);
+  const std::string newest_before = text_at(unit, "newest_before");
+  const auto before = std::ranges::find(known_, newest_before, &KnownRun::run);
+  known_.erase(before == known_.end() ? known_.begin() : before + 1, known_.end());
+  phase_ = Phase::running;
+  progress_ = {.stage = "start", .text = ""};
+  if (!process_.is_alive()) conclude();
+}
+
+void Station::keep_unit() const {
+  const nlohmann::json unit{{"serial", serial_},
+                            {"newest_before", known_.empty() ? "" : known_.back().run}};
+  write_file(keep_ / unit_file, unit.dump() + "\n");
+}
+
+void Station::spawn() {
+  is_due_ = false;
+  hub_.forget_strips();
+  try {
+    keep_unit();
+  } catch (const std::system_error& error) {
+    return fail(reason_of(error));
+  }
+  const std::string failed = process_.start(
+      {program_.string(), "run", file_.plan, "--rig=" + file_.rig, "--serial=" + serial_,
+       "--out=" + file_.runs.string(), "--live=" + (keep_ / live_name).string(), "--json"});
+  if (!failed.empty()) fail(failed);
+}
+
+void Station::hear() {
+  while (const auto letter = live_.next()) {
+    const auto json = nlohmann::json::parse(*letter, nullptr, false);
+    if (json.is_object() && phase_ == Phase::running) hear(json);
+  }
+}
+
+void Station::hear(const nlohmann::json& letter) {
+  const std::string kind = text_at(letter, "kind");
+  if (kind == "strip" || kind == "spectrum") {
+    nlohmann::json event = letter;
+    event.erase("kind");
+    hub_.publish(kind, event.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  }
+  if (kind != "state") return;
+  run_ = text_at(letter, "run");
+  const auto number = [&letter](const char* key, double otherwise) {
+    const auto found = letter.find(key);
+    return found != letter.end() && found->is_number() ? found->get<double>() : otherwise;
+  };
+  progress_ = {text_at(letter, "stage"), text_at(letter, "text"), number("done", 0),
+               number("left_s", not_known)};
+  const std::string states = text_at(letter, "points");
+  if (states.size() == points_.size()) point_states_ = states;
+}
+
+std::string Station::newest_run() const {
+  const auto runs = known_runs(file_.runs, serial_);
+  if (runs.empty()) return "";
+  const bool is_old = std::ranges::find(known_, runs.back().run, &KnownRun::run) != known_.end();
+  return is_old ? "" : runs.back().run;
+}
+
+void Station::conclude() {
+  if (run_.empty()) run_ = newest_run();
+  const auto answer =
+      nlohmann::json::parse(read_file(process_.answer_file()).value_or(""), nullptr, false);
+  if (!answer.is_object()) {
+    return fail("the run ended without an answer (see " + process_.log_file().string() +
+                "); if the shaft turned, the drive's watchdog has stopped it");
+  }
+  phase_ = Phase::ended;
+  try {
+    verdict_ = verdict_of_answer(answer, run_, file_.runs);
+  } catch (const nlohmann::json::exception& error) {
+    fail(std::string("the run's answer is none: ") + error.what());
+  }
+}
+
+void Station::fail(const std::string& reason) {
+  phase_ = Phase::ended;
+  verdict_ = verdict_of_answer({{"verdict", "ERROR"}, {"exit_code", 30}, {"reason", reason}}, run_,
+                               file_.runs);
+}
+
+}  // namespace rvbench::bench

@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "bench/serve/other_process.hpp"
+#include "bench/serve/station_api.hpp"
+#include "bench/text_file.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+// What the report's own style needs, and nothing that could act.
+constexpr const char* report_policy =
+    "default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; "
+    "form-action 'none'; frame-ancestors 'self'";
+
+// One component of a path that leads nowhere else, nor is it an option of a command.
+bool is_plain_name(const std::string& name) {
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+           c == '_' || c == '-';
+  };
+  return !name.empty() && name.size() <= 100 && name.front() != '.' && name.front() != '-' &&
+         std::ranges::all_of(name, is_plain);
+}
+
+bool is_within(const std::filesystem::path& file, const std::filesystem::path& root) {
+  std::error_code unknown;
+  const std::string real = std::filesystem::canonical(file, unknown).string();
+  return !unknown && real.starts_with(std::filesystem::canonical(root, unknown).string() + "/");
+}
+
+// A run below the folder of runs, "A17/20261126T101112Z"; "" if it is none.
+std::string run_of(const std::string& serial, const std::string& time) {
+  return is_plain_name(serial) && is_plain_name(time) ? serial + "/" + time : "";
+}
+
+// "--serial=A17" of what the query holds.
+void add_options(std::vector<std::string>& words, const HttpRequest& request,
+                 const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    const std::string value = request.parameter(name);
+    if (!value.empty()) words.push_back("--" + name + "=" + value);
+  }
+}
+
+}  // namespace
+
+HttpAnswer StationApi::run_file(const HttpRequest& request) const {
+  std::vector<std::string> parts;
+  for (std::size_t at = std::string("/api/runs/").size(); at <= request.path.size();) {
+    const std::size_t end = std::min(request.path.find('/', at), request.path.size());
+    parts.push_back(request.path.substr(at, end - at));
+    at = end + 1;
+  }
+  if (parts.size() != 3 || run_of(parts[0], parts[1]).empty()) return refusal(404, "not_found");
+  const bool is_report = parts[2] == "report";
+  if (!is_report && parts[2] != "verdict") return refusal(404, "not_found");
+  const std::filesystem::path& runs = station_.file().runs;
+  const auto file = runs / parts[0] / parts[1] / (is_report ? "report.html" : "verdict.json");
+  const auto text = is_within(file, runs) ? read_file(file) : std::nullopt;
+  if (!text) return refusal(404, "not_found");
+  HttpAnswer answer{.body = *text};
+  if (is_report) {
+    answer.type = "text/html; charset=utf-8";
+    answer.headers = {{"Content-Security-Policy", report_policy}};
+  }
+  return answer;
+}
+
+// What rvbench's other commands answer, as they say it.
+HttpAnswer StationApi::ask(std::vector<std::string> words) const {
+  words.insert(words.begin(), program_);
+  const ProgramAnswer answer = ask_program(words);
+  if (answer.code < 0) return refusal(504, "no_answer");
+  if (answer.code == 0 && nlohmann::json::accept(answer.out)) return {.body = answer.out};
+  if (answer.code == 0) {
+    const nlohmann::json said{{"text", answer.out}};
+    return {.body = said.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"};
+  }
+  nlohmann::json json{{"error", "refused"}, {"exit_code", answer.code}, {"reason", answer.err}};
+  return {.status = 422,
+          .body = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"};
+}
+
+HttpAnswer StationApi::history(const Call& call) {
+  std::vector<std::string> words{"history", "--json", "--out=" + station_.file().runs.string()};
+  add_options(words, call.request, {"serial", "from", "to", "verdict", "plan", "last"});
+  return ask(std::move(words));
+}
+
+HttpAnswer StationApi::audit(const Call& call) {
+  const std::string last = call.request.parameter("last");
+  const std::size_t lines = std::min(1000, std::max(1, std::atoi(last.c_str())));
+  return {.body = "{\"entries\":" + audit_.last(last.empty() ? 100 : lines) + "}\n"};
+}
+
+}  // namespace rvbench::bench

@@ -1,0 +1,142 @@
+#include "bench/serve/audit_log.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "bench/sha256.hpp"
+#include "bench/text_file.hpp"
+#include "tests/bench/answers.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+using Catch::Matchers::Contains;
+
+std::vector<std::string> lines_of(const std::filesystem::path& file) {
+  std::istringstream in(read_file(file).value_or(""));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+void write_lines(const std::filesystem::path& file, const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  write_file(file, text);
+}
+
+void add_five(const std::filesystem::path& file) {
+  AuditLog log(file);
+  for (int i = 0; i < 5; ++i) {
+    REQUIRE(log.add({"anna", "127.0.0.1", "scan", R"({"text":"A)" + std::to_string(i) + "\"}"}));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("an audit log carries who did what from where, hash upon hash", "[bench][serve]") {
+  const rvbench::test::ScratchFolder scratch;
+  const auto file = scratch / "audit.jsonl";
+  add_five(file);
+  const auto lines = lines_of(file);
+  REQUIRE(lines.size() == 5);
+  const auto first = nlohmann::json::parse(lines[0]), second = nlohmann::json::parse(lines[1]);
+  CHECK(first.at("user") == "anna");
+  CHECK(first.at("address") == "127.0.0.1");
+  CHECK(first.at("action") == "scan");
+  CHECK(first.at("detail").at("text") == "A0");
+  CHECK(first.at("previous") == std::string(64, '0'));
+  CHECK(second.at("previous") == first.at("hash"));
+  // As sha256sum says it of the line up to its hash.
+  CHECK(first.at("hash") == sha256_of_text(lines[0].substr(0, lines[0].find(",\"hash\""))));
+
+  const auto answer = test::rvbench({"check", file.string()});
+  CHECK(answer.code == 0);
+  CHECK_THAT(answer.out, Contains("5 lines") && Contains(nlohmann::json::parse(lines[4])["hash"]));
+
+  add_five(file);  // by another process, later
+  CHECK(check_audit(file)->broken_line == 0);
+  CHECK(check_audit(file)->lines == 10);
+}
+
+TEST_CASE("whatever is done to a line of an audit log, check names the first that it broke",
+          "[bench][serve]") {
+  const rvbench::test::ScratchFolder scratch;
+  const auto file = scratch / "audit.jsonl";
+  add_five(file);
+  auto lines = lines_of(file);
+  std::size_t broken = 0;
+  std::string fault;
+  SECTION("changed") {
+    lines[2].replace(lines[2].find("anna"), 4, "otto");
+    broken = 3;
+    fault = "was changed";
+  }
+  SECTION("changed, and its own hash made to fit") {
+    lines[2].replace(lines[2].find("anna"), 4, "otto");
+    const std::string text = lines[2].substr(0, lines[2].find(",\"hash\""));
+    lines[2] = text + ",\"hash\":\"" + sha256_of_text(text) + "\"}";
+    broken = 4;
+    fault = "does not follow";
+  }
+  SECTION("taken out") {
+    lines.erase(lines.begin() + 1);
+    broken = 2;
+    fault = "does not follow";
+  }
+  SECTION("the first taken out") {
+    lines.erase(lines.begin());
+    broken = 1;
+    fault = "does not follow";
+  }
+  SECTION("moved") {
+    std::swap(lines[3], lines[4]);
+    broken = 4;
+    fault = "does not follow";
+  }
+  SECTION("put in") {
+    lines.insert(lines.begin() + 2, lines[0]);
+    broken = 3;
+    fault = "does not follow";
+  }
+  SECTION("something else") {
+    lines[4] = "{}";
+    broken = 5;
+    fault = "is no line of an audit log";
+  }
+  write_lines(file, lines);
+  const auto answer = test::rvbench({"check", file.string()});
+  CHECK(answer.code == 3);
+  CHECK_THAT(answer.err,
+             Contains("audit.jsonl:" + std::to_string(broken) + ":") && Contains(fault));
+}
+
+TEST_CASE("a line that a power failure cut short is told, and the next begins below it",
+          "[bench][serve]") {
+  const rvbench::test::ScratchFolder scratch;
+  const auto file = scratch / "audit.jsonl";
+  add_five(file);
+  const std::string text = read_file(file).value();
+  write_file(file, text.substr(0, text.size() - 30));
+  CHECK(check_audit(file)->broken_line == 5);
+  CHECK(check_audit(file)->fault == "was cut short");
+  add_five(file);
+  CHECK(check_audit(file)->lines == 10);
+  CHECK(check_audit(file)->broken_line == 5);
+  CHECK(nlohmann::json::parse(lines_of(file)[5])["previous"] ==
+        nlohmann::json::parse(lines_of(file)[3])["hash"]);
+}
+
+TEST_CASE("no audit log is none, and one that cannot be written says so", "[bench][serve]") {
+  const rvbench::test::ScratchFolder scratch;
+  CHECK_FALSE(check_audit(scratch / "none.jsonl"));
+  CHECK_FALSE(is_audit_log(scratch / "none.jsonl"));
+  AuditLog log(scratch / "no folder" / "audit.jsonl");
+  const Status added = log.add({"anna", "", "scan", ""});
+  REQUIRE_FALSE(added);
+  CHECK_THAT(describe(added.error()), Contains("audit.jsonl"));
+  CHECK(log.last(10) == "[]");
+}
+
+}  // namespace rvbench::bench
