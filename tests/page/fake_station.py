@@ -339,6 +339,9 @@ class Server(socketserver.ThreadingMixIn, http.server.HTTPServer):
     daemon_threads = True
     allow_reuse_address = True
 
+    def handle_error(self, *_):
+        """A browser that hangs up in mid-answer is nothing to tell of."""
+
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
