@@ -73,7 +73,7 @@ TEST_CASE("every fault of a station file is told at once, with line and pointer"
     {"name": "a b", "role": "viewer", "token_hash": "x"}
   ],
   "bind": "0.0.0.0",
-  "remote": true
+  "remote_strt": true
 }
 )");
   const auto answer = test::rvbench({"check", (scratch / "station.json").string()});
@@ -84,7 +84,7 @@ TEST_CASE("every fault of a station file is told at once, with line and pointer"
         "station.json:7: /users/0/role: expected one of", "station.json:7: /users/0/token_hash: ",
         "station.json:8: /users/1/name: there is a user \"anna\" already",
         "station.json:9: /users/2/name: expected", "station.json:11: /bind: others reach",
-        "station.json:12: /remote: unknown key, did you mean \"remote_start\"?"}) {
+        "station.json:12: /remote_strt: unknown key, did you mean \"remote_start\"?"}) {
     CHECK_THAT(answer.err, Contains(fault));
   }
 }

@@ -102,6 +102,16 @@ TEST_CASE("a unit goes through the station: scan, start, watch, verdict, report,
   CHECK(history.at("runs").at(0).at("folder") == run);
   CHECK(json_of(station.get("/api/history?serial=A18")).at("runs").empty());
 
+  CHECK(json_of(station.get("/api/limits")).at("versions").empty());
+  std::filesystem::create_directory(scratch.path() / "runs" / "limits");
+  bench::write_file(scratch.path() / "runs" / "limits" / "2026-11.json",
+                    R"({"limits_version": "2026-11", "limits": [],
+                        "steps": [{"step": "proposed"}, {"step": "approved"}]})");
+  const auto versions = json_of(station.get("/api/limits")).at("versions");
+  REQUIRE(versions.size() == 1);
+  CHECK(versions[0].at("limits_version") == "2026-11");
+  CHECK(versions[0].at("status") == "approved");
+
   // The same unit again is asked about, and the next one is not.
   const auto again = json_of(station.post("/api/scan", R"({"text":"A17"})"));
   CHECK(again.at("phase") == "duplicate");
