@@ -400,7 +400,7 @@ class AgainstReal(unittest.TestCase):
         page.tab_to("start", most=1)
         page.type(Keys.ENTER)
         page.wait_word("MEASURING")
-        page.wait("a curve", lambda: page.text("#strip_torque output") != "–", 20)
+        page.wait("a curve", lambda: page.text("#strip_torque output") != "–", 60)
         page.shoot("real_running")
         page.wait_word("PASS", 60)
         page.shoot("real_pass")

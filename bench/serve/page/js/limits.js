@@ -35,13 +35,19 @@ function show_effect() {
   by_id("version_go").disabled = !shown.effect;  // what it would change is seen before it counts
 }
 
+async function effect_in(asked) {
+  const { effect } = await asked;
+  return Array.isArray(effect?.changes) ? effect : undefined;
+}
+
 // A list may leave the effect out: working it out takes time.
 async function ask_effect() {
+  const version = shown;
   await told_by(by_id("version_told"), async () => {
-    shown.effect ??= (await ask("limits", { version: name_of(shown) })).effect;
-    return shown.effect ? "" : say("limits.no_effect");
+    version.effect ??= await effect_in(ask("limits", { version: name_of(version) }));
+    return version.effect ? "" : say("limits.no_effect");
   });
-  show_effect();
+  if (shown === version) show_effect();
 }
 
 function open_version(version) {

@@ -14,6 +14,7 @@ function clock(left_s) {
 function show_course(progress) {
   const is_known = typeof progress.left_s === "number";
   tell(by_id("left"), is_known ? say("left", { time: clock(progress.left_s) }) : say("left_unknown"));
+  by_id("left").classList.toggle("unknown", !is_known);
   by_id("done").value = progress.done ?? 0;
   const stage = say_or(`stage.${progress.phase}`, progress.phase ?? "");
   tell(by_id("stage"), [stage, progress.text].filter(Boolean).join(" · "));
