@@ -202,13 +202,14 @@ class WholeWay(PageTest):
         page.tab_to("version_go")
         self.assertIn("enzo", page.text("#version_go"))  # it says in whose name
         page.type(Keys.ENTER)
-        page.wait("approved", lambda: say["limits.approved"] in page.text("#limits tbody tr:first-child"))
+        page.wait("approved", lambda: page.text("#limits tbody td:nth-child(2)") == say["limits.approved"])
         page.tab_to(say["limits.activate"])
         page.type(Keys.ENTER)
         page.wait("the effect again", lambda: "7" in page.text("#version_effect"))
         page.tab_to("version_go")
         page.type(Keys.ENTER)
-        page.wait("active", lambda: say["limits.activated"] in page.text("#limits tbody tr:first-child"))
+        page.wait("one version in force", lambda: say["limits.replaced"] in page.text("#limits tbody tr:last-child"))
+        self.assertEqual(say["limits.activated"], page.text("#limits tbody tr:first-child td:nth-child(2)"))
         self.assertIn("enzo", page.text("#limits tbody tr:first-child"))
         self.look(f"{language}_limits")
 

@@ -3,6 +3,7 @@
 import { act, ask } from "./api.js";
 import { chip } from "./chip.js";
 import { by_id, make, tell } from "./dom.js";
+import { last_step, standing_of } from "./limit_versions.js";
 import { fill_table, row_button } from "./table.js";
 import { told_by } from "./told.js";
 import { say, say_number, say_or, say_time } from "./words.js";
@@ -13,7 +14,6 @@ let shown = null;
 let page = null;
 
 const name_of = (version) => String(version.limits_version);
-const last_step = (version, step) => (version.steps ?? []).findLast((one) => one.step === step);
 
 function effect_of({ effect }) {
   if (!effect) return "";
@@ -65,10 +65,11 @@ function open_version(version) {
   ask_effect();
 }
 
-function row_of(version) {
+function row_of(version, versions) {
+  const standing = standing_of(version, versions);
   const word = `limits.${step_of[version.status] ?? "show"}`;
-  return [name_of(version), say_or(`limits.${version.status}`, version.status),
-    say_time(last_step(version, "proposed")?.utc), last_step(version, "approved")?.by ?? "", effect_of(version),
+  return [name_of(version), say_or(`limits.${standing}`, standing), version.plan ?? "",
+    say_time(last_step(version, "proposed")?.utc), last_step(version, "approved")?.by ?? "",
     [row_button(word, name_of(version), () => open_version(version))]];
 }
 
@@ -77,7 +78,8 @@ export async function show_limits() {
   await told_by(by_id("limits_told"), async () => {
     const versions = ((await ask("limits")).versions ?? []).slice().reverse();
     fill_table(by_id("limits"),
-      ["limits.version", "limits.status", "limits.proposed", "limits.approved_by", "limits.effect", ""], versions.map(row_of));
+      ["limits.version", "limits.status", "limits.plan", "limits.proposed", "limits.approved_by", ""],
+      versions.map((version) => row_of(version, versions)));
     return versions.length ? "" : say("limits.none");
   });
 }

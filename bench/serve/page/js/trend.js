@@ -2,6 +2,7 @@
 import { ask } from "./api.js";
 import { chip } from "./chip.js";
 import { by_id, make } from "./dom.js";
+import { standing_of } from "./limit_versions.js";
 import { make_plot } from "./strip.js";
 import { fill_table } from "./table.js";
 import { told_by } from "./told.js";
@@ -20,7 +21,8 @@ async function limits_in_force() {
   const versions = (await ask("limits").catch(() => ({}))).versions ?? [];
   const names = [...new Set(versions.flatMap(({ limits = [] }) => limits.map(({ measure }) => measure)))].sort();
   by_id("indicators").replaceChildren(...names.map((name) => make("option", { value: name })));
-  return versions.findLast(({ status }) => status === "activated")?.limits ?? [];
+  const in_force = versions.filter((version) => standing_of(version, versions) === "activated");
+  return in_force.flatMap(({ limits = [] }) => limits);
 }
 
 const say_in = (unit, value) => `${say_number(value)} ${unit === "1" ? "" : unit ?? ""}`;
