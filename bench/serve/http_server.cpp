@@ -9,6 +9,7 @@
 #include <atomic>
 #include <charconv>
 #include <chrono>
+#include <thread>
 
 namespace rvbench::bench {
 namespace {
@@ -250,6 +251,8 @@ class HttpServer::Impl final : public httplib::Server {
     });
   }
 
+  std::atomic<bool> has_ended = false;
+
  private:
   bool process_and_close_socket(socket_t socket) override {
     TimedStream stream(socket, limits_);
@@ -287,7 +290,17 @@ int HttpServer::bind(const std::string& address, int port) {
   return impl_->bind_to_port(address, port) ? port : 0;
 }
 
-void HttpServer::serve() { impl_->listen_after_bind(); }
-void HttpServer::stop() { impl_->stop(); }
+void HttpServer::serve() {
+  impl_->listen_after_bind();
+  impl_->has_ended = true;
+}
+
+// The library forgets a stop that comes before it listens.
+void HttpServer::stop() {
+  while (!impl_->is_running() && !impl_->has_ended) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  impl_->stop();
+}
 
 }  // namespace rvbench::bench

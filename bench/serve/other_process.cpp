@@ -101,7 +101,6 @@ ProgramAnswer ask_program(const std::vector<std::string>& words, double longest_
 }
 
 std::string RunProcess::start(const std::vector<std::string>& words) {
-  exit_code_.reset();
   const Descriptor lock(::open(lock_file().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
   if (lock.number < 0) return lock_file().string() + ": " + std::strerror(errno);
   if (const int error = hal::lock_alone(lock.number)) {
@@ -119,19 +118,16 @@ std::string RunProcess::start(const std::vector<std::string>& words) {
       spawn(child_, words, {nothing.number, out.number, err.number, lock.number}, true);
   if (error != 0) return words.front() + ": " + std::strerror(error);
   const std::string number = std::to_string(child_) + "\n";
-  if (::ftruncate(lock.number, 0) != 0 ||
-      ::pwrite(lock.number, number.data(), number.size(), 0) < 0) {
-    return "";  // it runs; without its number it cannot be found to be stopped after a restart
+  // Where the disk does not take its number, nobody can stop it from here: it runs all the same.
+  if (::ftruncate(lock.number, 0) == 0) {
+    [[maybe_unused]] const auto written = ::pwrite(lock.number, number.data(), number.size(), 0);
   }
   return "";
 }
 
 bool RunProcess::is_alive() {
   int status = 0;
-  if (child_ > 0 && ::waitpid(child_, &status, WNOHANG) == child_) {
-    exit_code_ = code_of(status);
-    child_ = -1;
-  }
+  if (child_ > 0 && ::waitpid(child_, &status, WNOHANG) == child_) child_ = -1;
   return child_ > 0 || hal::is_locked(lock_file()).value_or(false);
 }
 

@@ -3,7 +3,6 @@
 #include <sys/types.h>
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,8 +35,6 @@ class RunProcess {
   bool is_alive();
   /// Asks it to end in order (SIGTERM). @return whether there was one to ask
   bool stop();
-  /// Of a run that this object has started and that has ended; -1 if it was killed.
-  std::optional<int> exit_code() const { return exit_code_; }
   std::filesystem::path answer_file() const { return folder_ / "answer.json"; }
   std::filesystem::path log_file() const { return folder_ / "run.log"; }
 
@@ -46,7 +43,6 @@ class RunProcess {
 
   const std::filesystem::path folder_;
   pid_t child_ = -1;
-  std::optional<int> exit_code_;
 };
 
 }  // namespace rvbench::bench
