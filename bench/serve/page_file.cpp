@@ -5,6 +5,7 @@
 #include <map>
 
 #include "bench/page_files.hpp"
+#include "bench/page_plot_files.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -24,9 +25,11 @@ std::string type_of(const std::string& name) {
 // Names are compared, no file is looked for: no path leads anywhere else.
 HttpAnswer page_file(const std::string& path) {
   const std::string name = path == "/" ? "index.html" : path.substr(1);
-  const auto found = std::ranges::find(page_files(), name, &EmbeddedFile::name);
-  if (found == page_files().end()) return refusal(404, "not_found");
-  return {.type = type_of(name), .body = found->text};
+  for (const auto* files : {&page_files(), &page_plot_files()}) {
+    const auto found = std::ranges::find(*files, name, &EmbeddedFile::name);
+    if (found != files->end()) return {.type = type_of(name), .body = found->text};
+  }
+  return refusal(404, "not_found");
 }
 
 }  // namespace rvbench::bench

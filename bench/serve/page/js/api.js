@@ -1,0 +1,52 @@
+// Calls of the station's API. Every refusal is a Refusal with the API's word for it.
+
+export class Refusal extends Error {
+  constructor(status, answer) {
+    super(answer.error ?? `http_${status}`);
+    this.word = answer.error ?? `http_${status}`;
+    this.reason = answer.reason ?? "";
+    this.status = status;
+  }
+}
+
+const patience_ms = 20000;
+let csrf = "";
+
+async function call(path, options = {}, wait_ms = patience_ms) {
+  let response;
+  try {
+    response = await fetch(path, { signal: AbortSignal.timeout(wait_ms), cache: "no-store", ...options });
+  } catch {
+    throw new Refusal(0, { error: "not_connected" });
+  }
+  const answer = await response.json().catch(() => ({}));
+  if (!response.ok) throw new Refusal(response.status, answer);
+  return answer;
+}
+
+export function ask(path, query = {}) {
+  const filled = Object.entries(query).filter(([, value]) => value);
+  return call(`/api/${path}${filled.length ? `?${new URLSearchParams(filled)}` : ""}`);
+}
+
+export function act(path, body = {}) {
+  return call(`/api/${path}`, {
+    method: "POST",
+    headers: { "Content-Type": "application/json", "X-CSRF-Token": csrf },
+    body: JSON.stringify(body),
+  });
+}
+
+/** Who is logged in: {name, role}. */
+export async function session(wait_ms = 1000) {
+  return keep(await call("/api/session", {}, wait_ms));
+}
+
+export async function log_in(token) {
+  return keep(await act("login", { token }));
+}
+
+function keep(answer) {
+  csrf = answer.csrf;
+  return answer;
+}

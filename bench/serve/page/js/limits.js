@@ -1,0 +1,102 @@
+// Versions of limits: proposed, approved by a named engineer, active. What a version would have
+// changed is shown before anybody can approve it.
+import { act, ask } from "./api.js";
+import { chip } from "./chip.js";
+import { by_id, make, tell } from "./dom.js";
+import { last_step, standing_of } from "./limit_versions.js";
+import { fill_table, row_button } from "./table.js";
+import { told_by } from "./told.js";
+import { say, say_number, say_or, say_time } from "./words.js";
+
+const dialog = by_id("version");
+const step_of = { draft: "approve", approved: "activate" };
+let shown = null;
+let page = null;
+
+const name_of = (version) => String(version.limits_version);
+
+function effect_of({ effect }) {
+  if (!effect) return "";
+  const to = (verdict) => effect.changes.filter((change) => change.would_be === verdict).length;
+  return say("limits.changes", { judged: effect.runs, fail: to("FAIL"), pass: to("PASS") });
+}
+
+function bound(limit) {
+  const unit = limit.unit === "1" ? "" : limit.unit;
+  return Number.isFinite(limit.min) ? `≥ ${say_number(limit.min)} ${unit}` : `≤ ${say_number(limit.max)} ${unit}`;
+}
+
+function show_effect() {
+  const changes = shown.effect?.changes ?? [];
+  tell(by_id("version_effect"), effect_of(shown));
+  fill_table(by_id("version_changes"), ["limits.run", "limits.was", "limits.would_be", "history.reason"],
+    changes.map((change) => [change.folder, chip(change.was), chip(change.would_be), change.reason ?? ""]));
+  by_id("version_changes").hidden = !changes.length;
+  by_id("version_go").disabled = !shown.effect;  // what it would change is seen before it counts
+}
+
+async function effect_in(asked) {
+  const { effect } = await asked;
+  return Array.isArray(effect?.changes) ? effect : undefined;
+}
+
+// A list may leave the effect out: working it out takes time.
+async function ask_effect() {
+  const version = shown;
+  await told_by(by_id("version_told"), async () => {
+    version.effect ??= await effect_in(ask("limits", { version: name_of(version) }));
+    return version.effect ? "" : say("limits.no_effect");
+  });
+  if (shown === version) show_effect();
+}
+
+function open_version(version) {
+  shown = version;
+  const step = step_of[version.status];
+  tell(by_id("version_title"), say("limits.title", { version: name_of(version) }));
+  fill_table(by_id("version_limits"), ["trend.indicator", "limits.of", "limits.limit", "limits.why"],
+    (version.limits ?? []).map((limit) => [limit.measure, limit.of ?? limit.component ?? "", bound(limit), limit.why ?? ""]));
+  by_id("version_go").hidden = !step || page.session?.role !== "engineer";
+  if (step) by_id("version_go").textContent = say(`limits.${step}_by`, { name: page.session?.name ?? "" });
+  show_effect();
+  dialog.showModal();
+  by_id("version_title").tabIndex = -1;
+  by_id("version_title").focus();
+  ask_effect();
+}
+
+function row_of(version, versions) {
+  const standing = standing_of(version, versions);
+  const word = `limits.${step_of[version.status] ?? "show"}`;
+  return [name_of(version), say_or(`limits.${standing}`, standing), version.plan ?? "",
+    say_time(last_step(version, "proposed")?.utc), last_step(version, "approved")?.by ?? "",
+    [row_button(word, name_of(version), () => open_version(version))]];
+}
+
+export async function show_limits() {
+  by_id("propose").disabled = page.session?.role !== "engineer";
+  await told_by(by_id("limits_told"), async () => {
+    const versions = ((await ask("limits")).versions ?? []).slice().reverse();
+    fill_table(by_id("limits"),
+      ["limits.version", "limits.status", "limits.plan", "limits.proposed", "limits.approved_by", ""],
+      versions.map((version) => row_of(version, versions)));
+    return versions.length ? "" : say("limits.none");
+  });
+}
+
+export function begin_limits(of_page) {
+  page = of_page;
+  by_id("propose").addEventListener("click", async () => {
+    let has_proposed = false;
+    await told_by(by_id("limits_told"), async () => {
+      await act("limits/propose");
+      has_proposed = true;
+    });
+    if (has_proposed) await show_limits();
+  });
+  by_id("version_go").addEventListener("click", () => told_by(by_id("version_told"), async () => {
+    await act(`limits/${step_of[shown.status]}`, { version: name_of(shown) });
+    dialog.close("done");
+    await show_limits();
+  }));
+}

@@ -1,0 +1,48 @@
+// The scan field. A scanner is a keyboard that types fast and ends with Enter: whatever it types
+// lands here, wherever the focus was. An empty Enter does nothing: a scanner that sends two must not
+// start a motor.
+import { act } from "./api.js";
+import { by_id, tell } from "./dom.js";
+import { say } from "./words.js";
+
+const field = by_id("scan_text");
+
+export function focus_scan() {
+  if (document.body.dataset.view === "station" && !document.querySelector("dialog[open]")) field.focus();
+}
+
+function is_typing(element) {
+  return element.matches("input, textarea, select");
+}
+
+// Space presses buttons; what is held with Ctrl, Alt or Meta is no text.
+function is_text(event) {
+  return event.key.length === 1 && event.key !== " " && !event.ctrlKey && !event.altKey && !event.metaKey;
+}
+
+/**
+ * @param page       its session
+ * @param attempt    does a call and shows its refusal
+ * @param go_station shows the station's view
+ */
+export function begin_scan(page, attempt, go_station) {
+  document.addEventListener("keydown", (event) => {
+    if (!page.session || !is_text(event) || is_typing(document.activeElement)) return;
+    const dialog = document.querySelector("dialog[open]");
+    if (dialog && dialog.id !== "duplicate") return;
+    dialog?.close("scanned");
+    go_station();
+    field.focus();
+  });
+  by_id("scan").addEventListener("submit", async (event) => {
+    event.preventDefault();
+    const text = field.value.trim();
+    field.value = "";
+    if (text) await attempt(() => act("scan", { text }), { text });
+  });
+  field.addEventListener("input", () => tell(by_id("scan_fault"), ""));
+}
+
+export function show_scan_fault(word, values) {
+  tell(by_id("scan_fault"), word ? say(`error.${word}`, values) : "");
+}

@@ -1,0 +1,50 @@
+// How an indicator went from unit to unit.
+import { ask } from "./api.js";
+import { chip } from "./chip.js";
+import { by_id, make } from "./dom.js";
+import { standing_of } from "./limit_versions.js";
+import { make_plot } from "./strip.js";
+import { fill_table } from "./table.js";
+import { told_by } from "./told.js";
+import { say, say_number, say_time } from "./words.js";
+
+const form = by_id("trend_filter");
+let draw;
+
+// Of the limits in force on an indicator, those in the unit of its values.
+function lines_of(limits, { indicator, unit }) {
+  const meant = limits.filter((limit) => limit.measure === indicator && limit.unit === unit && !limit.of);
+  return meant.map((limit) => limit.max ?? limit.min).filter(Number.isFinite);
+}
+
+async function limits_in_force() {
+  const versions = (await ask("limits").catch(() => ({}))).versions ?? [];
+  const names = [...new Set(versions.flatMap(({ limits = [] }) => limits.map(({ measure }) => measure)))].sort();
+  by_id("indicators").replaceChildren(...names.map((name) => make("option", { value: name })));
+  const in_force = versions.filter((version) => standing_of(version, versions) === "activated");
+  return in_force.flatMap(({ limits = [] }) => limits);
+}
+
+const say_in = (unit, value) => `${say_number(value)} ${unit === "1" ? "" : unit ?? ""}`;
+
+export async function show_trend() {
+  if (!form.indicator.value) return;
+  await told_by(by_id("trend_told"), async () => {
+    const [limits, answer] = await Promise.all([limits_in_force(),
+      ask("trend", Object.fromEntries(new FormData(form)))]);
+    const values = answer.values ?? [];
+    draw ??= make_plot(by_id("trend_plot").querySelector("div"), { colour: "#005f9e", x: say("trend.runs"), dots: true });
+    draw(values.map((_, i) => i + 1), values.map(({ value }) => value ?? null), lines_of(limits, answer));
+    const rows = values.slice().reverse().map((at) =>
+      [say_time(at.started_utc), at.serial ?? "", at.point ?? "", say_in(answer.unit, at.value), at.verdict ? chip(at.verdict) : ""]);
+    fill_table(by_id("trend"), ["history.started", "history.serial", "trend.point", "trend.value", "history.verdict"], rows);
+    return values.length ? (answer.sentence ?? "") : say("trend.none");
+  });
+}
+
+export function begin_trend() {
+  form.addEventListener("submit", (event) => {
+    event.preventDefault();
+    show_trend();
+  });
+}

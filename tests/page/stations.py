@@ -1,0 +1,84 @@
+"""Stations for the page to talk to: the fake one, and the real program."""
+import pathlib
+import json
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import urllib.request
+
+HERE = pathlib.Path(__file__).parent
+
+
+class FakeStation:
+    """Keeps its port and what it knows when it is killed and started anew."""
+
+    def __init__(self, options, with_plots):
+        self.folder = tempfile.TemporaryDirectory()
+        self.command = [sys.executable, str(HERE / "fake_station.py"), "--page", str(options.page),
+                        "--keep", str(pathlib.Path(self.folder.name) / "kept.json"), "--run-s", "3"]
+        if with_plots and options.plots and (options.plots / "uplot.js").exists():
+            self.command += ["--plots", str(options.plots)]
+        self.port = 0
+        self.start()
+        self.url = f"http://127.0.0.1:{self.port}/"
+
+    def start(self):
+        self.process = subprocess.Popen([*self.command, "--port", str(self.port)], stdout=subprocess.PIPE, text=True)
+        self.port = int(self.process.stdout.readline())
+
+    def kill(self):
+        self.process.kill()
+        self.process.wait()
+        self.process.stdout.close()
+
+    def hang(self):
+        self.process.send_signal(signal.SIGSTOP)
+
+    def go_on(self):
+        self.process.send_signal(signal.SIGCONT)
+
+    def close(self):
+        self.kill()
+        self.folder.cleanup()
+
+
+class RealStation:
+    """rvbench serve with plan quick on the simulated bench."""
+
+    def __init__(self, options):
+        self.folder = tempfile.TemporaryDirectory()
+        made = subprocess.run([options.program, "serve", "--make-token", "enzo", "--role", "engineer"],
+                              capture_output=True, text=True, check=True).stdout
+        self.token, entry = token_and_entry(made)
+        file = pathlib.Path(self.folder.name) / "station.json"
+        file.write_text(json.dumps({"station": "Line 2", "plan": "quick", "rig": "sim",
+                                    "serial": {"masks": ["A##"]}, "users": [entry]}))
+        with socket.socket() as free:
+            free.bind(("127.0.0.1", 0))
+            port = free.getsockname()[1]
+        self.process = subprocess.Popen([options.program, "serve", "--station", file, "--port", str(port)],
+                                        stderr=subprocess.DEVNULL)
+        self.url = f"http://127.0.0.1:{port}/"
+        for _ in range(100):
+            try:
+                urllib.request.urlopen(self.url, timeout=1).close()
+                return
+            except OSError:
+                time.sleep(0.05)
+        raise AssertionError("rvbench serve does not answer")
+
+    def close(self):
+        self.process.terminate()
+        self.process.wait()
+        self.folder.cleanup()
+
+
+def token_and_entry(text):
+    """The token is a word of its own on a line, the entry of the station file a JSON object."""
+    entry = json.loads(text[text.index("{"):text.rindex("}") + 1])
+    outside = text[:text.index("{")] + text[text.rindex("}") + 1:]
+    token = next(word for word in outside.split() if word.startswith(entry["name"] + "."))
+    return token, entry
