@@ -37,7 +37,8 @@ std::string enter_result(const std::filesystem::path& runs, const SmallRunEnd& e
   auto opened = bench::ResultDatabase::open(runs);
   if (!opened) return describe(opened.error());
   bench::ResultDatabase results = std::move(opened).value();
-  const Status entered = results.enter(bench::row_of(runs, end.folder, end.judgement));
+  const Status entered =
+      results.enter(bench::row_of(runs, end.folder, end.judgement), end.judgement);
   if (!entered) return describe(entered.error());
   tell("entered");  // whatever becomes of the others
   const auto caught_up = results.catch_up();
