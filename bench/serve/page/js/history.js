@@ -30,7 +30,7 @@ function actions(run, page) {
 export async function show_history(page) {
   const query = Object.fromEntries(new FormData(form));
   await told_by(by_id("history_told"), async () => {
-    const answer = await ask("history", { ...query, last: most_rows });
+    const answer = await ask("history", query);
     const runs = (answer.runs ?? []).slice().sort((a, b) => (a.started_utc < b.started_utc ? 1 : -1));
     const rows = runs.slice(0, most_rows).map((run) =>
       [say_time(run.started_utc), unit_cell(run), verdict_cell(run), run.reason ?? "", actions(run, page)]);
