@@ -63,11 +63,10 @@ TEST_CASE("a small shift that lasts is found by the weighted mean", "[analysis][
   double found = 0, alarm = 0;
   constexpr int charts = 300;
   for (unsigned chart = 0; chart < charts; ++chart) {
-    Eigen::VectorXd values = test::white_noise(3000, chart + 1);
+    const Eigen::VectorXd values = test::white_noise(3000, chart + 1);
     const EwmaChart quiet = ewma_of(values, baseline);
     alarm += quiet.out.empty() ? 3000 : double(quiet.out.front() + 1);
-    values = values.head(500).array() + 1;
-    const EwmaChart shifted = ewma_of(values, baseline);
+    const EwmaChart shifted = ewma_of(values.head(500).array() + 1, baseline);
     found += shifted.out.empty() ? 500 : double(shifted.out.front() + 1);
   }
   CHECK(found / charts > 7);
