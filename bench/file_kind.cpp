@@ -7,14 +7,15 @@
 namespace rvbench::bench {
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 7> key_of_kind = {
+constexpr std::array<std::pair<const char*, const char*>, 8> key_of_kind = {
     {{"plan", "main"},
      {"rig", "rig"},
      {"rig", "preset"},  // of a simulated one, which need not say so
      {"kinematics", "machine"},
      {"plant", "plant"},
      {"campaign", "campaign"},
-     {"tpa", "tpa"}}};
+     {"tpa", "tpa"},
+     {"broker", "host"}}};
 
 }  // namespace
 

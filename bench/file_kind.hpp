@@ -10,7 +10,7 @@
 
 namespace rvbench::bench {
 
-/// "plan", "rig", "kinematics", "plant", "campaign" or "tpa", by the key that only this kind of
+/// "plan", "rig", "kinematics", "plant", "campaign", "tpa" or "broker", by the key that only this kind of
 /// file has; empty if none.
 std::string file_kind(const hal::ConfigReader& root);
 

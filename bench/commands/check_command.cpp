@@ -3,6 +3,7 @@
 
 #include "bench/campaign.hpp"
 #include "bench/commands/commands.hpp"
+#include "bench/factory/broker_file.hpp"
 #include "bench/fault_lines.hpp"
 #include "bench/file_kind.hpp"
 #include "bench/judging.hpp"
@@ -53,6 +54,11 @@ Faults tpa_faults(const std::string& file) {
   return project.index() == 1 ? std::get<1>(std::move(project)) : Faults{};
 }
 
+Faults broker_faults(const std::string& file) {
+  auto broker = read_broker(file);
+  return broker.index() == 1 ? std::get<1>(std::move(broker)) : Faults{};
+}
+
 Faults faults_of(const std::string& kind, const std::string& file) {
   if (kind == "plan") return plan_faults(file);
   if (kind == "rig") return check_rig(file);
@@ -60,9 +66,10 @@ Faults faults_of(const std::string& kind, const std::string& file) {
   if (kind == "plant") return plant_faults(file);
   if (kind == "campaign") return campaign_faults(file);
   if (kind == "tpa") return tpa_faults(file);
+  if (kind == "broker") return broker_faults(file);
   return {{1, "",
            "neither plan (\"main\"), rig (\"rig\"), kinematics (\"machine\"), plant (\"plant\"), "
-           "campaign (\"campaign\") nor tpa project (\"tpa\")"}};
+           "campaign (\"campaign\"), tpa project (\"tpa\") nor broker (\"host\")"}};
 }
 
 int check_run(Console& console, const std::filesystem::path& folder) {
@@ -118,7 +125,8 @@ class CheckCommand final : public Command {
  public:
   std::string name() const override { return "check"; }
   std::string summary() const override {
-    return "validates plan, rig, kinematics, plant, campaign and tpa files, recordings and run "
+    return "validates plan, rig, kinematics, plant, campaign, tpa and broker files, recordings and "
+           "run "
            "folders";
   }
   std::string examples() const override {

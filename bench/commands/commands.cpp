@@ -28,6 +28,7 @@ std::vector<std::unique_ptr<Command>> make_commands() {
   commands.push_back(make_simulate_command());
   commands.push_back(make_report_command());
   commands.push_back(make_history_command());
+  commands.push_back(make_publish_command());
   return commands;
 }
 

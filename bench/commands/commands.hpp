@@ -25,6 +25,7 @@ std::unique_ptr<Command> make_explain_command();
 std::unique_ptr<Command> make_simulate_command();
 std::unique_ptr<Command> make_report_command();
 std::unique_ptr<Command> make_history_command();
+std::unique_ptr<Command> make_publish_command();
 
 /// Prints every fault of a file on standard error, one a line. @return exit_codes::bad_file
 int refuse_file(Console& console, const std::filesystem::path& file,
