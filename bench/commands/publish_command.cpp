@@ -99,8 +99,12 @@ int PublishCommand::publish(Console& console, const Broker& broker) {
     if (follow_) console.err << "rvbench publish: " << how << std::endl;
   };
   Publisher publisher(out_, broker, outbox, {acknowledged, skipped, link});
-  const Status status =
-      follow_ ? publisher.follow(signals.token()) : publisher.publish(signals.token());
+  Status status = Done{};
+  if (follow_) {
+    publisher.follow(signals.token());
+  } else {
+    status = publisher.publish(signals.token());
+  }
   if (!follow_ && signals.token().stop_requested()) {
     complain(console, "rvbench: publish: interrupted; what is due is sent the next time");
     return exit_codes::aborted;
@@ -117,8 +121,8 @@ int PublishCommand::end(Console& console, const Broker& broker, const Outbox& ou
   }
   if (!status) {
     const std::string waiting = left == 1 ? "1 result waits" : fmt::format("{} results wait", left);
-    complain(console, fmt::format("rvbench: publish: {}; {} in {}", describe(status.error()),
-                                  waiting, (std::filesystem::path(out_) / outbox_name).string()));
+    complain(console, fmt::format("rvbench: publish: {}; {} in {}", status.error().where, waiting,
+                                  (std::filesystem::path(out_) / outbox_name).string()));
     return exit_code({Outcome::error, ErrorKind::device_lost, ""});
   }
   if (json_) {

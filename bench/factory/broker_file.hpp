@@ -12,12 +12,13 @@ namespace rvbench::bench {
 struct Broker {
   std::string host;
   int port = 1883;
-  std::string ca;  ///< file of the authorities that may sign the broker's certificate; "": no TLS
-  std::string user, password;
-  std::string client_id;
+  std::string ca =
+      {};  ///< file of the authorities that may sign the broker's certificate; "": no TLS
+  std::string user = {}, password = {};
+  std::string client_id = {};
   int qos = 1;
-  std::string topic;  ///< of results
-  std::string step;   ///< what the factory calls this test; "": it has no name for it
+  std::string topic = {};  ///< of results
+  std::string step = {};   ///< what the factory calls this test; "": it has no name for it
   int keep_alive_s = 30;
 
   /// Beside `topic`: "online", and "offline" once it has gone, however it went; retained.

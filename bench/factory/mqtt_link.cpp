@@ -3,7 +3,6 @@
 #include <MQTTClient.h>
 #include <fmt/format.h>
 
-#include <cstring>
 #include <string_view>
 
 #include "bench/factory/packet_store.hpp"
@@ -86,16 +85,19 @@ void MqttLink::close() {
   if (paho_->client != nullptr) MQTTClient_destroy(&paho_->client);
 }
 
-Status MqttLink::connect() {
+Status MqttLink::make_client() {
   paho_->store.set_restoring(true);
   const int made =
       MQTTClient_create(&paho_->client, uri_of(broker_).c_str(), broker_.client_id.c_str(),
                         MQTTCLIENT_PERSISTENCE_USER, paho_->store.for_paho());
   paho_->store.set_restoring(false);
-  if (made != MQTTCLIENT_SUCCESS) {
-    return paho_->store.failed().value_or(
-        IoError{IoErrc::refused, fmt::format("MQTT client: {}", MQTTClient_strerror(made))});
-  }
+  if (paho_->store.failed()) return *paho_->store.failed();
+  if (made == MQTTCLIENT_SUCCESS) return Done{};
+  return IoError{IoErrc::refused, fmt::format("MQTT client: {}", MQTTClient_strerror(made))};
+}
+
+Status MqttLink::connect() {
+  if (const Status made = make_client(); !made) return made;
   const std::string status_topic = broker_.status_topic();
   MQTTClient_willOptions will = MQTTClient_willOptions_initializer;
   will.topicName = status_topic.c_str();
@@ -184,9 +186,9 @@ Status MqttLink::wait_for(const std::string& result_id, const std::stop_token& s
   const auto end = Clock::now() + longest_wait_for_acknowledgement;
   const std::string where = "MQTT broker at " + broker_.address() + ": ";
   for (;;) {
-    const auto entry = outbox_.find(result_id);
-    if (!entry) return entry.error();
-    if (entry.value() && entry.value()->state == "acknowledged") return Done{};
+    const auto is_there = outbox_.is_acknowledged(result_id);
+    if (!is_there) return is_there.error();
+    if (is_there.value()) return Done{};
     if (paho_->store.failed()) return *paho_->store.failed();
     if (!is_up()) return IoError{IoErrc::disconnected, where + "the link was lost"};
     if (stop.stop_requested()) return IoError{IoErrc::timeout, where + "told to stop"};

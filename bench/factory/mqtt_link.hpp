@@ -50,6 +50,7 @@ class MqttLink {
 
  private:
   struct Paho;
+  Status make_client();
   void close();
   Status begin_session(bool is_old);
   IoError why_not_connected(int code) const;

@@ -96,6 +96,13 @@ Result<bool> Outbox::holds(const std::string& result_id) const {
   return !found.value().empty();
 }
 
+Result<bool> Outbox::is_acknowledged(const std::string& result_id) const {
+  const auto found =
+      rows("SELECT 1 FROM results WHERE result_id = ?1 AND state = 'acknowledged'", {result_id});
+  if (!found) return found.error();
+  return !found.value().empty();
+}
+
 Status Outbox::enter(const OutboxEntry& due) {
   return execute(enter_due, {due.result_id, due.folder, due.payload, utc_now()});
 }

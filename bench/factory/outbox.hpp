@@ -20,12 +20,12 @@ inline constexpr const char* outbox_lock_name = "outbox.db.lock";
 /// A result on its way to the factory.
 struct OutboxEntry {
   std::string result_id;
-  std::string folder;          ///< of the run, below the root
-  std::string payload;         ///< JSON; "" once it is acknowledged
-  std::string state = "due";   ///< then "sent", then "acknowledged"
-  int sends = 0;               ///< how often it was handed to the network; above 1: perhaps twice
-  int message_id = 0;          ///< of MQTT, when it was sent last
-  std::string payload_sha256;  ///< of what was sent last
+  std::string folder;         ///< of the run, below the root
+  std::string payload;        ///< JSON; "" once it is acknowledged
+  std::string state = "due";  ///< then "sent", then "acknowledged"
+  int sends = 0;              ///< how often it was handed to the network; above 1: perhaps twice
+  int message_id = 0;         ///< of MQTT, when it was sent last
+  std::string payload_sha256 = {};  ///< of what was sent last
 };
 
 /// What is due to the factory, what was sent and what was acknowledged: <root>/outbox.db, by SQLite
@@ -42,6 +42,7 @@ class Outbox {
   static Result<Outbox> open(const std::filesystem::path& root);
 
   Result<bool> holds(const std::string& result_id) const;
+  Result<bool> is_acknowledged(const std::string& result_id) const;
   Status enter(const OutboxEntry& due);
 
   Result<std::optional<OutboxEntry>> next_due() const;  ///< that was entered first

@@ -100,8 +100,8 @@ bool PacketStore::put(const std::string& key, const std::string& packet) {
 }
 
 bool PacketStore::remove(const std::string& key) {
-  if (key.starts_with(publish_key) && !restoring_) return is_done(outbox_.acknowledge(key));
-  return is_done(outbox_.forget_packet(key));
+  if (!key.starts_with(publish_key)) return is_done(outbox_.forget_packet(key));
+  return is_done(restoring_ ? outbox_.recall() : outbox_.acknowledge(key));
 }
 
 bool PacketStore::clear() { return is_done(outbox_.recall()); }

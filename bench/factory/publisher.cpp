@@ -15,9 +15,6 @@ constexpr std::chrono::seconds first_back_off{1}, longest_back_off{60};
 constexpr std::chrono::seconds between_looks{1};
 constexpr std::chrono::milliseconds slice{100};  // within which a stop is heard
 
-// Of the outbox: no broker is at fault, and no other try would help.
-bool is_ours(const IoError& error) { return error.where.find(outbox_name) != std::string::npos; }
-
 }  // namespace
 
 Publisher::Publisher(std::filesystem::path root, const Broker& broker, Outbox& outbox, Told told)
@@ -40,22 +37,14 @@ Status Publisher::publish(const std::stop_token& stop) {
   return sent;
 }
 
-Status Publisher::follow(const std::stop_token& stop) {
+void Publisher::follow(const std::stop_token& stop) {
   auto next_look = Clock::now();
   while (!stop.stop_requested()) {
     if (Clock::now() >= next_look) {
-      if (const Status looked = look(); !looked) return looked;
+      if (const Status looked = look(); !looked) tell_fault(looked.error());
       next_look = Clock::now() + between_looks;
     }
-    Status fares = Done{};
-    if (!link_ && Clock::now() >= next_try_) fares = connect(stop);
-    if (fares && link_ && !link_->is_up()) {
-      fares = IoError{IoErrc::disconnected,
-                      "MQTT broker at " + broker_.address() + ": the link was lost"};
-    }
-    if (fares && link_) fares = send_all(stop);
-    if (!fares && is_ours(fares.error())) return fares;
-    if (!fares && !stop.stop_requested()) lose(fares.error());
+    if (const Status fares = go_on(stop); !fares && !stop.stop_requested()) lose(fares.error());
     if (link_) {
       link_->idle(slice);
     } else {
@@ -63,13 +52,27 @@ Status Publisher::follow(const std::stop_token& stop) {
     }
   }
   link_.reset();
-  return Done{};
+}
+
+Status Publisher::go_on(const std::stop_token& stop) {
+  if (!link_ && Clock::now() < next_try_) return Done{};
+  if (!link_) {
+    if (const Status connected = connect(stop); !connected) return connected;
+  }
+  if (!link_->is_up()) {
+    return IoError{IoErrc::disconnected,
+                   "MQTT broker at " + broker_.address() + ": the link was lost"};
+  }
+  return send_all(stop);
 }
 
 Status Publisher::look() {
   if (!watch_.has_changed()) return Done{};
   const auto skipped = take_in(root_, broker_.step, outbox_);
-  if (!skipped) return skipped.error();
+  if (!skipped) {
+    watch_ = RunWatch(root_);  // so that it is tried again
+    return skipped.error();
+  }
   for (const SkippedRun& run : skipped.value()) {
     if (skipped_.insert(run).second) told_.skipped(run);
   }
@@ -111,11 +114,14 @@ Status Publisher::tell_acknowledged(const std::string& result_id) const {
 
 void Publisher::lose(const IoError& why) {
   link_.reset();
-  if (why.where != std::exchange(last_fault_, why.where)) {
-    told_.link(why.where + "; nothing is lost, trying again");
-  }
+  tell_fault(why);
   next_try_ = Clock::now() + back_off_;
   back_off_ = std::min(2 * back_off_, longest_back_off);
+}
+
+void Publisher::tell_fault(const IoError& why) {
+  if (why.where == std::exchange(last_fault_, why.where)) return;
+  told_.link(why.where + "; nothing is lost, trying again");
 }
 
 }  // namespace rvbench::bench

@@ -19,10 +19,9 @@ namespace rvbench::bench {
 
 /// Sends the judged runs below a root to a broker, oldest first, each once.
 ///
-/// Errors   of the outbox and the folder: the caller's Status, and it ends. Of the broker:
-/// publish()
-///          ends with the error, follow() tells it once and tries again, after 1 s, then twice as
-///          long each time, at most a minute
+/// Errors   publish() ends with the first; follow() tells it once and tries again, of a broker
+/// after
+///          1 s, then twice as long each time, at most a minute
 /// Threads  one caller at a time; see MqttLink
 class Publisher {
  public:
@@ -37,14 +36,16 @@ class Publisher {
   /// What is due now. Nobody is called where nothing is.
   Status publish(const std::stop_token& stop);
   /// Also what comes, until a stop is requested.
-  Status follow(const std::stop_token& stop);
+  void follow(const std::stop_token& stop);
 
  private:
   Status look();
+  Status go_on(const std::stop_token& stop);
   Status connect(const std::stop_token& stop);
   Status send_all(const std::stop_token& stop);
   Status tell_acknowledged(const std::string& result_id) const;
   void lose(const IoError& why);
+  void tell_fault(const IoError& why);
 
   std::filesystem::path root_;
   const Broker& broker_;
