@@ -16,10 +16,12 @@ int code_of(bool done) { return done ? 0 : MQTTCLIENT_PERSISTENCE_ERROR; }
 
 PacketStore& store_at(void* handle) { return *static_cast<PacketStore*>(handle); }
 
-// Paho takes what it gets for its own; 1.3 never frees memory that it did not allocate itself, so
-// this is lost: a packet and its key each time a connection finds one under way.
-char* for_keeps(const std::string& bytes) {
-  char* copy = static_cast<char*>(std::malloc(bytes.size() + 1));
+// Paho 1.3 takes memory that it gets from here for its own, but frees none that it did not allocate
+// itself: what a connection finds under way, a packet and its keys, is lost to the process.
+void* lost_to_paho(std::size_t size) { return std::malloc(size); }
+
+char* text_for_paho(const std::string& bytes) {
+  auto* copy = static_cast<char*>(lost_to_paho(bytes.size() + 1));
   if (copy != nullptr) std::memcpy(copy, bytes.c_str(), bytes.size() + 1);
   return copy;
 }
@@ -40,7 +42,7 @@ int put_packet(void* handle, char* key, int count, char* buffers[], int sizes[])
 int get_packet(void* handle, char* key, char** buffer, int* size) {
   const auto packet = store_at(handle).outbox().packet(key);
   if (!packet) return MQTTCLIENT_PERSISTENCE_ERROR;
-  *buffer = for_keeps(*packet);
+  *buffer = text_for_paho(*packet);
   *size = static_cast<int>(packet->size());
   return code_of(*buffer != nullptr);
 }
@@ -52,9 +54,9 @@ int list_keys(void* handle, char*** keys, int* count) {
   *count = static_cast<int>(there.size());
   *keys = nullptr;
   if (there.empty()) return 0;
-  *keys = static_cast<char**>(std::calloc(there.size(), sizeof(char*)));
+  *keys = static_cast<char**>(lost_to_paho(there.size() * sizeof(char*)));
   if (*keys == nullptr) return MQTTCLIENT_PERSISTENCE_ERROR;
-  for (std::size_t i = 0; i < there.size(); ++i) (*keys)[i] = for_keeps(there[i]);
+  for (std::size_t i = 0; i < there.size(); ++i) (*keys)[i] = text_for_paho(there[i]);
   return 0;
 }
 
@@ -74,15 +76,13 @@ int number_in(const std::string& key) {
 }  // namespace
 
 void* PacketStore::for_paho() {
-  if (for_paho_ == nullptr) {
-    for_paho_ =
-        new MQTTClient_persistence{this,          open_store, close_store, put_packet, get_packet,
-                                   remove_packet, list_keys,  clear_store, has_key};
+  if (!for_paho_) {
+    for_paho_ = std::make_shared<MQTTClient_persistence>(
+        MQTTClient_persistence{this, open_store, close_store, put_packet, get_packet, remove_packet,
+                               list_keys, clear_store, has_key});
   }
-  return for_paho_;
+  return for_paho_.get();
 }
-
-PacketStore::~PacketStore() { delete static_cast<MQTTClient_persistence*>(for_paho_); }
 
 void PacketStore::begin(const std::string& result_id, const std::string& payload_sha256) {
   result_id_ = result_id;

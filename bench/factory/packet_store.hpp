@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -27,7 +28,6 @@ class PacketStore {
 
   /// An MQTTClient_persistence, for MQTTClient_create(); lives as long as this object.
   void* for_paho();
-  ~PacketStore();
   PacketStore(const PacketStore&) = delete;
   PacketStore& operator=(const PacketStore&) = delete;
 
@@ -43,7 +43,7 @@ class PacketStore {
   std::string result_id_, payload_sha256_;
   bool restoring_ = false;
   std::optional<IoError> failed_;
-  void* for_paho_ = nullptr;
+  std::shared_ptr<void> for_paho_;  // of a type without a name that could be declared here
 };
 
 }  // namespace rvbench::bench

@@ -10,7 +10,9 @@ using std::chrono::milliseconds;
 
 Subscriber::Subscriber(int port, const std::string& topic) {
   const std::string uri = "tcp://127.0.0.1:" + std::to_string(port);
-  MQTTClient_create(&client_, uri.c_str(), "subscriber", MQTTCLIENT_PERSISTENCE_NONE, nullptr);
+  static int count = 0;  // a broker closes the connection of who has the same name
+  const std::string name = "subscriber" + std::to_string(++count);
+  MQTTClient_create(&client_, uri.c_str(), name.c_str(), MQTTCLIENT_PERSISTENCE_NONE, nullptr);
   MQTTClient_connectOptions options = MQTTClient_connectOptions_initializer;
   if (MQTTClient_connect(client_, &options) != MQTTCLIENT_SUCCESS ||
       MQTTClient_subscribe(client_, topic.c_str(), 2) != MQTTCLIENT_SUCCESS) {
