@@ -7,7 +7,7 @@
 namespace rvbench::bench {
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 9> key_of_kind = {
+constexpr std::array<std::pair<const char*, const char*>, 10> key_of_kind = {
     {{"station", "station"},  // which names plan and rig
      {"plan", "main"},
      {"rig", "rig"},
@@ -16,7 +16,8 @@ constexpr std::array<std::pair<const char*, const char*>, 9> key_of_kind = {
      {"plant", "plant"},
      {"campaign", "campaign"},
      {"tpa", "tpa"},
-     {"limits", "limits_version"}}};
+     {"limits", "limits_version"},
+     {"broker", "host"}}};
 
 }  // namespace
 

@@ -10,8 +10,8 @@
 
 namespace rvbench::bench {
 
-/// "station", "plan", "rig", "kinematics", "plant", "campaign" or "tpa", by the key that only this
-/// kind of file has; empty if none.
+/// "station", "plan", "rig", "kinematics", "plant", "campaign", "tpa", "limits" or "broker", by the
+/// key that only this kind of file has; empty if none.
 std::string file_kind(const hal::ConfigReader& root);
 
 /// The fault of a file that was given as a `wanted` and seems to be another kind.

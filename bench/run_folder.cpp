@@ -10,6 +10,7 @@
 #include <tuple>
 #include <vector>
 
+#include "bench/factory/outbox.hpp"
 #include "bench/judgement.hpp"
 #include "bench/on_disk.hpp"
 #include "bench/sha256.hpp"
@@ -62,7 +63,9 @@ std::string folder_name_of(const std::string& serial) {
   std::ranges::replace_if(
       name, [](char c) { return !is_plain(c); }, '_');
   if (name.front() == '.' || name.front() == '-') name.front() = '_';
-  if (name.starts_with(result_database_name)) name.front() = '_';  // SQLite adds -wal and -shm
+  for (const char* taken : {result_database_name, outbox_name}) {
+    if (name.starts_with(taken)) name.front() = '_';  // SQLite adds -wal and -shm
+  }
   if (name != serial) name.append("-").append(sha256_of_text(serial), 0, 8);
   return name;
 }

@@ -24,7 +24,7 @@ endforeach()
 # The simulator reads the manuals for itself: it shares no register or frame table with the drivers.
 set(never_sim "hal/modbus/|hal/can/(can_frames|slcan)")
 # Device libraries stay behind .cpp files; analysis has no I/O, no clock and no threads of its own.
-set(device_headers "<(modbus/|linux/can|hdf5|matio|FLAC/|sys/socket|iio[.]h|comedi)")
+set(device_headers "<(modbus/|linux/can|hdf5|matio|FLAC/|sys/socket|iio[.]h|comedi|MQTT)")
 set(never_system_analysis "<(fstream|iostream|cstdio|chrono|thread|mutex|future|filesystem)>")
 
 set(bad "")

@@ -3,6 +3,7 @@
 
 #include "bench/campaign.hpp"
 #include "bench/commands/commands.hpp"
+#include "bench/factory/broker_file.hpp"
 #include "bench/fault_lines.hpp"
 #include "bench/file_kind.hpp"
 #include "bench/judging.hpp"
@@ -66,6 +67,11 @@ Faults station_faults(const std::string& file) {
   return station.index() == 1 ? std::get<1>(std::move(station)) : Faults{};
 }
 
+Faults broker_faults(const std::string& file) {
+  auto broker = read_broker(file);
+  return broker.index() == 1 ? std::get<1>(std::move(broker)) : Faults{};
+}
+
 Faults faults_of(const std::string& kind, const std::string& file) {
   if (kind == "plan") return plan_faults(file);
   if (kind == "rig") return check_rig(file);
@@ -75,10 +81,11 @@ Faults faults_of(const std::string& kind, const std::string& file) {
   if (kind == "tpa") return tpa_faults(file);
   if (kind == "limits") return limits_faults(file);
   if (kind == "station") return station_faults(file);
+  if (kind == "broker") return broker_faults(file);
   return {{1, "",
            "neither plan (\"main\"), rig (\"rig\"), kinematics (\"machine\"), plant (\"plant\"), "
-           "campaign (\"campaign\"), tpa project (\"tpa\"), limits (\"limits_version\") nor station "
-           "(\"station\")"}};
+           "campaign (\"campaign\"), tpa project (\"tpa\"), limits (\"limits_version\"), station "
+           "(\"station\") nor broker (\"host\")"}};
 }
 
 int check_run(Console& console, const std::filesystem::path& folder) {
@@ -148,8 +155,8 @@ class CheckCommand final : public Command {
  public:
   std::string name() const override { return "check"; }
   std::string summary() const override {
-    return "validates plan, rig, kinematics, plant, campaign, tpa and station files, recordings, "
-           "run folders and audit logs";
+    return "validates plan, rig, kinematics, plant, campaign, tpa, limits, station and broker files, "
+           "recordings, run folders and audit logs";
   }
   std::string examples() const override {
     return "  rvbench check plans/mine.json bench_a.json\n"

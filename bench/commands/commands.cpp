@@ -38,6 +38,7 @@ std::vector<std::unique_ptr<Command>> make_commands() {
   commands.push_back(make_rejudge_command());
   commands.push_back(make_limits_command());
   commands.push_back(make_serve_command());
+  commands.push_back(make_publish_command());
   return commands;
 }
 

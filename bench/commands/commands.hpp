@@ -33,6 +33,7 @@ std::unique_ptr<Command> make_trend_command();
 std::unique_ptr<Command> make_rejudge_command();
 std::unique_ptr<Command> make_limits_command();
 std::unique_ptr<Command> make_serve_command();
+std::unique_ptr<Command> make_publish_command();
 
 /// Prints every fault of a file on standard error, one a line. @return exit_codes::bad_file
 int refuse_file(Console& console, const std::filesystem::path& file,

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hal/types/result.hpp"
+
+struct sqlite3;
+
+namespace rvbench::bench {
+
+/// The outbox, which lies beside the folders of the serials.
+inline constexpr const char* outbox_name = "outbox.db";
+/// Who holds it sends; the file means nothing else.
+inline constexpr const char* outbox_lock_name = "outbox.db.lock";
+
+/// A result on its way to the factory.
+struct OutboxEntry {
+  std::string result_id;
+  std::string folder;         ///< of the run, below the root
+  std::string payload;        ///< JSON; "" once it is acknowledged
+  std::string state = "due";  ///< then "sent", then "acknowledged"
+  int sends = 0;              ///< how often it was handed to the network; above 1: perhaps twice
+  int message_id = 0;         ///< of MQTT, when it was sent last
+  std::string payload_sha256 = {};  ///< of what was sent last
+};
+
+/// What is due to the factory, what was sent and what was acknowledged: <root>/outbox.db, by SQLite
+/// in WAL mode, every step synced to the disk before the next is taken.
+///
+/// It also keeps the packets of MQTT that are under way, each step of theirs in one transaction
+/// with that of their result: after a crash both say the same.
+///
+/// Errors   refused: the file is locked for longer than two seconds, is no database, cannot be
+///          written; the text says which
+/// Threads  one caller at a time
+class Outbox {
+ public:
+  static Result<Outbox> open(const std::filesystem::path& root);
+
+  Result<bool> holds(const std::string& result_id) const;
+  Result<bool> is_acknowledged(const std::string& result_id) const;
+  Status enter(const OutboxEntry& due);
+
+  Result<std::optional<OutboxEntry>> next_due() const;  ///< that was entered first
+  Result<std::optional<OutboxEntry>> find(const std::string& result_id) const;
+  Result<std::vector<std::string>> ids_of(const std::string& state) const;  ///< oldest first
+
+  /// Before its packet goes out.
+  Status note_sent(const std::string& result_id, int message_id, const std::string& payload_sha256,
+                   const std::string& packet_key, const std::string& packet);
+  /// The receiver has the packet: so it has the result.
+  Status acknowledge(const std::string& packet_key);
+  /// Whatever is under way is given up, and due again.
+  Status recall();
+
+  Status keep_packet(const std::string& key, const std::string& packet);
+  Status forget_packet(const std::string& key);
+  std::optional<std::string> packet(const std::string& key) const;
+  std::vector<std::string> packet_keys() const;
+
+ private:
+  struct Close {
+    void operator()(sqlite3* database) const noexcept;
+  };
+  Outbox(std::filesystem::path file, std::unique_ptr<sqlite3, Close> database);
+
+  Status execute(const char* sql, const std::vector<std::string>& values) const;
+  Status in_one_step(const std::vector<std::pair<const char*, std::vector<std::string>>>& work);
+  Result<std::vector<std::vector<std::string>>> rows(const char* sql,
+                                                     const std::vector<std::string>& values) const;
+  Result<std::optional<OutboxEntry>> entry(const char* sql, const std::string& value) const;
+  IoError failure(const std::string& what) const;
+
+  std::filesystem::path file_;
+  std::unique_ptr<sqlite3, Close> database_;
+};
+
+}  // namespace rvbench::bench
