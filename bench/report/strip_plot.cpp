@@ -13,7 +13,7 @@ namespace rvbench::bench::report {
 namespace {
 
 constexpr double columns = 70;  // dots side by side at most
-constexpr int width_px = 540, height_px = 150;
+constexpr int width_px = 540, height_px = 185;
 
 // All that is drawn, with a little air.
 PlotAxis value_axis(const Standing& standing) {

@@ -19,7 +19,7 @@ constexpr int bottom_px = 38;
 constexpr int label_row_px = 11;
 constexpr int label_rows = 3;
 constexpr int least_row_px = 14;  // from one label of the y axis to the next
-constexpr double label_character_px = 5.4;
+constexpr double label_character_px = 6.2;
 
 void check(const PlotAxis& axis) {
   if (!std::isfinite(axis.min) || !std::isfinite(axis.max) || !(axis.max > axis.min)) {

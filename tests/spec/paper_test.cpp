@@ -33,7 +33,7 @@ TEST_CASE("without fonts there is no report on paper, and it says what to instal
   bench::write_sums(run);
   bench::write_file(scratch / "none.conf",
                     "<?xml version=\"1.0\"?>\n<!DOCTYPE fontconfig SYSTEM \"fonts.dtd\">\n"
-                    "<fontconfig><dir>nowhere</dir></fontconfig>\n");
+                    "<fontconfig><dir>/nowhere</dir></fontconfig>\n");
   const std::string nothing = "FONTCONFIG_FILE=" + (scratch / "none.conf").string();
   const Answer answer =
       test::Program(scratch.path(),

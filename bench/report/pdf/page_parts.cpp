@@ -66,17 +66,17 @@ Blocks finding_block(const Typesetter& typesetter, const Finding& finding,
   const std::string title = report::spoken(finding.component) + ": " +
                             report::spoken(finding.mechanism) + " – " +
                             xml_escaped(report::limit_text(finding));
-  const std::string evidence =
+  std::string evidence =
       fmt::format("modulation depth {}, limit {:.3f}; seen in {} of {} points, order {:.4g}",
                   report::severity_text(finding), finding.limit, finding.points.size(),
                   judgement.points.size(), finding.order);
+  if (counts) evidence += fmt::format("; confidence {:.0f} %", 100 * finding.confidence);
   Blocks blocks = typesetter.text(title, {.size_pt = 9, .bold = true}, body_width_pt, 1);
   append(blocks,
          indented(typesetter.text(xml_escaped(evidence), small_text, body_width_pt - indent_pt, 1),
                   indent_pt));
   if (!counts) return blocks;
-  const std::string advice = "Advice: " + report::advice_text(finding) +
-                             fmt::format(" Confidence {:.0f} %.", 100 * finding.confidence);
+  const std::string advice = "Advice: " + report::advice_text(finding);
   append(blocks, indented(typesetter.text(xml_escaped(advice), {}, body_width_pt - indent_pt, 2),
                           indent_pt));
   blocks.push_back(space(2));

@@ -25,8 +25,9 @@ constexpr Amount amounts[] = {{4, 8, 4}, {3, 6, 4}, {3, 4, 4}, {2, 4, 4}, {3, 6,
                               {2, 4, 2}, {1, 3, 2}, {1, 2, 0}, {0, 0, 0}};
 
 Blocks strips_of(const Typesetter& typesetter, const ReportInput& input, std::size_t most) {
-  const std::string text = report::population_text(input);
+  std::string text = report::population_text(input);
   if (text.empty()) return {};
+  if (!input.population.standings.empty()) text += " A dot is a unit; a hollow one failed.";
   Blocks blocks = part_heading(typesetter, "This unit among earlier ones");
   append(blocks, typesetter.text(xml_escaped(text), small_text, body_width_pt, 2));
   std::vector<std::string> strips;
