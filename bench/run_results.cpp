@@ -3,18 +3,33 @@
 #include <exception>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
+#include "bench/earlier_units.hpp"
 #include "bench/junit.hpp"
-#include "bench/report/report.hpp"
+#include "bench/population.hpp"
 #include "bench/run_recordings.hpp"
 #include "bench/sha256.hpp"
 #include "bench/text_file.hpp"
+#include "bench/unit_numbers.hpp"
 #include "bench/verdict_json.hpp"
 
 namespace rvbench::bench {
 namespace {
+
+// `grep -v '  report[.]' SHA256SUMS | sha256sum`
+std::optional<std::string> hash_of_sums(const std::filesystem::path& folder) {
+  const std::optional<std::string> sums = read_file(folder / "SHA256SUMS");
+  if (!sums) return std::nullopt;
+  std::string kept;
+  std::istringstream lines(*sums);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("  report.") == std::string::npos) kept += line + "\n";
+  }
+  return sha256_of_text(kept);
+}
 
 std::vector<std::pair<std::string, std::string>> hashes_of(const std::filesystem::path& folder) {
   std::vector<std::string> names = recording_names(folder);
@@ -25,19 +40,22 @@ std::vector<std::pair<std::string, std::string>> hashes_of(const std::filesystem
     const std::optional<std::string> hash = sha256_of_file(folder / name);
     if (hash) hashes.emplace_back(name, *hash);
   }
+  if (const auto sums = hash_of_sums(folder)) hashes.emplace_back(sums_in_report, *sums);
   return hashes;
 }
 
 }  // namespace
 
-void write_report(const std::filesystem::path& folder, const Judgement& judgement,
-                  const analysis::Kinematics& kinematics) {
+ReportInput report_input(const std::filesystem::path& folder, const Judgement& judgement,
+                         const analysis::Kinematics& kinematics) {
   ReportInput input;
   input.judgement = judgement;
   input.kinematics = kinematics;
   input.plan_json = read_file(folder / "plan.json").value_or("");
   input.rig_json = read_file(folder / "rig.json").value_or("");
   input.hashes = hashes_of(folder);
+  const std::vector<UnitNumber> numbers = numbers_of(judgement);
+  input.population = population_of(numbers, earlier_units(folder, judgement, numbers));
   Result<RunRecordings> recordings = RunRecordings::open(folder);
   if (recordings) {
     auto run = std::make_shared<RunRecordings>(std::move(recordings).value());
@@ -49,7 +67,7 @@ void write_report(const std::filesystem::path& folder, const Judgement& judgemen
       return std::move(record).value();
     };
   }
-  write_file(folder / "report.html", make_report(input));
+  return input;
 }
 
 std::vector<std::string> unwritten_files(const std::filesystem::path& folder,
@@ -92,8 +110,12 @@ std::vector<std::string> write_results(const std::filesystem::path& folder,
     return ResultFile{name, [&folder, name, text] { write_file(folder / name, text()); }};
   };
   const auto report = [&] {
-    if (with_report) return write_report(folder, judgement, kinematics);
-    std::filesystem::remove(folder / "report.html");
+    std::filesystem::remove(folder / "report.pdf");  // made when it is asked for
+    if (!with_report) {
+      std::filesystem::remove(folder / "report.html");
+      return;
+    }
+    write_file(folder / "report.html", make_report(report_input(folder, judgement, kinematics)));
   };
   return unwritten_files(folder, {put("verdict.json", [&] { return judgement_to_json(judgement); }),
                                   put("junit.xml", [&] { return junit_xml(judgement); }),

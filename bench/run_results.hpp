@@ -7,6 +7,7 @@
 
 #include "analysis/kinematics.hpp"
 #include "bench/judgement.hpp"
+#include "bench/report/report.hpp"
 
 namespace rvbench::bench {
 
@@ -28,15 +29,18 @@ std::vector<std::string> unwritten_files(const std::filesystem::path& folder,
 void tell_in_files(Judgement& judgement,
                    const std::function<std::vector<std::string>(const Judgement&)>& write);
 
-/// verdict.json, junit.xml, report.html, if it is asked for, and SHA256SUMS of a run folder. An
-/// older report goes in any case. @return as unwritten_files()
+/// verdict.json, junit.xml, report.html, if it is asked for, and SHA256SUMS of a run folder. Older
+/// reports go in any case. @return as unwritten_files()
 std::vector<std::string> write_results(const std::filesystem::path& folder,
                                        const Judgement& judgement,
                                        const analysis::Kinematics& kinematics, bool with_report);
 
-/// report.html alone, out of what the folder holds.
-/// @throws std::system_error if it cannot be written
-void write_report(const std::filesystem::path& folder, const Judgement& judgement,
-                  const analysis::Kinematics& kinematics);
+/// The name under which reports state the hash of SHA256SUMS as it stood when they were made, but
+/// for its lines of reports: those cannot hold their own hash.
+inline constexpr const char* sums_in_report = "SHA256SUMS without reports";
+
+/// What the reports of a run are made of, out of what its folder holds.
+ReportInput report_input(const std::filesystem::path& folder, const Judgement& judgement,
+                         const analysis::Kinematics& kinematics);
 
 }  // namespace rvbench::bench

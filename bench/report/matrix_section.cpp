@@ -1,44 +1,21 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 
 #include "bench/report/html.hpp"
+#include "bench/report/matrix_cell.hpp"
 #include "bench/report/sections.hpp"
 #include "bench/xml_text.hpp"
 
 namespace rvbench::bench::report {
 namespace {
 
-// The worst modulation depth of a record in units of its limit.
-double worst_share(const analysis::Examination& seen, const analysis::Kinematics& kinematics) {
-  double worst = 0;
-  for (const analysis::SignatureScore& score : seen.scores) {
-    const auto index = static_cast<std::size_t>(score.signature);
-    if (index >= kinematics.signatures.size() || score.p_value > analysis::significant_p) continue;
-    const double limit = kinematics.signatures[index].depth_limit;
-    if (score.depth > 0) worst = std::fmax(worst, score.depth / limit);  // a limit of 0: infinite
-  }
-  return worst;
-}
-
 std::string cell_of(const JudgedPoint& point, const analysis::Kinematics& kinematics) {
-  const auto cell = [&](const char* level, const std::string& text) {
-    return fmt::format("<span class=\"cell {}\" title=\"{}\">{}</span>", level,
-                       xml_escaped(caption_of(point)), xml_escaped(text));
-  };
-  if (point.status == "not_recorded") return cell("absent", "none");
-  if (point.status != "ok") return cell("spoiled", point.status);
-  if (std::ranges::any_of(point.examination.quality, &analysis::QualityNote::invalidates)) {
-    return cell("spoiled", "data");
-  }
-  if (point.examination.of_hysteresis) return cell("torsion", "loop");
-  if (!point.examination.resolvable) return cell("spoiled", "short");
-  const double share = worst_share(point.examination, kinematics);
-  const char* level = share > 1 ? "high" : share > 0.5 ? "mid-level" : "low";
-  return cell(level, std::isinf(share) ? "above 0" : fmt::format("{:.2f}", share));
+  const MatrixCell cell = matrix_cell(point, kinematics);
+  return fmt::format("<span class=\"cell {}\" title=\"{}\">{}</span>", cell.level,
+                     xml_escaped(caption_of(point)), xml_escaped(cell.text));
 }
 
 }  // namespace

@@ -23,11 +23,13 @@ std::string make_report(const ReportInput& input) {
   html += report::matrix_section(input);
   html += report::limits_section(input);
   html += report::indicators_section(input);
+  html += report::population_section(input);
   html += report::hysteresis_section(input);
   html += report::frequency_section(input);
   html += report::methods_section(input);
   html += report::correlation_section(input);
   html += report::signal_section(input);
+  html += report::sensors_section(input);
   html += report::settings_section(input);
   html += report::signature_section(input);
   return html + "</main></body></html>\n";

@@ -8,6 +8,7 @@
 
 #include "analysis/kinematics.hpp"
 #include "bench/judgement.hpp"
+#include "bench/population.hpp"
 #include "hal/types/recording.hpp"
 
 namespace rvbench::bench {
@@ -22,6 +23,7 @@ struct ReportInput {
   std::string plan_json;  ///< resolved; empty if there was no plan
   std::string rig_json;
   std::vector<std::pair<std::string, std::string>> hashes;  ///< file name, SHA-256
+  Population population = {};                               ///< of a unit that was run
 };
 
 /// report.html: one self-contained page with inline SVG and CSS, no script and no reference to

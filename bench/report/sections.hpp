@@ -18,10 +18,14 @@ std::string methods_section(const ReportInput& input);  ///< what each envelope 
 std::string correlation_section(const ReportInput& input);
 std::string limits_section(const ReportInput& input);
 std::string indicators_section(const ReportInput& input);  ///< the worst of each, and its limit
+std::string population_section(const ReportInput& input);  ///< the unit among earlier ones
+std::string population_text(const ReportInput& input);     ///< its first sentences, not escaped
 std::string hysteresis_section(const ReportInput& input);  ///< loops of torque over torsion
+std::string sensors_section(const ReportInput& input);
 std::string settings_section(const ReportInput& input);
 std::string signature_section(const ReportInput& input);
-std::string style_sheet();
+std::string style_sheet();       ///< of the page
+std::string plot_style_sheet();  ///< of its plots, complete without the page's
 
 /// Points that stand for all: of each speed, the first good record with the least load and the one
 /// nearest to 100 %. Without planned speeds: the first six. Indices into judgement.points.

@@ -40,16 +40,7 @@ th { background: #eef2f5; font-weight: 600; }
 .finding.within { border-left-color: var(--line); }
 .note { color: var(--faint); font-size: 0.88rem; }
 .figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 440px), 1fr)); gap: 8px; }
-svg { display: block; width: 100%; height: auto; font: 10.5px system-ui, "Liberation Sans", Arial, sans-serif; }
-svg text { fill: var(--ink); } svg .mid { text-anchor: middle; } svg .end { text-anchor: end; }
-svg .title { font-weight: 600; font-size: 11.5px; } svg .marklabel { fill: var(--mark); font-size: 9.5px; }
-svg .grid { stroke: #e6ebef; } svg .frame { fill: none; stroke: #8a97a3; }
-svg .trace { fill: none; stroke: var(--trace); stroke-width: 1; stroke-linejoin: round; }
-svg .measured { fill: none; stroke: var(--ink); stroke-width: 2.4; opacity: 0.6; } svg .before { fill: none; stroke: var(--before); }
-svg .after { fill: none; stroke: var(--trace); stroke-width: 1.1; } svg .band { fill: #c9d2da; stroke: none; }
-svg .bar { stroke: none; opacity: 1; } svg .bar.measured { fill: var(--ink); } svg .bar.before { fill: var(--before); }
-svg .bar.after { fill: var(--trace); } svg .whisker { stroke: #8a97a3; stroke-width: 2; } svg .small { font-size: 9px; }
-svg .mark { stroke: var(--mark); stroke-width: 0.8; stroke-dasharray: 3 3; fill: none; }
+svg { display: block; width: 100%; height: auto; }
 pre { background: #f5f7f9; border: 1px solid var(--line); padding: 8px; font-size: 0.76rem; overflow-x: auto;
   white-space: pre-wrap; overflow-wrap: anywhere; }
 .left-out { margin: 10px 0 0; padding: 0 0 0 1.2em; font-size: 1.02rem; } .left-out li { margin: 4px 0; }
@@ -78,6 +69,6 @@ details summary { cursor: pointer; color: var(--trace); margin: 6px 0; }
 
 }  // namespace
 
-std::string style_sheet() { return style; }
+std::string style_sheet() { return style + plot_style_sheet(); }
 
 }  // namespace rvbench::bench::report

@@ -18,7 +18,8 @@ constexpr int top_px = 57;  // the title and three rows of mark labels
 constexpr int bottom_px = 38;
 constexpr int label_row_px = 11;
 constexpr int label_rows = 3;
-constexpr double label_character_px = 5.4;
+constexpr int least_row_px = 14;  // from one label of the y axis to the next
+constexpr double label_character_px = 6.2;
 
 void check(const PlotAxis& axis) {
   if (!std::isfinite(axis.min) || !std::isfinite(axis.max) || !(axis.max > axis.min)) {
@@ -134,10 +135,19 @@ void SvgPlot::add_groups(const std::vector<PlotGroup>& groups) {
   }
 }
 
-void SvgPlot::add_mark(double x, std::string label) {
-  const std::pair<double, std::string> mark(x, std::move(label));
+void SvgPlot::add_dots(const std::vector<double>& x, const std::vector<double>& y,
+                       const std::string& style) {
+  if (x.size() != y.size()) throw std::invalid_argument("SvgPlot::add_dots: x and y differ");
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    traces_ += fmt::format(R"(<circle class="dot {}" cx="{:.1f}" cy="{:.1f}" r="2.6"/>)", style,
+                           px(x[i]), py(y[i]));
+  }
+}
+
+void SvgPlot::add_mark(double x, std::string label, const std::string& style) {
+  Mark mark{x, std::move(label), style};
   const bool known = std::ranges::find(marks_, mark) != marks_.end();
-  if (x >= x_.min && x <= x_.max && !known) marks_.push_back(mark);
+  if (x >= x_.min && x <= x_.max && !known) marks_.push_back(std::move(mark));
 }
 
 std::string SvgPlot::x_ticks() const {
@@ -155,7 +165,8 @@ std::string SvgPlot::x_ticks() const {
 std::string SvgPlot::axes() const {
   const int bottom = height_px_ - bottom_px;
   std::string text = x_ticks();
-  for (const double tick : round_ticks(y_.min, y_.max, 6)) {
+  const int y_ticks = std::clamp((bottom - top_px) / least_row_px, 1, 6);
+  for (const double tick : round_ticks(y_.min, y_.max, y_ticks)) {
     text += fmt::format(
         R"(<path class="grid" d="M{0},{1:.1f}H{2}"/><text x="{3}" y="{4:.1f}" class="end">{5}</text>)",
         left_px, py(tick), width_px_ - right_px, left_px - 5, py(tick) + 3.5, tick_text(tick));
@@ -172,20 +183,20 @@ std::string SvgPlot::axes() const {
 
 std::string SvgPlot::marks() const {
   auto sorted = marks_;
-  std::ranges::stable_sort(sorted, {}, &std::pair<double, std::string>::first);
+  std::ranges::stable_sort(sorted, {}, &Mark::x);
   double row_ends_px[label_rows] = {};
   std::string text;
-  for (const auto& [x, label] : sorted) {
+  for (const auto& [x, label, style] : sorted) {
     const double at = px(x);
-    text += fmt::format(R"(<path class="mark" d="M{:.1f},{}V{}"/>)", at, top_px,
+    text += fmt::format(R"(<path class="{}" d="M{:.1f},{}V{}"/>)", style, at, top_px,
                         height_px_ - bottom_px);
     const double half = label_character_px * double(label.size()) / 2;
     const double centre = std::clamp(at, half, width_px_ - half);
     for (int row = 0; row < label_rows; ++row) {
       if (centre - half < row_ends_px[row]) continue;
       row_ends_px[row] = centre + half + 10;
-      text += fmt::format(R"(<text x="{:.1f}" y="{}" class="mid marklabel">{}</text>)", centre,
-                          top_px - 4 - row * label_row_px, xml_escaped(label));
+      text += fmt::format(R"(<text x="{:.1f}" y="{}" class="mid {}label">{}</text>)", centre,
+                          top_px - 4 - row * label_row_px, style, xml_escaped(label));
       break;
     }
   }

@@ -44,13 +44,25 @@ class SvgPlot {
   /// Group i between x = i and i + 1; their labels take the place of the ticks.
   void add_groups(const std::vector<PlotGroup>& groups);
 
-  /// A dashed line at x with a label on top; labels that would overlap go to further rows, and are
-  /// left out (the line stays) when there is no room. The same mark twice is one.
-  void add_mark(double x, std::string label);
+  /// One dot per point. @throws std::invalid_argument if there are not as many y as x
+  void add_dots(const std::vector<double>& x, const std::vector<double>& y,
+                const std::string& style);
+
+  /// A line at x, dashed unless its style has it otherwise, with a label on top; labels that would
+  /// overlap go to further rows, and are left out (the line stays) when there is no room. The same
+  /// mark twice is one.
+  void add_mark(double x, std::string label, const std::string& style = "mark");
 
   std::string svg() const;
 
  private:
+  struct Mark {
+    double x = 0;
+    std::string label, style;
+
+    bool operator==(const Mark&) const = default;
+  };
+
   double px(double x) const;
   double py(double y) const;
   std::string x_ticks() const;
@@ -64,7 +76,7 @@ class SvgPlot {
   int height_px_;
   std::string traces_;
   std::string labels_;  ///< of groups; empty: ticks
-  std::vector<std::pair<double, std::string>> marks_;
+  std::vector<Mark> marks_;
 };
 
 /// Round values that part [min, max] into about `count` steps of 1, 2 or 5 times a power of ten.
