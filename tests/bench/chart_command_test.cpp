@@ -98,7 +98,7 @@ TEST_CASE("what an index is not worth is told", "[bench][station]") {
                              Contains("Pp "));
 }
 
-TEST_CASE("--out holds the charts", "[bench][station]") {
+TEST_CASE("the folder of --out holds the charts", "[bench][station]") {
   const ScratchFolder scratch;
   Eigen::VectorXd values = lost_motion(40);
   values[33] = 1.2;

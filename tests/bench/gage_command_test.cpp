@@ -116,7 +116,7 @@ TEST_CASE("rows come in any order, and trials have any names", "[bench][station]
   CHECK(json.at("anova").at("repeatability").at("sum_of_squares").get<double>() == Approx(0.05));
 }
 
-TEST_CASE("--out holds the page and the document", "[bench][station]") {
+TEST_CASE("the folder of --out holds the page and the document", "[bench][station]") {
   const ScratchFolder scratch;
   const std::string file = file_of(scratch, head + rows_of(aiag_study()));
   const std::string out = (scratch / "gage").string();

@@ -32,7 +32,7 @@ TEST_CASE("a token opens with its own hash alone, and neither is kept with the o
   CHECK_FALSE(are_same_secret("abc", "abcd"));
 }
 
-TEST_CASE("--make-token prints a token and the entry that goes into a station file",
+TEST_CASE("option --make-token prints a token and the entry that goes into a station file",
           "[bench][serve]") {
   const rvbench::test::ScratchFolder scratch;
   const auto made = test::rvbench({"serve", "--make-token", "anna", "--role", "engineer"});
