@@ -49,7 +49,7 @@ class LimitsCommand final : public Command {
             {"VERSION", "version of the limits", &version_},
             {"--from", "limits file to propose", &from_},
             {"--plan", "learn: plan whose runs teach", &plan_},
-            {"--measure", "learn: this indicator, too; default: those limited now", &measures_},
+            {"--measure", "learn: this indicator alone; default: those limited now", &measures_},
             {"--serials", "learn: file of good serials, one a line; default: all that passed",
              &serials_},
             {"--content", "learn: share of good units within; default: 0.999", &content_},
