@@ -1,20 +1,25 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
 #include "bench/commands/commands.hpp"
 #include "bench/fault_lines.hpp"
+#include "bench/find_plan.hpp"
 #include "bench/limits_effect.hpp"
+#include "bench/limits_learning.hpp"
 #include "bench/limits_versions.hpp"
 #include "bench/progress_bar.hpp"
 #include "bench/results/run_filter.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/text_file.hpp"
 #include "hal/did_you_mean.hpp"
+#include "hal/types/measure.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -28,6 +33,7 @@ class LimitsCommand final : public Command {
   std::string examples() const override {
     return "  rvbench limits list\n"
            "  rvbench limits propose --from limits.json --by \"J. Weber\"\n"
+           "  rvbench limits learn 2026-11 --plan quick --by \"J. Weber\"      from good units\n"
            "  rvbench limits effect 2026-11               which past verdicts would change\n"
            "  rvbench limits approve 2026-11 --by \"A. Sato\" --yes\n"
            "  rvbench limits activate 2026-11 --by \"A. Sato\"\n"
@@ -35,19 +41,29 @@ class LimitsCommand final : public Command {
            "rvbench run takes a version in place of the limits of its plan.\n";
   }
   std::vector<Option> options() override {
-    return {
-        {"STEP", "what to do", &step_, true, {"list", "propose", "effect", "approve", "activate"}},
-        {"VERSION", "version of the limits", &version_},
-        {"--from", "limits file to propose", &from_},
-        {"--by", "who proposes, approves or activates", &by_},
-        {"--yes", "approve, the effect having been seen", &yes_},
-        {"--out", "folder of run folders; default: " + out_, &out_}};
+    return {{"STEP",
+             "what to do",
+             &step_,
+             true,
+             {"list", "propose", "learn", "effect", "approve", "activate"}},
+            {"VERSION", "version of the limits", &version_},
+            {"--from", "limits file to propose", &from_},
+            {"--plan", "learn: plan whose runs teach", &plan_},
+            {"--measure", "learn: this indicator alone; default: those limited now", &measures_},
+            {"--serials", "learn: file of good serials, one a line; default: all that passed",
+             &serials_},
+            {"--content", "learn: share of good units within; default: 0.999", &content_},
+            {"--confidence", "learn: of it; default: 0.95", &confidence_},
+            {"--by", "who proposes, approves or activates", &by_},
+            {"--yes", "approve, the effect having been seen", &yes_},
+            {"--out", "folder of run folders; default: " + out_, &out_}};
   }
 
   int run(Console& console) override {
     if (step_ == "list") return list(console);
     if (step_ == "propose") return propose(console);
     if (version_.empty()) return refuse_usage(console, "limits: which VERSION?");
+    if (step_ == "learn") return learn(console);
     const std::filesystem::path path = limits_path(out_, version_);
     if (!is_limits_version(version_) || !std::filesystem::exists(path)) {
       return refuse_usage(console, "limits: no version " + hal::in_quotes(version_) + " in " +
@@ -64,6 +80,7 @@ class LimitsCommand final : public Command {
   std::vector<std::string> names() const;
   int list(Console& console) const;
   int propose(Console& console) const;
+  int learn(Console& console) const;
   int approve(Console& console, LimitsFile file) const;
   int activate(Console& console, LimitsFile file) const;
   int record(Console& console, LimitsFile file, const std::string& step) const;
@@ -73,6 +90,10 @@ class LimitsCommand final : public Command {
   std::string version_;
   std::string from_;
   std::string by_;
+  std::string plan_;
+  std::vector<std::string> measures_;
+  std::string serials_;
+  std::optional<double> content_, confidence_;
   std::string out_ = "runs";
   bool yes_ = false;
 };
@@ -113,6 +134,55 @@ int LimitsCommand::propose(Console& console) const {
   }
   file.steps.clear();  // whatever was done with it elsewhere
   return record(console, std::move(file), "proposed");
+}
+
+int LimitsCommand::learn(Console& console) const {
+  if (plan_.empty()) return refuse_usage(console, "limits: learn from runs of which plan? --plan");
+  if (by_.empty()) return refuse_usage(console, "limits: by whom? give --by NAME");
+  if (!is_limits_version(version_) || std::filesystem::exists(limits_path(out_, version_))) {
+    return refuse_usage(console, "limits: " + hal::in_quotes(version_) +
+                                     " is there already, or no name of a version");
+  }
+  for (const std::string& measure : measures_) {
+    if (find_measure(measure) == nullptr) return refuse_measure(console, "limits", measure);
+  }
+  LearningTask task{version_, "", {}, measures_, {}, {}};
+  task.coverage = {content_.value_or(task.coverage.content),
+                   confidence_.value_or(task.coverage.confidence)};
+  for (const double share : {task.coverage.content, task.coverage.confidence}) {
+    if (share > 0.5 && share < 1) continue;
+    return refuse_usage(console, "limits: --content and --confidence lie between 0.5 and 1");
+  }
+  auto plan = find_plan(plan_);
+  if (plan.index() == 1) return refuse_file(console, plan_, std::get<1>(plan));
+  task.plan = std::get<0>(plan).name;
+  task.in_force = std::get<0>(plan).limits;
+  auto active = active_limits(out_, task.plan);
+  if (active.index() == 1) return refuse_usage(console, "limits: " + std::get<1>(active));
+  if (auto& limits = std::get<0>(active)) task.in_force = std::move(limits->limits);
+  if (!serials_.empty()) {
+    const auto text = read_file(serials_);
+    if (!text) return refuse_usage(console, "limits: --serials " + serials_ + " cannot be read");
+    std::istringstream lines(*text);
+    for (std::string line; std::getline(lines, line);) {
+      if (line.ends_with('\r')) line.pop_back();
+      if (!line.empty()) task.serials.insert(line);
+    }
+    if (task.serials.empty()) return refuse_usage(console, "limits: no serial in " + serials_);
+  }
+  auto opened = ResultDatabase::open(out_);
+  if (!opened) return refuse_data(console, "limits: " + describe(opened.error()));
+  ResultDatabase database = std::move(opened).value();
+  const auto caught_up = database.catch_up();
+  if (!caught_up) return refuse_data(console, "limits: " + describe(caught_up.error()));
+  auto learnt = learn_limits(database, task, utc_now());
+  if (!learnt) return refuse_data(console, "limits: " + describe(learnt.error()));
+  console.out << learnt_text(learnt.value());
+  const auto is_new = [](const LearntLimit& one) { return one.proposal.refusal.empty(); };
+  if (std::ranges::none_of(learnt.value().learnt, is_new)) {
+    return refuse_data(console, "limits: nothing could be learnt, so there is no draft");
+  }
+  return record(console, std::move(learnt).value().file, "proposed");
 }
 
 int LimitsCommand::approve(Console& console, LimitsFile file) const {

@@ -87,8 +87,18 @@ HttpAnswer StationApi::limits(const Call& call) {
   return {.body = answer.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"};
 }
 
+// Of a limits file, or, where a plan is named, learnt from its good units.
 HttpAnswer StationApi::propose_limits(const Call& call) {
+  const std::string plan = text_at(call.body, "plan");
+  const std::string version = text_at(call.body, "version");
+  const bool learns = !call.body.contains("limits") && !plan.empty();
+  if (learns && !is_word(plan)) return refusal(400, "plan");
+  if (learns && !is_word(version)) return refusal(400, "version");
   return logged(call, "limits propose", [&] {
+    if (learns) {
+      return ask({"limits", "learn", version, "--plan=" + plan, "--by=" + call.session.user,
+                  "--out=" + station_.file().runs.string()});
+    }
     std::vector<std::string> words{"limits", "propose", "--by=" + call.session.user,
                                    "--out=" + station_.file().runs.string()};
     if (call.body.contains("limits")) {  // a limits file, from somebody who has one

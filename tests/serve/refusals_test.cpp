@@ -128,4 +128,18 @@ TEST_CASE("a station refuses who is not logged in, asks from elsewhere, or asks 
   }
 }
 
+TEST_CASE("limits are learnt through the station, or refused with the reason", "[spec][serve]") {
+  const ScratchFolder scratch;
+  std::filesystem::create_directory(scratch.path() / "runs");
+  ServedStation station(scratch, R"("plan": "quick")");
+  REQUIRE(station.log_in("anna").status == 200);
+  const HttpReply none =
+      station.post("/api/limits/propose", R"({"version": "v1", "plan": "quick"})");
+  CHECK(none.status == 422);
+  CHECK_THAT(none.body, Contains("nothing could be learnt"));
+  CHECK(word_of(station.post("/api/limits/propose", R"({"plan": "quick"})")) == "400 version");
+  CHECK(word_of(station.post("/api/limits/propose", R"({"version": "v1", "plan": "--yes"})")) ==
+        "400 plan");
+}
+
 }  // namespace rvbench

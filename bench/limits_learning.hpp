@@ -1,0 +1,49 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "analysis/station/limit_proposal.hpp"
+#include "bench/limits_file.hpp"
+#include "bench/result_database.hpp"
+
+namespace rvbench::bench {
+
+/// What limits are to be learnt, and from whom.
+struct LearningTask {
+  std::string version, plan;
+  std::vector<sequences::Limit> in_force;  ///< of the plan: what is not learnt stays as it is
+  std::vector<std::string> measures;       ///< to learn; empty: those of in_force
+  std::set<std::string> serials;           ///< good units; empty: all that passed
+  analysis::Coverage coverage;
+};
+
+/// One limit that good units were asked for.
+struct LearntLimit {
+  sequences::Limit limit;              ///< the proposed one, or that in force if there is none
+  double in_force = 0;                 ///< NaN if there is none
+  analysis::LimitProposal proposal;    ///< in the limit's unit
+  std::vector<std::string> set_aside;  ///< serials of good units that are unlike the others
+};
+
+struct LearntLimits {
+  LimitsFile file;                  ///< a draft: what was learnt, and what stays; no steps
+  std::vector<LearntLimit> learnt;  ///< those that were refused, too
+};
+
+/// Learns limits from the newest PASS run of each good unit: of each the worst value over all
+/// points and channels, as a limit is held against it.
+/// @param utc  of now, for the reasons
+/// Units   of the limit in force, else of the measure. Errors  as ResultDatabase; too few units are
+///         a refusal of that limit. @throws std::invalid_argument as propose_limits()
+/// Limits  depths of findings are not learnt: below its limit a depth is mostly noise
+/// Source  analysis::propose_limits()
+Result<LearntLimits> learn_limits(const ResultDatabase& database, const LearningTask& task,
+                                  const std::string& utc);
+
+/// A table, a row each, with what is refused and why.
+std::string learnt_text(const LearntLimits& learnt);
+
+}  // namespace rvbench::bench

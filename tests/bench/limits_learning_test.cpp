@@ -1,0 +1,112 @@
+#include "bench/limits_learning.hpp"
+
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+#include <numeric>
+
+#include "bench/limits_versions.hpp"
+#include "bench/text_file.hpp"
+#include "tests/bench/answers.hpp"
+#include "tests/bench/judgements.hpp"
+#include "tests/support/scratch_folder.hpp"
+#include "tests/support/signals.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+using Catch::Matchers::Contains;
+using rvbench::test::ScratchFolder;
+
+// Peaks of good units in m/s²: 1 g would be ten times as much.
+std::vector<double> good_peaks(int count) {
+  const Eigen::VectorXd x = 1 + 0.1 * rvbench::test::white_noise(count, 4).array();
+  return {x.begin(), x.end()};
+}
+
+void enter(const ScratchFolder& root, const std::vector<double>& peaks_m_s2) {
+  auto opened = ResultDatabase::open(root.path());
+  REQUIRE(opened);
+  ResultDatabase database = std::move(opened).value();
+  for (std::size_t i = 0; i < peaks_m_s2.size(); ++i) {
+    Judgement judgement = test::passed_run();
+    judgement.facts.serial = fmt::format("U{:02}", i);
+    judgement.points[0].examination.channels[0].indicators = {
+        {"acceleration_peak", "", peaks_m_s2[i], "m/s²"}};
+    const auto folder = root / (judgement.facts.serial + "/20260102T030405Z");
+    REQUIRE(database.enter(row_of(root.path(), folder, judgement), judgement));
+  }
+}
+
+test::Answer limits(const ScratchFolder& root, std::vector<std::string> words) {
+  words.insert(words.begin(), "limits");
+  words.insert(words.end(), {"--by", "J. Weber", "--out", root.path().string()});
+  return test::rvbench(words);
+}
+
+double learnt_max_g(const std::vector<double>& peaks_m_s2) {
+  const ScratchFolder root;
+  enter(root, peaks_m_s2);
+  REQUIRE(limits(root, {"learn", "v1", "--plan", "quick"}).code == 0);
+  return std::get<0>(read_limits_file(limits_path(root.path(), "v1"))).limits.at(0).max;
+}
+
+double mean_and_four_sigma(const std::vector<double>& x) {
+  const double mean = std::accumulate(x.begin(), x.end(), 0.0) / double(x.size());
+  double squares = 0;
+  for (const double value : x) squares += (value - mean) * (value - mean);
+  return mean + 4 * std::sqrt(squares / double(x.size() - 1));
+}
+
+}  // namespace
+
+TEST_CASE("three noisy units among fifty do not widen what is learnt", "[bench][limits]") {
+  const std::vector<double> good = good_peaks(50);
+  std::vector<double> trapped = good;
+  for (const std::size_t i : {7U, 23U, 41U}) trapped[i] = 2;
+  const double clean_g = learnt_max_g(good), trapped_g = learnt_max_g(trapped);
+  CHECK(clean_g > 1.3 / 9.80665);
+  CHECK(clean_g < 1.7 / 9.80665);
+  CHECK(std::abs(trapped_g / clean_g - 1) < 0.1);
+  CHECK(mean_and_four_sigma(trapped) > 1.1 * mean_and_four_sigma(good));
+}
+
+TEST_CASE("what is learnt is a draft that says where it comes from", "[bench][limits]") {
+  const ScratchFolder root;
+  std::vector<double> peaks = good_peaks(50);
+  peaks[7] = 2;
+  enter(root, peaks);
+  const test::Answer learnt = limits(root, {"learn", "v1", "--plan", "quick"});
+  CHECK(learnt.code == 0);
+  CHECK_THAT(learnt.out, Contains("acceleration_peak: max ") && Contains("in force 1 g") &&
+                             Contains("of 50 units") && Contains("set aside") && Contains("U07") &&
+                             Contains("2.0 % of 50 judged runs would change"));
+  const auto file = std::get<0>(read_limits_file(limits_path(root.path(), "v1")));
+  CHECK(status_of(file) == "draft");
+  CHECK_THAT(file.limits.at(0).why, Contains("robust sigma of 50 good units"));
+  CHECK(limits(root, {"learn", "v1", "--plan", "quick"}).code == 2);
+  CHECK(limits(root, {"approve", "v1", "--yes"}).code == 0);
+  CHECK(limits(root, {"activate", "v1"}).code == 0);
+  CHECK(std::get<0>(active_limits(root.path(), "quick"))->version == "v1");
+}
+
+TEST_CASE("from too few units, or none, no draft is made", "[bench][limits]") {
+  const ScratchFolder root;
+  CHECK(limits(root, {"learn", "v1", "--plan", "quick"}).code == 20);
+  enter(root, good_peaks(19));
+  const test::Answer few = limits(root, {"learn", "v1", "--plan", "quick"});
+  CHECK(few.code == 20);
+  CHECK_THAT(few.out, Contains("19 units, and a limit takes 20"));
+  CHECK_FALSE(std::filesystem::exists(limits_path(root.path(), "v1")));
+  CHECK(limits(root, {"learn", "v1"}).code == 2);
+  CHECK_THAT(limits(root, {"learn", "v1", "--plan", "quick", "--measure", "kurtosi"}).err,
+             Contains("kurtosis"));
+  enter(root, good_peaks(25));
+  write_file(root / "good.txt", "U01\nU02\n");
+  CHECK_THAT(
+      limits(root, {"learn", "v1", "--plan", "quick", "--serials", (root / "good.txt").string()})
+          .out,
+      Contains("2 units, and a limit takes 20"));
+}
+
+}  // namespace rvbench::bench
