@@ -8,7 +8,8 @@ namespace rvbench::bench {
 namespace {
 
 constexpr std::array<std::pair<const char*, const char*>, 10> key_of_kind = {
-    {{"station", "station"},  // which names plan and rig
+    {{"broker", "host"},
+     {"station", "station"},  // which names plan and rig
      {"plan", "main"},
      {"rig", "rig"},
      {"rig", "preset"},  // of a simulated one, which need not say so
@@ -16,8 +17,7 @@ constexpr std::array<std::pair<const char*, const char*>, 10> key_of_kind = {
      {"plant", "plant"},
      {"campaign", "campaign"},
      {"tpa", "tpa"},
-     {"limits", "limits_version"},
-     {"broker", "host"}}};
+     {"limits", "limits_version"}}};
 
 }  // namespace
 

@@ -25,10 +25,11 @@ std::string topic_fault(const std::string& topic) {
 }
 
 std::string read_station(hal::ConfigReader& root) {
-  std::string station = root.text("station", host_name());
+  std::string station = root.text("station_name", host_name());
   const bool is_level = !station.empty() && station.find('/') == std::string::npos;
   if (!is_level || !topic_fault(station).empty()) {
-    root.fault("station", "must be one level of a topic: not empty, without / + # and a first $");
+    root.fault("station_name",
+               "must be one level of a topic: not empty, without / + # and a first $");
   }
   return station;
 }

@@ -42,7 +42,7 @@ void write_password(const ScratchFolder& folder, const std::string& text, bool f
 
 TEST_CASE("a broker file needs a host, the rest has defaults", "[factory][broker]") {
   const ScratchFolder folder;
-  const Broker broker = good(written(folder, R"({"host": "::1", "station": "b3"})"));
+  const Broker broker = good(written(folder, R"({"host": "::1", "station_name": "b3"})"));
   CHECK(broker.port == 1883);
   CHECK(broker.ca.empty());
   CHECK(broker.qos == 1);
@@ -72,7 +72,7 @@ TEST_CASE("every fault of a broker file is told at once, with its line", "[facto
   "port": 70000,
   "qos": 0,
   "topic": "rvbench/+/result",
-  "station": "a/b",
+  "station_name": "a/b",
   "tls": {"ca": "none.pem"},
   "password_file": "none",
   "keepalive_s": 3
@@ -82,7 +82,7 @@ TEST_CASE("every fault of a broker file is told at once, with its line", "[facto
   CHECK_THAT(faults, Contains("mqtt.json:2: /port: 70000 is above 65535"));
   CHECK_THAT(faults, Contains("mqtt.json:3: /qos: 0 is below 1"));
   CHECK_THAT(faults, Contains("mqtt.json:4: /topic: must not hold the wildcards"));
-  CHECK_THAT(faults, Contains("mqtt.json:5: /station: must be one level"));
+  CHECK_THAT(faults, Contains("mqtt.json:5: /station_name: must be one level"));
   CHECK_THAT(faults, Contains("mqtt.json:6: /tls/ca: ") && Contains("none.pem\" is no file"));
   CHECK_THAT(faults, Contains("mqtt.json:7: /password_file: needs a \"user\""));
   CHECK_THAT(faults, Contains("/keepalive_s: unknown key, did you mean \"keep_alive_s\"?"));

@@ -23,7 +23,7 @@ std::filesystem::path judged_run(const std::filesystem::path& root, bench::Judge
 
 std::string broker_file(const std::filesystem::path& folder, int port, const std::string& more) {
   const std::filesystem::path file = folder / "mqtt.json";
-  bench::write_file(file, R"({"host": "127.0.0.1", "station": "b3", "port": )" +
+  bench::write_file(file, R"({"host": "127.0.0.1", "station_name": "b3", "port": )" +
                               std::to_string(port) + more + "}");
   return file.string();
 }
