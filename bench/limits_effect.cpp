@@ -63,4 +63,15 @@ std::string effect_text(const LimitsEffect& effect) {
   return text;
 }
 
+nlohmann::ordered_json effect_json(const LimitsEffect& effect) {
+  auto changes = nlohmann::ordered_json::array();
+  for (const VerdictChange& change : effect.changes) {
+    changes.push_back({{"folder", change.run.folder},
+                       {"was", change.run.verdict},
+                       {"would_be", change.verdict},
+                       {"reason", change.reason}});
+  }
+  return {{"runs", effect.runs}, {"left_out", effect.left_out}, {"changes", changes}};
+}
+
 }  // namespace rvbench::bench

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -35,5 +36,8 @@ LimitsEffect effect_of(const LimitsFile& limits, const std::filesystem::path& ro
 
 /// "3 of 120 verdicts would change: 2 PASS to FAIL, 1 FAIL to PASS", and a line each.
 std::string effect_text(const LimitsEffect& effect);
+
+/// {"runs", "left_out", "changes": [{"folder", "was", "would_be", "reason"}]}, numbers of runs.
+nlohmann::ordered_json effect_json(const LimitsEffect& effect);
 
 }  // namespace rvbench::bench

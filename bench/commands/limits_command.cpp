@@ -35,6 +35,7 @@ class LimitsCommand final : public Command {
            "  rvbench limits propose --from limits.json --by \"J. Weber\"\n"
            "  rvbench limits learn 2026-11 --plan quick --by \"J. Weber\"      from good units\n"
            "  rvbench limits effect 2026-11               which past verdicts would change\n"
+           "  rvbench limits effect 2026-11 --json | jq .effect.changes\n"
            "  rvbench limits approve 2026-11 --by \"A. Sato\" --yes\n"
            "  rvbench limits activate 2026-11 --by \"A. Sato\"\n"
            "Without --yes, approve shows the effect and approves nothing. From its activation on,\n"
@@ -56,10 +57,14 @@ class LimitsCommand final : public Command {
             {"--confidence", "learn: of it; default: 0.95", &confidence_},
             {"--by", "who proposes, approves or activates", &by_},
             {"--yes", "approve, the effect having been seen", &yes_},
-            {"--out", "folder of run folders; default: " + out_, &out_}};
+            {"--out", "folder of run folders; default: " + out_, &out_},
+            {"--json", "list, effect: one JSON document on standard output", &json_}};
   }
 
   int run(Console& console) override {
+    if (json_ && step_ != "list" && step_ != "effect") {
+      return refuse_usage(console, "limits: --json is for list and effect");
+    }
     if (step_ == "list") return list(console);
     if (step_ == "propose") return propose(console);
     if (version_.empty()) return refuse_usage(console, "limits: which VERSION?");
@@ -96,7 +101,12 @@ class LimitsCommand final : public Command {
   std::optional<double> content_, confidence_;
   std::string out_ = "runs";
   bool yes_ = false;
+  bool json_ = false;
 };
+
+void print(Console& console, const nlohmann::ordered_json& json) {
+  console.out << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+}
 
 std::vector<std::string> LimitsCommand::names() const {
   std::vector<std::string> names;
@@ -106,6 +116,15 @@ std::vector<std::string> LimitsCommand::names() const {
 
 int LimitsCommand::list(Console& console) const {
   const std::vector<LimitsFile> versions = limits_versions(out_);
+  if (json_) {
+    auto told = nlohmann::ordered_json::array();
+    for (const LimitsFile& file : versions) {
+      told.push_back(nlohmann::ordered_json::parse(limits_file_to_json(file)));
+      told.back()["status"] = status_of(file);
+    }
+    print(console, {{"versions", told}});
+    return exit_codes::done;
+  }
   for (const LimitsFile& file : versions) {
     console.out << fmt::format("{}  {}, plan {}, {} limits\n", file.version, status_of(file),
                                file.plan, file.limits.size());
@@ -217,11 +236,15 @@ int LimitsCommand::show_effect(Console& console, const LimitsFile& file) const {
   if (!caught_up) return refuse_data(console, "limits: " + describe(caught_up.error()));
   const auto runs = database.runs();
   if (!runs) return refuse_data(console, "limits: " + describe(runs.error()));
-  ProgressBar bar(console, progress_style(console, false));
+  ProgressBar bar(console, progress_style(console, json_));
   const LimitsEffect effect = effect_of(
       file, out_, runs.value(), [&](double share) { bar.show("effect", share, file.version); });
   bar.clear();
-  console.out << effect_text(effect);
+  if (json_) {
+    print(console, {{"effect", effect_json(effect)}});
+  } else {
+    console.out << effect_text(effect);
+  }
   return exit_codes::done;
 }
 

@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <system_error>
 #include <vector>
 
 #include "bench/serve/station_api.hpp"
@@ -19,32 +17,6 @@ std::string text_at(const nlohmann::json& json, const char* key) {
 bool is_word(const std::string& text) {
   return !text.empty() && text.size() <= 200 && text.front() != '-' &&
          text.find("..") == std::string::npos && text.front() != '/';
-}
-
-// What has been done with a version last.
-std::string status_of(const nlohmann::json& version) {
-  const auto steps = version.find("steps");
-  if (steps == version.end() || !steps->is_array() || steps->empty()) return "draft";
-  const std::string last = steps->back().is_object() ? text_at(steps->back(), "step") : "";
-  return last == "approved" || last == "activated" ? last : "draft";
-}
-
-nlohmann::json versions_in(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
-  std::error_code none;
-  using Entries = std::filesystem::directory_iterator;
-  for (Entries entry(folder, none), end; !none && entry != end; entry.increment(none)) {
-    if (entry->path().extension() == ".json") files.push_back(entry->path());
-  }
-  std::ranges::sort(files);
-  auto versions = nlohmann::json::array();
-  for (const auto& file : files) {
-    auto version = nlohmann::json::parse(read_file(file).value_or(""), nullptr, false);
-    if (!version.is_object()) continue;
-    version["status"] = status_of(version);
-    versions.push_back(std::move(version));
-  }
-  return versions;
 }
 
 }  // namespace
@@ -76,15 +48,14 @@ HttpAnswer StationApi::rejudge(const Call& call) {
   });
 }
 
-// All versions as their files say, or what one of them would change.
+// All versions, or what one of them would change.
 HttpAnswer StationApi::limits(const Call& call) {
   const std::string version = call.request.parameter("version");
   if (!version.empty()) {
     if (!is_word(version)) return refusal(400, "version");
     return ask({"limits", "effect", version, "--json", "--out=" + station_.file().runs.string()});
   }
-  const nlohmann::json answer{{"versions", versions_in(station_.file().runs / "limits")}};
-  return {.body = answer.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"};
+  return ask({"limits", "list", "--json", "--out=" + station_.file().runs.string()});
 }
 
 // Of a limits file, or, where a plan is named, learnt from its good units.

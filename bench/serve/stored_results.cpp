@@ -36,6 +36,9 @@ std::string run_of(const std::string& serial, const std::string& time) {
   return is_plain_name(serial) && is_plain_name(time) ? serial + "/" + time : "";
 }
 
+// An exit code that tells how a judgement ended, FAIL (10) to not qualified (60).
+bool is_verdict(int code) { return code >= 10 && code <= 60; }
+
 // "--serial=A17" of what the query holds.
 void add_options(std::vector<std::string>& words, const HttpRequest& request,
                  const std::vector<std::string>& names) {
@@ -69,12 +72,14 @@ HttpAnswer StationApi::run_file(const HttpRequest& request) const {
   return answer;
 }
 
-// What rvbench's other commands answer, as they say it.
+// What rvbench's other commands answer, as they say it. A unit that fails is an answer as well:
+// only what comes without the document that was asked for is a refusal.
 HttpAnswer StationApi::ask(std::vector<std::string> words) const {
   words.insert(words.begin(), program_);
   const ProgramAnswer answer = ask_program(words);
   if (answer.code < 0) return refusal(504, "no_answer");
-  if (answer.code == 0 && nlohmann::json::accept(answer.out)) return {.body = answer.out};
+  const bool is_answer = answer.code == 0 || is_verdict(answer.code);
+  if (is_answer && nlohmann::json::accept(answer.out)) return {.body = answer.out};
   if (answer.code == 0) {
     const nlohmann::json said{{"text", answer.out}};
     return {.body = said.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"};

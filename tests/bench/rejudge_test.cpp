@@ -120,6 +120,7 @@ TEST_CASE("limits go from draft to approved to active, their effect being shown 
     return rvbench(words);
   };
   CHECK_THAT(limits({"list"}).out, Contains("no limits in "));
+  CHECK(nlohmann::json::parse(limits({"list", "--json"}).out).at("versions").empty());
   write_file(from, limits_text("v1", "0.0001"));
   CHECK(limits({"propose", "--from", from}).code == 2);  // nobody's
   CHECK(limits({"propose", "--from", from, "--by", "J. Weber"}).code == 0);
@@ -134,12 +135,28 @@ TEST_CASE("limits go from draft to approved to active, their effect being shown 
   CHECK_THAT(shown.out, Contains("1 of 1 verdicts would change: 1 PASS to FAIL") &&
                             Contains("A17") && Contains("nothing is approved yet"));
   CHECK_THAT(limits({"list"}).out, Contains("v1  draft"));
+  const auto effect = nlohmann::json::parse(limits({"effect", "v1", "--json"}).out).at("effect");
+  CHECK(effect.at("runs") == 1);
+  CHECK(effect.at("left_out") == 0);
+  REQUIRE(effect.at("changes").size() == 1);
+  CHECK_THAT(effect.at("changes")[0].at("folder").get<std::string>(), Contains("A17/"));
+  CHECK(effect.at("changes")[0].at("was") == "PASS");
+  CHECK(effect.at("changes")[0].at("would_be") == "FAIL");
+  CHECK_THAT(effect.at("changes")[0].at("reason").get<std::string>(),
+             Contains("acceleration_peak"));
+  CHECK_THAT(limits({"approve", "v1", "--by", "A. Sato", "--json"}).err,
+             Contains("--json is for list and effect"));
   CHECK(limits({"approve", "v1", "--by", "A. Sato", "--yes"}).code == 0);
   CHECK(active_limits(runs, "quick").index() == 0);
   CHECK_FALSE(std::get<0>(active_limits(runs, "quick")));
   CHECK(limits({"activate", "v1", "--by", "A. Sato"}).code == 0);
   CHECK_THAT(limits({"list"}).out,
              Contains("v1  activated, plan quick, 1 limits") && Contains("approved by A. Sato"));
+  const auto listed = nlohmann::json::parse(limits({"list", "--json"}).out).at("versions").at(0);
+  CHECK(listed.at("limits_version") == "v1");
+  CHECK(listed.at("status") == "activated");
+  CHECK(listed.at("steps").size() == 3);
+  CHECK(listed.at("limits").at(0).at("max") == 0.0001);
   CHECK(std::get<0>(active_limits(runs, "quick"))->version == "v1");
   CHECK_FALSE(std::get<0>(active_limits(runs, "other")));
   CHECK_THAT(limits({"effect", "v2"}).err, Contains("no version \"v2\"") && Contains("v1"));

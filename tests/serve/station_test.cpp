@@ -47,6 +47,10 @@ nlohmann::json state_of(ServedStation& station) {
   return last_event(test::received(socket, tells("event: heartbeat")), "snapshot").at("state");
 }
 
+const std::string strict_limits =
+    R"({"limits_version": "strict", "plan": "quick", "limits": [
+        {"measure": "acceleration_peak", "unit": "g", "max": 0.0001, "why": "a test"}]})";
+
 }  // namespace
 
 TEST_CASE("a unit goes through the station: scan, start, watch, verdict, report, history",
@@ -102,15 +106,32 @@ TEST_CASE("a unit goes through the station: scan, start, watch, verdict, report,
   CHECK(history.at("runs").at(0).at("folder") == run);
   CHECK(json_of(station.get("/api/history?serial=A18")).at("runs").empty());
 
+  // Limits that no unit keeps to: what they would do is told, and a re-judgement that ends FAIL is
+  // an answer.
+  REQUIRE(station.log_in("anna").status == 200);
   CHECK(json_of(station.get("/api/limits")).at("versions").empty());
-  std::filesystem::create_directory(scratch.path() / "runs" / "limits");
-  bench::write_file(scratch.path() / "runs" / "limits" / "2026-11.json",
-                    R"({"limits_version": "2026-11", "limits": [],
-                        "steps": [{"step": "proposed"}, {"step": "approved"}]})");
-  const auto versions = json_of(station.get("/api/limits")).at("versions");
-  REQUIRE(versions.size() == 1);
-  CHECK(versions[0].at("limits_version") == "2026-11");
-  CHECK(versions[0].at("status") == "approved");
+  CHECK(station.post("/api/limits/propose", R"({"limits": )" + strict_limits + "}").status == 200);
+  const auto draft = json_of(station.get("/api/limits")).at("versions").at(0);
+  CHECK(draft.at("status") == "draft");
+  CHECK(draft.at("steps")[0].at("by") == "anna");
+  const auto effect = json_of(station.get("/api/limits?version=strict")).at("effect");
+  CHECK(effect.at("runs") == 1);
+  CHECK(effect.at("changes").at(0).at("folder") == run);
+  CHECK(effect.at("changes")[0].at("would_be") == "FAIL");
+  const HttpReply unknown = station.get("/api/limits?version=lax");
+  CHECK(unknown.status == 422);
+  CHECK_THAT(unknown.body, Contains("no version"));
+  CHECK(station.post("/api/limits/activate", R"({"version": "strict"})").status == 422);
+  CHECK(station.post("/api/limits/approve", R"({"version": "strict"})").status == 200);
+  const std::string again_by_strict = R"({"run": ")" + run + R"(", "limits": "strict"})";
+  const HttpReply rejudged = station.post("/api/rejudge", again_by_strict);
+  CHECK(rejudged.status == 200);
+  const auto judgements = json_of(rejudged).at("runs").at(0);
+  CHECK(judgements.at("as_judged").at("verdict") == "PASS");
+  CHECK(judgements.at("rejudged").at("verdict") == "FAIL");
+  CHECK(station.post("/api/rejudge", R"({"run": "A17/none"})").status == 422);
+  CHECK(json_of(station.get("/api/trend?indicator=acceleration_peak")).at("values").size() > 0);
+  REQUIRE(station.log_in("otto").status == 200);
 
   // The same unit again is asked about, and the next one is not.
   const auto again = json_of(station.post("/api/scan", R"({"text":"A17"})"));
