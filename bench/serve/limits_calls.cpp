@@ -7,6 +7,10 @@
 namespace rvbench::bench {
 namespace {
 
+// All recordings of a run are worked through again, or the results of all runs; others measure
+// meanwhile.
+constexpr double longest_judging_s = 600;
+
 std::string text_at(const nlohmann::json& json, const char* key) {
   const auto found = json.find(key);
   if (found != json.end() && found->is_number_integer()) return found->dump();
@@ -44,7 +48,7 @@ HttpAnswer StationApi::rejudge(const Call& call) {
       const auto file = station_.file().runs / "limits" / (version + ".json");
       words.push_back("--limits=" + file.string());
     }
-    return ask(std::move(words));
+    return ask(std::move(words), longest_judging_s);
   });
 }
 
@@ -53,31 +57,30 @@ HttpAnswer StationApi::limits(const Call& call) {
   const std::string version = call.request.parameter("version");
   if (!version.empty()) {
     if (!is_word(version)) return refusal(400, "version");
-    return ask({"limits", "effect", version, "--json", "--out=" + station_.file().runs.string()});
+    return ask({"limits", "effect", version, "--json", "--out=" + station_.file().runs.string()},
+               longest_judging_s);
   }
   return ask({"limits", "list", "--json", "--out=" + station_.file().runs.string()});
 }
 
-// Of a limits file, or, where a plan is named, learnt from its good units.
+// Of a limits file, or learnt from the good units of a plan: the station's where none is named.
 HttpAnswer StationApi::propose_limits(const Call& call) {
-  const std::string plan = text_at(call.body, "plan");
+  const std::string named = text_at(call.body, "plan");
+  const std::string plan = named.empty() ? station_.file().plan : named;
   const std::string version = text_at(call.body, "version");
-  const bool learns = !call.body.contains("limits") && !plan.empty();
-  if (learns && !is_word(plan)) return refusal(400, "plan");
+  const bool learns = !call.body.contains("limits");
+  if (learns && !named.empty() && !is_word(named)) return refusal(400, "plan");
   if (learns && !is_word(version)) return refusal(400, "version");
   return logged(call, "limits propose", [&] {
     if (learns) {
       return ask({"limits", "learn", version, "--plan=" + plan, "--by=" + call.session.user,
-                  "--out=" + station_.file().runs.string()});
+                  "--out=" + station_.file().runs.string()},
+                 longest_judging_s);
     }
-    std::vector<std::string> words{"limits", "propose", "--by=" + call.session.user,
-                                   "--out=" + station_.file().runs.string()};
-    if (call.body.contains("limits")) {  // a limits file, from somebody who has one
-      const auto file = Station::keep_of(station_.file().runs) / "proposed.json";
-      write_file(file, call.body["limits"].dump() + "\n");
-      words.push_back("--from=" + file.string());
-    }
-    return ask(std::move(words));
+    const auto file = Station::keep_of(station_.file().runs) / "proposed.json";
+    write_file(file, call.body["limits"].dump() + "\n");
+    return ask({"limits", "propose", "--from=" + file.string(), "--by=" + call.session.user,
+                "--out=" + station_.file().runs.string()});
   });
 }
 

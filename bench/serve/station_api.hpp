@@ -66,7 +66,7 @@ class StationApi {
                     const std::function<HttpAnswer()>& act);
   bool log(const HttpRequest& request, const std::string& user, const std::string& action,
            const std::string& detail);
-  HttpAnswer ask(std::vector<std::string> words) const;
+  HttpAnswer ask(std::vector<std::string> words, double longest_s = 20) const;
   StationViewer viewer(const Call& call) const;
 
   Station& station_;

@@ -74,9 +74,9 @@ HttpAnswer StationApi::run_file(const HttpRequest& request) const {
 
 // What rvbench's other commands answer, as they say it. A unit that fails is an answer as well:
 // only what comes without the document that was asked for is a refusal.
-HttpAnswer StationApi::ask(std::vector<std::string> words) const {
+HttpAnswer StationApi::ask(std::vector<std::string> words, double longest_s) const {
   words.insert(words.begin(), program_);
-  const ProgramAnswer answer = ask_program(words);
+  const ProgramAnswer answer = ask_program(words, longest_s);
   if (answer.code < 0) return refusal(504, "no_answer");
   const bool is_answer = answer.code == 0 || is_verdict(answer.code);
   if (is_answer && nlohmann::json::accept(answer.out)) return {.body = answer.out};

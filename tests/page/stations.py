@@ -46,22 +46,28 @@ class FakeStation:
 
 
 class RealStation:
-    """rvbench serve with plan quick on the simulated bench."""
+    """rvbench serve with plan quick on the simulated bench; killed and started anew, it keeps its port."""
 
     def __init__(self, options):
+        self.program = options.program
         self.folder = tempfile.TemporaryDirectory()
-        made = subprocess.run([options.program, "serve", "--make-token", "enzo", "--role", "engineer"],
-                              capture_output=True, text=True, check=True).stdout
+        self.path = pathlib.Path(self.folder.name)
+        made = self.ask("serve", "--make-token", "enzo", "--role", "engineer")
         self.token, entry = token_and_entry(made)
-        file = pathlib.Path(self.folder.name) / "station.json"
-        file.write_text(json.dumps({"station": "Line 2", "plan": "quick", "rig": "sim",
-                                    "serial": {"masks": ["A##"]}, "users": [entry]}))
+        (self.path / "station.json").write_text(json.dumps(
+            {"station": "Line 2", "plan": "quick", "rig": "sim", "serial": {"masks": ["A##"]}, "users": [entry]}))
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
-            port = free.getsockname()[1]
-        self.process = subprocess.Popen([options.program, "serve", "--station", file, "--port", str(port)],
-                                        stderr=subprocess.DEVNULL)
-        self.url = f"http://127.0.0.1:{port}/"
+            self.port = free.getsockname()[1]
+        self.url = f"http://127.0.0.1:{self.port}/"
+        self.start()
+
+    def ask(self, *words):
+        return subprocess.run([self.program, *words], capture_output=True, text=True, check=True).stdout
+
+    def start(self):
+        self.process = subprocess.Popen([self.program, "serve", "--station", self.path / "station.json",
+                                         "--port", str(self.port)], stderr=subprocess.DEVNULL)
         for _ in range(100):
             try:
                 urllib.request.urlopen(self.url, timeout=1).close()
@@ -69,6 +75,16 @@ class RealStation:
             except OSError:
                 time.sleep(0.05)
         raise AssertionError("rvbench serve does not answer")
+
+    def kill(self):
+        self.process.kill()
+        self.process.wait()
+
+    def propose_strict_limits(self):
+        limits = [{"measure": "acceleration_peak", "unit": "g", "max": 0.0001, "why": "a test"}]
+        file = self.path / "strict.json"
+        file.write_text(json.dumps({"limits_version": "strict", "plan": "quick", "limits": limits}))
+        self.ask("limits", "propose", "--from", file, "--by", "enzo", "--out", self.path / "runs")
 
     def close(self):
         self.process.terminate()

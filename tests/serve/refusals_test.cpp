@@ -137,6 +137,7 @@ TEST_CASE("limits are learnt through the station, or refused with the reason", "
       station.post("/api/limits/propose", R"({"version": "v1", "plan": "quick"})");
   CHECK(none.status == 422);
   CHECK_THAT(none.body, Contains("nothing could be learnt"));
+  CHECK(station.post("/api/limits/propose", R"({"version": "v1"})").body == none.body);
   CHECK(word_of(station.post("/api/limits/propose", R"({"plan": "quick"})")) == "400 version");
   CHECK(word_of(station.post("/api/limits/propose", R"({"version": "v1", "plan": "--yes"})")) ==
         "400 plan");

@@ -24,17 +24,20 @@ async function call(path, options = {}, wait_ms = patience_ms) {
   return answer;
 }
 
-export function ask(path, query = {}) {
+/** Of what works through recordings. */
+export const long_patience_ms = 600000;
+
+export function ask(path, query = {}, wait_ms = patience_ms) {
   const filled = Object.entries(query).filter(([, value]) => value);
-  return call(`/api/${path}${filled.length ? `?${new URLSearchParams(filled)}` : ""}`);
+  return call(`/api/${path}${filled.length ? `?${new URLSearchParams(filled)}` : ""}`, {}, wait_ms);
 }
 
-export function act(path, body = {}) {
+export function act(path, body = {}, wait_ms = patience_ms) {
   return call(`/api/${path}`, {
     method: "POST",
     headers: { "Content-Type": "application/json", "X-CSRF-Token": csrf },
     body: JSON.stringify(body),
-  });
+  }, wait_ms);
 }
 
 /** Who is logged in: {name, role}. */

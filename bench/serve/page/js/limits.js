@@ -1,6 +1,6 @@
 // Versions of limits: proposed, approved by a named engineer, active. What a version would have
 // changed is shown before anybody can approve it.
-import { act, ask } from "./api.js";
+import { act, ask, long_patience_ms } from "./api.js";
 import { chip } from "./chip.js";
 import { by_id, make, tell } from "./dom.js";
 import { last_step, standing_of } from "./limit_versions.js";
@@ -44,7 +44,7 @@ async function effect_in(asked) {
 async function ask_effect() {
   const version = shown;
   await told_by(by_id("version_told"), async () => {
-    version.effect ??= await effect_in(ask("limits", { version: name_of(version) }));
+    version.effect ??= await effect_in(ask("limits", { version: name_of(version) }, long_patience_ms));
     return version.effect ? "" : say("limits.no_effect");
   });
   if (shown === version) show_effect();
@@ -89,7 +89,8 @@ export function begin_limits(of_page) {
   by_id("propose").addEventListener("click", async () => {
     let has_proposed = false;
     await told_by(by_id("limits_told"), async () => {
-      await act("limits/propose");
+      const version = new Date().toISOString().replace(/[-:]|\.\d+/g, "");  // as runs are named
+      await act("limits/propose", { version }, long_patience_ms);
       has_proposed = true;
     });
     if (has_proposed) await show_limits();

@@ -1,5 +1,5 @@
 // Another judgement of a stored run. What was judged then stays.
-import { act, ask } from "./api.js";
+import { act, ask, long_patience_ms } from "./api.js";
 import { by_id, make, tell } from "./dom.js";
 import { told_by } from "./told.js";
 import { say, say_or } from "./words.js";
@@ -29,7 +29,7 @@ export function open_rejudge(which, judged) {
 
 export function begin_rejudge() {
   by_id("rejudge_go").addEventListener("click", () => told_by(by_id("rejudge_told"), async () => {
-    const answer = await act("rejudge", { run: run.folder, limits: by_id("rejudge_limits").value });
+    const answer = await act("rejudge", { run: run.folder, limits: by_id("rejudge_limits").value }, long_patience_ms);
     then();
     const word = (judged) => say_or(`state.${judged?.verdict}`, judged?.verdict ?? "–");
     const { as_judged, rejudged } = answer.runs?.[0] ?? {};
