@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
@@ -85,6 +86,18 @@ TEST_CASE("the service is given options that its command has", "[packaging]") {
     return;
   }
   FAIL("no command " << name);
+}
+
+TEST_CASE("the example of a station file is a station file, its runs where the service may write",
+          "[packaging]") {
+  const Installed installed;
+  const std::string file = "share/doc/rvbench/examples/station.json";
+  const Answer checked = bash(installed / "", "bin/rvbench check " + file);
+  CHECK(checked.err == "");
+  CHECK(checked.code == 0);
+  const auto station = nlohmann::json::parse(installed.text_of(file));
+  CHECK(station.at("runs") == "/var/lib/rvbench/runs");
+  CHECK_THAT(installed.text_of(unit), Contains("\nStateDirectory=rvbench\n"));
 }
 
 TEST_CASE("installing makes a user who cannot log in, and its group", "[packaging]") {
