@@ -155,7 +155,8 @@ class CheckCommand final : public Command {
  public:
   std::string name() const override { return "check"; }
   std::string summary() const override {
-    return "validates plan, rig, kinematics, plant, campaign, tpa, limits, station and broker files, "
+    return "validates plan, rig, kinematics, plant, campaign, tpa, limits, station and broker "
+           "files, "
            "recordings, run folders and audit logs";
   }
   std::string examples() const override {

@@ -7,8 +7,12 @@
 #include <cerrno>
 #include <cstring>
 #include <deque>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <system_error>
 
 #include "bench/run_folder.hpp"
 #include "bench/sha256.hpp"
@@ -126,6 +130,8 @@ std::optional<AuditCheck> check_audit(const std::filesystem::path& file) {
 }
 
 bool is_audit_log(const std::filesystem::path& file) {
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(file, unknown)) return false;  // no pipe is waited for
   std::ifstream in(file);
   std::string line;
   if (!std::getline(in, line)) return false;
