@@ -48,7 +48,7 @@ Extrema mirrored(const Eigen::VectorXd& x) {
 
 }  // namespace
 
-TEST_CASE("extrema lie inside; the end samples are none", "[analysis][emd]") {
+TEST_CASE("extrema lie inside, the end samples are none", "[analysis][emd]") {
   const Extrema found = extrema_of(samples({2, -1, 5, 5.5, 0, 1}));
   CHECK(found.at == List{1, 3, 4});
   CHECK(found.value == List{-1, 5.5, 0});

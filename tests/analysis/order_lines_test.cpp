@@ -75,7 +75,7 @@ TEST_CASE("at a high rate and a low speed nothing is folded onto low orders", "[
   CHECK(spectrum.amplitude.head(upto(7990)).maxCoeff() < 2e-3);
 }
 
-TEST_CASE("a gear that turned thrice has no average; a record without a period no lines",
+TEST_CASE("a gear that turned thrice has no average, a record without a period no lines",
           "[analysis][order]") {
   CHECK(lines_of(turning.tone(4)).average_turn(3.5 / 168).size() == 0);
   CHECK(lines_of(turning.tone(4)).average_turn(4.0 / 168).size() > 0);

@@ -252,7 +252,7 @@ TEST_CASE("a hum of the torque channel looks like a force on the shafts, but for
   }
 }
 
-SCENARIO("what a steadily turning bench lacks is named; a bench that lacks nothing is left alone",
+SCENARIO("what a steadily turning bench lacks is named, a bench that lacks nothing is left alone",
          "[bench][orders]") {
   if (test::too_long_under_sanitizer()) return;
   // Another unit than the drawing, within its tolerances.

@@ -103,7 +103,7 @@ TEST_CASE("a rig file goes before the command line, which fills in what it leave
   CHECK(said.faults[0].fault == "late");
 }
 
-TEST_CASE("how grave a simulated fault is may be said; else the seed draws it", "[bench]") {
+TEST_CASE("how grave a simulated fault is may be said, else the seed draws it", "[bench]") {
   CHECK(sim_of(R"({"rig": "sim", "preset": "cycloid_pin"})").severity == std::nullopt);
   CHECK(sim_of(R"({"rig": "sim"})", {.severity = 0.5}).severity == 0.5);
   CHECK(sim_of(R"({"rig": "sim", "severity": 0.25})", {.severity = 0.5}).severity == 0.25);

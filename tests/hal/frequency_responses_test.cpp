@@ -185,7 +185,7 @@ TEST_CASE("frequencies given one by one are taken if they rise evenly", "[hal][f
   CHECK_THAT(complaint(set.ascii()), Contains("frequencies rise unevenly"));
 }
 
-TEST_CASE("a frequency in rad/s is one in Hz times 2 pi; a time is none", "[hal][formats]") {
+TEST_CASE("a frequency in rad/s is one in Hz times 2 pi, a time is none", "[hal][formats]") {
   Uff58 set = accelerance();
   set.abscissa_unit = "rad/s";
   CHECK(read_one(set.ascii()).first_Hz == Approx(5 / 6.283185307).epsilon(1e-9));

@@ -80,7 +80,7 @@ TEST_CASE("MAT v7.3: arrays lie transposed, the longer side is time", "[hal][for
   CHECK(recording.status == "ok");
 }
 
-TEST_CASE("MAT v7.3: fields of a structure say the rate, too; others are passed over",
+TEST_CASE("MAT v7.3: fields of a structure say the rate, too, others are passed over",
           "[hal][formats]") {
   const ScratchFolder scratch;
   const auto file = Mat73(scratch / "a.mat")

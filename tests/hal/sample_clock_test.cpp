@@ -118,7 +118,7 @@ TEST_CASE("blocks are handed on in one row, however the clock's estimate moves",
   CHECK(end_s == Approx(2.001).margin(0.002));
 }
 
-TEST_CASE("blocks that nobody took are one; too many are an overrun", "[hal][daq]") {
+TEST_CASE("blocks that nobody took are one, too many are an overrun", "[hal][daq]") {
   hal::ScanStream stream(1000, 25);
   stream.push(hal::AccelerationBlock::Scans::Constant(10, 2, 1), 0.01);
   stream.push(hal::AccelerationBlock::Scans::Constant(10, 2, 2), 0.02);

@@ -63,7 +63,7 @@ TEST_CASE("even steps: the rounding of a print is, a lost sample is not", "[hal]
   CHECK_FALSE(even_step(Eigen::VectorXd::Zero(1)));
 }
 
-TEST_CASE("units by other spellings; what is not known is not guessed", "[hal][formats]") {
+TEST_CASE("units by other spellings, what is not known is not guessed", "[hal][formats]") {
   using formats::si_unit;
   using formats::unit_ratio;
   for (const char* spelling : {"m/s^2", "m/s2", "m/s\xB2", "m/s\xC2\xB2", "(m/s^2)", " m/sec^2 "}) {

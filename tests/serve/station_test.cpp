@@ -197,7 +197,7 @@ TEST_CASE("a station that is killed leaves the test running, and finds it again"
   CHECK_THAT(answer.err, Contains("rvbench: serve: ended\n"));
 }
 
-TEST_CASE("SIGTERM ends the page and not the test; a test that is killed is an ERROR",
+TEST_CASE("SIGTERM ends the page and not the test, a test that is killed is an ERROR",
           "[spec][serve][safety]") {
   const ScratchFolder scratch;
   const std::string plan = long_plan(scratch);

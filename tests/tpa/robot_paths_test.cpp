@@ -80,7 +80,7 @@ TEST_CASE("plain inversion invents forces where the matrix is ill-conditioned", 
   CHECK(error("tikhonov_by_evidence") < 1);
 }
 
-TEST_CASE("force histories of the virtual robot are its own; the article's filters lose them",
+TEST_CASE("force histories of the virtual robot are its own, the article's filters lose them",
           "[tpa][robot]") {
   if (test::too_long_under_sanitizer()) return;
   const sim::VirtualRobot robot(robot_of(3));

@@ -106,7 +106,7 @@ TEST_CASE("in noise each method finds a candidate as rarely as stated",
   CHECK(found <= 0.05 * asked + 4 * std::sqrt(0.05 * asked));
 }
 
-TEST_CASE("no candidate, no evidence; one out of range throws", "[analysis][envelope]") {
+TEST_CASE("no candidate, no evidence, one out of range throws", "[analysis][envelope]") {
   const Eigen::VectorXd x = white_noise(4096, 1);
   CHECK(compare_methods(x, rate_Hz, {}).evidence.empty());
   CHECK(std::isnan(compare_methods(x, rate_Hz, {}).share_of_emd()));

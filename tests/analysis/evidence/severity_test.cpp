@@ -26,7 +26,7 @@ Severity severity(const std::vector<SignatureScore>& scores) {
 
 }  // namespace
 
-TEST_CASE("severity is the median depth; without noise or scatter it is certain",
+TEST_CASE("severity is the median depth, without noise or scatter it is certain",
           "[analysis][evidence]") {
   const Severity one = severity({score(0.3)});
   CHECK(one.depth == 0.3);

@@ -36,7 +36,7 @@ TEST_CASE("FM0 counts all harmonics of the mesh, and what rises above them",
   CHECK(*fm0(struck, teeth, 1) == Approx((5 - of_order(teeth).minCoeff()) / line).epsilon(1e-9));
 }
 
-TEST_CASE("a gear without mesh has no FM0; a mesh beyond the record throws",
+TEST_CASE("a gear without mesh has no FM0, a mesh beyond the record throws",
           "[analysis][indicators]") {
   CHECK_FALSE(fm0(Eigen::VectorXd::Zero(samples), teeth, 3));
   CHECK_FALSE(fm0(of_order(5), teeth, 3));
@@ -66,7 +66,7 @@ TEST_CASE("NA4 is FM4 at first, and grows as all teeth get worse, which FM4 does
   CHECK(*na4(residual_moments(sound), nine) == Approx(fm4(sound)));
 }
 
-TEST_CASE("what never swung has no NA4; moments that are none throw", "[analysis][indicators]") {
+TEST_CASE("what never swung has no NA4, moments that are none throw", "[analysis][indicators]") {
   CHECK_FALSE(na4(residual_moments(Eigen::VectorXd::Constant(10, 2)), {0, 0, 0}));
   CHECK_THROWS_AS(residual_moments(Eigen::VectorXd()), std::invalid_argument);
   CHECK_THROWS_AS(na4({1, 3}, {-1}), std::invalid_argument);

@@ -16,7 +16,7 @@ TEST_CASE("a torque that swings by a about T ripples by 2a/T, whichever way it t
   CHECK(*torque_ripple(Eigen::VectorXd::Constant(3, 5)) == 0);
 }
 
-TEST_CASE("no mean torque, no ripple; no torque throws", "[analysis][indicators]") {
+TEST_CASE("no mean torque, no ripple, no torque throws", "[analysis][indicators]") {
   CHECK_FALSE(torque_ripple(Eigen::VectorXd::Zero(10)));
   CHECK_THROWS_AS(torque_ripple(Eigen::VectorXd()), std::invalid_argument);
 }

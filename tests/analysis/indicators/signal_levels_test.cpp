@@ -40,7 +40,7 @@ TEST_CASE("noise has a kurtosis of 3, and its unit scales rms and peak alone",
   CHECK(in_g.kurtosis == Approx(levels.kurtosis));
 }
 
-TEST_CASE("silence has no crest; what is not finite throws", "[analysis][indicators]") {
+TEST_CASE("silence has no crest, what is not finite throws", "[analysis][indicators]") {
   const SignalLevels levels = signal_levels(Eigen::VectorXd::Constant(10, 3));
   CHECK(levels.rms == 0);
   CHECK(levels.crest_factor == 0);

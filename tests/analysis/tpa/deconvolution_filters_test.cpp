@@ -218,7 +218,7 @@ TEST_CASE("filters and structure in series give forces back inside the band, and
   CHECK(identity_errors(linear, h, step_Hz, step_Hz).segment(from, to - from).maxCoeff() > 1);
 }
 
-TEST_CASE("a delay is a delay; what comes too late for the taps is all cut off",
+TEST_CASE("a delay is a delay, what comes too late for the taps is all cut off",
           "[analysis][tpa]") {
   LineMatrices all_pass(1, 2, 33);
   for (Index line = 0; line < 33; ++line) {
