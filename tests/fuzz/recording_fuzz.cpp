@@ -5,8 +5,8 @@
 
 using namespace rvbench;
 
-// A handle that we leave open LeakSanitizer would not see, as the library's tables still lead to it:
-// they are counted instead.
+// A handle that we leave open LeakSanitizer would not see, as the library's tables still lead to
+// it: they are counted instead.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   // HDF5 and MAT are told by their first bytes; the rest is a table.
   static const test::ScratchFile file(".csv");
