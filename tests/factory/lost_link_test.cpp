@@ -39,6 +39,11 @@ struct Unanswered {
     REQUIRE(wait_until([&] { return count_of(root, "sent") == 1; }));
   }
 
+  void kill() {
+    REQUIRE(publisher->send(SIGKILL));
+    publisher->wait();
+  }
+
   const Mosquitto& mosquitto;
   ScratchFolder root, place;
   std::string broker;
@@ -54,8 +59,7 @@ TEST_CASE("at QoS 1 a process killed before the acknowledgement sends again, mar
   const Mosquitto mosquitto;
   Subscriber factory(mosquitto.port(), topic);
   Unanswered killed(mosquitto, R"(, "qos": 1)");
-  REQUIRE(killed.publisher->send(SIGKILL));
-  killed.publisher->wait();
+  killed.kill();
   REQUIRE(mosquitto.send(SIGCONT));
   const Answer again = publish(killed.root.path(), killed.broker);
   CHECK(again.code == 0);
@@ -72,8 +76,7 @@ TEST_CASE("at QoS 2 a process killed before the acknowledgement has sent once", 
   const Mosquitto mosquitto;
   Subscriber factory(mosquitto.port(), topic);
   Unanswered killed(mosquitto, R"(, "qos": 2)");
-  REQUIRE(killed.publisher->send(SIGKILL));
-  killed.publisher->wait();
+  killed.kill();
   REQUIRE(mosquitto.send(SIGCONT));
   const Answer again = publish(killed.root.path(), killed.broker);
   CHECK(again.code == 0);
@@ -89,8 +92,7 @@ TEST_CASE("at QoS 2 a process killed before the acknowledgement has sent once", 
 TEST_CASE("a broker that has lost its sessions gets the result again, marked", "[factory][lost]") {
   Mosquitto mosquitto;
   Unanswered unanswered(mosquitto, R"(, "qos": 2)");
-  REQUIRE(unanswered.publisher->send(SIGKILL));
-  unanswered.publisher->wait();
+  unanswered.kill();
   mosquitto.kill();  // it keeps nothing on its disk
   mosquitto.start();
   Subscriber factory(mosquitto.port(), topic);

@@ -98,6 +98,12 @@ class PageTest(unittest.TestCase):
     def scan(self, text):
         self.browser.type(text, Keys.ENTER)
 
+    def start(self, serial):
+        self.scan(serial)
+        self.browser.wait_word("READY")
+        self.browser.tab_to("start")
+        self.browser.type(Keys.ENTER)
+
     def look(self, name):
         """Nothing is cut or beyond the window of 1024 x 768, and the window does not scroll."""
         self.browser.shoot(name)
@@ -255,10 +261,7 @@ class Scanning(PageTest):
 
     def test_a_history_that_is_looked_at_takes_the_run_in_that_ends(self):
         page = self.browser
-        self.scan("A47")
-        page.wait_word("READY")
-        page.tab_to("start")
-        page.type(Keys.ENTER)
+        self.start("A47")
         page.wait_word("MEASURING")
         page.tab_to("tab_station")
         page.type(Keys.ARROW_RIGHT)
@@ -291,10 +294,7 @@ class Scanning(PageTest):
 
     def test_a_bench_fault_is_not_told_as_the_units(self):
         page = self.browser
-        self.scan("A19")
-        page.wait_word("READY")
-        page.tab_to("start")
-        page.type(Keys.ENTER)
+        self.start("A19")
         page.wait_word("BENCH ERROR")
         self.assertIn("not the unit", page.text("#next_action"))
         self.look("bench_error")
@@ -333,10 +333,7 @@ class Loss(PageTest):
     def test_a_backend_killed_in_mid_run_is_told_within_2_s_and_found_again(self):
         page = self.browser
         self.enter("operator-token")
-        self.scan("A41")
-        page.wait_word("READY")
-        page.tab_to("start")
-        page.type(Keys.ENTER)
+        self.start("A41")
         page.wait_word("MEASURING")
         page.script("window.was_here = true")
         self.station.kill()
@@ -370,10 +367,7 @@ class PlainPlots(PageTest):
     def test_curves_without_uplot(self):
         page = self.browser
         self.enter("operator-token")
-        self.scan("A43")
-        page.wait_word("READY")
-        page.tab_to("start")
-        page.type(Keys.ENTER)
+        self.start("A43")
         page.wait("a curve", lambda: page.script(
             "return document.querySelector('#strip_speed .curve')?.getAttribute('d').length ?? 0") > 60)
         page.wait("a spectrum", lambda: page.script(

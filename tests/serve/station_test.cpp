@@ -47,6 +47,14 @@ nlohmann::json state_of(ServedStation& station) {
   return last_event(test::received(socket, tells("event: heartbeat")), "snapshot").at("state");
 }
 
+// A test of A17 that goes on, and what the station tells of it.
+test::Socket started(ServedStation& station) {
+  REQUIRE(station.log_in("otto").status == 200);
+  REQUIRE(station.post("/api/scan", R"({"text":"A17"})").status == 200);
+  REQUIRE(station.post("/api/start").status == 202);
+  return station.listen();
+}
+
 const std::string strict_limits =
     R"({"limits_version": "strict", "plan": "quick", "limits": [
         {"measure": "acceleration_peak", "unit": "g", "max": 0.0001, "why": "a test"}]})";
@@ -163,10 +171,7 @@ TEST_CASE("a station that is killed leaves the test running, and finds it again"
   const std::string plan = long_plan(scratch);
   {
     ServedStation station(scratch, plan);
-    REQUIRE(station.log_in("otto").status == 200);
-    REQUIRE(station.post("/api/scan", R"({"text":"A17"})").status == 200);
-    REQUIRE(station.post("/api/start").status == 202);
-    const test::Socket events = station.listen();
+    const test::Socket events = started(station);
     const std::string stream = test::received(events, tells("\"status\":\"measuring\""));
     REQUIRE(last_event(stream, "strip").is_object());
     station.program().send(SIGKILL);
@@ -203,10 +208,7 @@ TEST_CASE("SIGTERM ends the page and not the test, a test that is killed is an E
   const std::string plan = long_plan(scratch);
   {
     ServedStation station(scratch, plan);
-    REQUIRE(station.log_in("otto").status == 200);
-    REQUIRE(station.post("/api/scan", R"({"text":"A17"})").status == 200);
-    REQUIRE(station.post("/api/start").status == 202);
-    const test::Socket events = station.listen();
+    const test::Socket events = started(station);
     (void)test::received(events, tells("event: strip"));
     station.program().send(SIGTERM);
     const auto answer = station.program().wait();
