@@ -1,7 +1,6 @@
 #include "bench/earlier_units.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
 
@@ -22,17 +21,6 @@ struct DatedRun {
 
 using Runs = std::vector<DatedRun>;  // of one unit, the latest first
 
-std::vector<std::filesystem::path> folders_in(const std::filesystem::path& parent) {
-  std::vector<std::filesystem::path> folders;
-  std::error_code error;
-  using Entries = std::filesystem::directory_iterator;
-  for (Entries entry(parent, error), end; !error && entry != end; entry.increment(error)) {
-    std::error_code unknown;
-    if (entry->is_directory(unknown)) folders.push_back(entry->path());
-  }
-  return folders;
-}
-
 Runs runs_before(const std::filesystem::path& unit, const std::string& started_utc) {
   Runs runs;
   for (const std::filesystem::path& folder : folders_in(unit)) {
@@ -43,13 +31,6 @@ Runs runs_before(const std::filesystem::path& unit, const std::string& started_u
   return runs;
 }
 
-// A look at the small file spares reading a large one.
-bool is_of_plan(const std::filesystem::path& folder, const std::string& name) {
-  const auto plan =
-      nlohmann::json::parse(read_file(folder / "plan.json").value_or(""), nullptr, false);
-  return plan.is_object() && plan.contains("name") && plan["name"] == name;
-}
-
 bool is_comparable(const Judgement& other, const Judgement& judgement) {
   return (other.ending.outcome == Outcome::pass || other.ending.outcome == Outcome::fail) &&
          other.facts.plan == judgement.facts.plan && other.machine == judgement.machine;
@@ -58,7 +39,8 @@ bool is_comparable(const Judgement& other, const Judgement& judgement) {
 std::optional<EarlierUnit> last_of(const Runs& runs, const Judgement& judgement,
                                    const std::vector<UnitNumber>& numbers) {
   for (const DatedRun& run : runs) {
-    if (!is_of_plan(run.folder, judgement.facts.plan)) continue;
+    // A look at the small file spares reading a large one.
+    if (plan_name_in(run.folder) != judgement.facts.plan) continue;
     const auto other = judgement_from_json(read_file(run.folder / "verdict.json").value_or(""));
     if (!other || !is_comparable(*other, judgement)) continue;
     EarlierUnit unit{other->facts.serial, other->ending.outcome == Outcome::pass, {}};

@@ -1,7 +1,6 @@
 #include "bench/result_database.hpp"
 
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <system_error>
@@ -62,22 +61,6 @@ std::optional<Judgement> verdict_in(const std::filesystem::path& folder) {
   return judgement_from_json(read_file(folder / "verdict.json").value_or(""));
 }
 
-// Folders two levels below, in no order: <serial>/<time>.
-std::vector<std::filesystem::path> run_folders(const std::filesystem::path& root) {
-  std::vector<std::filesystem::path> folders;
-  std::error_code error;  // what cannot be read is no run
-  using Entries = std::filesystem::directory_iterator;
-  for (Entries serial(root, error), end; !error && serial != end; serial.increment(error)) {
-    std::error_code unreadable;
-    for (Entries run(serial->path(), unreadable); !unreadable && run != end;
-         run.increment(unreadable)) {
-      std::error_code unknown;
-      if (run->is_directory(unknown)) folders.push_back(run->path());
-    }
-  }
-  return folders;
-}
-
 bool has_plan(const std::filesystem::path& folder) {
   std::error_code unknown;
   return std::filesystem::exists(folder / "plan.json", unknown);
@@ -87,13 +70,10 @@ bool has_plan(const std::filesystem::path& folder) {
 RunRow row_without_result(const std::filesystem::path& root, const std::filesystem::path& folder,
                           const std::string& reason) {
   const RunBegin begin = read_run_begin(folder);
-  const auto plan =
-      nlohmann::json::parse(read_file(folder / "plan.json").value_or(""), nullptr, false);
-  const bool is_named = plan.is_object() && plan.contains("name") && plan["name"].is_string();
   return {.folder = folder.lexically_relative(root).string(),
           .serial = begin.serial,
           .started_utc = begin.started_utc,
-          .plan = is_named ? plan["name"].get<std::string>() : "",
+          .plan = plan_name_in(folder),
           .verdict = "",
           .error_kind = "",
           .reason = reason,
@@ -217,6 +197,13 @@ Result<std::set<std::string>> ResultDatabase::runs_with_finding(
 
 Result<std::vector<RunValue>> ResultDatabase::series(const SeriesOf& asked) const {
   return read_series(file_, asked);
+}
+
+Result<ResultDatabase> caught_up(Result<ResultDatabase> opened) {
+  if (!opened) return opened.error();
+  ResultDatabase database = std::move(opened).value();
+  if (const auto entered = database.catch_up(); !entered) return entered.error();
+  return database;
 }
 
 std::vector<RunRow> unfinished_runs(const std::filesystem::path& root) {

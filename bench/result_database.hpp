@@ -91,6 +91,9 @@ class ResultDatabase {
   SqliteFile file_;
 };
 
+/// The database once it holds every run there is.
+Result<ResultDatabase> caught_up(Result<ResultDatabase> opened);
+
 /// The runs below the root that have no result: their verdict is empty. Of what each recorded when
 /// it began.
 std::vector<RunRow> unfinished_runs(const std::filesystem::path& root);

@@ -44,6 +44,8 @@ std::tuple<int, std::string, std::size_t, std::string> order_of(const std::files
   return {read_run_begin(run).number, second, name.size(), name};
 }
 
+}  // namespace
+
 std::vector<std::filesystem::path> folders_in(const std::filesystem::path& parent) {
   std::vector<std::filesystem::path> folders;
   std::error_code error;
@@ -55,7 +57,20 @@ std::vector<std::filesystem::path> folders_in(const std::filesystem::path& paren
   return folders;
 }
 
-}  // namespace
+std::vector<std::filesystem::path> run_folders(const std::filesystem::path& root) {
+  std::vector<std::filesystem::path> runs;
+  for (const std::filesystem::path& serial : folders_in(root)) {
+    std::ranges::move(folders_in(serial), std::back_inserter(runs));
+  }
+  return runs;
+}
+
+std::string plan_name_in(const std::filesystem::path& run) {
+  const auto plan =
+      nlohmann::json::parse(read_file(run / "plan.json").value_or(""), nullptr, false);
+  const bool is_named = plan.is_object() && plan.contains("name") && plan["name"].is_string();
+  return is_named ? plan["name"].get<std::string>() : "";
+}
 
 std::string folder_name_of(const std::string& serial) {
   if (serial.empty()) throw std::invalid_argument("folder_name_of: serial is empty");

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace rvbench::bench {
 
@@ -14,6 +15,15 @@ inline constexpr const char* result_database_name = "results.db";
 /// beside them.
 /// @throws std::invalid_argument if `serial` is empty
 std::string folder_name_of(const std::string& serial);
+
+/// The folders in it, in no order; none in what cannot be looked into.
+std::vector<std::filesystem::path> folders_in(const std::filesystem::path& parent);
+
+/// The folders two levels below the folder of runs: <serial>/<time>, in no order.
+std::vector<std::filesystem::path> run_folders(const std::filesystem::path& root);
+
+/// The name that a run's plan.json states; empty if it states none.
+std::string plan_name_in(const std::filesystem::path& run);
 
 /// How a run began: start.json of its folder.
 struct RunBegin {

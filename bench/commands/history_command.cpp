@@ -33,10 +33,9 @@ std::vector<RunRow> merged(std::vector<RunRow> judged, const std::vector<RunRow>
 // What is entered of every run with a result; the runs of --indicator and --component alone.
 Result<History> entered_in(Result<ResultDatabase> opened, const SeriesOf& series,
                            const std::string& component) {
-  if (!opened) return opened.error();
-  ResultDatabase database = std::move(opened).value();
-  const auto caught_up = database.catch_up();
-  if (!caught_up) return caught_up.error();
+  auto whole = caught_up(std::move(opened));
+  if (!whole) return whole.error();
+  const ResultDatabase database = std::move(whole).value();
   auto runs = database.runs();
   const auto later = database.later_judgements();
   if (!runs) return runs.error();

@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <system_error>
 #include <utility>
+#include <variant>
 
 #include "bench/commands/commands.hpp"
 #include "bench/fault_lines.hpp"
@@ -85,6 +87,7 @@ class LimitsCommand final : public Command {
   std::vector<std::string> names() const;
   int list(Console& console) const;
   int propose(Console& console) const;
+  std::variant<LearningTask, int> learning_task(Console& console) const;
   int learn(Console& console) const;
   int approve(Console& console, LimitsFile file) const;
   int activate(Console& console, LimitsFile file) const;
@@ -103,6 +106,17 @@ class LimitsCommand final : public Command {
   bool yes_ = false;
   bool json_ = false;
 };
+
+// Without the empty ones; also of a file with a carriage return before each line's end.
+std::set<std::string> lines_of(const std::string& text) {
+  std::set<std::string> found;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.ends_with('\r')) line.pop_back();
+    if (!line.empty()) found.insert(line);
+  }
+  return found;
+}
 
 void print(Console& console, const nlohmann::ordered_json& json) {
   console.out << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
@@ -155,13 +169,7 @@ int LimitsCommand::propose(Console& console) const {
   return record(console, std::move(file), "proposed");
 }
 
-int LimitsCommand::learn(Console& console) const {
-  if (plan_.empty()) return refuse_usage(console, "limits: learn from runs of which plan? --plan");
-  if (by_.empty()) return refuse_usage(console, "limits: by whom? give --by NAME");
-  if (!is_limits_version(version_) || std::filesystem::exists(limits_path(out_, version_))) {
-    return refuse_usage(console, "limits: " + hal::in_quotes(version_) +
-                                     " is there already, or no name of a version");
-  }
+std::variant<LearningTask, int> LimitsCommand::learning_task(Console& console) const {
   for (const std::string& measure : measures_) {
     if (find_measure(measure) == nullptr) return refuse_measure(console, "limits", measure);
   }
@@ -179,22 +187,26 @@ int LimitsCommand::learn(Console& console) const {
   auto active = active_limits(out_, task.plan);
   if (active.index() == 1) return refuse_usage(console, "limits: " + std::get<1>(active));
   if (auto& limits = std::get<0>(active)) task.in_force = std::move(limits->limits);
-  if (!serials_.empty()) {
-    const auto text = read_file(serials_);
-    if (!text) return refuse_usage(console, "limits: --serials " + serials_ + " cannot be read");
-    std::istringstream lines(*text);
-    for (std::string line; std::getline(lines, line);) {
-      if (line.ends_with('\r')) line.pop_back();
-      if (!line.empty()) task.serials.insert(line);
-    }
-    if (task.serials.empty()) return refuse_usage(console, "limits: no serial in " + serials_);
+  if (serials_.empty()) return task;
+  const auto text = read_file(serials_);
+  if (!text) return refuse_usage(console, "limits: --serials " + serials_ + " cannot be read");
+  task.serials = lines_of(*text);
+  if (task.serials.empty()) return refuse_usage(console, "limits: no serial in " + serials_);
+  return task;
+}
+
+int LimitsCommand::learn(Console& console) const {
+  if (plan_.empty()) return refuse_usage(console, "limits: learn from runs of which plan? --plan");
+  if (by_.empty()) return refuse_usage(console, "limits: by whom? give --by NAME");
+  if (!is_limits_version(version_) || std::filesystem::exists(limits_path(out_, version_))) {
+    return refuse_usage(console, "limits: " + hal::in_quotes(version_) +
+                                     " is there already, or no name of a version");
   }
-  auto opened = ResultDatabase::open(out_);
-  if (!opened) return refuse_data(console, "limits: " + describe(opened.error()));
-  ResultDatabase database = std::move(opened).value();
-  const auto caught_up = database.catch_up();
-  if (!caught_up) return refuse_data(console, "limits: " + describe(caught_up.error()));
-  auto learnt = learn_limits(database, task, utc_now());
+  const auto task = learning_task(console);
+  if (task.index() == 1) return std::get<1>(task);
+  const auto database = caught_up(ResultDatabase::open(out_));
+  if (!database) return refuse_data(console, "limits: " + describe(database.error()));
+  auto learnt = learn_limits(database.value(), std::get<0>(task), utc_now());
   if (!learnt) return refuse_data(console, "limits: " + describe(learnt.error()));
   console.out << learnt_text(learnt.value());
   const auto is_new = [](const LearntLimit& one) { return one.proposal.refusal.empty(); };
@@ -229,12 +241,9 @@ int LimitsCommand::activate(Console& console, LimitsFile file) const {
 }
 
 int LimitsCommand::show_effect(Console& console, const LimitsFile& file) const {
-  auto opened = ResultDatabase::open(out_);
-  if (!opened) return refuse_data(console, "limits: " + describe(opened.error()));
-  ResultDatabase database = std::move(opened).value();
-  const auto caught_up = database.catch_up();
-  if (!caught_up) return refuse_data(console, "limits: " + describe(caught_up.error()));
-  const auto runs = database.runs();
+  const auto database = caught_up(ResultDatabase::open(out_));
+  if (!database) return refuse_data(console, "limits: " + describe(database.error()));
+  const auto runs = database.value().runs();
   if (!runs) return refuse_data(console, "limits: " + describe(runs.error()));
   ProgressBar bar(console, progress_style(console, json_));
   const LimitsEffect effect = effect_of(

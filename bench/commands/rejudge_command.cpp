@@ -143,10 +143,7 @@ void RejudgeCommand::tell(Console& console, const StoredRun& run, const Rejudgem
       std::filesystem::absolute(run.folder).parent_path().parent_path();
   std::error_code unknown;
   if (std::filesystem::exists(root / result_database_name, unknown)) {
-    auto database = ResultDatabase::open(root);
-    const Result<int> entered =
-        database ? std::move(database).value().catch_up() : Result<int>(database.error());
-    if (!entered) {
+    if (const auto entered = caught_up(ResultDatabase::open(root)); !entered) {
       console.err << "rvbench: warning: " << describe(entered.error())
                   << "; rvbench history enters it later\n";
     }

@@ -37,11 +37,9 @@ std::optional<SpeedAndLoad> point_of(std::string_view text) {
 }
 
 Result<std::vector<RunValue>> values_in(Result<ResultDatabase> opened, const SeriesOf& asked) {
-  if (!opened) return opened.error();
-  ResultDatabase database = std::move(opened).value();
-  const auto caught_up = database.catch_up();
-  if (!caught_up) return caught_up.error();
-  return database.series(asked);
+  const auto database = caught_up(std::move(opened));
+  if (!database) return database.error();
+  return database.value().series(asked);
 }
 
 class TrendCommand final : public Command {

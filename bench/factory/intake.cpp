@@ -6,16 +6,15 @@
 
 #include "bench/factory/result_message.hpp"
 #include "bench/result_database.hpp"
+#include "bench/run_folder.hpp"
 
 namespace rvbench::bench {
 namespace {
 
 Result<std::vector<RunRow>> entered_in(Result<ResultDatabase> database) {
-  if (!database) return database.error();
-  ResultDatabase results = std::move(database).value();
-  const auto caught_up = results.catch_up();
-  if (!caught_up) return caught_up.error();
-  return results.runs();
+  const auto whole = caught_up(std::move(database));
+  if (!whole) return whole.error();
+  return whole.value().runs();
 }
 
 // From the folders themselves where results.db cannot be used.
@@ -53,16 +52,10 @@ Result<std::vector<SkippedRun>> take_in(const std::filesystem::path& root, const
 
 bool RunWatch::has_changed() {
   Times times;
-  std::error_code error;
-  using Entries = std::filesystem::directory_iterator;
-  for (Entries serial(root_, error), end; !error && serial != end; serial.increment(error)) {
-    std::error_code unreadable;
-    for (Entries run(serial->path(), unreadable); !unreadable && run != end;
-         run.increment(unreadable)) {
-      std::error_code none;
-      const auto time = std::filesystem::last_write_time(run->path() / "SHA256SUMS", none);
-      if (!none) times.emplace(run->path(), time);
-    }
+  for (const std::filesystem::path& run : run_folders(root_)) {
+    std::error_code none;
+    const auto time = std::filesystem::last_write_time(run / "SHA256SUMS", none);
+    if (!none) times.emplace(run, time);
   }
   const bool changed = !has_looked_ || times != seen_;
   has_looked_ = true;

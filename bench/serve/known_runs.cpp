@@ -21,15 +21,12 @@ std::string verdict_in(const std::filesystem::path& folder) {
 
 std::vector<KnownRun> known_runs(const std::filesystem::path& root, const std::string& serial) {
   std::vector<KnownRun> runs;
-  std::error_code none;
-  using Entries = std::filesystem::directory_iterator;
-  for (Entries entry(root / folder_name_of(serial), none), end; !none && entry != end;
-       entry.increment(none)) {
+  for (const std::filesystem::path& folder : folders_in(root / folder_name_of(serial))) {
     std::error_code unknown;
-    if (!std::filesystem::exists(entry->path() / "start.json", unknown)) continue;
-    const RunBegin begin = read_run_begin(entry->path());
-    const auto run = entry->path().parent_path().filename() / entry->path().filename();
-    runs.push_back({run.string(), begin.started_utc, verdict_in(entry->path()), begin.number});
+    if (!std::filesystem::exists(folder / "start.json", unknown)) continue;
+    const RunBegin begin = read_run_begin(folder);
+    const auto run = folder.parent_path().filename() / folder.filename();
+    runs.push_back({run.string(), begin.started_utc, verdict_in(folder), begin.number});
   }
   std::ranges::sort(runs, {}, &KnownRun::number);
   return runs;
