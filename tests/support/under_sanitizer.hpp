@@ -4,8 +4,11 @@
 
 namespace rvbench::test {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)  // GCC
 inline constexpr bool under_sanitizer = true;
+#elif defined(__has_feature)  // Clang
+inline constexpr bool under_sanitizer =
+    __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
 #else
 inline constexpr bool under_sanitizer = false;
 #endif
