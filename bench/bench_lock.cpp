@@ -83,8 +83,7 @@ std::vector<std::string> devices_of(const BenchRig& rig) {
   if (rig.accelerometers) add(rig.accelerometers->options);
   if (rig.safety) add(rig.safety->options.path);
   std::ranges::sort(devices);
-  const auto twice = std::ranges::unique(devices);
-  devices.erase(twice.begin(), twice.end());
+  devices.erase(std::unique(devices.begin(), devices.end()), devices.end());
   return devices;
 }
 

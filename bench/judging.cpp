@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "analysis/indicators/earlier_records.hpp"
 #include "analysis/indicators/indicator_places.hpp"
@@ -84,7 +85,8 @@ Ending weighed(const Judgement& judgement) {
 
 // What refuses the data is not to be missed behind what was noted of them.
 void put_refusals_first(std::vector<analysis::QualityNote>& notes) {
-  std::ranges::stable_partition(notes, &analysis::QualityNote::invalidates);
+  std::stable_partition(notes.begin(), notes.end(),
+                        std::mem_fn(&analysis::QualityNote::invalidates));
 }
 
 // The earlier repeats of a point, at its speed and load, are to NA4 the history of its gears.

@@ -39,8 +39,7 @@ std::vector<std::string> addresses_of(const std::string& host) {
     if (!number.empty()) numbers.push_back(number);
   }
   std::ranges::sort(numbers);
-  const auto twice = std::ranges::unique(numbers);
-  numbers.erase(twice.begin(), twice.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   return numbers.empty() ? std::vector{host} : numbers;
 }
 

@@ -10,7 +10,7 @@ constexpr double longest_stop_s = 2;  // no drive's deadline is longer
 
 // For telling standstill.
 constexpr double fresh_within_s = 0.25;  // the drive is polled every 50 ms
-constexpr double window_s = 0.05;        // 5 rpm are 1.5 degrees: any encoder sees them
+constexpr double standstill_window_s = 0.05;  // 5 rpm are 1.5 degrees: any encoder sees them
 
 }  // namespace
 
@@ -47,7 +47,7 @@ void BenchDevices::read() {
   }
   if (fresh.drive) fastest_since_heard_rpm_ = not_known;
   fastest_since_heard_rpm_ =
-      std::fmax(fastest_since_heard_rpm_, std::abs(measured_speed_rpm(window_s)));
+      std::fmax(fastest_since_heard_rpm_, std::abs(measured_speed_rpm(standstill_window_s)));
 }
 
 // The supervisor may stop the drive at any moment: its stop has the last word.
@@ -98,7 +98,7 @@ bool BenchDevices::drive_fell_silent() const {
 }
 
 bool BenchDevices::stands_still(double limit_rpm) const {
-  const double measured_rpm = std::abs(measured_speed_rpm(window_s));
+  const double measured_rpm = std::abs(measured_speed_rpm(standstill_window_s));
   const hal::DriveStatus& drive = values_.drive;
   const bool drive_knows = drive_is_fresh() && std::isfinite(drive.speed_rpm);
   const bool drive_stopped = std::abs(drive.speed_rpm) <= limit_rpm;

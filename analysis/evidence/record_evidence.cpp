@@ -114,8 +114,8 @@ class RecordEvidence {
         taken.push_back(comb_.bins(i, comb_.nominal) + shift);
     }
     std::ranges::sort(taken);
-    const auto copies = std::ranges::unique(taken);
-    const auto different = std::max<std::size_t>(taken.size() - copies.size(), 1);
+    taken.erase(std::unique(taken.begin(), taken.end()), taken.end());
+    const auto different = std::max<std::size_t>(taken.size(), 1);
     return static_cast<double>(lines) / static_cast<double>(different);
   }
 

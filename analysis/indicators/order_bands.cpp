@@ -15,9 +15,10 @@ std::vector<CharacteristicOrder> meshes_by_order(const Kinematics& kinematics) {
     if (o.mesh) meshes.push_back(o);
   }
   std::ranges::stable_sort(meshes, {}, &CharacteristicOrder::order);
-  const auto doubles = std::ranges::unique(
-      meshes, [](double a, double b) { return b - a < same_order; }, &CharacteristicOrder::order);
-  meshes.erase(doubles.begin(), doubles.end());
+  const auto is_double = [](const CharacteristicOrder& a, const CharacteristicOrder& b) {
+    return b.order - a.order < same_order;
+  };
+  meshes.erase(std::unique(meshes.begin(), meshes.end(), is_double), meshes.end());
   return meshes;
 }
 

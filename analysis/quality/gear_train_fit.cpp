@@ -5,7 +5,7 @@
 #include <functional>
 #include <initializer_list>
 #include <optional>
-#include <ranges>
+#include <span>
 #include <utility>
 
 #include "analysis/evidence/record_resolution.hpp"
@@ -103,7 +103,8 @@ std::vector<ChannelLines> lines_of(const std::vector<Examination>& points,
     for (const ChannelExamination& channel : point.channels) {
       ChannelLines& lines = channels.emplace_back();
       // Weaker ones are listed only where they lie on orders of the speed that was used.
-      for (const SpectralLine& l : channel.lines | std::views::take(most_lines)) {
+      const std::size_t count = std::min(channel.lines.size(), most_lines);
+      for (const SpectralLine& l : std::span(channel.lines).first(count)) {
         const double near = near_order(l.order, resolution, point.angle_measured);
         if (is_of_any_shaft(l, near, channel, own)) continue;
         lines.push_back({l.order, l.amplitude * l.amplitude, near});

@@ -70,7 +70,7 @@ bool seek_head(std::istream& in) {
     if (std::memcmp(last.data(), &magic, sizeof(magic)) == 0) {
       return static_cast<bool>(in.seekg(-static_cast<std::streamoff>(sizeof(magic)), in.cur));
     }
-    std::ranges::rotate(last, last.begin() + 1);
+    std::rotate(last.begin(), last.begin() + 1, last.end());
   }
   return false;
 }
