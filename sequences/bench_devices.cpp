@@ -9,7 +9,7 @@ namespace {
 constexpr double longest_stop_s = 2;  // no drive's deadline is longer
 
 // For telling standstill.
-constexpr double fresh_within_s = 0.25;  // the drive is polled every 50 ms
+constexpr double fresh_within_s = 0.25;       // the drive is polled every 50 ms
 constexpr double standstill_window_s = 0.05;  // 5 rpm are 1.5 degrees: any encoder sees them
 
 }  // namespace
