@@ -70,7 +70,7 @@ class Run {
     for (Eigen::Index sample = 1; sample < excitation_.samples(); ++sample) {
       for (Eigen::Index i = 0; i < substeps; ++i) {
         const Eigen::Index step = (sample - 1) * substeps + i;
-        for (int stage = 0; stage < 3; ++stage) tap(step, stage, stage);
+        for (int stage = 0; stage < 3; ++stage) tap(step, stage, std::size_t(stage));
         stepper_.step(si_[0].data(), si_[1].data(), si_[2].data());
       }
       if (!stepper_.in_bounds()) return sample;

@@ -67,7 +67,7 @@ bool MeanEnvelope::begins(const Knots& knots) {
   next_ = first_ + 1;
   probed_ = next_ + block_;
   eliminated_ = first_ + 2;
-  for (const std::size_t i : {0, 1}) {
+  for (const std::size_t i : {0u, 1u}) {
     curvature_[first_ + i] = elimination_[first_ + i] = taken_[i] = 0;
     chord_[i] = chord(knots, first_ + i);
   }
@@ -78,7 +78,7 @@ bool MeanEnvelope::begins(const Knots& knots) {
 // The first curvature of an envelope is a straight line through the next two: put into the row of
 // the second knot.
 void MeanEnvelope::open_rows_not_a_knot(const Knots& knots) {
-  for (const std::size_t i : {0, 1}) {
+  for (const std::size_t i : {0u, 1u}) {
     const std::size_t j = first_ + 2 + i;
     const double before = knots.at[j] - knots.at[j - 2], after = knots.at[j + 2] - knots.at[j];
     const double ratio = before / after;

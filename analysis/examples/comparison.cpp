@@ -46,7 +46,7 @@ Example comparison_example() {
 
   const Eigen::ArrayXd turns = 20 * times_s(20000, 2000);
   std::vector<RecordLevels> before, after;
-  for (const unsigned repeat : {1, 2, 3}) {
+  for (const unsigned repeat : {1u, 2u, 3u}) {
     // The mesh doubles, the shaft's line stays; each mounting is off by some per cent.
     const double scatter = 1 + 0.02 * (repeat - 2.0);
     const Eigen::VectorXd shaft = 0.5 * wave(turns), mesh = wave(20 * turns);

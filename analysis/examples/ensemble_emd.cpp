@@ -8,7 +8,6 @@ namespace rvbench::analysis::examples {
 namespace {
 
 constexpr double rate_Hz = 1000;
-constexpr Eigen::Index count = 2000;
 
 // The IMF that is most like a signal.
 Eigen::Index most_like(const Emd& modes, const Eigen::VectorXd& signal) {

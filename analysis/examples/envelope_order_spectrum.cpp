@@ -10,7 +10,7 @@
 namespace rvbench::analysis::examples {
 namespace {
 
-constexpr double rate_Hz = 4960, speed_Hz = 30.25;
+constexpr double rate_Hz = 4960;
 
 Eigen::VectorXd over_mean(const Eigen::VectorXd& amplitude, double mean) {
   return amplitude / mean;

@@ -11,7 +11,7 @@
 namespace rvbench::analysis::examples {
 namespace {
 
-constexpr Eigen::Index per_turn = 400, turns = 200, bad_tooth = 13;
+constexpr Eigen::Index per_turn = 400, bad_tooth = 13;
 
 // One turn of a gear of 20 teeth of which one, 13, meshes too late.
 Eigen::VectorXd one_turn() {
