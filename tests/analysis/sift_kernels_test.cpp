@@ -29,7 +29,7 @@ TEST_CASE("every processor sifts to the same bits", "[analysis][emd][law]") {
   const Eigen::VectorXd slow = test::tone(3, 30000, 4960) + 1e-3 * noise;
   const Eigen::VectorXd x =
       GENERATE_COPY(Eigen::VectorXd(noise), Eigen::VectorXd(quantised), Eigen::VectorXd(slow));
-  for (const std::size_t block : {8, 256}) {
+  for (const std::size_t block : {8u, 256u}) {
     Eigen::VectorXd portable = x, best = x;
     SiftChain on_any(10, {}, analysis::portable_sift_kernels()), on_this(10);
     on_any.begin(block);

@@ -132,8 +132,8 @@ SCENARIO("a spall is named by the part that is struck, with its impulse", "[benc
       CHECK(said.effects[0].where.ends_with(part));
       CHECK(said.effects[0].parameters[0].value == Approx(machine.blow_Ns).epsilon(0.2));
       AND_THEN("it is located at the order of its blows, and is gone once it is modelled") {
-        const auto is_of_blows = [&](const analysis::ResidualCluster& c) {
-          return c.channel == "vibration, envelope²" && std::abs(c.first - order) < 0.01;
+        const auto is_of_blows = [blows = order](const analysis::ResidualCluster& c) {
+          return c.channel == "vibration, envelope²" && std::abs(c.first - blows) < 0.01;
         };
         CHECK(std::ranges::any_of(said.located.before, is_of_blows));
         CHECK(std::ranges::none_of(said.located.after, is_of_blows));

@@ -32,7 +32,7 @@ Campaign measured_on(const sim::PlantSpec& machine) {
 }  // namespace
 
 TEST_CASE("a machine within the drawing's tolerances is as its twin", "[bench][twin]") {
-  for (const std::uint64_t unit : {1, 2}) {
+  for (const std::uint64_t unit : {1u, 2u}) {
     const TwinCheck check =
         check_twin(drawing(), measured_on(test::within_tolerance(drawing(), unit, 1)));
     CHECK(check.difference.empty());

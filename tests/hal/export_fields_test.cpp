@@ -177,7 +177,7 @@ TEST_CASE("UFF 58b: a record of a logger, read and written anew, has the same fi
   agree(8, 27, 46);  // its name
   agree(8, 48, 67);  // its unit
   agree(9, 1, 10);   // acceleration
-  for (std::size_t line : {10, 11}) {
+  for (std::size_t line : {10u, 11u}) {
     agree(line, 1, 10);
     agree(line, 27, 46);
     agree(line, 48, 67);

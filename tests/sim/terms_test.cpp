@@ -86,14 +86,14 @@ double torque_Nm(const sim::InductionMotor& term, double frequency_Hz, double sp
 
 TEST_CASE("every term adds its force, and its linear part and remainder make the whole",
           "[sim][terms][law]") {
-  const auto s = supplied(test::some_state(bodies, GENERATE(1, 2, 3, 4, 5)), 40);
+  const auto s = supplied(test::some_state(bodies, GENERATE(1u, 2u, 3u, 4u, 5u)), 40);
   test::check_plumbing(sim::PlanetMesh(uneven_mesh()), s);
   test::check_plumbing(sim::CycloidStage(uneven_stage()), s);
   test::check_plumbing(sim::InductionMotor(motor()), s);
 }
 
 TEST_CASE("every term balances its energy book", "[sim][terms][law]") {
-  const auto s = supplied(test::some_state(bodies, GENERATE(11, 12, 13, 14, 15)), 40);
+  const auto s = supplied(test::some_state(bodies, GENERATE(11u, 12u, 13u, 14u, 15u)), 40);
   test::check_energy_book(sim::PlanetMesh(mesh()), s);
   test::check_energy_book(sim::CycloidStage(stage()), s);
   const sim::InductionMotor running(motor());

@@ -38,9 +38,9 @@ RecordLevels record(const Kinematics& kinematics, const std::vector<Part>& parts
   Eigen::VectorXd x = 0.3 * signals.noise(seed) + 0.5 * signals.tone(1, seed);
   for (const Part& part : parts) {
     for (int h = 1; h <= part.harmonics; ++h) {
-      x += part.amplitude * signals.tone(h * part.order, h * seed + h);
+      x += part.amplitude * signals.tone(h * part.order, unsigned(h) * seed + unsigned(h));
       for (const double side : {-1.0, 1.0}) {
-        x += part.at_shaft * signals.tone(h * part.order + side, h * seed + 2 * side);
+        x += part.at_shaft * signals.tone(h * part.order + side, unsigned(h) * seed + 2 * side);
       }
     }
   }
@@ -168,7 +168,7 @@ TEST_CASE("peaks without a part are lent to none", "[analysis]") {
   const auto with_tones = [&](double amplitude, unsigned seed) {
     Eigen::VectorXd x = 0.3 * signals.noise(seed);
     for (int i = 1; i <= 60; ++i) {
-      x += amplitude * signals.tone(1.5 + 22 * std::fmod(i * 0.7548776662, 1.0), i + seed);
+      x += amplitude * signals.tone(1.5 + 22 * std::fmod(i * 0.7548776662, 1.0), unsigned(i) + seed);
     }
     Recording heard = signals.recording(x);
     heard.planned_speed_rpm = 1200;

@@ -89,7 +89,7 @@ TEST_CASE("harmonics of the input shaft show no gear train", "[analysis][quality
   // Unless the mesh, and its second harmonic, stand out from them.
   Examination louder = record;
   auto& lines = louder.channels[0].lines;
-  for (const std::size_t mesh : {23, 46}) lines[mesh - 1].amplitude = 3;
+  for (const std::size_t mesh : {23u, 46u}) lines[mesh - 1].amplitude = 3;
   std::ranges::stable_sort(lines, std::greater{}, &analysis::SpectralLine::amplitude);
   CHECK(gear_train_fit({louder}, gear_pair()).is_shown());
 }

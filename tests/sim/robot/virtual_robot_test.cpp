@@ -32,7 +32,7 @@ double condition_at(const VirtualRobot& robot, double frequency_Hz) {
 
 TEST_CASE("the robot's mass and stiffness are symmetric and positive definite",
           "[sim][robot][law]") {
-  const VirtualRobot robot = robot_of(GENERATE(range(1, 4)));
+  const VirtualRobot robot = robot_of(GENERATE(range(1u, 4u)));
   for (const Eigen::MatrixXd& matrix :
        {sim::mass_matrix(robot.arm().structure), sim::stiffness_matrix(robot.arm().structure)}) {
     CHECK(relative_difference(matrix.transpose(), matrix) < 1e-15);
@@ -42,7 +42,7 @@ TEST_CASE("the robot's mass and stiffness are symmetric and positive definite",
 
 TEST_CASE("the arm sways between 8 and 25 Hz, rings up to 2 kHz and loses 1 to 4 % in each mode",
           "[sim][robot]") {
-  const sim::Modes modes = robot_of(GENERATE(range(1, 21))).modes();
+  const sim::Modes modes = robot_of(GENERATE(range(1u, 21u))).modes();
   CHECK(modes.frequency_Hz[0] > 8);
   CHECK(modes.frequency_Hz[2] < 25);
   CHECK(modes.frequency_Hz.tail(1)[0] > 1500);
@@ -94,7 +94,7 @@ TEST_CASE("far above all modes a gear answers as the free body that it is", "[si
 TEST_CASE(
     "where passive sides move together the paths can hardly be told apart, elsewhere they can",
     "[sim][robot]") {
-  const VirtualRobot robot = robot_of(GENERATE(range(1, 6)));
+  const VirtualRobot robot = robot_of(GENERATE(range(1u, 6u)));
   double worst = 0;
   for (double frequency_Hz = 8; frequency_Hz < 14; frequency_Hz += 0.1) {
     worst = std::max(worst, condition_at(robot, frequency_Hz));
