@@ -12,7 +12,7 @@ using namespace rvbench::hal;
 namespace {
 
 // All that there is in a file beside it.
-const std::string transducer = R"(VERSION "1.0"
+const std::string transducer = std::string(R"(VERSION "1.0"
 
 NS_ :
 	NS_DESC_
@@ -23,7 +23,7 @@ NS_ :
 BS_:
 
 BU_: Transducer Bench
-)" + test::torque_data + R"(
+)") + test::torque_data + R"(
 BO_ 2566851328 Status: 8 Transducer
  SG_ Page M : 7|2@0+ (1,0) [0|3] "" Bench
  SG_ Temperature m0 : 15|16@0- (0.1,-40) [-40|200] "degC" Bench

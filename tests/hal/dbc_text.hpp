@@ -9,7 +9,7 @@
 namespace rvbench::test {
 
 /// The simulated transducer's frame, as a supplier's sheet has it.
-inline const std::string torque_data = R"(
+inline constexpr const char* torque_data = R"(
 BO_ 385 TorqueData: 8 Transducer
  SG_ Torque : 0|32@1- (1e-06,0) [-2147.48|2147.48] "Nm" Bench
  SG_ Angle : 32|16@1+ (0.0054931640625,0) [0|360] "deg" Bench

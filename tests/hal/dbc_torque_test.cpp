@@ -12,7 +12,7 @@ using namespace rvbench::hal;
 
 namespace {
 
-const std::string sheet = test::torque_data + R"(BO_ 386 Slow: 2 Transducer
+const std::string sheet = std::string(test::torque_data) + R"(BO_ 386 Slow: 2 Transducer
  SG_ Temperature : 0|16@1- (0.1,0) [0|0] "degC" Bench
  SG_ Nibble : 0|4@1+ (1,0) [0|0] "" Bench
 VAL_ 385 State 0 "sound" 4 "shunt on" ;

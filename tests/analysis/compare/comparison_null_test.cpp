@@ -5,6 +5,7 @@
 #include "analysis/compare/comparison.hpp"
 #include "analysis/compare/headlines.hpp"
 #include "tests/analysis/compare/compared_records.hpp"
+#include "tests/support/under_sanitizer.hpp"
 
 // How often something is said to have changed where nothing has.
 namespace rvbench::analysis {
@@ -78,6 +79,7 @@ TEST_CASE("a matrix in which nothing changed is called changed once in twenty", 
 }
 
 TEST_CASE("two draws of one unit are called changed once in twenty at most", "[analysis]") {
+  if (test::too_long_under_sanitizer()) return;
   const auto count = GENERATE(1u, 2u, 3u);  // repeats
   Calls calls;
   constexpr int draws = 100;

@@ -10,6 +10,7 @@
 #include "analysis/statistics.hpp"
 #include "tests/analysis/compare/compared_records.hpp"
 #include "tests/analysis/spall.hpp"
+#include "tests/support/under_sanitizer.hpp"
 
 // What is said of records whose difference is known.
 namespace rvbench::analysis {
@@ -71,6 +72,7 @@ SCENARIO("a line that doubled is told by 6 dB and by name", "[analysis]") {
 }
 
 TEST_CASE("the stated uncertainty holds the true change in 95 of 100 cases", "[analysis]") {
+  if (test::too_long_under_sanitizer()) return;
   int held = 0;
   double width_dB = 0;  // mean
   constexpr unsigned draws = 60;

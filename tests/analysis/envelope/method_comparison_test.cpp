@@ -9,6 +9,7 @@
 #include "tests/analysis/null_rates.hpp"
 #include "tests/support/real_data.hpp"
 #include "tests/support/signals.hpp"
+#include "tests/support/under_sanitizer.hpp"
 
 using namespace rvbench;
 using namespace rvbench::analysis;
@@ -83,6 +84,7 @@ SCENARIO("four methods stand beside each other", "[analysis][envelope]") {
 
 TEST_CASE("in noise each method finds a candidate as rarely as stated",
           "[analysis][envelope][null]") {
+  if (test::too_long_under_sanitizer()) return;
   std::vector<NullDraws> draws(std::size(envelope_methods));
   int found = 0;
   constexpr int seeds = 150;

@@ -4,6 +4,7 @@
 
 #include "analysis/evidence/signature_comb.hpp"
 #include "tests/analysis/null_rates.hpp"
+#include "tests/support/under_sanitizer.hpp"
 
 using namespace rvbench;
 using analysis::decoy_p_value;
@@ -34,6 +35,7 @@ class Sums {
 }  // namespace
 
 TEST_CASE("noise is no oftener beyond its decoys than stated", "[analysis][evidence][null]") {
+  if (test::too_long_under_sanitizer()) return;
   const int lines = GENERATE(1, 2, 16, 200);
   const int copies = GENERATE(1, 12);
   CAPTURE(lines, copies);

@@ -2,6 +2,7 @@
 #include "tests/analysis/evidence/scored.hpp"
 #include "tests/analysis/null_rates.hpp"
 #include "tests/analysis/order_signals.hpp"
+#include "tests/support/under_sanitizer.hpp"
 
 using namespace rvbench;
 using analysis::EnvelopeSpectra;
@@ -49,6 +50,7 @@ void check_no_false_alarms(const std::vector<NullDraws>& draws) {
 
 TEST_CASE("in white noise no signature is significant oftener than stated",
           "[analysis][evidence][null]") {
+  if (test::too_long_under_sanitizer()) return;
   const auto draws = draws_of(400, [](unsigned seed) { return turning.noise(seed); });
   check_no_false_alarms(draws);
   // Where no other part's lines are set off against it the p-value is exact.
@@ -62,6 +64,7 @@ TEST_CASE("in white noise no signature is significant oftener than stated",
 }
 
 TEST_CASE("nor is it in coloured noise", "[analysis][evidence][null]") {
+  if (test::too_long_under_sanitizer()) return;
   SECTION("that falls from order 1 on") {
     check_no_false_alarms(
         draws_of(100, [](unsigned seed) { return reddened(turning.noise(seed), 0.9); }));

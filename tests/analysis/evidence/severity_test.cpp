@@ -4,6 +4,8 @@
 #include <cmath>
 #include <random>
 
+#include "tests/support/under_sanitizer.hpp"
+
 using namespace rvbench;
 using analysis::Severity;
 using analysis::severity_of;
@@ -81,6 +83,7 @@ TEST_CASE("a true depth lies above its bound in at most 5 of 100 points",
 }
 
 TEST_CASE("in 95 of 100 matrices the interval holds the severity", "[analysis][evidence][null]") {
+  if (test::too_long_under_sanitizer()) return;
   std::mt19937 engine(1);
   std::normal_distribution<double> noise;
   constexpr int matrices = 400;

@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "tests/support/under_sanitizer.hpp"
+
 using namespace rvbench;
 using namespace rvbench::analysis;
 
@@ -77,6 +79,7 @@ double share_inside(double label, int times, double load_error, double noise) {
 
 // One standard error of a share of 400 is 1.5 %.
 TEST_CASE("nine in ten of what is measured next lie within the interval", "[explain][statistics]") {
+  if (test::too_long_under_sanitizer()) return;
   SECTION("as far as the loads went, and beyond") {
     CHECK(share_inside(3, 10, 0.05, 0.1) == Approx(0.9).margin(0.05));
     CHECK(share_inside(4, 10, 0.05, 0.1) == Approx(0.9).margin(0.05));

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <random>
 
+#include "tests/support/under_sanitizer.hpp"
+
 using namespace rvbench::analysis;
 using Complex = std::complex<double>;
 
@@ -155,6 +157,7 @@ TEST_CASE("a force that no site of the model has explains nothing", "[analysis][
 }
 
 TEST_CASE("lines that are off by chance point nowhere", "[analysis][explain][locate]") {
+  if (rvbench::test::too_long_under_sanitizer()) return;
   int told = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     Campaign campaign(100 + seed);
