@@ -168,7 +168,7 @@ Status enter_run(SqliteFile& file, const RunRow& row, const Judgement& judgement
                                     .file = "verdict.json",
                                     .judged_utc = row.started_utc,
                                     .software = row.software,
-                                    .limits_version = "",
+                                    .limits_version = judgement.facts.limits_version,
                                     .verdict = row.verdict,
                                     .error_kind = row.error_kind,
                                     .reason = row.reason});
