@@ -27,10 +27,12 @@ std::string note_of(const LimitsInForce& limits) {
 std::vector<std::pair<std::filesystem::path, std::vector<hal::ConfigFault>>> faults_by_file(
     std::vector<hal::ConfigFault> faults, const std::filesystem::path& plan_file,
     const LimitsInForce& limits) {
-  const auto others = std::ranges::stable_partition(
-      faults, [](const hal::ConfigFault& fault) { return !fault.pointer.starts_with("/limits/"); });
-  std::vector<hal::ConfigFault> of_limits(others.begin(), others.end());
-  faults.erase(others.begin(), others.end());
+  const auto is_of_plan = [](const hal::ConfigFault& fault) {
+    return !fault.pointer.starts_with("/limits/");
+  };
+  const auto others = std::stable_partition(faults.begin(), faults.end(), is_of_plan);
+  std::vector<hal::ConfigFault> of_limits(others, faults.end());
+  faults.erase(others, faults.end());
   return {{plan_file, with_lines(plan_file, std::move(faults))},
           {limits.file, with_lines(limits.file, std::move(of_limits))}};
 }
