@@ -25,7 +25,7 @@ inline constexpr std::size_t most_earlier_units = 100;
 ///
 /// Units   of the numbers
 /// Errors  none thrown: a run that cannot be read is no unit to compare with
-/// Source  verdict.json of the run folders
+/// Source  verdict.json of the run folders that results.db names; where it cannot be used, of all
 std::vector<EarlierUnit> earlier_units(const std::filesystem::path& run, const Judgement& judgement,
                                        const std::vector<UnitNumber>& numbers);
 

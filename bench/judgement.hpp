@@ -9,6 +9,7 @@
 
 #include "analysis/diagnosis.hpp"
 #include "hal/types/outcome.hpp"
+#include "hal/types/set_point.hpp"
 
 namespace rvbench::bench {
 
@@ -36,6 +37,7 @@ struct LimitCheck {
   double min = not_known;                 ///< NaN: it is a limit from above
   std::size_t points = 0;                 ///< that could show it; 0 of a finding's depth
   std::vector<std::string> lacking = {};  ///< where of these it could not be measured, one each
+  SetPoint at = {};                       ///< the points it holds at; any: all together
 };
 
 /// Circumstances of a run; of a stored recording only `software` and `started_utc` are known.
@@ -43,6 +45,7 @@ struct RunFacts {
   std::string serial;
   std::string started_utc;
   std::string plan;
+  std::string limits_version = {};  ///< in place of the plan's own limits; empty: those
   std::string rig;
   std::string preset;
   std::optional<std::uint64_t> seed;

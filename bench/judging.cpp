@@ -38,7 +38,8 @@ std::string first_beyond(const Judgement& judgement) {
   }
   const auto check = std::ranges::find_if(judgement.limits, is_beyond);
   if (check == judgement.limits.end()) return "";
-  return fmt::format("{} {} {} its {} at {}", check->measure,
+  const std::string points = check->at.is_any() ? "" : at_text(check->at) + ":";
+  return fmt::format("{}{} {} {} its {} at {}", check->measure, points,
                      with_unit(check->measured, check->unit), beyond(*check), bound_text(*check),
                      check->where);
 }
@@ -192,6 +193,12 @@ void conclude(Judgement& judgement, const analysis::Kinematics& kinematics,
   judgement.machine = kinematics.machine;
   judgement.diagnosis = analysis::conclude(examined_points(judgement), kinematics);
   put_refusals_first(judgement.diagnosis.quality);
+  hold_against(judgement, limits, measured);
+}
+
+void hold_against(Judgement& judgement, const std::vector<sequences::Limit>& limits,
+                  const Ending& measured) {
+  judgement.limits.clear();
   for (const sequences::Limit& limit : limits)
     judgement.limits.push_back(check_of(limit, judgement));
   // Of two that are as grave the first: data that cannot be trusted is why a value is missing.
@@ -199,6 +206,11 @@ void conclude(Judgement& judgement, const analysis::Kinematics& kinematics,
   const Ending judged = weighed(judgement);
   judgement.ending =
       graver(trust.outcome == Outcome::pass ? judged : graver(trust, judged), measured);
+  for (const analysis::QualityNote& note : judgement.diagnosis.quality) {
+    if (note.invalidates && note.where == judgement.machine) {  // demand_confirmation()
+      judgement.ending = graver(judgement.ending, invalid(note.where + ": " + note.what));
+    }
+  }
 }
 
 void demand_confirmation(Judgement& judgement, const analysis::Kinematics& kinematics) {

@@ -44,6 +44,12 @@ JudgedPoint judge_point(const Recording& record, const analysis::Kinematics& kin
 void conclude(Judgement& judgement, const analysis::Kinematics& kinematics,
               const std::vector<sequences::Limit>& limits, const Ending& measured);
 
+/// Holds other limits against what was concluded: limits and ending are drawn anew, the diagnosis
+/// stands. Of limits that bound depths as those did which it was concluded by.
+/// Errors  none thrown. Source  check_of()
+void hold_against(Judgement& judgement, const std::vector<sequences::Limit>& limits,
+                  const Ending& measured);
+
 /// After conclude(): where no line of the machine's shaft is in the data, or its gear train's
 /// orders fit the lines no better than chance does, the judgement ends INVALID, with a quality
 /// note: orders that were looked for at a wrong speed, or of another machine, are silent, too. The

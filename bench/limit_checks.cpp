@@ -50,7 +50,7 @@ void check_indicators(LimitCheck& check, const Judgement& judgement) {
   const Measure* measure = find_measure(check.measure);
   if (measure == nullptr) return;
   WorstIndicator worst =
-      worst_indicator(judgement, {*measure, check.unit, is_from_below(check), check.of});
+      worst_indicator(judgement, {*measure, check.unit, is_from_below(check), check.of, check.at});
   check.measured = worst.value;
   check.where = std::move(worst.where);
   check.points = worst.points;
@@ -62,6 +62,7 @@ void check_indicators(LimitCheck& check, const Judgement& judgement) {
 LimitCheck check_of(const sequences::Limit& limit, const Judgement& judgement) {
   LimitCheck check{limit.measure, limit.component, limit.unit, limit.max, not_known, "",
                    false,         limit.why,       limit.of,   limit.min};
+  check.at = limit.at;
   if (limit.measure == measure_names::modulation_depth) {
     check_depths(check, judgement.diagnosis);
   } else {
@@ -97,7 +98,7 @@ std::string bound_text(const LimitCheck& check) {
 
 std::string name_of(const LimitCheck& check) {
   const std::string& narrowed = check.of.empty() ? check.component : check.of;
-  return check.measure + (narrowed.empty() ? "" : " of " + narrowed);
+  return check.measure + (narrowed.empty() ? "" : " of " + narrowed) + at_text(check.at);
 }
 
 std::string coverage_of(const LimitCheck& check) {

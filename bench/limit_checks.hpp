@@ -10,9 +10,9 @@
 /// Source  the bounds are the plan's; what counts as measured is ours
 namespace rvbench::bench {
 
-/// Holds a limit against the worst that was measured, over all points and channels; for
-/// modulation_depth over all findings. What could not be measured at a point, or not in a unit that
-/// leads to the limit's, is not passed: see is_measured().
+/// Holds a limit against the worst that was measured, over all channels of the points it is for;
+/// for modulation_depth over all findings. What could not be measured at a point, or not in a unit
+/// that leads to the limit's, is not passed: see is_measured().
 LimitCheck check_of(const sequences::Limit& limit, const Judgement& judgement);
 
 /// Whether the limit could be held against every point, or, of what a sound record may lack,
@@ -33,7 +33,7 @@ const char* beyond(const LimitCheck& check);
 /// "1.9 g"; of a pure number the number alone.
 std::string with_unit(double value, const std::string& unit);
 
-/// "fm4 of sun-planet mesh, sun against carrier"
+/// "fm4 of sun-planet mesh, sun against carrier", "kurtosis at 1815 rpm, 100 % load"
 std::string name_of(const LimitCheck& check);
 
 /// "measured at 12 of 21 points"; empty if it was at all of them.

@@ -31,8 +31,7 @@ LimitsEffect effect_of(const LimitsFile& limits, const std::filesystem::path& ro
       continue;
     }
     ++effect.runs;
-    const Ending before = judged_by_limits(*stored, stored->plan.limits).ending;
-    const Ending after = judged_by_limits(*stored, limits.limits).ending;
+    const auto [before, after] = endings_by_limits(*stored, limits.limits);
     if (before.outcome == after.outcome) continue;
     VerdictChange change{runs[i], to_string(after.outcome), after.reason};
     change.run.verdict = to_string(before.outcome);

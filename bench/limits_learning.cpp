@@ -9,6 +9,7 @@
 #include "bench/limit_checks.hpp"
 #include "bench/results/run_filter.hpp"
 #include "hal/types/measure.hpp"
+#include "sequences/limits_on_plan.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -25,9 +26,9 @@ LimitSide side_of(const Limit& limit) {
 double bound_of(const Limit& limit) { return std::isfinite(limit.min) ? limit.min : limit.max; }
 
 // Those in force, and one for each measure that is asked for and has none.
-std::vector<Limit> asked_limits(const LearningTask& task) {
+std::vector<Limit> limits_to_learn(const LearningTask& task) {
   std::vector<Limit> asked;
-  for (const Limit& limit : task.in_force) {
+  for (const Limit& limit : task.plan.limits) {
     const bool wanted = task.measures.empty() ||
                         std::ranges::find(task.measures, limit.measure) != task.measures.end();
     if (wanted && is_learnable(limit)) asked.push_back(limit);
@@ -49,6 +50,39 @@ bool is_from_below(const Limit& limit) {
   return has_none ? measure->worst_is_least : side_of(limit) == LimitSide::min;
 }
 
+bool is_same_but_for_points(const Limit& a, const Limit& b) {
+  return a.measure == b.measure && a.of == b.of && is_from_below(a) == is_from_below(b);
+}
+
+// Of each limit one for each point that it holds at and that shows it, and no two alike.
+std::vector<Limit> at_each_point(const std::vector<Limit>& limits,
+                                 const sequences::TestPlan& plan) {
+  std::vector<Limit> split;
+  for (const Limit& limit : limits) {
+    for (const SetPoint& point : sequences::set_points_of(*find_measure(limit.measure), plan)) {
+      if (!overlap(limit.at, point)) continue;
+      Limit one = limit;
+      one.at = point;
+      const bool is_there = std::ranges::any_of(split, [&](const Limit& other) {
+        return other.at == point && is_same_but_for_points(other, one);
+      });
+      if (!is_there) split.push_back(std::move(one));
+    }
+  }
+  return split;
+}
+
+// The strictest of those that hold at all points of this one, in its unit; NaN if there is none.
+double bound_in_force(const Limit& limit, const std::vector<Limit>& in_force) {
+  double strictest = not_known;
+  for (const Limit& other : in_force) {
+    if (!covers(other.at, limit.at) || !is_same_but_for_points(limit, other)) continue;
+    const double bound = in_unit(bound_of(other), other.unit, limit.unit);
+    strictest = is_from_below(limit) ? std::fmax(strictest, bound) : std::fmin(strictest, bound);
+  }
+  return strictest;
+}
+
 // Runs by folder: their serials.
 struct Runs {
   std::map<std::string, std::string> good;    // the newest PASS of each good unit
@@ -59,7 +93,7 @@ Runs runs_of(const std::vector<RunRow>& rows, const LearningTask& task) {
   std::map<std::string, std::string> newest;  // folder by serial; rows are oldest first
   Runs runs;
   for (const RunRow& row : rows) {
-    if (row.plan != task.plan) continue;
+    if (row.plan != task.plan.name) continue;
     if (row.verdict == "PASS" || row.verdict == "FAIL") runs.judged[row.folder] = row.serial;
     const bool is_good = task.serials.empty() || task.serials.contains(row.serial);
     if (row.verdict == "PASS" && is_good) newest[row.serial] = row.folder;
@@ -79,30 +113,60 @@ std::string why_of(const LearntLimit& learnt, const analysis::Coverage& coverage
       100 * coverage.content, 100 * coverage.confidence, readable_utc(utc).substr(0, 10));
 }
 
-Result<LearntLimit> learn(const ResultDatabase& database, const LearningTask& task,
-                          const Runs& runs, const Limit& limit) {
+// What judged runs and good units show of one limit.
+struct Taught {
+  analysis::IndicatorHistory history;
+  std::vector<std::string> serials;  // of the good values, in their order
+};
+
+Result<Taught> taught(const ResultDatabase& database, const LearningTask& task, const Runs& runs,
+                      const Limit& limit) {
   const bool least = is_from_below(limit);
-  const auto values = database.series({.measure = limit.measure, .of = limit.of, .least = least});
+  const auto values =
+      database.series({.measure = limit.measure, .of = limit.of, .at = limit.at, .least = least});
   if (!values) return values.error();
-  analysis::IndicatorHistory history{
-      limit.measure, "", least ? LimitSide::min : LimitSide::max, {}, {}};
-  history.limit = bound_of(limit);
+  Taught all;
+  analysis::IndicatorHistory& history = all.history;
+  history.indicator = limit.measure;
+  history.point = text_of(limit.at);
+  history.side = least ? LimitSide::min : LimitSide::max;
+  history.limit = bound_in_force(limit, task.plan.limits);
   history.has_limit = std::isfinite(history.limit);
-  std::vector<std::string> serials;
   for (const RunValue& run : values.value()) {
     const double value = in_unit(run.value, run.unit, limit.unit);
     if (!std::isfinite(value)) continue;
     if (runs.judged.contains(run.folder)) history.history.push_back(value);
     if (!runs.good.contains(run.folder)) continue;
     history.good.push_back(value);
-    serials.push_back(run.serial);
+    all.serials.push_back(run.serial);
   }
-  LearntLimit learnt{
-      limit, history.limit, analysis::propose_limits({history}, task.coverage).at(0), {}};
+  return all;
+}
+
+LearntLimit learnt_of(const Limit& limit, const Taught& taught, analysis::LimitProposal proposal,
+                      const LearningTask& task, const std::string& utc) {
+  LearntLimit learnt{limit, taught.history.limit, std::move(proposal), {}};
   for (const std::size_t i : learnt.proposal.learnt.set_aside) {
-    learnt.set_aside.push_back(serials[i]);
+    learnt.set_aside.push_back(taught.serials[i]);
   }
+  if (!learnt.proposal.refusal.empty()) return learnt;
+  const bool is_min = learnt.proposal.side == LimitSide::min;
+  learnt.limit.min = is_min ? learnt.proposal.learnt.limit : not_known;
+  learnt.limit.max = is_min ? not_known : learnt.proposal.learnt.limit;
+  learnt.limit.why = why_of(learnt, task.coverage, utc);
   return learnt;
+}
+
+// In place of the one that bounds the same, or as a further one.
+void put(std::vector<Limit>& limits, const Limit& limit) {
+  const auto old = std::ranges::find_if(limits, [&](const Limit& other) {
+    return other.at == limit.at && is_same_but_for_points(other, limit);
+  });
+  if (old != limits.end()) {
+    *old = limit;
+  } else {
+    limits.push_back(limit);
+  }
 }
 
 }  // namespace
@@ -112,28 +176,22 @@ Result<LearntLimits> learn_limits(const ResultDatabase& database, const Learning
   const auto rows = database.runs();
   if (!rows) return rows.error();
   const Runs runs = runs_of(rows.value(), task);
+  std::vector<Limit> limits = limits_to_learn(task);
+  if (task.per_point) limits = at_each_point(limits, task.plan);
+  std::vector<Taught> all_taught;
+  std::vector<analysis::IndicatorHistory> histories;
+  for (const Limit& limit : limits) {
+    auto one = taught(database, task, runs, limit);
+    if (!one) return one.error();
+    all_taught.push_back(std::move(one).value());
+    histories.push_back(all_taught.back().history);
+  }
+  const auto proposals = analysis::propose_limits(histories, task.coverage);
   LearntLimits all;
-  all.file = {task.version, task.plan, {}, task.in_force};
-  for (const Limit& limit : asked_limits(task)) {
-    auto learnt = learn(database, task, runs, limit);
-    if (!learnt) return learnt.error();
-    LearntLimit one = std::move(learnt).value();
-    if (one.proposal.refusal.empty()) {
-      const bool is_min = one.proposal.side == LimitSide::min;
-      one.limit.min = is_min ? one.proposal.learnt.limit : not_known;
-      one.limit.max = is_min ? not_known : one.proposal.learnt.limit;
-      one.limit.why = why_of(one, task.coverage, utc);
-      const auto old = std::ranges::find_if(all.file.limits, [&](const Limit& l) {
-        return l.measure == limit.measure && l.of == limit.of &&
-               std::isfinite(l.min) == std::isfinite(limit.min);
-      });
-      if (old != all.file.limits.end()) {
-        *old = one.limit;
-      } else {
-        all.file.limits.push_back(one.limit);
-      }
-    }
-    all.learnt.push_back(std::move(one));
+  all.file = {task.version, task.plan.name, {}, task.plan.limits};
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    all.learnt.push_back(learnt_of(limits[i], all_taught[i], proposals[i], task, utc));
+    if (proposals[i].refusal.empty()) put(all.file.limits, all.learnt.back().limit);
   }
   return all;
 }
@@ -142,8 +200,9 @@ std::string learnt_text(const LearntLimits& learnt) {
   std::string text;
   for (const LearntLimit& one : learnt.learnt) {
     const analysis::LimitProposal& proposal = one.proposal;
-    const std::string name =
-        one.limit.measure + (one.limit.of.empty() ? "" : " of " + one.limit.of);
+    const std::string name = one.limit.measure +
+                             (one.limit.of.empty() ? "" : " of " + one.limit.of) +
+                             at_text(one.limit.at);
     const std::string old =
         std::isfinite(one.in_force) ? with_unit(one.in_force, one.limit.unit) : "none";
     if (!proposal.refusal.empty()) {

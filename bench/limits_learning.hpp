@@ -13,17 +13,18 @@ namespace rvbench::bench {
 
 /// What limits are to be learnt, and from whom.
 struct LearningTask {
-  std::string version, plan;
-  std::vector<sequences::Limit> in_force;  ///< of the plan: what is not learnt stays as it is
-  std::vector<std::string> measures;       ///< to learn; empty: those of in_force
-  std::set<std::string> serials;           ///< good units; empty: all that passed
+  std::string version;
+  sequences::TestPlan plan;  ///< with the limits in force: what is not learnt stays as it is
+  std::vector<std::string> measures;  ///< to learn; empty: those that are limited
+  bool per_point = false;         ///< a limit for each point of the matrix, in place of one for all
+  std::set<std::string> serials;  ///< good units; empty: all that passed
   analysis::Coverage coverage;
 };
 
 /// One limit that good units were asked for.
 struct LearntLimit {
   sequences::Limit limit;              ///< the proposed one, or that in force if there is none
-  double in_force = 0;                 ///< NaN if there is none
+  double in_force = 0;                 ///< at its points, the strictest; NaN if there is none
   analysis::LimitProposal proposal;    ///< in the limit's unit
   std::vector<std::string> set_aside;  ///< serials of good units that are unlike the others
 };
@@ -34,7 +35,8 @@ struct LearntLimits {
 };
 
 /// Learns limits from the newest PASS run of each good unit: of each the worst value over all
-/// points and channels, as a limit is held against it.
+/// channels of the points that the limit is for, as it is held against it. A limit for a point is
+/// added to one for all points that is in force: both hold.
 /// @param utc  of now, for the reasons
 /// Units   of the limit in force, else of the measure. Errors  as ResultDatabase; too few units are
 ///         a refusal of that limit. @throws std::invalid_argument as propose_limits()

@@ -1,5 +1,6 @@
 #include "bench/rejudging.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "bench/judging.hpp"
@@ -17,6 +18,15 @@ const Ending measured{Outcome::pass, ErrorKind::none, "every point was judged"};
 double range_of(const std::filesystem::path& folder) {
   const auto reader = hal::RecordingReader::open(folder / "recording.h5");
   return reader ? reader.value()->layout().acceleration_range_m_s2 : not_known;
+}
+
+// Then the diagnosis, which knows of no other limits, is the same by both.
+bool bound_depths_alike(const analysis::Kinematics& kinematics,
+                        const std::vector<sequences::Limit>& a,
+                        const std::vector<sequences::Limit>& b) {
+  return std::ranges::equal(with_limits(kinematics, a).signatures,
+                            with_limits(kinematics, b).signatures, {},
+                            &analysis::Signature::depth_limit, &analysis::Signature::depth_limit);
 }
 
 Ending judge_recordings(Judgement& judgement, const StoredRun& run,
@@ -75,6 +85,19 @@ Judgement judged_by_limits(const StoredRun& run, const std::vector<sequences::Li
   conclude(judgement, kinematics, limits, measured);
   demand_confirmation(judgement, kinematics);
   return judgement;
+}
+
+EndingsByLimits endings_by_limits(const StoredRun& run,
+                                  const std::vector<sequences::Limit>& others) {
+  Judgement judgement = judged_by_limits(run, run.plan.limits);
+  EndingsByLimits endings{judgement.ending, {}};
+  if (bound_depths_alike(run.kinematics, run.plan.limits, others)) {
+    hold_against(judgement, others, measured);
+  } else {
+    judgement = judged_by_limits(run, others);
+  }
+  endings.by_others = judgement.ending;
+  return endings;
 }
 
 }  // namespace rvbench::bench

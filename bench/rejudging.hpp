@@ -25,4 +25,13 @@ Judgement judged_again(const StoredRun& run, const std::vector<sequences::Limit>
 /// software that examined them stays the one of then.
 Judgement judged_by_limits(const StoredRun& run, const std::vector<sequences::Limit>& limits);
 
+/// How a run ends by the limits of its own plan, and by others.
+struct EndingsByLimits {
+  Ending by_own, by_others;
+};
+
+/// judged_by_limits() by both; what they have in common is concluded once.
+EndingsByLimits endings_by_limits(const StoredRun& run,
+                                  const std::vector<sequences::Limit>& others);
+
 }  // namespace rvbench::bench

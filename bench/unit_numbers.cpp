@@ -22,8 +22,8 @@ void add_limited(std::vector<UnitNumber>& numbers, const Judgement& judgement) {
   for (const LimitCheck& check : judgement.limits) {
     if (check.measure == measure_names::modulation_depth) continue;  // told part by part
     const bool from_below = std::isfinite(check.min);
-    add(numbers,
-        {check.measure, check.of, check.unit, from_below, check.measured, bound_of(check)});
+    add(numbers, {check.measure, check.of, check.unit, from_below, check.measured, bound_of(check),
+                  check.at});
   }
 }
 
@@ -61,7 +61,7 @@ double depth_in(const analysis::Diagnosis& diagnosis, const std::string& part) {
 }  // namespace
 
 std::string name_of(const UnitNumber& number) {
-  return number.measure + (number.of.empty() ? "" : " of " + number.of);
+  return number.measure + (number.of.empty() ? "" : " of " + number.of) + at_text(number.at);
 }
 
 double share_of_limit(const UnitNumber& number) {
@@ -82,7 +82,8 @@ double value_in(const Judgement& other, const UnitNumber& asked) {
   if (asked.measure == measure_names::modulation_depth) return depth_in(other.diagnosis, asked.of);
   const Measure* measure = find_measure(asked.measure);
   if (measure == nullptr) return not_known;
-  return worst_indicator(other, {*measure, asked.unit, asked.worst_is_least, asked.of}).value;
+  return worst_indicator(other, {*measure, asked.unit, asked.worst_is_least, asked.of, asked.at})
+      .value;
 }
 
 }  // namespace rvbench::bench

@@ -7,8 +7,8 @@
 
 namespace rvbench::bench {
 
-/// A number of a unit as a whole, by which units are compared: the worst of an indicator over all
-/// points and channels, or how deep a part modulates the vibration.
+/// A number of a unit, by which units are compared: the worst of an indicator over all points and
+/// channels, or at some points, or how deep a part modulates the vibration.
 struct UnitNumber {
   std::string measure;
   std::string of;  ///< band, order or mesh; of a depth "input_shaft: misalignment"; empty: any
@@ -16,9 +16,10 @@ struct UnitNumber {
   bool worst_is_least = false;
   double value = not_known;
   double limit = not_known;  ///< in the same unit; NaN: there is none
+  SetPoint at = {};          ///< the points it is of; any: all together
 };
 
-/// "band_rms of sun-planet mesh"
+/// "band_rms of sun-planet mesh", "kurtosis at 1815 rpm, 100 % load"
 std::string name_of(const UnitNumber& number);
 
 /// How near it is to its limit: 1 is at it, more is beyond; NaN without a limit.

@@ -10,6 +10,26 @@
 namespace rvbench::bench {
 namespace {
 
+// What is not stated is null, in one place and read back in the next.
+nlohmann::ordered_json text_or_null(const std::string& text) {
+  return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text);
+}
+
+std::string text_or_empty(const nlohmann::ordered_json& json, const char* key) {
+  const auto found = json.find(key);
+  return found == json.end() || found->is_null() ? "" : found->get<std::string>();
+}
+
+nlohmann::ordered_json json_or_null(const std::optional<double>& number) {
+  return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json();
+}
+
+std::optional<double> number_if_there(const nlohmann::ordered_json& json, const char* key) {
+  const auto found = json.find(key);
+  if (found == json.end() || found->is_null()) return std::nullopt;
+  return found->get<double>();
+}
+
 nlohmann::ordered_json to_json(const RunFacts& facts) {
   nlohmann::ordered_json events = nlohmann::json::array();
   for (const auto& [time_s, text] : facts.events)
@@ -17,6 +37,7 @@ nlohmann::ordered_json to_json(const RunFacts& facts) {
   nlohmann::ordered_json json = {{"serial", facts.serial},
                                  {"started_utc", facts.started_utc},
                                  {"plan", facts.plan},
+                                 {"limits_version", text_or_null(facts.limits_version)},
                                  {"rig", facts.rig},
                                  {"preset", facts.preset},
                                  {"duration_s", facts.duration_s},
@@ -34,6 +55,7 @@ RunFacts facts_from_json(const nlohmann::ordered_json& json) {
   json.at("serial").get_to(facts.serial);
   json.at("started_utc").get_to(facts.started_utc);
   json.at("plan").get_to(facts.plan);
+  facts.limits_version = text_or_empty(json, "limits_version");  // of an older rvbench absent
   json.at("rig").get_to(facts.rig);
   json.at("preset").get_to(facts.preset);
   facts.duration_s = number_or_nan(json.at("duration_s"));
@@ -49,23 +71,21 @@ RunFacts facts_from_json(const nlohmann::ordered_json& json) {
   return facts;
 }
 
-// What is not stated is null, in one place and read back in the next.
-nlohmann::ordered_json text_or_null(const std::string& text) {
-  return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text);
-}
-
-std::string text_or_empty(const nlohmann::ordered_json& json, const char* key) {
-  const auto found = json.find(key);
-  return found == json.end() || found->is_null() ? "" : found->get<std::string>();
-}
-
 nlohmann::ordered_json to_json(const LimitCheck& check) {
-  return {{"measure", check.measure},     {"component", text_or_null(check.component)},
-          {"unit", check.unit},           {"max", check.max},
-          {"measured", check.measured},   {"where", text_or_null(check.where)},
-          {"passed", check.passed},       {"why", check.why},
-          {"of", text_or_null(check.of)}, {"min", check.min},
-          {"points", check.points},       {"not_measured_at", check.lacking}};
+  return {{"measure", check.measure},
+          {"component", text_or_null(check.component)},
+          {"unit", check.unit},
+          {"max", check.max},
+          {"measured", check.measured},
+          {"where", text_or_null(check.where)},
+          {"passed", check.passed},
+          {"why", check.why},
+          {"of", text_or_null(check.of)},
+          {"min", check.min},
+          {"points", check.points},
+          {"not_measured_at", check.lacking},
+          {"speed_rpm", json_or_null(check.at.speed_rpm)},
+          {"load_pct", json_or_null(check.at.load_pct)}};
 }
 
 LimitCheck limit_from_json(const nlohmann::ordered_json& json) {
@@ -78,11 +98,13 @@ LimitCheck limit_from_json(const nlohmann::ordered_json& json) {
   check.where = text_or_empty(json, "where");
   json.at("passed").get_to(check.passed);
   json.at("why").get_to(check.why);
-  // Keys that may be absent: of anything, not bounded from below, measured wherever it was asked.
+  // Keys that may be absent: of anything, at all points, not bounded from below, measured wherever
+  // it was asked.
   check.of = text_or_empty(json, "of");
   check.min = number_or_nan(json.value("min", nlohmann::ordered_json()));
   check.points = json.value("points", check.points);
   check.lacking = json.value("not_measured_at", check.lacking);
+  check.at = {number_if_there(json, "speed_rpm"), number_if_there(json, "load_pct")};
   return check;
 }
 

@@ -28,8 +28,10 @@ std::vector<Source> sources_of(const JudgedPoint& point, const Measure& measure)
 }
 
 // A record of hysteresis tells nothing of what turns, and the other way round.
-bool is_asked(const JudgedPoint& point, const Measure& measure) {
-  return point.status == "ok" && point.examination.of_hysteresis == !measure.phase.empty();
+bool is_asked(const JudgedPoint& point, const WorstOf& asked) {
+  const analysis::Examination& seen = point.examination;
+  return point.status == "ok" && seen.of_hysteresis == !asked.measure.phase.empty() &&
+         asked.at.includes(point.planned_speed_rpm, seen.load_pct);
 }
 
 double value_of(const Indicator& indicator, const WorstOf& asked) {
@@ -82,7 +84,7 @@ void take(WorstIndicator& worst, const Source& source, const WorstOf& asked) {
 WorstIndicator worst_indicator(const Judgement& judgement, const WorstOf& asked) {
   std::vector<std::vector<Source>> points;
   for (const JudgedPoint& point : judgement.points) {
-    if (is_asked(point, asked.measure)) points.push_back(sources_of(point, asked.measure));
+    if (is_asked(point, asked)) points.push_back(sources_of(point, asked.measure));
   }
   WorstIndicator worst;
   worst.points = points.size();

@@ -15,6 +15,7 @@ struct WorstOf {
   std::string unit;          ///< of the answer; what cannot be told in it counts as not measured
   bool least = false;        ///< the smallest value is the worst
   std::string_view of = {};  ///< one band, order, mesh or channel; empty: every one
+  SetPoint at = {};          ///< at these points of the matrix alone
 };
 
 /// The worst of one indicator, and where it could not be measured. Points that the measure is not

@@ -9,6 +9,7 @@
 #include "hal/config_reader.hpp"
 #include "hal/recording_file.hpp"
 #include "hal/types/recording.hpp"
+#include "hal/types/set_point.hpp"
 #include "sequences/phase.hpp"
 
 namespace rvbench::sequences {
@@ -30,7 +31,8 @@ struct Interlocks {
 };
 
 /// A limit on something the diagnosis measures; declared before it is measured. It holds for the
-/// worst of all points and channels.
+/// worst of all channels, at the points it is for. Several that are about one value all hold: none
+/// takes the place of another.
 struct Limit {
   std::string measure;    ///< a name of measures()
   std::string component;  ///< for modulation_depth: which finding it bounds; empty = every one
@@ -39,6 +41,7 @@ struct Limit {
   std::string why;
   std::string of = {};     ///< for others: which band, order or mesh it bounds; empty = every one
   double min = not_known;  ///< NaN: it is a limit from above
+  SetPoint at = {};        ///< the points it holds at; any: all together
 };
 
 struct Teardown {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <utility>
 
 #include "hal/did_you_mean.hpp"
 #include "hal/types/measure.hpp"
 #include "sequences/limits_json.hpp"
+#include "sequences/limits_on_plan.hpp"
 #include "sequences/phase_registry.hpp"
 #include "sequences/plan.hpp"
 #include "sequences/timeline.hpp"
@@ -84,6 +84,13 @@ void parse_bound(const Measure& measure, Limit& limit, hal::ConfigReader& json) 
   if (json.has("max")) json.fault("max", "beside \"min\": make it a limit of its own");
 }
 
+SetPoint parse_set_point(hal::ConfigReader& json) {
+  SetPoint at;
+  if (json.has("speed_rpm")) at.speed_rpm = json.number("speed_rpm", {0, 10000});
+  if (json.has("load_pct")) at.load_pct = json.number("load_pct", {0, 300});
+  return at;
+}
+
 Limit parse_limit(const Measure& measure, hal::ConfigReader& json) {
   Limit limit;
   limit.measure = measure.name;
@@ -91,10 +98,15 @@ Limit parse_limit(const Measure& measure, hal::ConfigReader& json) {
   limit.of = json.text("of", "");
   limit.unit = parse_unit(measure, json);
   parse_bound(measure, limit, json);
+  limit.at = parse_set_point(json);
   limit.why = json.text("why");
   const bool is_depth = limit.measure == measure_names::modulation_depth;
   if (is_depth && !limit.of.empty()) json.fault("of", "a depth is narrowed by \"component\"");
   if (is_depth && std::isfinite(limit.min)) json.fault("min", "no depth is too small");
+  if (is_depth && !limit.at.is_any()) {
+    json.fault(limit.at.speed_rpm ? "speed_rpm" : "load_pct",
+               "a depth is concluded from all points together: leave it out");
+  }
   if (!is_depth && !limit.component.empty()) {
     json.fault("component", fmt::format("only modulation_depth is of a part, {} is narrowed by "
                                         "\"of\"",
@@ -107,12 +119,13 @@ Limit parse_limit(const Measure& measure, hal::ConfigReader& json) {
 bool contradict(const Limit& a, const Limit& b) {
   if (a.measure != b.measure) return false;
   if (!a.of.empty() && !b.of.empty() && a.of != b.of) return false;
+  if (!overlap(a.at, b.at)) return false;
   return in_unit(a.min, a.unit, b.unit) > b.max || in_unit(b.min, b.unit, a.unit) > a.max;
 }
 
 // Whether both bound the same thing from the same side: then one of them says nothing.
 bool repeats(const Limit& a, const Limit& b) {
-  return a.measure == b.measure && a.of == b.of && a.component == b.component &&
+  return a.measure == b.measure && a.of == b.of && a.component == b.component && a.at == b.at &&
          std::isfinite(a.min) == std::isfinite(b.min);
 }
 
@@ -123,8 +136,8 @@ void check_against_earlier(const Limit& limit, const std::vector<Limit>& earlier
   if (same != earlier.end()) {
     const bool both_min = std::isfinite(limit.min);
     json.fault(both_min ? "min" : "max",
-               fmt::format("{} has a {} already, {:g} {}: one of the two says nothing",
-                           limit.measure, both_min ? "min" : "max",
+               fmt::format("{}{} has a {} already, {:g} {}: one of the two says nothing",
+                           limit.measure, at_text(limit.at), both_min ? "min" : "max",
                            both_min ? same->min : same->max, hal::in_quotes(same->why)));
     return;
   }
@@ -138,38 +151,12 @@ void check_against_earlier(const Limit& limit, const std::vector<Limit>& earlier
                          hal::in_quotes(other->why)));
 }
 
-// Whether the phase records what the measure is made of: a shaft that is wound to and fro tells of
-// nothing that turns, and one that turns of no torsion.
-bool shows(const Phase& phase, const Measure& measure) {
-  if (phase.points().empty()) return false;
-  if (!measure.phase.empty()) return phase.kind() == measure.phase;
-  return std::ranges::find(measures(), phase.kind(), &Measure::phase) == measures().end();
-}
-
-// Why no record of the plan can have a value to hold against a limit on it; empty if one can.
-std::string why_never_measured(const Measure& measure, const TestPlan& plan) {
-  std::set<std::pair<double, double>> points;  // of speed and load
-  bool repeated = false;
-  for (const auto& phase : plan.main) {
-    if (!shows(*phase, measure)) continue;
-    for (const hal::PlannedPoint& p : phase->points()) {
-      repeated |= !points.emplace(p.speed_rpm, p.load_pct).second;
-    }
-  }
-  if (points.empty()) {
-    return measure.phase.empty()
-               ? "needs a shaft that turns steadily, which main never records"
-               : fmt::format("needs a {} phase, and main has none", measure.phase);
-  }
-  return measure.takes_repeats && !repeated ? "needs a point that main records more than once" : "";
-}
-
 void check_against_points(const TestPlan& plan, hal::ConfigReader& root) {
   std::size_t i = 0;
   for (hal::ConfigReader& json : root.objects("limits", false)) {
-    const Measure* measure = find_measure(plan.limits[i++].measure);
-    const std::string why = why_never_measured(*measure, plan);
-    if (!why.empty()) json.fault("measure", fmt::format("{} {}", measure->name, why));
+    if (const auto mismatch = mismatch_of(plan.limits[i++], plan)) {
+      json.fault(mismatch->key, mismatch->why);
+    }
   }
 }
 
@@ -206,6 +193,8 @@ nlohmann::ordered_json limits_json(const std::vector<Limit>& limits) {
     nlohmann::ordered_json item = {{"measure", limit.measure}, {"component", limit.component}};
     if (!limit.of.empty()) item["of"] = limit.of;
     item["unit"] = limit.unit;
+    if (limit.at.speed_rpm) item["speed_rpm"] = *limit.at.speed_rpm;
+    if (limit.at.load_pct) item["load_pct"] = *limit.at.load_pct;
     item[from_below ? "min" : "max"] = from_below ? limit.min : limit.max;
     item["why"] = limit.why;
     json.push_back(std::move(item));

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "hal/types/measure.hpp"
+#include "sequences/limits_on_plan.hpp"
 
 namespace rvbench::sequences {
 namespace {
@@ -75,6 +76,7 @@ std::vector<hal::ConfigFault> faults_of_plan_on(const hal::Rig& rig, const TestP
   add_phases("setup", plan.setup, plan, rig, faults);
   add_phases("main", plan.main, plan, rig, faults);
   add_limits(plan.limits, faults);
+  std::ranges::move(limits_without_points(plan.limits, plan), std::back_inserter(faults));
   const double rate_Hz = rig.accelerometers->rate_Hz();
   const double asked_Hz = plan.acceleration_rate_Hz;
   if (!(std::abs(rate_Hz - asked_Hz) <= same_rate * asked_Hz)) {

@@ -14,6 +14,7 @@
 #include "bench/fault_lines.hpp"
 #include "bench/find_plan.hpp"
 #include "bench/limits_effect.hpp"
+#include "bench/limits_in_force.hpp"
 #include "bench/limits_learning.hpp"
 #include "bench/limits_versions.hpp"
 #include "bench/progress_bar.hpp"
@@ -36,6 +37,7 @@ class LimitsCommand final : public Command {
     return "  rvbench limits list\n"
            "  rvbench limits propose --from limits.json --by \"J. Weber\"\n"
            "  rvbench limits learn 2026-11 --plan quick --by \"J. Weber\"      from good units\n"
+           "  rvbench limits learn 2026-11 --plan quick --per-point --by \"J. Weber\"\n"
            "  rvbench limits effect 2026-11               which past verdicts would change\n"
            "  rvbench limits effect 2026-11 --json | jq .effect.changes\n"
            "  rvbench limits approve 2026-11 --by \"A. Sato\" --yes\n"
@@ -53,6 +55,7 @@ class LimitsCommand final : public Command {
             {"--from", "limits file to propose", &from_},
             {"--plan", "learn: plan whose runs teach", &plan_},
             {"--measure", "learn: this indicator alone; default: those limited now", &measures_},
+            {"--per-point", "learn: a limit for each speed and load of the plan", &per_point_},
             {"--serials", "learn: file of good serials, one a line; default: all that passed",
              &serials_},
             {"--content", "learn: share of good units within; default: 0.999", &content_},
@@ -101,6 +104,7 @@ class LimitsCommand final : public Command {
   std::string plan_;
   std::vector<std::string> measures_;
   std::string serials_;
+  bool per_point_ = false;
   std::optional<double> content_, confidence_;
   std::string out_ = "runs";
   bool yes_ = false;
@@ -173,7 +177,7 @@ std::variant<LearningTask, int> LimitsCommand::learning_task(Console& console) c
   for (const std::string& measure : measures_) {
     if (find_measure(measure) == nullptr) return refuse_measure(console, "limits", measure);
   }
-  LearningTask task{version_, "", {}, measures_, {}, {}};
+  LearningTask task{version_, {}, measures_, per_point_, {}, {}};
   task.coverage = {content_.value_or(task.coverage.content),
                    confidence_.value_or(task.coverage.confidence)};
   for (const double share : {task.coverage.content, task.coverage.confidence}) {
@@ -182,11 +186,9 @@ std::variant<LearningTask, int> LimitsCommand::learning_task(Console& console) c
   }
   auto plan = find_plan(plan_);
   if (plan.index() == 1) return refuse_file(console, plan_, std::get<1>(plan));
-  task.plan = std::get<0>(plan).name;
-  task.in_force = std::get<0>(plan).limits;
-  auto active = active_limits(out_, task.plan);
-  if (active.index() == 1) return refuse_usage(console, "limits: " + std::get<1>(active));
-  if (auto& limits = std::get<0>(active)) task.in_force = std::move(limits->limits);
+  task.plan = std::get<0>(std::move(plan));
+  const auto limits = put_in_force(out_, plan_, task.plan);
+  if (limits.index() == 1) return refuse_usage(console, "limits: " + std::get<1>(limits));
   if (serials_.empty()) return task;
   const auto text = read_file(serials_);
   if (!text) return refuse_usage(console, "limits: --serials " + serials_ + " cannot be read");

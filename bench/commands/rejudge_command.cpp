@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
@@ -16,6 +17,7 @@
 #include "bench/sha256.hpp"
 #include "bench/text_file.hpp"
 #include "hal/did_you_mean.hpp"
+#include "sequences/limits_on_plan.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -92,7 +94,9 @@ int RejudgeCommand::check_limits(Console& console, const StoredRun& run) const {
                                     hal::in_quotes(limits_->plan) + ", and " + run.folder.string() +
                                     " is one of " + hal::in_quotes(run.plan.name));
   }
-  const auto faults = limits_on_unknown_parts(limits_->limits, run.kinematics);
+  auto faults = limits_on_unknown_parts(limits_->limits, run.kinematics);
+  std::ranges::move(sequences::limits_without_points(limits_->limits, run.plan),
+                    std::back_inserter(faults));
   if (faults.empty()) return exit_codes::done;
   return refuse_file(console, limits_file_, with_lines(limits_file_, faults));
 }
@@ -123,6 +127,7 @@ int RejudgeCommand::judge(Console& console, const std::filesystem::path& folder)
   again.judged_utc = utc_now();
   if (limits_) {
     again.limits_version = limits_->version;
+    again.judgement.facts.limits_version = limits_->version;
     again.limits_sha256 = limits_hash(limits_->limits);
   }
   const std::string file = next_rejudgement_name(folder);

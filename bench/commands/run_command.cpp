@@ -12,12 +12,11 @@
 #include "bench/bench_lock.hpp"
 #include "bench/commands/commands.hpp"
 #include "bench/commands/sim_choice.hpp"
-#include "bench/fault_lines.hpp"
 #include "bench/file_kind.hpp"
 #include "bench/find_plan.hpp"
 #include "bench/judging.hpp"
 #include "bench/kinematics_file.hpp"
-#include "bench/limits_versions.hpp"
+#include "bench/limits_in_force.hpp"
 #include "bench/plan_files.hpp"
 #include "bench/progress_bar.hpp"
 #include "bench/result_database.hpp"
@@ -96,7 +95,7 @@ class RunCommand final : public Command {
   bool resume_ = false;
   bool no_report_ = false;
   bool json_ = false;
-  std::string limits_note_;
+  LimitsInForce limits_;
   std::string live_;
   RigFile file_;    // what --rig names, read once
   RunPlace place_;  // locked until the command ends
@@ -125,13 +124,10 @@ int RunCommand::run(Console& console) {
   if (rig.index() == 1) refuse_file(console, rig_, std::get<1>(rig));
   if (plan.index() == 1 || rig.index() == 1) return exit_codes::bad_file;
   sequences::TestPlan& test = std::get<0>(plan);
-  auto active = active_limits(out_, test.name);
-  if (active.index() == 1) return refuse_usage(console, "run: " + std::get<1>(active));
-  if (auto& limits = std::get<0>(active)) {
-    test.limits = std::move(limits->limits);
-    limits_note_ = "limits " + limits->version + " are active, in place of the plan's";
-    console.err << "rvbench: note: " << limits_note_ << '\n';
-  }
+  auto limits = put_in_force(out_, plan_, test);
+  if (limits.index() == 1) return refuse_usage(console, "run: " + std::get<1>(limits));
+  limits_ = std::get<0>(std::move(limits));
+  if (!limits_.version.empty()) console.err << "rvbench: note: " << note_of(limits_) << '\n';
   auto kinematics = read_kinematics(test.specimen.kinematics);
   if (kinematics.index() == 1) {
     return refuse_file(console, test.specimen.kinematics, std::get<1>(kinematics));
@@ -139,7 +135,9 @@ int RunCommand::run(Console& console) {
   auto faults = limits_on_unknown_parts(test.limits, std::get<0>(kinematics));
   std::ranges::move(sequences::faults_of_plan_on(std::get<0>(rig), test),
                     std::back_inserter(faults));
-  if (!faults.empty()) return refuse_file(console, plan_, with_lines(plan_, faults));
+  for (const auto& [path, told] : faults_by_file(faults, plan_, limits_))
+    refuse_file(console, path, told);
+  if (!faults.empty()) return exit_codes::bad_file;
   const auto warnings = remarks_on(file_, rig_).warnings;
   remark(console, "warning", rig_, warnings);
   if (dry_run_) {
@@ -172,6 +170,7 @@ RunFacts RunCommand::facts(const sequences::TestPlan& plan) const {
   facts.serial = serial_;
   facts.started_utc = read_run_begin(place_.folder).started_utc;
   facts.plan = plan.name;
+  facts.limits_version = limits_.version;
   facts.rig = rig_;
   // A rig file goes before the command line, and a replayed recording has no preset and no seed.
   if (const auto* sim = std::get_if<SimRig>(&file_)) {
@@ -218,7 +217,7 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
   ProgressBar bar(console, progress_style(console, json_));
   Acceptance acceptance{plan, kinematics, place_.folder, facts(plan), twin_of(file_)};
   acceptance.with_report = !no_report_;
-  if (!limits_note_.empty()) acceptance.warnings.push_back(limits_note_);
+  if (!limits_.version.empty()) acceptance.warnings.push_back(note_of(limits_));
   for (const hal::ConfigFault& warning : warnings) {
     acceptance.warnings.push_back(hal::describe(rig_, warning));
   }

@@ -16,10 +16,6 @@
 namespace rvbench::bench {
 namespace {
 
-struct SpeedAndLoad {
-  double speed_rpm, load_pct;
-};
-
 std::optional<double> number_of(std::string_view text) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -28,12 +24,12 @@ std::optional<double> number_of(std::string_view text) {
 }
 
 // "1210/50"
-std::optional<SpeedAndLoad> point_of(std::string_view text) {
+std::optional<SetPoint> point_of(std::string_view text) {
   const auto at = text.find('/');
   if (at == std::string_view::npos) return std::nullopt;
   const auto speed_rpm = number_of(text.substr(0, at)), load_pct = number_of(text.substr(at + 1));
   if (!speed_rpm || !load_pct) return std::nullopt;
-  return SpeedAndLoad{*speed_rpm, *load_pct};
+  return SetPoint{speed_rpm, load_pct};
 }
 
 Result<std::vector<RunValue>> values_in(Result<ResultDatabase> opened, const SeriesOf& asked) {
@@ -84,8 +80,7 @@ int TrendCommand::run(Console& console) {
       return refuse_usage(console, "trend: --point " + hal::in_quotes(point_) +
                                        ": state speed and load as 1210/50, in rpm and %");
     }
-    asked_.speed_rpm = point->speed_rpm;
-    asked_.load_pct = point->load_pct;
+    asked_.at = *point;
   }
   std::error_code unknown;
   if (!std::filesystem::is_directory(runs_, unknown)) {

@@ -51,7 +51,8 @@ std::string limits_on(const Measure& measure, const Judgement& judgement) {
     html += html.empty() ? "" : "<br>";
     html += std::string(std::isfinite(check.min) ? "≥ " : "≤ ") +
             xml_escaped(with_unit(bound_of(check), check.unit)) +
-            (check.of.empty() ? "" : " for " + xml_escaped(check.of)) + ": " + state_of(check);
+            (check.of.empty() ? "" : " for " + xml_escaped(check.of)) + at_text(check.at) + ": " +
+            state_of(check);
   }
   return html.empty() ? "–" : html;
 }

@@ -71,7 +71,12 @@ std::string unbroken(const std::string& html) {
 
 std::string narrowed_to(const LimitCheck& check) {
   if (!check.component.empty()) return check.component;
-  return check.of.empty() ? "any" : check.of;
+  return (check.of.empty() ? "any" : check.of) + at_text(check.at);
+}
+
+std::string limits_title(const RunFacts& facts) {
+  if (facts.limits_version.empty()) return "Limits of the plan";
+  return "Limits, version " + xml_escaped(facts.limits_version) + ", in place of the plan's";
 }
 
 // All points at which a limit could not be held against anything.
@@ -108,7 +113,7 @@ std::string limits_section(const ReportInput& input) {
          xml_escaped(readable_place(input.judgement, check.where)), xml_escaped(check.why)});
   }
   if (!rows.empty()) {
-    html += "<h3>Limits of the plan</h3>\n<div class=\"limits\">" +
+    html += "<h3>" + limits_title(input.judgement.facts) + "</h3>\n<div class=\"limits\">" +
             table({"measure", "of", "measured", "limit", "unit", "", "worst at", "why"}, rows) +
             "</div>\n";
   }

@@ -1,7 +1,9 @@
 #include "bench/results/entry.hpp"
 
 #include <map>
+#include <string>
 #include <tuple>
+#include <utility>
 
 #include "bench/limits_versions.hpp"
 
@@ -22,6 +24,8 @@ constexpr const char* put_judgement =
 // The values of all quantities: by the quantity their key begins.
 constexpr const char* remove_values =
     "DELETE FROM indicators WHERE run = ?1 AND quantity IN (SELECT id FROM quantities)";
+constexpr const char* remove_extremes =
+    "DELETE FROM extremes WHERE run = ?1 AND quantity IN (SELECT id FROM quantities)";
 
 constexpr const char* get_limits =
     "SELECT 1 FROM limits_versions WHERE version = ?1 AND plan = ?2 AND status = ?3 "
@@ -34,8 +38,9 @@ class RunEntry {
   RunEntry(SqliteFile& file, std::int64_t run) : file_(file), run_(run) {}
 
   bool clear() {
-    for (const char* sql : {"DELETE FROM points WHERE run = ?1",
-                            "DELETE FROM findings WHERE run = ?1", remove_values}) {
+    for (const char* sql :
+         {"DELETE FROM points WHERE run = ?1", "DELETE FROM findings WHERE run = ?1", remove_values,
+          remove_extremes}) {
       SqlStatement removal(file_, sql);
       removal.bind(run_);
       if (!removal.run()) return false;
@@ -54,6 +59,19 @@ class RunEntry {
     return true;
   }
 
+  // Of all values that were put.
+  bool put_extremes() {
+    SqlStatement extremes(file_, "INSERT INTO extremes VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7)");
+    for (const auto& [of, values] : extremes_) {
+      const auto& [quantity, channel] = of;
+      const auto& [least, greatest] = values;
+      extremes.bind(quantity, run_, channel, greatest.value, greatest.point, least.value,
+                    least.point);
+      if (!extremes.run()) return false;
+    }
+    return true;
+  }
+
   bool put_findings(const std::vector<analysis::Finding>& findings, const std::string& standing) {
     for (const analysis::Finding& f : findings) {
       finding_.bind(run_, rank_++, standing, f.component, f.mechanism, f.table4_item, f.order,
@@ -64,6 +82,21 @@ class RunEntry {
   }
 
  private:
+  struct Value {
+    double value;
+    int point;
+  };
+  struct Extremes {
+    Value least, greatest;
+  };
+
+  // Of equal ones the first.
+  void note(std::int64_t quantity, const std::string& channel, const Value& at) {
+    Extremes& of = extremes_.try_emplace({quantity, channel}, Extremes{at, at}).first->second;
+    if (at.value < of.least.value) of.least = at;
+    if (at.value > of.greatest.value) of.greatest = at;
+  }
+
   bool put_values(int point, const std::string& channel,
                   const std::vector<analysis::Indicator>& indicators) {
     for (const analysis::Indicator& indicator : indicators) {
@@ -71,6 +104,7 @@ class RunEntry {
       if (quantity == 0) return false;
       value_.bind(quantity, run_, point, channel, indicator.value);
       if (!value_.run()) return false;
+      note(quantity, channel, {indicator.value, point});
     }
     return true;
   }
@@ -91,6 +125,7 @@ class RunEntry {
   const std::int64_t run_;
   int rank_ = 0;
   std::map<std::tuple<std::string, std::string, std::string>, std::int64_t> quantities_;
+  std::map<std::pair<std::int64_t, std::string>, Extremes> extremes_;  // of quantity and channel
   SqlStatement point_{file_, "INSERT INTO points VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7)"};
   SqlStatement finding_{file_,
                         "INSERT INTO findings VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, "
@@ -108,6 +143,7 @@ bool put_all(RunEntry& entry, const Judgement& judgement) {
   for (const JudgedPoint& point : judgement.points) {
     if (!entry.put_point(number++, point)) return false;
   }
+  if (!entry.put_extremes()) return false;
   const analysis::Diagnosis& diagnosis = judgement.diagnosis;
   return entry.put_findings(diagnosis.findings, "above_limit") &&
          entry.put_findings(diagnosis.below_limit, "below_limit") &&
@@ -132,7 +168,7 @@ Status enter_run(SqliteFile& file, const RunRow& row, const Judgement& judgement
                                     .file = "verdict.json",
                                     .judged_utc = row.started_utc,
                                     .software = row.software,
-                                    .limits_version = "",
+                                    .limits_version = judgement.facts.limits_version,
                                     .verdict = row.verdict,
                                     .error_kind = row.error_kind,
                                     .reason = row.reason});

@@ -65,7 +65,25 @@ constexpr const char* what_was_measured = R"sql(
   DROP TABLE runs_alone;
 )sql";
 
-constexpr std::array steps = {runs_alone, what_was_measured};
+// 3: the greatest and the least of each quantity in each channel of a run: history and trend ask
+// for the worst of all points, of which a plan has 63. Bare columns beside MAX() or MIN() are of
+// the row of the extreme: SQLite, "Bare columns in an aggregate query".
+constexpr const char* extremes_of_runs = R"sql(
+  CREATE TABLE extremes (
+    quantity INTEGER NOT NULL REFERENCES quantities (id), run INTEGER NOT NULL,
+    channel TEXT NOT NULL, greatest REAL NOT NULL, greatest_point INTEGER NOT NULL,
+    least REAL NOT NULL, least_point INTEGER NOT NULL,
+    PRIMARY KEY (quantity, run, channel)) WITHOUT ROWID;
+  INSERT INTO extremes
+    SELECT quantity, run, channel, most.value, most.point, fewest.value, fewest.point
+    FROM (SELECT quantity, run, channel, MAX(value) AS value, point FROM indicators
+          GROUP BY quantity, run, channel) AS most
+    JOIN (SELECT quantity, run, channel, MIN(value) AS value, point FROM indicators
+          GROUP BY quantity, run, channel) AS fewest
+    USING (quantity, run, channel);
+)sql";
+
+constexpr std::array steps = {runs_alone, what_was_measured, extremes_of_runs};
 
 Result<int> version_of(const SqliteFile& file) {
   SqlStatement asked(file, "PRAGMA user_version");

@@ -1,5 +1,7 @@
 #include "bench/results/series.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "hal/types/measure.hpp"
@@ -9,18 +11,29 @@ namespace rvbench::bench {
 namespace {
 
 // With a bare column beside MAX() or MIN(), SQLite takes it from the row of the extreme: its
-// documentation of SELECT, "Bare columns in an aggregate query".
-constexpr const char* body =
-    "(indicators.value), quantities.unit, quantities.of_what, indicators.point, "
+// documentation of SELECT, "Bare columns in an aggregate query". CROSS JOIN keeps the order of the
+// tables: from a quantity to its extremes, which lie together.
+constexpr const char* at_all_points =
+    "SELECT {1}({0}), quantities.unit, quantities.of_what, {0}_point, extremes.channel, "
+    "runs.folder, runs.serial, runs.started_utc, runs.verdict "
+    "FROM quantities CROSS JOIN extremes ON extremes.quantity = quantities.id "
+    "CROSS JOIN runs ON runs.id = extremes.run "
+    "WHERE quantities.measure = ?1 AND (?2 = '' OR quantities.of_what = ?2) "
+    "AND (?3 = '' OR extremes.channel = ?3) AND (?4 = '' OR runs.serial = ?4) "
+    "GROUP BY runs.id ORDER BY runs.started_utc, runs.folder";
+
+// From the points that are asked for, run by run, to what they show: a twentieth of all values.
+constexpr const char* at_some_points =
+    "SELECT {}(indicators.value), quantities.unit, quantities.of_what, indicators.point, "
     "indicators.channel, runs.folder, runs.serial, runs.started_utc, runs.verdict "
-    "FROM quantities JOIN indicators ON indicators.quantity = quantities.id "
-    "JOIN runs ON runs.id = indicators.run "
-    "JOIN points ON points.run = indicators.run AND points.point = indicators.point "
+    "FROM points CROSS JOIN quantities CROSS JOIN indicators "
+    "ON indicators.quantity = quantities.id AND indicators.run = points.run "
+    "AND indicators.point = points.point CROSS JOIN runs ON runs.id = points.run "
     "WHERE quantities.measure = ?1 AND (?2 = '' OR quantities.of_what = ?2) "
     "AND (?3 IS NULL OR abs(points.speed_rpm - ?3) < 1e-6) "
     "AND (?4 IS NULL OR abs(points.load_pct - ?4) < 1e-6) "
     "AND (?5 = '' OR indicators.channel = ?5) AND (?6 = '' OR runs.serial = ?6) "
-    "GROUP BY runs.id ORDER BY runs.started_utc, runs.folder";
+    "GROUP BY points.run ORDER BY runs.started_utc, runs.folder";
 
 constexpr const char* depths =
     "SELECT MAX(CASE standing WHEN 'not_shown' THEN 0 ELSE depth END), '1', component, -1, '', "
@@ -35,10 +48,16 @@ SqlStatement query_of(const SqliteFile& file, const SeriesOf& asked) {
     query.bind(asked.of, asked.serial);
     return query;
   }
-  const std::string sql = std::string(asked.least ? "SELECT MIN" : "SELECT MAX") + body;
-  SqlStatement query(file, sql.c_str());
-  query.bind(asked.measure, asked.of, asked.speed_rpm.value_or(not_known),
-             asked.load_pct.value_or(not_known), asked.channel, asked.serial);
+  const char* worst = asked.least ? "MIN" : "MAX";
+  if (asked.at.is_any()) {
+    const std::string sql = fmt::format(at_all_points, asked.least ? "least" : "greatest", worst);
+    SqlStatement query(file, sql.c_str());
+    query.bind(asked.measure, asked.of, asked.channel, asked.serial);
+    return query;
+  }
+  SqlStatement query(file, fmt::format(at_some_points, worst).c_str());
+  query.bind(asked.measure, asked.of, asked.at.speed_rpm.value_or(not_known),
+             asked.at.load_pct.value_or(not_known), asked.channel, asked.serial);
   return query;
 }
 

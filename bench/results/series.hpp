@@ -1,19 +1,18 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "bench/results/sqlite.hpp"
+#include "hal/types/set_point.hpp"
 
 namespace rvbench::bench {
 
 /// Which values of one indicator; what is empty narrows nothing.
 struct SeriesOf {
-  std::string measure;                   ///< a name of measures()
-  std::string of = {};                   ///< band, order or mesh
-  std::optional<double> speed_rpm = {};  ///< as planned
-  std::optional<double> load_pct = {};
+  std::string measure = {};  ///< a name of measures()
+  std::string of = {};       ///< band, order or mesh
+  SetPoint at = {};
   std::string channel = {};
   std::string serial = {};
   bool least = false;  ///< the smallest value of a run is its worst

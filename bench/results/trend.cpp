@@ -81,8 +81,7 @@ std::string trend_title(const Trend& trend) {
   const SeriesOf& asked = trend.asked;
   std::string title = asked.measure;
   if (!asked.of.empty()) title += " of " + asked.of;
-  if (asked.speed_rpm) title += fmt::format(", {:g} rpm", *asked.speed_rpm);
-  if (asked.load_pct) title += fmt::format(", {:g} % load", *asked.load_pct);
+  if (!asked.at.is_any()) title += ", " + text_of(asked.at);
   if (!asked.channel.empty()) title += ", " + asked.channel;
   if (!asked.serial.empty()) title += ", unit " + asked.serial;
   return title;
@@ -104,8 +103,8 @@ std::string trend_to_json(const Trend& trend) {
   const nlohmann::ordered_json json{{"indicator", asked.measure},
                                     {"unit", json_or_null(trend.unit)},
                                     {"of", json_or_null(asked.of)},
-                                    {"speed_rpm", json_or_null(asked.speed_rpm)},
-                                    {"load_pct", json_or_null(asked.load_pct)},
+                                    {"speed_rpm", json_or_null(asked.at.speed_rpm)},
+                                    {"load_pct", json_or_null(asked.at.load_pct)},
                                     {"channel", json_or_null(asked.channel)},
                                     {"serial", json_or_null(asked.serial)},
                                     {"trend", slope_json(trend)},

@@ -17,6 +17,11 @@ std::string text_at(const nlohmann::json& json, const char* key) {
   return found != json.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
+bool is_true(const nlohmann::json& json, const char* key) {
+  const auto found = json.find(key);
+  return found != json.end() && found->is_boolean() && found->get<bool>();
+}
+
 // A word that a command may take for an argument of its own.
 bool is_word(const std::string& text) {
   return !text.empty() && text.size() <= 200 && text.front() != '-' &&
@@ -73,9 +78,14 @@ HttpAnswer StationApi::propose_limits(const Call& call) {
   if (learns && !is_word(version)) return refusal(400, "version");
   return logged(call, "limits propose", [&] {
     if (learns) {
-      return ask({"limits", "learn", version, "--plan=" + plan, "--by=" + call.session.user,
-                  "--out=" + station_.file().runs.string()},
-                 longest_judging_s);
+      std::vector<std::string> words{"limits",
+                                     "learn",
+                                     version,
+                                     "--plan=" + plan,
+                                     "--by=" + call.session.user,
+                                     "--out=" + station_.file().runs.string()};
+      if (is_true(call.body, "per_point")) words.emplace_back("--per-point");
+      return ask(std::move(words), longest_judging_s);
     }
     const auto file = Station::keep_of(station_.file().runs) / "proposed.json";
     write_file(file, call.body["limits"].dump() + "\n");

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bench/report/report.hpp"
+#include "bench/result_database.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/sha256.hpp"
 #include "bench/text_file.hpp"
@@ -172,6 +173,33 @@ TEST_CASE("earlier units are the last sound runs of others by the same plan", "[
 
   remove_sums(root.path() / "b" / "20260102T000000Z");  // not whole
   CHECK(earlier() == std::vector<double>{0.3});
+}
+
+TEST_CASE("earlier units are those that the database of results names", "[bench]") {
+  const ScratchFolder root;
+  const Judgement own = unit_with_peak("own", "20260105T000000Z", 0.5);
+  const auto folder = leave_run(root.path(), own);
+  leave_run(root.path(), unit_with_peak("a", "20260101T000000Z", 0.1));
+  leave_run(root.path(), unit_with_peak("b", "20260102T000000Z", 0.2));
+  const auto values = [&] {
+    std::vector<double> all;
+    for (const EarlierUnit& unit : earlier_units(folder, own, {peak(0.5)})) {
+      all.push_back(unit.values.front());
+    }
+    return all;
+  };
+  const std::vector<double> from_folders = values();
+  CHECK(from_folders == std::vector<double>{0.2, 0.1});
+  CHECK_FALSE(std::filesystem::exists(root / "results.db"));  // a report makes none
+  REQUIRE(caught_up(ResultDatabase::open(root.path())));
+  CHECK(values() == from_folders);
+  // It is not asked anew how a run began that was entered.
+  write_file(root / "b/20260102T000000Z/start.json",
+             run_begin_to_json({"b", "20260109T000000Z", 1}));
+  CHECK(values() == from_folders);
+  // One that nobody has entered is entered.
+  leave_run(root.path(), unit_with_peak("c", "20260103T000000Z", 0.3));
+  CHECK(values() == std::vector<double>{0.3, 0.2, 0.1});
 }
 
 TEST_CASE("a run folder that lies elsewhere has no earlier units", "[bench]") {

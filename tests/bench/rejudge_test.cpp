@@ -53,6 +53,17 @@ TEST_CASE("a stored run is judged again, and both judgements stay", "[bench][res
   const auto stored = std::get<StoredRun>(read_stored_run(folder));
   const Judgement from_verdict = judged_by_limits(stored, stored.plan.limits);
   CHECK(from_verdict.ending.outcome == Outcome::pass);
+  // By other limits, too: what both have in common is concluded once, and depths that differ anew.
+  const sequences::Limit peak{"acceleration_peak", "", "g", 0.0001, "a test"};
+  const sequences::Limit depth{"modulation_depth", "input_shaft", "1", 0.9, "a test"};
+  for (const std::vector<sequences::Limit>& others :
+       {std::vector{peak}, std::vector{depth}, std::vector{peak, depth}}) {
+    const auto [own, other] = endings_by_limits(stored, others);
+    const Ending alone = judged_by_limits(stored, others).ending;
+    CHECK(own.reason == from_verdict.ending.reason);
+    CHECK(other.outcome == alone.outcome);
+    CHECK(other.reason == alone.reason);
+  }
   const Answer same = rvbench({"rejudge", folder.string(), "--json"});
   CHECK(same.code == 0);
   const auto told = nlohmann::json::parse(same.out).at("runs").at(0);

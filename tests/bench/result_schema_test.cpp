@@ -77,6 +77,36 @@ TEST_CASE("a table of the first version keeps its runs, and their folders tell t
   CHECK(number_in(root, "SELECT count(*) FROM units WHERE machine = 'RV-20E'") == 1);
 }
 
+TEST_CASE("a table of the second version is told its extremes from its values",
+          "[bench][results]") {
+  const ScratchFolder root;
+  Judgement judgement = test::failed_run();
+  auto& channels = judgement.points[0].examination.channels;
+  channels.resize(2, channels.front());
+  channels[1].name = "accel_1y";
+  channels[1].indicators[0].value = 4.5;  // kurtosis, 3.1 in the other
+  const auto worst = [&](bool least) {
+    const auto database = ResultDatabase::open(root.path());
+    REQUIRE(database);
+    return database.value().series({.measure = "kurtosis", .least = least}).value();
+  };
+  {
+    auto opened = ResultDatabase::open(root.path());
+    REQUIRE(opened);
+    ResultDatabase database = std::move(opened).value();
+    REQUIRE(
+        database.enter(row_of(root.path(), root / "A17/20260102T030405Z", judgement), judgement));
+  }
+  by_hand(root, "DROP TABLE extremes; PRAGMA user_version = 2;");
+  REQUIRE(worst(false).size() == 1);
+  CHECK(worst(false)[0].value == 4.5);
+  CHECK(worst(false)[0].channel == "accel_1y");
+  CHECK(worst(false)[0].point == 0);
+  CHECK(worst(true)[0].value == 3.1);
+  CHECK(worst(true)[0].channel == "accel_1x");
+  CHECK(number_in(root, "PRAGMA user_version") == schema_version);
+}
+
 TEST_CASE("a table of a newer version is refused by its number, and left as it is",
           "[bench][results]") {
   const ScratchFolder root;
@@ -109,6 +139,7 @@ TEST_CASE("a run that is entered again has its values once", "[bench][results]")
   REQUIRE(database.enter(row, judgement));
   REQUIRE(database.enter(row, test::passed_run()));
   CHECK(number_in(root, "SELECT count(*) FROM indicators") == 4);
+  CHECK(number_in(root, "SELECT count(*) FROM extremes") == 4);
   CHECK(number_in(root, "SELECT count(*) FROM points") == 1);
   CHECK(database.runs_with_finding("input_shaft").value().empty());
 }

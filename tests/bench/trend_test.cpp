@@ -91,6 +91,38 @@ TEST_CASE("the depth of a part is followed through findings", "[bench][results]"
   CHECK(json.at("values").at(0).at("value") == 0.6);
 }
 
+TEST_CASE("the worst of all is the worst of the points and of the channels", "[bench][results]") {
+  const ScratchFolder root;
+  {
+    auto opened = ResultDatabase::open(root.path());
+    REQUIRE(opened);
+    ResultDatabase database = std::move(opened).value();
+    Judgement judgement = test::passed_run();
+    judgement.points.resize(2, judgement.points.front());
+    judgement.points[1].planned_speed_rpm = 1815;
+    for (std::size_t p = 0; p < 2; ++p) {
+      auto& channels = judgement.points[p].examination.channels;
+      channels.resize(2, channels.front());
+      channels[1].name = "accel_1y";
+      for (std::size_t c = 0; c < 2; ++c) channels[c].indicators[0].value = double(3 + 2 * p + c);
+    }
+    const auto folder = root / "A/20260102T120000Z";
+    REQUIRE(database.enter(row_of(root.path(), folder, judgement), judgement));
+  }
+  const auto kurtosis = [&](SeriesOf asked) {
+    asked.measure = "kurtosis";
+    return ResultDatabase::open(root.path()).value().series(asked).value().at(0);
+  };
+  CHECK(kurtosis({}).value == 6);
+  CHECK(kurtosis({}).point == 1);
+  CHECK(kurtosis({}).channel == "accel_1y");
+  CHECK(kurtosis({.least = true}).value == 3);
+  CHECK(kurtosis({.least = true}).channel == "accel_1x");
+  CHECK(kurtosis({.at = {605, std::nullopt}}).value == 4);
+  CHECK(kurtosis({.channel = "accel_1x"}).value == 5);
+  CHECK(kurtosis({.at = {1815, 100}, .channel = "accel_1x", .least = true}).value == 5);
+}
+
 TEST_CASE("trend says what is wrong with its arguments", "[bench][results]") {
   const ScratchFolder root;
   CHECK_THAT(trend(root, {"kurtosiss"}).err, Contains("did you mean \"kurtosis\"?"));

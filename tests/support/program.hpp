@@ -26,6 +26,8 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
+  pid_t number() const { return process_; }  ///< of the process
+
   /// @return whether there was a process left to send it to
   bool send(int signal) const;
 

@@ -26,6 +26,14 @@ function bound(limit) {
   return Number.isFinite(limit.min) ? `≥ ${say_number(limit.min)} ${unit}` : `≤ ${say_number(limit.max)} ${unit}`;
 }
 
+// What a limit is narrowed to: a part, or some points of the matrix, or both.
+function narrowed_to(limit) {
+  const of = limit.of ?? limit.component;
+  const speed = Number.isFinite(limit.speed_rpm) ? `${say_number(limit.speed_rpm, 6)} rpm` : "";
+  const load = Number.isFinite(limit.load_pct) ? `${say_number(limit.load_pct)} %` : "";
+  return [of, speed, load].filter(Boolean).join(", ");
+}
+
 function show_effect() {
   const changes = shown.effect?.changes ?? [];
   tell(by_id("version_effect"), effect_of(shown));
@@ -55,7 +63,7 @@ function open_version(version) {
   const step = step_of[version.status];
   tell(by_id("version_title"), say("limits.title", { version: name_of(version) }));
   fill_table(by_id("version_limits"), ["trend.indicator", "limits.of", "limits.limit", "limits.why"],
-    (version.limits ?? []).map((limit) => [limit.measure, limit.of ?? limit.component ?? "", bound(limit), limit.why ?? ""]));
+    (version.limits ?? []).map((limit) => [limit.measure, narrowed_to(limit), bound(limit), limit.why ?? ""]));
   by_id("version_go").hidden = !step || page.session?.role !== "engineer";
   if (step) by_id("version_go").textContent = say(`limits.${step}_by`, { name: page.session?.name ?? "" });
   show_effect();

@@ -11,9 +11,11 @@ import { say, say_number, say_time } from "./words.js";
 const form = by_id("trend_filter");
 let draw;
 
-// Of the limits in force on an indicator, those in the unit of its values.
-function lines_of(limits, { indicator, unit }) {
-  const meant = limits.filter((limit) => limit.measure === indicator && limit.unit === unit && !limit.of);
+// Of the limits in force on an indicator, those in the unit of its values, and that hold at all points
+// or at the very ones that are asked for.
+function lines_of(limits, { indicator, unit, speed_rpm, load_pct }) {
+  const holds = (limit) => (limit.speed_rpm ?? speed_rpm) === speed_rpm && (limit.load_pct ?? load_pct) === load_pct;
+  const meant = limits.filter((limit) => limit.measure === indicator && limit.unit === unit && !limit.of && holds(limit));
   return meant.map((limit) => limit.max ?? limit.min).filter(Number.isFinite);
 }
 
