@@ -6,6 +6,7 @@
 
 #include "analysis/tpa/ranking_certainty.hpp"
 #include "tests/analysis/tpa/path_problem.hpp"
+#include "tests/support/under_sanitizer.hpp"
 
 using namespace rvbench;
 using namespace rvbench::analysis;
@@ -131,6 +132,7 @@ TEST_CASE("more error is less certainty", "[tpa]") {
 }
 
 TEST_CASE("the interval holds the true contribution about as often as it says", "[tpa]") {
+  if (test::too_long_under_sanitizer()) return;
   int held = 0, all = 0;
   const Eigen::Vector4d levels{6, 1, 3, 2};
   for (unsigned seed = 1; seed <= 30; ++seed) {
