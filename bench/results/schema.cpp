@@ -65,7 +65,22 @@ constexpr const char* what_was_measured = R"sql(
   DROP TABLE runs_alone;
 )sql";
 
-constexpr std::array steps = {runs_alone, what_was_measured};
+// 3: what stations have shown: an index of the folder of qualification, whose files tell all.
+constexpr const char* what_stations_showed = R"sql(
+  CREATE TABLE calibrations (
+    file TEXT PRIMARY KEY, station TEXT NOT NULL, channel TEXT NOT NULL, sensitivity REAL,
+    certificate TEXT NOT NULL, entered_by TEXT NOT NULL, calibrated_utc TEXT NOT NULL,
+    valid_until_utc TEXT NOT NULL, entered_utc TEXT NOT NULL, software TEXT NOT NULL);
+  CREATE TABLE self_tests (
+    file TEXT PRIMARY KEY, station TEXT NOT NULL, tested_utc TEXT NOT NULL, software TEXT NOT NULL,
+    passed INTEGER NOT NULL, reason TEXT NOT NULL);
+  CREATE TABLE self_test_readings (
+    file TEXT NOT NULL REFERENCES self_tests (file), step TEXT NOT NULL, of_what TEXT NOT NULL,
+    value REAL, bound REAL, unit TEXT NOT NULL, word TEXT NOT NULL,
+    PRIMARY KEY (file, step, of_what)) WITHOUT ROWID;
+)sql";
+
+constexpr std::array steps = {runs_alone, what_was_measured, what_stations_showed};
 
 Result<int> version_of(const SqliteFile& file) {
   SqlStatement asked(file, "PRAGMA user_version");
