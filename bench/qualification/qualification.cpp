@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "bench/qualification/ages.hpp"
