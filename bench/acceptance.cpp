@@ -86,6 +86,11 @@ std::string told_of_lost_points(const RunLog& log, const RunRecordings& before) 
 // that failed after it.
 Ending measure(Acceptance& acceptance, hal::Rig& rig, RunLog& log, std::stop_token stop) {
   if (log.error() != 0) return fate_of(log);
+  if (acceptance.refusal) {
+    log.event(0, fmt::format("{}: {}; nothing is turned", to_string(acceptance.refusal->outcome),
+                             acceptance.refusal->reason));
+    return *acceptance.refusal;
+  }
   // Those of an earlier part would vouch for files that are about to change.
   remove_sums(acceptance.folder);
   const Status dropped = drop_empty_recordings(acceptance.folder);

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 
@@ -37,6 +38,7 @@ struct Acceptance {
                                     ///< rig, which is its own
   std::vector<std::string> warnings = {};  ///< of the rig file; they go into the log
   std::string lost_points = {};            ///< what an earlier part of the run has measured in vain
+  std::optional<Ending> refusal = {};      ///< why nothing may be turned: the station may not judge
   bool with_report = true;                 ///< report.html, which can be made later as well
   RecordingMaker begin_recording = make_recording;  ///< another watches what is recorded
 };
@@ -45,6 +47,7 @@ struct Acceptance {
 /// recording, log.jsonl, verdict.json, junit.xml, report.html, SHA256SUMS. In a folder that holds
 /// recordings already it goes on at the next point; nothing is turned if no point is left. Whatever
 /// happens to the bench is in the judgement's ending, and also if the results cannot be written.
+/// One that is refused turns and connects nothing, and tells so in all of these files.
 /// How a run that was measured to its end differs from its twin is an event, and changes no ending.
 ///
 /// With RunFacts::must_exit a thread may go on to use the rig and the bar: neither may be

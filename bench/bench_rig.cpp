@@ -62,6 +62,7 @@ BenchRig read_bench_rig(hal::ConfigReader& root) {
   rig.accelerometers = read_optional(root, "accelerometers", read_accelerometer_section);
   rig.safety = read_optional(root, "safety", read_safety_section);
   rig.plant = root.text("plant", rig.plant);
+  rig.qualification = read_qualification_section(root, channels_of(rig));
   for (const auto& [has, key] :
        {std::pair{rig.torque.has_value(), "torque"}, {rig.brake.has_value(), "brake"}}) {
     if (has && !rig.can) root.fault(key, "it is on a CAN bus, and the file has no \"can\"");
@@ -84,7 +85,21 @@ nlohmann::ordered_json to_json(const BenchRig& rig) {
   if (rig.accelerometers) json["accelerometers"] = to_json(*rig.accelerometers);
   if (rig.safety) json["safety"] = to_json(*rig.safety);
   json["plant"] = rig.plant;
+  if (rig.qualification) json["qualification"] = to_json(*rig.qualification);
   return json;
+}
+
+std::vector<ChannelInfo> channels_of(const BenchRig& rig) {
+  std::vector<ChannelInfo> channels;
+  if (rig.accelerometers) {
+    const auto& inputs = std::visit(
+        [](const auto& options) -> const auto& { return options.inputs; },
+        rig.accelerometers->options);
+    for (const hal::DaqInput& input : inputs) channels.push_back(input.info);
+  }
+  if (rig.torque)
+    channels.push_back({std::string(channel_names::input_torque), "N·m", "", not_known});
+  return channels;
 }
 
 std::vector<hal::ConfigFault> unfit_for_runs(const BenchRig& rig) {

@@ -136,7 +136,26 @@ Result<int> ResultDatabase::catch_up() {
     const Status done = enter_limits_version(file_, limits);
     if (!done) return done.error();
   }
+  const Status recorded = enter_new_records();
+  if (!recorded) return recorded.error();
   return missing;
+}
+
+// Of stations: those whose files have come since.
+Status ResultDatabase::enter_new_records() {
+  StationRecords records = read_station_records(root_);
+  std::set<std::string> known;
+  SqlStatement query(file_, "SELECT file FROM calibrations UNION SELECT file FROM self_tests");
+  while (query.next()) known.insert(query.text(0));
+  if (!query.is_done()) return file_.failure("cannot be read");
+  const auto is_known = [&known](const auto& record) { return known.contains(record.file); };
+  std::erase_if(records.calibrations, is_known);
+  std::erase_if(records.self_tests, is_known);
+  if (records.calibrations.empty() && records.self_tests.empty()) return Done{};
+  SqlTransaction transaction(file_);
+  if (!transaction.begun()) return file_.failure("cannot be written");
+  if (const Status done = enter_station_records(file_, records); !done) return done.error();
+  return transaction.commit();
 }
 
 // @param old  as it was entered before; null if it was not. @return whether it was entered now

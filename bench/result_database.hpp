@@ -64,7 +64,7 @@ class ResultDatabase {
 
   /// Enters every run folder with a complete verdict that is missing or not whole, every one that
   /// has come to another verdict since (an ABORTED or ERROR run may be resumed), and later
-  /// judgements and versions of limits. @return how many runs and later judgements
+  /// judgements, versions of limits and records of stations. @return how many runs and later judgements
   Result<int> catch_up();
 
   /// Oldest first. @param serial  empty: of every unit
@@ -84,6 +84,7 @@ class ResultDatabase {
   static Result<ResultDatabase> open_at(const std::filesystem::path& root,
                                         const std::filesystem::path& file);
   Result<bool> catch_up_run(const std::filesystem::path& folder, const RunRow* old, bool is_whole);
+  Status enter_new_records();
   Result<int> catch_up_later(const std::filesystem::path& folder,
                              const std::set<std::string>& known);
 

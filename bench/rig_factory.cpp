@@ -34,7 +34,10 @@ Made make(const SimRig& rig) {
   auto world = std::get<0>(std::move(made));
   for (const ScheduledFault& fault : rig.faults) schedule(*world, fault);
   const hal::SimulatedRigOptions options{.torque_rate_Hz = world->transducer().rate_Hz()};
-  return hal::make_simulated_rig(std::move(world), options);
+  sim::BenchWorld* const bench = world.get();
+  hal::Rig made_rig = hal::make_simulated_rig(std::move(world), options);
+  made_rig.tap_housing = [bench] { bench->tap_housing(); };
+  return made_rig;
 }
 
 Made make(const ReplayRig& rig) {
@@ -84,6 +87,7 @@ nlohmann::ordered_json to_json(const SimRig& rig) {
   json["watchdog_s"] = rig.watchdog_s;
   json["holding_brake"] = rig.holding_brake;
   json["faults"] = faults;
+  if (rig.qualification) json["qualification"] = to_json(*rig.qualification);
   return json;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bench/file_kind.hpp"
+#include "bench/sim_world.hpp"
 #include "hal/did_you_mean.hpp"
 
 namespace rvbench::bench {
@@ -46,6 +47,7 @@ SimRig read_sim(hal::ConfigReader& root, const RigOptions& options) {
          .device = entry.choice("device", {"inverter"}),
          .fault = entry.choice("fault", {"none", "late", "silent", "garbled", "busy", "dead"})});
   }
+  sim.qualification = read_qualification_section(root, channels_of(sim));
   return sim;
 }
 
@@ -63,6 +65,21 @@ ReplayRig read_replay(hal::ConfigReader& root) {
 
 std::string plant_of(const RigFile& rig) {
   return std::visit([](const auto& kind) { return kind.plant; }, rig);
+}
+
+const QualificationSection* qualification_in(const RigFile& rig) {
+  const auto in = [](const std::optional<QualificationSection>& section) {
+    return section ? &*section : nullptr;
+  };
+  if (const auto* sim = std::get_if<SimRig>(&rig)) return in(sim->qualification);
+  if (const auto* bench = std::get_if<BenchRig>(&rig)) return in(bench->qualification);
+  return nullptr;  // a recording is judged as it is
+}
+
+std::vector<ChannelInfo> channels_of(const RigFile& rig) {
+  if (const auto* sim = std::get_if<SimRig>(&rig)) return channels_of(*sim);
+  if (const auto* bench = std::get_if<BenchRig>(&rig)) return channels_of(*bench);
+  return {};
 }
 
 std::variant<RigFile, std::vector<hal::ConfigFault>> read_rig(const std::string& rig,

@@ -28,6 +28,8 @@ struct SimRig {
   bool holding_brake =
       false;  ///< it holds at standstill, as a hysteresis test needs; else it creeps
   std::vector<ScheduledFault> faults;
+  std::optional<QualificationSection> qualification =
+      {};  ///< none: nothing is asked of the station
 };
 
 /// {"rig": "replay"}
@@ -42,6 +44,12 @@ using RigFile = std::variant<SimRig, ReplayRig, BenchRig>;
 
 /// The plant that stands for what the rig turns.
 std::string plant_of(const RigFile& rig);
+
+/// What the rig file asks of its station; null if nothing.
+const QualificationSection* qualification_in(const RigFile& rig);
+
+/// The channels of the rig that somebody may calibrate, with the sensitivities it goes by.
+std::vector<ChannelInfo> channels_of(const RigFile& rig);
 
 /// As make_rig(), remarks_on() and rig_to_json() of the rig's file, which is not read again.
 /// @param rig  the file's name, for its faults

@@ -153,6 +153,7 @@ void ServedBench::add_mischief() {
     mischief_["adapter silent"] = [this] { adapter_->inject(sim::SlcanFault::silent); };
     mischief_["adapter bus_off"] = [this] { adapter_->inject(sim::SlcanFault::bus_off); };
   }
+  mischief_["tap"] = [this] { world_->tap_housing(); };
   mischief_["heal"] = [this] { heal(); };
 }
 
@@ -199,6 +200,7 @@ std::string ServedBench::commands() {
          "                                 dead; none heals them\n"
          "  transducer silent or frozen; brake silent; brake trips; drive trips; daq silent;\n"
          "  temperature lost; adapter silent or bus_off\n"
+         "  tap                            somebody taps on the housing, as rvbench qualify asks\n"
          "  heal                           everything is well again, but what has tripped\n";
 }
 
@@ -217,6 +219,7 @@ std::string ServedBench::addresses() const {
 BenchRig ServedBench::rig() const {
   BenchRig rig;
   rig.plant = sim_.plant;
+  rig.qualification = sim_.qualification;
   rig.drive.profile = "rvbench_generic";
   hal::ModbusInverterOptions& drive = rig.drive.options;
   drive.path = hal::ModbusTcp{"127.0.0.1", world_->inverter_server().port()};

@@ -53,6 +53,12 @@ std::variant<std::unique_ptr<sim::BenchWorld>, std::vector<hal::ConfigFault>> ma
   }
 }
 
+std::vector<ChannelInfo> channels_of(const SimRig&) {
+  std::vector<ChannelInfo> channels = sim::triaxial_channels();
+  channels.push_back({std::string(channel_names::input_torque), "N·m", "", not_known});
+  return channels;
+}
+
 sim::WireFault wire_fault(std::string_view name) { return wire_faults().at(name); }
 
 std::vector<std::string_view> wire_fault_names() {

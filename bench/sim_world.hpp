@@ -26,6 +26,9 @@ std::variant<sim::PlantSpec, std::vector<hal::ConfigFault>> runnable_plant(const
 std::variant<std::unique_ptr<sim::BenchWorld>, std::vector<hal::ConfigFault>> make_world(
     const SimRig& rig, std::uint16_t inverter_port = 0);
 
+/// The channels of a simulated bench that somebody may calibrate.
+std::vector<ChannelInfo> channels_of(const SimRig& rig);
+
 /// The fault of that name: "late", "silent", "garbled", "busy", "dead"; "none" heals.
 /// @throws std::out_of_range if there is none of that name
 sim::WireFault wire_fault(std::string_view name);

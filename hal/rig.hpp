@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,6 +35,9 @@ struct Rig {
   std::unique_ptr<TorqueSensor> torque_sensor;
   std::unique_ptr<Brake> brake;
   std::unique_ptr<Drive> drive;
+  /// On a simulated bench: somebody taps on the housing now. Empty on others, where who works
+  /// there is asked to.
+  std::function<void()> tap_housing;
 };
 
 }  // namespace rvbench::hal

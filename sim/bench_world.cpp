@@ -21,6 +21,8 @@ constexpr double rated_current_A = 3.4;
 constexpr double rated_torque_Nm = 5;
 constexpr double no_load_current_share = 0.4;
 
+}  // namespace
+
 std::vector<ChannelInfo> triaxial_channels() {
   std::vector<ChannelInfo> channels;
   for (const char* place : {"1", "2", "3", "4"}) {
@@ -33,8 +35,6 @@ std::vector<ChannelInfo> triaxial_channels() {
   }
   return channels;
 }
-
-}  // namespace
 
 BenchWorld::BenchWorld(RvUnit unit, const InverterParameters& inverter, const PlantSpec& plant,
                        std::uint16_t inverter_port)

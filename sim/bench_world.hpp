@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "hal/plant_port.hpp"
 #include "sim/anti_alias_filter.hpp"
@@ -17,6 +18,9 @@
 #include "sim/transducer_node.hpp"
 
 namespace rvbench::sim {
+
+/// The twelve inputs of the simulated bench's DAQ: four triaxial accelerometers.
+std::vector<ChannelInfo> triaxial_channels();
 
 /// The simulated bench as the HAL meets it: the RV-20E train behind a real Modbus inverter, a CAN
 /// transducer and brake, a DAQ and safety inputs. Time moves only in advance_to().
@@ -51,6 +55,7 @@ class BenchWorld final : public hal::PlantPort {
   TransducerNode& transducer() { return *transducer_; }
   BrakeNode& brake() { return *brake_; }
   const RvTrain& plant() const { return plant_.train(); }
+  void tap_housing() { plant_.tap_housing(); }
   void press_estop(bool pressed = true) { estop_pressed_ = pressed; }
   void open_guard(bool open = true) { guard_open_ = open; }
   void stop_daq(bool stopped = true) { daq_stopped_ = stopped; }

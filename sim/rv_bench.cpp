@@ -1,5 +1,7 @@
 #include "sim/rv_bench.hpp"
 
+#include <cmath>
+
 namespace rvbench::sim {
 namespace {
 
@@ -15,6 +17,7 @@ RvBench::RvBench(const RvUnit& unit, const PlantSpec& plant)
       train_(plant, unit, 1 / (rate_Hz * substeps)),
       contacts_(unit, train_, halves * rate_Hz),
       housing_(unit.modes, halves * rate_Hz),
+      tap_(halves * rate_Hz),
       decimator_(sensors),
       accelerations_(Eigen::VectorXd::Zero(halves * sensors)),
       sensor_engine_(unit.noise_seed + 2) {
@@ -29,10 +32,17 @@ void RvBench::settle() {
   for (int i = 0; i < scans; ++i) step(scan);
 }
 
+void RvBench::step_housing(Eigen::Ref<Eigen::VectorXd> accelerations_m_s2) {
+  if (tap_.is_over()) return housing_.step(contacts_.forces_N(train_), accelerations_m_s2);
+  Eigen::VectorXd forces_N = contacts_.forces_N(train_);
+  forces_N.segment<3>(ports::input_bearing).array() += tap_.step() / std::sqrt(3.0);
+  housing_.step(forces_N, accelerations_m_s2);
+}
+
 void RvBench::step(Eigen::Ref<Eigen::VectorXf> accelerations_m_s2) {
   for (int half = 0; half < halves; ++half) {
     for (int i = 0; i < substeps / halves; ++i) train_.step();
-    housing_.step(contacts_.forces_N(train_), accelerations_.segment(half * sensors, sensors));
+    step_housing(accelerations_.segment(half * sensors, sensors));
   }
   train_.wrap();
   decimator_.step(accelerations_.head(sensors), accelerations_.tail(sensors), accelerations_m_s2);

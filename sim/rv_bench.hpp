@@ -4,6 +4,7 @@
 #include <random>
 
 #include "sim/decimator.hpp"
+#include "sim/hammer_tap.hpp"
 #include "sim/housing_path.hpp"
 #include "sim/rv_contacts.hpp"
 #include "sim/rv_train.hpp"
@@ -29,16 +30,20 @@ class RvBench {
   /// One DAQ sample on. @param accelerations_m_s2  size `sensors`, out
   void step(Eigen::Ref<Eigen::VectorXf> accelerations_m_s2);
 
+  void tap_housing() { tap_.strike(); }  ///< somebody does, at the input bearing, aslant
+
   const RvUnit& unit() const { return unit_; }
   const RvTrain& train() const { return train_; }
 
  private:
   void settle();
+  void step_housing(Eigen::Ref<Eigen::VectorXd> accelerations_m_s2);
 
   RvUnit unit_;
   RvTrain train_;
   RvContacts contacts_;
   HousingPath housing_;
+  HammerTap tap_;
   Decimator decimator_;
   Eigen::VectorXd accelerations_;
   std::mt19937_64 sensor_engine_;

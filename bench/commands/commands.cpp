@@ -22,6 +22,7 @@ std::vector<std::unique_ptr<Command>> make_commands() {
   commands.push_back(make_run_command());
   commands.push_back(make_check_command());
   commands.push_back(make_probe_command());
+  commands.push_back(make_qualify_command());
   commands.push_back(make_devices_command());
   commands.push_back(make_judge_command());
   commands.push_back(make_tpa_command());

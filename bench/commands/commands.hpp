@@ -17,6 +17,8 @@ std::unique_ptr<Command> make_run_command(
 std::unique_ptr<Command> make_check_command();
 std::unique_ptr<Command> make_probe_command(
     std::filesystem::path lock_folder = BenchLock::folder_for_all());
+std::unique_ptr<Command> make_qualify_command(
+    std::filesystem::path lock_folder = BenchLock::folder_for_all());
 std::unique_ptr<Command> make_devices_command();
 std::unique_ptr<Command> make_judge_command();
 std::unique_ptr<Command> make_tpa_command();

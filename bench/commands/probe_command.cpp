@@ -1,7 +1,4 @@
 #include <fmt/format.h>
-#include <poll.h>
-#include <unistd.h>
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stop_token>
@@ -9,6 +6,7 @@
 
 #include "bench/bench_lock.hpp"
 #include "bench/commands/commands.hpp"
+#include "bench/commands/shaft_question.hpp"
 #include "bench/drive_probe.hpp"
 #include "bench/fault_lines.hpp"
 #include "bench/plug_test.hpp"
@@ -22,8 +20,6 @@ namespace rvbench::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr int question_ms = 100;  // how often somebody who is asked may give it up
 
 // The drive to ask, and what it needs to live.
 struct Probed {
@@ -157,7 +153,6 @@ class ProbeCommand final : public Command {
  private:
   int probe_bench(Console& console, const BenchRig& bench);
   int probe(Console& console, const Probed& probed);
-  std::string why_not_to_turn(Console& console, const std::stop_token& stop) const;
 
   const std::filesystem::path lock_folder_;
   std::string rig_;
@@ -194,28 +189,6 @@ int ProbeCommand::probe_bench(Console& console, const BenchRig& bench) {
   return lock ? probe(console, open_bench(bench)) : exit_codes::usage;
 }
 
-// The shaft is about to turn: somebody at a terminal says that it may, or the caller did.
-// @return why it may not
-std::string ProbeCommand::why_not_to_turn(Console& console, const std::stop_token& stop) const {
-  if (yes_) return "";
-  if (::isatty(STDIN_FILENO) == 0) {
-    return "the shaft would turn, and there is no terminal to ask at: give --yes if the bench is "
-           "clear";
-  }
-  console.err << "The shaft will turn. Is the bench clear, and the reducer free of load?\n"
-                 "Type yes to go on: "
-              << std::flush;
-  std::string answer;
-  while (!stop.stop_requested() && answer.find('\n') == std::string::npos) {
-    pollfd terminal{STDIN_FILENO, POLLIN, 0};
-    if (::poll(&terminal, 1, question_ms) <= 0) continue;
-    char typed = '\n';
-    if (::read(STDIN_FILENO, &typed, 1) <= 0) typed = '\n';  // the end: nobody will answer
-    answer += typed;
-  }
-  return answer == "yes\n" ? "" : "the shaft was not cleared to turn: answer yes, or give --yes";
-}
-
 int ProbeCommand::probe(Console& console, const Probed& probed) {
   const double max_rpm = probed.rig.drive->limits().max_speed_rpm;
   const PlugTestOptions options{.speed_rpm = speed_rpm_.value_or(PlugTestOptions().speed_rpm)};
@@ -224,7 +197,7 @@ int ProbeCommand::probe(Console& console, const Probed& probed) {
                                              options.speed_rpm, max_rpm));
   }
   const StopOnSignal signals;
-  const std::string why = pull_the_plug_ ? why_not_to_turn(console, signals.token()) : "";
+  const std::string why = pull_the_plug_ && !yes_ ? why_not_to_turn(console, signals.token()) : "";
   if (signals.token().stop_requested()) return exit_codes::aborted;
   if (!why.empty()) return refuse_usage(console, "probe: " + why);
   const DriveProbe probe =

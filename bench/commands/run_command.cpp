@@ -1,11 +1,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <functional>
-#include <future>
 #include <iterator>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 #include "bench/acceptance.hpp"
@@ -19,6 +16,7 @@
 #include "bench/limits_in_force.hpp"
 #include "bench/plan_files.hpp"
 #include "bench/progress_bar.hpp"
+#include "bench/qualification/qualification.hpp"
 #include "bench/result_database.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/rig_file.hpp"
@@ -31,6 +29,7 @@
 #include "bench/summary.hpp"
 #include "bench/text_file.hpp"
 #include "bench/timeline_table.hpp"
+#include "bench/try_for.hpp"
 #include "bench/verdict_json.hpp"
 #include "hal/did_you_mean.hpp"
 #include "sequences/plan_on_rig.hpp"
@@ -141,6 +140,9 @@ int RunCommand::run(Console& console) {
   const auto warnings = remarks_on(file_, rig_).warnings;
   remark(console, "warning", rig_, warnings);
   if (dry_run_) {
+    if (const auto refusal = qualification_now(file_, out_, serial_).refusal()) {
+      console.err << "rvbench: warning: a run would end with exit 60: " << refusal->reason << '\n';
+    }
     console.out << (json_ ? timeline_json(test) : timeline_table(test));
     return exit_codes::done;
   }
@@ -186,20 +188,6 @@ std::string twin_of(const RigFile& rig) {
   return std::holds_alternative<SimRig>(rig) ? "" : plant_of(rig);
 }
 
-// Work that may be held up, by a disk or by a lock that a hung thread has. What it uses must
-// outlive the process.
-// @return whether it was done in time
-bool try_for(std::chrono::seconds longest, const std::function<void()>& work) noexcept {
-  try {
-    std::packaged_task<void()> task(work);
-    const std::future<void> done = task.get_future();
-    std::thread(std::move(task)).detach();
-    return done.wait_for(longest) == std::future_status::ready;
-  } catch (...) {  // no thread is to be had: without, it might wait for ever
-    return false;
-  }
-}
-
 int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
                         const analysis::Kinematics& kinematics, hal::Rig& rig,
                         const std::vector<hal::ConfigFault>& warnings) {
@@ -220,6 +208,12 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
   if (!limits_.version.empty()) acceptance.warnings.push_back(note_of(limits_));
   for (const hal::ConfigFault& warning : warnings) {
     acceptance.warnings.push_back(hal::describe(rig_, warning));
+  }
+  const Qualification qualification = qualification_now(file_, out_, serial_);
+  acceptance.refusal = qualification.refusal();
+  for (const std::string& warning : qualification.warnings()) {
+    console.err << "rvbench: warning: " << warning << '\n';
+    acceptance.warnings.push_back(warning);
   }
   if (!live_.empty()) tell_live(plan, rig, acceptance, bar);
   const Judgement judgement = run_acceptance(std::move(acceptance), rig, bar, signals.token());

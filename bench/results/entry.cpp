@@ -33,6 +33,13 @@ constexpr const char* get_limits =
 constexpr const char* put_limits =
     "INSERT OR REPLACE INTO limits_versions VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7)";
 
+constexpr const char* put_calibration =
+    "INSERT OR IGNORE INTO calibrations VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10)";
+constexpr const char* put_self_test =
+    "INSERT OR IGNORE INTO self_tests VALUES (?1, ?2, ?3, ?4, ?5, ?6)";
+constexpr const char* put_reading =
+    "INSERT OR IGNORE INTO self_test_readings VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7)";
+
 class RunEntry {
  public:
   RunEntry(SqliteFile& file, std::int64_t run) : file_(file), run_(run) {}
@@ -194,6 +201,31 @@ Status enter_limits_version(SqliteFile& file, const LimitsFile& limits) {
                    activated.by, activated.utc);
     if (statement.next()) return Done{};
     if (!statement.is_done()) return file.failure("cannot be written");
+  }
+  return Done{};
+}
+
+Status enter_station_records(SqliteFile& file, const StationRecords& records) {
+  for (const CalibrationRecord& record : records.calibrations) {
+    SqlStatement row(file, put_calibration);
+    row.bind(record.file, record.station, record.channel, record.sensitivity, record.certificate,
+             record.by, record.calibrated_utc, record.valid_until_utc, record.entered_utc,
+             record.software);
+    if (!row.run()) return file.failure("cannot be written");
+  }
+  for (const SelfTestRecord& record : records.self_tests) {
+    SqlStatement row(file, put_self_test);
+    row.bind(record.file, record.station, record.utc, record.software, int{record.passed},
+             record.reason);
+    if (!row.run()) return file.failure("cannot be written");
+    for (const SelfTestResult& step : record.steps) {
+      for (const SelfTestReading& reading : step.readings) {
+        SqlStatement value(file, put_reading);
+        value.bind(record.file, step.step, reading.of, reading.value, reading.limit, reading.unit,
+                   std::string(to_string(reading.word)));
+        if (!value.run()) return file.failure("cannot be written");
+      }
+    }
   }
   return Done{};
 }

@@ -2,6 +2,7 @@
 
 #include "bench/judgement.hpp"
 #include "bench/limits_file.hpp"
+#include "bench/qualification/station_records.hpp"
 #include "bench/result_database.hpp"
 #include "bench/results/sqlite.hpp"
 
@@ -18,5 +19,8 @@ Status enter_judgement_row(SqliteFile& file, const JudgementRow& row);
 
 /// A version of limits and how far it has come; writes nothing where that is there already.
 Status enter_limits_version(SqliteFile& file, const LimitsFile& limits);
+
+/// Records of stations; those that are there already stay, for a record never changes.
+Status enter_station_records(SqliteFile& file, const StationRecords& records);
 
 }  // namespace rvbench::bench

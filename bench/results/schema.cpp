@@ -65,7 +65,22 @@ constexpr const char* what_was_measured = R"sql(
   DROP TABLE runs_alone;
 )sql";
 
-// 3: the greatest and the least of each quantity in each channel of a run: history and trend ask
+// 3: what stations have shown: an index of the folder of qualification, whose files tell all.
+constexpr const char* what_stations_showed = R"sql(
+  CREATE TABLE calibrations (
+    file TEXT PRIMARY KEY, station TEXT NOT NULL, channel TEXT NOT NULL, sensitivity REAL,
+    certificate TEXT NOT NULL, entered_by TEXT NOT NULL, calibrated_utc TEXT NOT NULL,
+    valid_until_utc TEXT NOT NULL, entered_utc TEXT NOT NULL, software TEXT NOT NULL);
+  CREATE TABLE self_tests (
+    file TEXT PRIMARY KEY, station TEXT NOT NULL, tested_utc TEXT NOT NULL, software TEXT NOT NULL,
+    passed INTEGER NOT NULL, reason TEXT NOT NULL);
+  CREATE TABLE self_test_readings (
+    file TEXT NOT NULL REFERENCES self_tests (file), step TEXT NOT NULL, of_what TEXT NOT NULL,
+    value REAL, bound REAL, unit TEXT NOT NULL, word TEXT NOT NULL,
+    PRIMARY KEY (file, step, of_what)) WITHOUT ROWID;
+)sql";
+
+// 4: the greatest and the least of each quantity in each channel of a run: history and trend ask
 // for the worst of all points, of which a plan has 63. Bare columns beside MAX() or MIN() are of
 // the row of the extreme: SQLite, "Bare columns in an aggregate query".
 constexpr const char* extremes_of_runs = R"sql(
@@ -83,7 +98,8 @@ constexpr const char* extremes_of_runs = R"sql(
     USING (quantity, run, channel);
 )sql";
 
-constexpr std::array steps = {runs_alone, what_was_measured, extremes_of_runs};
+constexpr std::array steps = {runs_alone, what_was_measured, what_stations_showed,
+                              extremes_of_runs};
 
 Result<int> version_of(const SqliteFile& file) {
   SqlStatement asked(file, "PRAGMA user_version");

@@ -7,6 +7,7 @@
 #include "bench/file_kind.hpp"
 #include "bench/find_plan.hpp"
 #include "bench/rig_factory.hpp"
+#include "bench/run_folder.hpp"
 #include "bench/serve/station_state.hpp"
 #include "bench/text_file.hpp"
 
@@ -16,6 +17,8 @@ namespace {
 // What of the unit outlives the station.
 constexpr const char* unit_file = "unit.json";
 constexpr const char* live_name = "live.sock";
+constexpr std::chrono::seconds judge_again{1};
+constexpr std::chrono::seconds gather_again{60};  // a run that somebody began elsewhere has ended
 
 std::filesystem::path made(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
@@ -45,6 +48,7 @@ Station::Station(StationFile file, std::filesystem::path program, EventHub& hub)
       live_(LiveSocket::open(keep_ / live_name)) {
   read_plan();
   find_run();
+  gather();
 }
 
 std::string Station::scan(const std::string& text) {
@@ -56,6 +60,7 @@ std::string Station::scan(const std::string& text) {
     if (!fault.empty()) return fault;
     read_plan();
     serial_ = serial;
+    gather();  // the golden unit is let in where others are not
     known_ = known_runs(file_.runs, serial_);
     phase_ = known_.empty() ? Phase::ready : Phase::duplicate;
     run_.clear();
@@ -110,6 +115,7 @@ std::string Station::clear() {
     if (phase_ == Phase::running) return "running";
     phase_ = Phase::idle;
     serial_.clear();
+    hold_against_time();
     known_.clear();
     run_.clear();
     verdict_ = "null";
@@ -140,22 +146,59 @@ void Station::tick() {
     if (phase_ == Phase::running && !process_.is_alive()) {
       hear();  // what it said last
       conclude();
+      gather();
     }
+    if (phase_ != Phase::running) look_after_qualification();
   }
   tell_change();
 }
 
+// What expires does so while the station waits, and somebody qualifies it in another program.
+void Station::look_after_qualification() {
+  const auto now = std::chrono::steady_clock::now();
+  if (now - judged_ < judge_again) return;
+  judged_ = now;
+  std::error_code none_yet;
+  const auto changed = std::filesystem::last_write_time(qualification_folder(file_.runs), none_yet);
+  if (changed != records_changed_ || now - gathered_ >= gather_again) {
+    records_changed_ = changed;
+    gathered_ = now;
+    gather();
+  } else {
+    hold_against_time();
+  }
+}
+
+// What there is to hold against what the rig file asks.
+void Station::gather() {
+  const QualificationSection* asked = rig_ ? qualification_in(*rig_) : nullptr;
+  if (asked != nullptr) evidence_ = gather_evidence(file_.runs, *asked);
+  hold_against_time();
+}
+
+void Station::hold_against_time() {
+  reasons_ = faults_;
+  const QualificationSection* asked = rig_ ? qualification_in(*rig_) : nullptr;
+  if (asked == nullptr) return;
+  const auto more =
+      qualification_of(*asked, channels_of(*rig_), evidence_, utc_now(), serial_).reasons();
+  reasons_.insert(reasons_.end(), more.begin(), more.end());
+}
+
 // Also the rig: what cannot be read cannot be run on.
 void Station::read_plan() {
-  reasons_.clear();
+  faults_.clear();
   const auto plan = find_plan(file_.plan);
   if (plan.index() == 0) {
     points_ = std::get<0>(plan).points();
   } else {
-    reasons_.push_back(hal::describe(file_.plan, std::get<1>(plan).front()));
+    faults_.push_back(hal::describe(file_.plan, std::get<1>(plan).front()));
   }
   const auto faults = check_rig(file_.rig);
-  if (!faults.empty()) reasons_.push_back(hal::describe(file_.rig, faults.front()));
+  if (!faults.empty()) faults_.push_back(hal::describe(file_.rig, faults.front()));
+  auto rig = read_rig(file_.rig, {});
+  rig_.reset();
+  if (rig.index() == 0) rig_ = std::get<0>(std::move(rig));
   point_states_.assign(points_.size(), 'o');
 }
 

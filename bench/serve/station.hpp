@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -8,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/qualification/qualification.hpp"
 #include "bench/serve/event_hub.hpp"
 #include "bench/serve/known_runs.hpp"
 #include "bench/serve/live_socket.hpp"
@@ -61,6 +63,9 @@ class Station {
   };
 
   void read_plan();
+  void gather();
+  void hold_against_time();
+  void look_after_qualification();
   void find_run();
   void keep_unit() const;
   void spawn();
@@ -85,6 +90,9 @@ class Station {
   bool is_due_ = false;  // to be started by tick()
   std::string serial_;
   std::vector<KnownRun> known_;
+  std::vector<std::string> faults_;   // of plan and rig
+  std::optional<RigFile> rig_;        // none where it has faults
+  StationEvidence evidence_;          // of what the rig asks of the station
   std::vector<std::string> reasons_;  // why it is not qualified
   std::vector<hal::PlannedPoint> points_;
   std::string point_states_;
@@ -92,6 +100,10 @@ class Station {
   std::string run_;
   std::string verdict_ = "null";  // JSON
   std::string told_;              // what was told last
+
+  // Of tick() alone: when it looked last, and what the records' folder was like then.
+  std::chrono::steady_clock::time_point judged_, gathered_;
+  std::filesystem::file_time_type records_changed_;
 };
 
 }  // namespace rvbench::bench

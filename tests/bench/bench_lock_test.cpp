@@ -129,21 +129,26 @@ TEST_CASE("any user may lock what another user has locked before", "[bench][lock
   CHECK((mode & perms::others_write) != perms::none);
 }
 
-TEST_CASE("run and probe leave a bench alone that another process has", "[bench][lock]") {
+TEST_CASE("run, probe and qualify leave a bench alone that another process has", "[bench][lock]") {
   const rvbench::test::ScratchFolder folder;
   std::string text = read_file(RVBENCH_SOURCE_DIR "/bench/rigs/rv20e_bench.json").value();
   const std::string host = "192.168.3.10";
   text.replace(text.find(host), host.size(), "127.0.0.1");  // nobody there, and refused at once
+  const std::string plant = "\"plant\":";
+  text.replace(text.find(plant), plant.size(),
+               R"("qualification": {"station": "EOL 3", "self_test": {}}, "plant":)");
   write_file(folder / "rig.json", text);
   const auto taken = BenchLock::take({"127.0.0.1:502"}, folder.path());
   REQUIRE(taken.index() == 0);
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"probe", "--rig", folder / "rig.json"},
+        {"qualify", "--yes", "--rig", folder / "rig.json", "--out", folder / "runs"},
         {"run", "quick", "--rig", folder / "rig.json", "--serial", "A", "--out",
          folder / "runs"}}) {
     std::vector<std::unique_ptr<Command>> commands;
     commands.push_back(make_run_command(folder.path()));
     commands.push_back(make_probe_command(folder.path()));
+    commands.push_back(make_qualify_command(folder.path()));
     std::ostringstream out, err;
     Console console{out, err};
     CHECK(run_cli(words, commands, console) == 2);

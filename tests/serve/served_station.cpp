@@ -11,7 +11,8 @@
 namespace rvbench::test {
 namespace {
 
-std::filesystem::path written(const ScratchFolder& scratch, const std::string& keys) {
+std::filesystem::path written(const ScratchFolder& scratch, const std::string& keys,
+                              const std::string& rig) {
   // Each takes a tenth of a second to make: once for all tests.
   static const std::map<std::string, std::string> hashes{
       {"vera", bench::hash_of_token(token_of("vera"))},
@@ -23,7 +24,7 @@ std::filesystem::path written(const ScratchFolder& scratch, const std::string& k
   };
   bench::write_file(
       scratch.path() / "station.json",
-      fmt::format(R"({{"station": "EOL 3", "rig": "sim", {}, "users": [{}, {}, {}]}})", keys,
+      fmt::format(R"({{"station": "EOL 3", "rig": "{}", {}, "users": [{}, {}, {}]}})", rig, keys,
                   user("vera", "viewer"), user("otto", "operator"), user("anna", "engineer")));
   return scratch.path();
 }
@@ -32,8 +33,9 @@ std::filesystem::path written(const ScratchFolder& scratch, const std::string& k
 
 std::string token_of(const std::string& user) { return user + "." + std::string(32, 'a'); }
 
-ServedStation::ServedStation(const ScratchFolder& scratch, const std::string& keys)
-    : program_(written(scratch, keys),
+ServedStation::ServedStation(const ScratchFolder& scratch, const std::string& keys,
+                             const std::string& rig)
+    : program_(written(scratch, keys, rig),
                {rvbench_path(), "serve", "--station", "station.json", "--port", "0"}) {
   const std::string before = "http://127.0.0.1:";
   if (!program_.says(before) || !program_.says("/\n")) {

@@ -13,7 +13,8 @@ namespace rvbench::test {
 class ServedStation {
  public:
   /// @param keys  of the station file, besides name, rig and users: "\"plan\": \"quick\""
-  explicit ServedStation(const ScratchFolder& scratch, const std::string& keys);
+  explicit ServedStation(const ScratchFolder& scratch, const std::string& keys,
+                         const std::string& rig = "sim");
 
   std::uint16_t port() const { return port_; }
   Program& program() { return program_; }

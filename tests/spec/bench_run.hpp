@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <sstream>
 #include <stop_token>
 #include <string>
@@ -62,6 +63,7 @@ class BenchRun {
   sim::BenchWorld& world() { return *world_; }
   std::stop_source& stop() { return stop_; }
   const std::filesystem::path& folder() const { return scratch_.path(); }
+  void refuse(const Ending& refusal) { refusal_ = refusal; }
 
   const bench::Judgement& go(const std::string& plan_text = short_plan) {
     const sequences::TestPlan plan = plan_of(plan_text);
@@ -73,10 +75,11 @@ class BenchRun {
     bench::RunFacts facts;
     facts.serial = "A17";
     facts.plan = plan.name;
-    judgement_ = bench::run_acceptance(
-        {plan, bench::with_limits(bench::of_specimen(kinematics, plan.specimen), plan.limits),
-         folder(), facts},
-        rig_, bar, stop_.get_token());
+    bench::Acceptance acceptance{
+        plan, bench::with_limits(bench::of_specimen(kinematics, plan.specimen), plan.limits),
+        folder(), facts};
+    acceptance.refusal = refusal_;
+    judgement_ = bench::run_acceptance(std::move(acceptance), rig_, bar, stop_.get_token());
     return judgement_;
   }
 
@@ -97,6 +100,7 @@ class BenchRun {
  private:
   ScratchFolder scratch_;
   std::stop_source stop_;
+  std::optional<Ending> refusal_;
   sim::BenchWorld* world_ = nullptr;
   hal::Rig rig_;
   bench::Judgement judgement_;

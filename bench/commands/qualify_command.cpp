@@ -1,0 +1,287 @@
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "bench/bench_lock.hpp"
+#include "bench/commands/commands.hpp"
+#include "bench/commands/shaft_question.hpp"
+#include "bench/fault_lines.hpp"
+#include "bench/progress_bar.hpp"
+#include "bench/qualification/ages.hpp"
+#include "bench/qualification/qualification.hpp"
+#include "bench/qualification/qualification_text.hpp"
+#include "bench/qualification/self_test.hpp"
+#include "bench/results/run_filter.hpp"
+#include "bench/rig_factory.hpp"
+#include "bench/rig_file.hpp"
+#include "bench/run_folder.hpp"
+#include "bench/software_version.hpp"
+#include "bench/stop_on_signal.hpp"
+#include "bench/text_file.hpp"
+#include "bench/try_for.hpp"
+#include "hal/did_you_mean.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+constexpr std::chrono::seconds longest_farewell{2};
+
+// Shows how far it is, and what somebody at the bench has to know or do.
+class SelfTestObserver final : public sequences::RunObserver {
+ public:
+  SelfTestObserver(Console& console, ProgressBar& bar) : console_(console), bar_(bar) {}
+
+  void progress(double done_s, double total_s, const std::string& doing) override {
+    const std::lock_guard lock(mutex_);
+    bar_.show("self-test", total_s > 0 ? done_s / total_s : 0, doing);
+  }
+  // A shaft that turns waits for no terminal that has been stopped.
+  void event(double, const std::string& text) override {
+    const std::lock_guard lock(mutex_);
+    if (takes_a_line(console_)) console_.err << "  > " << text << std::endl;
+  }
+
+ private:
+  Console& console_;
+  ProgressBar& bar_;
+  std::mutex mutex_;  // of the screen
+};
+
+class QualifyCommand final : public Command {
+ public:
+  explicit QualifyCommand(std::filesystem::path lock_folder)
+      : lock_folder_(std::move(lock_folder)) {}
+  std::string name() const override { return "qualify"; }
+  std::string summary() const override {
+    return "whether the station may judge: self-test, calibrations, golden unit";
+  }
+  std::string examples() const override {
+    return "  rvbench qualify --rig bench_a.json                     self-test, the shaft turns\n"
+           "  rvbench qualify status --rig bench_a.json              what is missing, what "
+           "expires\n"
+           "  rvbench qualify calibrate --rig bench_a.json --channel accel_1x --sensitivity "
+           "0.01021\n"
+           "      --certificate K-4711 --by \"J. Weber\" --on 2026-11-02 --until 2027-11-01\n"
+           "  rvbench qualify records --rig bench_a.json             all calibrations entered\n"
+           "A rig file says in \"qualification\" what is asked of its station. Exit code 0 if the\n"
+           "self-test was passed, or status finds the station qualified; else 60.\n";
+  }
+  std::vector<Option> options() override {
+    return {{"STEP",
+             "what to do; default: test",
+             &step_,
+             false,
+             {"test", "status", "calibrate", "records"}},
+            {"--rig", "rig file with a \"qualification\"", &rig_, true},
+            {"--out", "folder of run folders, which keeps the records; default: " + out_, &out_},
+            {"--no-tap", "test: nobody is there to tap on the housing", &no_tap_},
+            {"--yes", "test: do not ask whether the shaft may turn", &yes_},
+            {"--channel", "calibrate: the sensor's channel", &channel_},
+            {"--sensitivity", "calibrate: V per unit, as certified; default: it states none",
+             &sensitivity_},
+            {"--certificate", "calibrate: number of the certificate", &certificate_},
+            {"--by", "calibrate: who enters it", &by_},
+            {"--on", "calibrate: day of the calibration, as 2026-11-02", &on_},
+            {"--until", "calibrate: last day that it is valid", &until_},
+            {"--json", "test, status, records: one JSON document on standard output", &json_}};
+  }
+  int run(Console& console) override;
+
+ private:
+  int test(Console& console);
+  int test_on(Console& console, hal::Rig& rig, const StopOnSignal& signals);
+  int tell(Console& console, const SelfTest& test);
+  int status(Console& console) const;
+  int calibrate(Console& console) const;
+  int records(Console& console) const;
+  void warn_of_rest(Console& console) const;
+
+  const std::filesystem::path lock_folder_;
+  std::string step_ = "test";
+  std::string rig_, out_ = "runs";
+  std::string channel_, certificate_, by_, on_, until_;
+  std::optional<double> sensitivity_;
+  bool no_tap_ = false, yes_ = false, json_ = false;
+  RigFile file_;  // what --rig names
+};
+
+int QualifyCommand::run(Console& console) {
+  auto file = read_rig(rig_, {});
+  if (file.index() == 1) return refuse_file(console, rig_, std::get<1>(file));
+  file_ = std::get<0>(std::move(file));
+  if (step_ == "status") return status(console);
+  if (qualification_in(file_) == nullptr) {
+    return refuse_file(console, rig_,
+                       with_lines(rig_, {{0, "/qualification",
+                                          "this section is missing: it says what is asked of the "
+                                          "station"}}));
+  }
+  if (step_ == "calibrate") return calibrate(console);
+  return step_ == "records" ? records(console) : test(console);
+}
+
+int QualifyCommand::test(Console& console) {
+  const auto& spec = qualification_in(file_)->self_test;
+  if (!spec) {
+    return refuse_file(
+        console, rig_,
+        with_lines(rig_, {{0, "/qualification/self_test", "no self-test is asked"}}));
+  }
+  auto rig = make_rig(file_, rig_);
+  if (rig.index() == 1) return refuse_file(console, rig_, std::get<1>(rig));
+  hal::Rig& made = std::get<0>(rig);
+  if (const std::string why = why_not_on(made, *spec); !why.empty()) {
+    return refuse_file(console, rig_, with_lines(rig_, {{0, "/qualification/self_test", why}}));
+  }
+  remark(console, "warning", rig_, remarks_on(file_, rig_).warnings);
+  const StopOnSignal signals;
+  const auto* bench = std::get_if<BenchRig>(&file_);
+  if (bench != nullptr && !yes_) {
+    const std::string why = why_not_to_turn(console, signals.token());
+    if (signals.token().stop_requested()) return exit_codes::aborted;
+    if (!why.empty()) return refuse_usage(console, "qualify: " + why);
+  }
+  const auto devices = bench != nullptr ? devices_of(*bench) : std::vector<std::string>();
+  const auto lock = lock_devices(console, name(), devices, lock_folder_);
+  if (!lock) return exit_codes::usage;
+  return test_on(console, made, signals);
+}
+
+int QualifyCommand::test_on(Console& console, hal::Rig& rig, const StopOnSignal& signals) {
+  ProgressBar bar(console, progress_style(console, json_));
+  SelfTestObserver observer(console, bar);
+  const SelfTest test =
+      run_self_test(*qualification_in(file_)->self_test, !no_tap_, rig, observer, signals.token());
+  if (!test.must_exit) {
+    bar.clear();
+    return tell(console, test);
+  }
+  // With a thread in a call that never returns, no destructor of the rig may run.
+  (void)try_for(longest_farewell, [&] { tell(console, test); });
+  std::_Exit(exit_code(test.ending));
+}
+
+// Keeps the record and says what it came to. One that somebody stopped says nothing of the station.
+int QualifyCommand::tell(Console& console, const SelfTest& test) {
+  const QualificationSection& section = *qualification_in(file_);
+  const SelfTestSpec& spec = *section.self_test;
+  SelfTestRecord record{.file = "",
+                        .station = section.station,
+                        .utc = utc_now(),
+                        .software = software_version(),
+                        .passed = test.passed(spec),
+                        .reason = test.reason(spec),
+                        .steps = test.steps};
+  int code = exit_code(test.ending);
+  if (test.ending.outcome == Outcome::pass && !record.passed) {
+    code = exit_code({Outcome::error, ErrorKind::not_qualified, ""});
+  }
+  std::string not_kept;
+  if (test.ending.outcome != Outcome::aborted) {
+    try {
+      record.file = keep_record(out_, record);
+    } catch (const std::system_error& error) {
+      not_kept = "qualify: the record cannot be kept: " + reason_of(error);
+      if (code == exit_codes::done) code = exit_code({Outcome::error, ErrorKind::none, ""});
+    }
+  }
+  console.out << (json_ ? self_test_to_json(record, test.ending, code)
+                        : self_test_text(console, test, spec))
+              << std::flush;
+  if (!not_kept.empty()) complain(console, "rvbench: " + not_kept);
+  if (!test.must_exit && not_kept.empty()) warn_of_rest(console);
+  return code;
+}
+
+// A self-test alone may not be all.
+void QualifyCommand::warn_of_rest(Console& console) const {
+  for (const RequirementState& state : qualification_now(file_, out_).requirements) {
+    if (!state.blocks || state.requirement == "self_test") continue;
+    console.err << "rvbench: note: not qualified yet: " << state.sentence << '\n';
+  }
+}
+
+int QualifyCommand::status(Console& console) const {
+  const Qualification qualification = qualification_now(file_, out_);
+  const QualificationSection* section = qualification_in(file_);
+  console.out << (json_ ? qualification_to_json(qualification,
+                                                section != nullptr ? section->station : "")
+                        : qualification_text(console, qualification));
+  const auto refusal = qualification.refusal();
+  return refusal ? exit_code(*refusal) : exit_codes::done;
+}
+
+int QualifyCommand::calibrate(Console& console) const {
+  const auto refuse = [&](const std::string& what) {
+    return refuse_usage(console, "qualify calibrate: " + what);
+  };
+  for (const auto& [value, option] : {std::pair{channel_, "--channel"},
+                                      {certificate_, "--certificate"},
+                                      {by_, "--by"},
+                                      {on_, "--on"},
+                                      {until_, "--until"}}) {
+    if (value.empty()) return refuse(std::string("give ") + option);
+  }
+  std::vector<std::string> channels;
+  for (const ChannelInfo& channel : channels_of(file_)) channels.push_back(channel.name);
+  if (std::ranges::find(channels, channel_) == channels.end()) {
+    return refuse("the rig has no channel " + hal::in_quotes(channel_) +
+                  hal::what_there_is(channel_, channels));
+  }
+  if (!is_positive(console, "qualify calibrate: --sensitivity", sensitivity_)) {
+    return exit_codes::usage;
+  }
+  const auto on = utc_of_text(on_, false), until = utc_of_text(until_, true);
+  if (!on || !until) return refuse("--on and --until are days, as 2026-11-02");
+  const std::string now = utc_now();
+  if (is_ahead(*on, now)) {
+    return refuse("--on " + day_of(*on) + " is yet to come by this computer's clock (" +
+                  readable_utc(now) + ")");
+  }
+  if (!(days_between(*on, *until) > 0)) return refuse("--until lies before --on");
+  const CalibrationRecord record{.file = "",
+                                 .station = qualification_in(file_)->station,
+                                 .channel = channel_,
+                                 .sensitivity = sensitivity_.value_or(not_known),
+                                 .certificate = certificate_,
+                                 .by = by_,
+                                 .calibrated_utc = *on,
+                                 .valid_until_utc = *until,
+                                 .entered_utc = now,
+                                 .software = software_version()};
+  try {
+    keep_record(out_, record);
+  } catch (const std::system_error& error) {
+    return refuse("the record cannot be kept: " + reason_of(error));
+  }
+  console.out << "station " << record.station << ": " << channel_ << " by certificate "
+              << certificate_ << ", valid until " << day_of(*until) << '\n';
+  // What the record is worth for this rig: an expired one, or another sensitivity.
+  for (const RequirementState& state : qualification_now(file_, out_).requirements) {
+    if (state.blocks && state.requirement == "calibration of " + channel_) {
+      console.err << "rvbench: warning: " << state.sentence << '\n';
+    }
+  }
+  return exit_codes::done;
+}
+
+int QualifyCommand::records(Console& console) const {
+  const StationRecords kept = read_station_records(out_);
+  console.out << (json_ ? calibrations_to_json(kept.calibrations)
+                        : calibrations_text(kept.calibrations));
+  for (const std::string& damaged : kept.damaged) complain(console, "rvbench: " + damaged);
+  return kept.damaged.empty() ? exit_codes::done : exit_codes::bad_file;
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_qualify_command(std::filesystem::path lock_folder) {
+  return std::make_unique<QualifyCommand>(std::move(lock_folder));
+}
+
+}  // namespace rvbench::bench

@@ -1,0 +1,117 @@
+#include "bench/qualification/golden_evidence.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <set>
+#include <utility>
+#include <variant>
+
+#include "analysis/station/golden_check.hpp"
+#include "bench/qualification/ages.hpp"
+#include "bench/results/run_filter.hpp"
+#include "hal/types/measure.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+bool was_judged(const RunRow& run) {
+  return run.verdict == to_string(Outcome::pass) || run.verdict == to_string(Outcome::fail) ||
+         run.verdict == to_string(Outcome::invalid);
+}
+
+std::string name_of(const ChartedIndicator& indicator, const std::optional<ChartedPoint>& point) {
+  std::string name = indicator.measure;
+  if (!indicator.of.empty()) name += " of " + indicator.of;
+  if (point) name += fmt::format(" at {:g} rpm, {:g} %", point->speed_rpm, point->load_pct);
+  return name;
+}
+
+Result<GoldenChart> chart_in(const ResultDatabase& database, const GoldenUnitDemand& demand,
+                             const ChartedIndicator& indicator,
+                             const std::optional<ChartedPoint>& point,
+                             const std::vector<RunRow>& runs) {
+  SeriesOf asked{.measure = indicator.measure, .of = indicator.of, .serial = demand.serial};
+  if (point) {
+    asked.speed_rpm = point->speed_rpm;
+    asked.load_pct = point->load_pct;
+  }
+  const Measure* measure = find_measure(indicator.measure);
+  asked.least = measure != nullptr && measure->worst_is_least;
+  const auto series = database.series(asked);
+  if (!series) return series.error();
+  std::set<std::string> folders;
+  for (const RunRow& run : runs) folders.insert(run.folder);
+  GoldenChart chart{name_of(indicator, point), {}, false};
+  for (const RunValue& value : series.value()) {
+    if (!folders.contains(value.folder)) continue;
+    chart.values.push_back(value.value);
+    chart.has_newest = value.folder == runs.back().folder;
+  }
+  return chart;
+}
+
+// Of one chart; nothing if it is in control.
+std::optional<std::string> reason_of(const GoldenChart& chart, int baseline_runs) {
+  if (!chart.has_newest) return "its newest run has no " + chart.name;
+  const Eigen::VectorXd values =
+      Eigen::VectorXd::Map(chart.values.data(), static_cast<Eigen::Index>(chart.values.size()));
+  const auto checked = analysis::check_golden(values, baseline_runs);
+  if (checked.index() == 1) return chart.name + ": " + std::get<1>(checked);
+  const analysis::GoldenCheck& check = std::get<0>(checked);
+  if (check.is_in_control()) return std::nullopt;
+  return fmt::format("{} is {:.4g}, {} (centre {:.4g}, 3 sigma {:.3g})", chart.name, check.value,
+                     check.text(), check.baseline.centre, 3 * check.baseline.sigma);
+}
+
+}  // namespace
+
+GoldenEvidence golden_evidence(const Result<ResultDatabase>& database,
+                               const GoldenUnitDemand& demand) {
+  if (!database) return {.unreadable = describe(database.error()), .runs = {}, .charts = {}};
+  const auto runs = database.value().runs(demand.serial);
+  if (!runs) return {.unreadable = describe(runs.error()), .runs = {}, .charts = {}};
+  GoldenEvidence evidence;
+  std::ranges::copy_if(runs.value(), std::back_inserter(evidence.runs), [&](const RunRow& run) {
+    return run.plan == demand.plan && was_judged(run);
+  });
+  if (evidence.runs.empty()) return evidence;
+  std::vector<std::optional<ChartedPoint>> points(demand.points.begin(), demand.points.end());
+  if (points.empty()) points.emplace_back(std::nullopt);
+  for (const ChartedIndicator& indicator : demand.indicators) {
+    for (const auto& point : points) {
+      auto chart = chart_in(database.value(), demand, indicator, point, evidence.runs);
+      if (!chart) return {.unreadable = describe(chart.error()), .runs = {}, .charts = {}};
+      evidence.charts.push_back(std::move(chart).value());
+    }
+  }
+  return evidence;
+}
+
+std::vector<std::string> golden_reasons(const GoldenEvidence& evidence,
+                                        const GoldenUnitDemand& demand,
+                                        const std::string& now_utc) {
+  const std::string unit = "golden unit " + demand.serial + ": ";
+  if (!evidence.unreadable.empty())
+    return {unit + "its runs cannot be read: " + evidence.unreadable};
+  if (evidence.runs.empty()) return {unit + "it has no run of plan " + demand.plan};
+  const RunRow& newest = evidence.runs.back();
+  std::vector<std::string> reasons;
+  const std::string age = age_fault(newest.started_utc, demand.max_age_h, now_utc);
+  if (!age.empty()) reasons.push_back(unit + "its newest run " + age);
+  if (newest.verdict != to_string(Outcome::pass)) {
+    reasons.push_back(fmt::format("{}its newest run ({}) ended {}: {}", unit,
+                                  readable_utc(newest.started_utc), newest.verdict, newest.reason));
+  }
+  for (const GoldenChart& chart : evidence.charts) {
+    if (const auto reason = reason_of(chart, demand.baseline_runs)) {
+      reasons.push_back(unit + *reason);
+    }
+  }
+  return reasons;
+}
+
+}  // namespace rvbench::bench

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "bench/qualification/self_test_step.hpp"
+#include "hal/types/recording.hpp"
+
+/// What a station has shown, beside the runs that it is for: one file a record in
+/// <root>/qualification/, never changed. results.db has them too, as an index.
+namespace rvbench::bench {
+
+/// A sensor's calibration, as somebody entered it from its certificate.
+struct CalibrationRecord {
+  std::string file;  ///< its name in the folder
+  std::string station;
+  std::string channel;
+  double sensitivity = not_known;  ///< V per unit of the channel; NaN: the certificate states none
+  std::string certificate;         ///< its number
+  std::string by;                  ///< who entered it
+  std::string calibrated_utc;      ///< "20261101T000000Z": the day begins
+  std::string valid_until_utc;     ///< "20271031T235959Z": the day ends
+  std::string entered_utc;
+  std::string software;
+};
+
+/// A self-test that came to an answer.
+struct SelfTestRecord {
+  std::string file;
+  std::string station;
+  std::string utc;
+  std::string software;
+  bool passed = false;
+  std::string reason;
+  std::vector<SelfTestResult> steps;
+};
+
+struct StationRecords {
+  std::vector<CalibrationRecord> calibrations;  ///< in the order they were entered
+  std::vector<SelfTestRecord> self_tests;       ///< in the order of time
+  std::vector<std::string> damaged;             ///< files that cannot be read, and why
+};
+
+/// Where they lie.
+std::filesystem::path qualification_folder(const std::filesystem::path& root);
+
+/// Those of every station; a file that is damaged is told and left out.
+StationRecords read_station_records(const std::filesystem::path& root);
+
+// Each makes a further file, on the disk when it returns, and never replaces one.
+// @return its name in the folder @throws std::system_error
+std::string keep_record(const std::filesystem::path& root, const CalibrationRecord& record);
+std::string keep_record(const std::filesystem::path& root, const SelfTestRecord& record);
+
+}  // namespace rvbench::bench

@@ -1,0 +1,158 @@
+#include "bench/qualification/golden_evidence.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <functional>
+
+#include "bench/qualification/qualification.hpp"
+#include "tests/bench/judgements.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace rvbench::bench {
+
+using Catch::Matchers::Contains;
+using rvbench::test::ScratchFolder;
+
+namespace {
+
+GoldenUnitDemand demand() {
+  GoldenUnitDemand demand;
+  demand.serial = "GOLD";
+  demand.plan = "quick";
+  demand.max_age_h = 24;
+  demand.indicators = {{"kurtosis"}};
+  return demand;
+}
+
+// Its runs, one a day from 1 January on, of one point at 605 rpm and 100 %.
+class GoldenRuns {
+ public:
+  void enter(
+      double kurtosis, const std::function<void(Judgement&)>& change = [](auto&) {}) {
+    Judgement judgement = test::passed_run();
+    judgement.facts.serial = "GOLD";
+    judgement.facts.started_utc = fmt::format("202601{:02}T120000Z", ++day_);
+    judgement.points[0].examination.channels[0].indicators[0].value = kurtosis;
+    change(judgement);
+    auto database = ResultDatabase::open(root_.path());
+    REQUIRE(database);
+    const auto folder = root_ / ("GOLD/" + judgement.facts.started_utc);
+    REQUIRE(std::move(database).value().enter(row_of(root_.path(), folder, judgement), judgement));
+  }
+
+  // 3 and what chance adds, without a pattern that a rule would see.
+  void enter_sound(int count) {
+    constexpr std::array off{-1.0, 1.0, 0.5, -0.5, 0.2, -0.8, 0.9, -0.2, 0.6, -0.6};
+    for (int i = 0; i < count; ++i) enter(3 + 0.1 * off[static_cast<std::size_t>(i) % off.size()]);
+  }
+
+  std::vector<std::string> reasons(const GoldenUnitDemand& asked, double hours_later = 1) const {
+    const int hours = 12 + static_cast<int>(hours_later);
+    const std::string now = fmt::format("202601{:02}T{:02}0000Z", day_ + hours / 24, hours % 24);
+    QualificationSection section;
+    section.golden_unit = asked;
+    return golden_reasons(gather_evidence(root_.path(), section).golden, asked, now);
+  }
+
+ private:
+  ScratchFolder root_;
+  int day_ = 0;
+};
+
+std::string only(const std::vector<std::string>& reasons) {
+  REQUIRE(reasons.size() == 1);
+  return reasons[0];
+}
+
+}  // namespace
+
+TEST_CASE("a golden unit that reads as ever says nothing against the station", "[bench][station]") {
+  GoldenRuns runs;
+  runs.enter_sound(20);
+  runs.enter(3.02);
+  CHECK(runs.reasons(demand()).empty());
+  GoldenUnitDemand of_point = demand();
+  of_point.points = {{605, 100}};
+  CHECK(runs.reasons(of_point).empty());
+}
+
+TEST_CASE("a golden unit that moves is told with indicator, rule, centre and limit",
+          "[bench][station]") {
+  GoldenRuns runs;
+  runs.enter_sound(20);
+  runs.enter(3.9);
+  CHECK_THAT(only(runs.reasons(demand())),
+             Contains("golden unit GOLD: kurtosis is 3.9, out of control: western_electric_1") &&
+                 Contains("(centre 3.001, 3 sigma"));
+  // Its weighted mean remembers so large a jump for a while, and then it does not count any more.
+  runs.enter(3.02);
+  CHECK_THAT(only(runs.reasons(demand())), Contains("EWMA"));
+  runs.enter_sound(5);
+  CHECK(runs.reasons(demand()).empty());
+}
+
+TEST_CASE("without enough runs of the golden unit there is no chart, and without any no unit",
+          "[bench][station]") {
+  GoldenRuns runs;
+  CHECK(only(runs.reasons(demand())) == "golden unit GOLD: it has no run of plan quick");
+  runs.enter_sound(9);
+  CHECK_THAT(only(runs.reasons(demand())),
+             Contains("9 runs of the golden unit: its chart takes 20"));
+  GoldenUnitDemand of_eight = demand();
+  of_eight.baseline_runs = 8;
+  CHECK(runs.reasons(of_eight).empty());
+}
+
+TEST_CASE("a golden run counts for its hours, and must have passed", "[bench][station]") {
+  GoldenRuns runs;
+  runs.enter_sound(20);
+  runs.enter(3.02);
+  CHECK(runs.reasons(demand(), 24).empty());
+  CHECK_THAT(only(runs.reasons(demand(), 25)), Contains("25 h ago, and counts for 24 h"));
+  runs.enter(3.02, [](Judgement& judgement) {
+    judgement.ending = {Outcome::fail, ErrorKind::none, "input_shaft: misalignment"};
+  });
+  CHECK_THAT(only(runs.reasons(demand())), Contains("ended FAIL: input_shaft: misalignment"));
+}
+
+TEST_CASE("runs that were cut short, of another plan or another unit are not the golden unit's",
+          "[bench][station]") {
+  GoldenRuns runs;
+  runs.enter_sound(20);
+  runs.enter(3.02);
+  runs.enter(9, [](Judgement& judgement) {
+    judgement.ending = {Outcome::error, ErrorKind::device_lost, "a device"};
+  });
+  runs.enter(9, [](Judgement& judgement) { judgement.facts.plan = "another"; });
+  runs.enter(9, [](Judgement& judgement) { judgement.facts.serial = "A17"; });
+  GoldenUnitDemand of_days = demand();
+  of_days.max_age_h = 24 * 7;
+  CHECK(runs.reasons(of_days).empty());
+}
+
+TEST_CASE("a charted indicator that the newest run lacks is missing, not in control",
+          "[bench][station]") {
+  GoldenRuns runs;
+  runs.enter_sound(20);
+  runs.enter(3.02, [](Judgement& judgement) {
+    judgement.points[0].examination.channels[0].indicators.erase(
+        judgement.points[0].examination.channels[0].indicators.begin());
+  });
+  CHECK(only(runs.reasons(demand())) == "golden unit GOLD: its newest run has no kurtosis");
+}
+
+TEST_CASE("the golden unit's own run does not wait for the golden unit", "[bench][station]") {
+  QualificationSection section;
+  section.station = "EOL 3";
+  section.golden_unit = demand();
+  section.calibration = CalibrationDemand{{"accel_1x"}};
+  const auto reasons_for = [&](const std::string& serial) {
+    return qualification_of(section, {}, {}, "20260105T120000Z", serial).reasons().size();
+  };
+  CHECK(reasons_for("A17") == 2);
+  CHECK(reasons_for("GOLD") == 1);  // the calibration is missing for it, too
+}
+
+}  // namespace rvbench::bench

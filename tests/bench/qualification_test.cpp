@@ -1,0 +1,204 @@
+#include "bench/qualification/qualification.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "bench/qualification/ages.hpp"
+#include "bench/text_file.hpp"
+#include "tests/bench/judgements.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace rvbench::bench {
+
+using Catch::Matchers::Contains;
+using rvbench::test::ScratchFolder;
+
+namespace {
+
+const std::string now = "20261127T120000Z";
+const std::vector<ChannelInfo> channels{{"accel_1x", "m/s²", "+X", 0.0102},
+                                        {"input_torque", "N·m", "", not_known}};
+
+SelfTestRecord tested(const std::string& utc, bool passed = true) {
+  return {.file = "",
+          .station = "EOL 3",
+          .utc = utc,
+          .software = "0.1.0",
+          .passed = passed,
+          .reason = passed ? "every step passed" : "tap: fail",
+          .steps = {}};
+}
+
+CalibrationRecord certified(const std::string& until, double sensitivity = 0.01021) {
+  return {.file = "",
+          .station = "EOL 3",
+          .channel = "accel_1x",
+          .sensitivity = sensitivity,
+          .certificate = "K-4711",
+          .by = "J. Weber",
+          .calibrated_utc = "20251128T000000Z",
+          .valid_until_utc = until,
+          .entered_utc = "20251201T080000Z",
+          .software = "0.1.0"};
+}
+
+QualificationSection asks_for_self_test() {
+  QualificationSection section;
+  section.station = "EOL 3";
+  section.self_test.emplace();
+  return section;
+}
+
+QualificationSection asks_for_calibration() {
+  QualificationSection section;
+  section.station = "EOL 3";
+  section.calibration = CalibrationDemand{{"accel_1x"}};
+  return section;
+}
+
+RequirementState only_state(const QualificationSection& section, const StationRecords& records) {
+  const Qualification all = qualification_of(section, channels, {records, {}}, now);
+  REQUIRE(all.requirements.size() == 1);
+  return all.requirements[0];
+}
+
+RequirementState with_tests(std::vector<SelfTestRecord> records) {
+  return only_state(asks_for_self_test(), {{}, std::move(records), {}});
+}
+
+RequirementState with_calibrations(std::vector<CalibrationRecord> records) {
+  return only_state(asks_for_calibration(), {std::move(records), {}, {}});
+}
+
+}  // namespace
+
+TEST_CASE("a self-test counts for its hours, the newest one, of this station", "[bench][station]") {
+  CHECK(with_tests({}).word == "missing");
+  CHECK(with_tests({tested("20261127T080000Z")}).word == "fulfilled");
+  CHECK_FALSE(with_tests({tested("20261127T080000Z")}).blocks);
+  CHECK(with_tests({tested("20261126T130000Z")}).word == "expires");  // 1 h of 24 is left
+  const auto expired = with_tests({tested("20261126T110000Z")});
+  CHECK(expired.word == "expired");
+  CHECK(expired.blocks);
+  CHECK(expired.sentence ==
+        "self-test: the newest is of 2026-11-26 11:00:00, 25 h ago, and counts for 24 h");
+  // One that failed later takes the word of one that passed.
+  const auto failed = with_tests({tested("20261127T080000Z"), tested("20261127T090000Z", false)});
+  CHECK(failed.word == "failed");
+  CHECK_THAT(failed.sentence, Contains("was not passed: tap: fail"));
+  SelfTestRecord elsewhere = tested("20261127T080000Z");
+  elsewhere.station = "EOL 4";
+  CHECK(with_tests({elsewhere}).word == "missing");
+}
+
+TEST_CASE("a calibration holds to the end of its last day", "[bench][station]") {
+  CHECK(with_calibrations({}).word == "missing");
+  CHECK(with_calibrations({certified("20271127T235959Z")}).word == "fulfilled");
+  const auto soon = with_calibrations({certified("20261202T235959Z")});
+  CHECK(soon.word == "expires");
+  CHECK_FALSE(soon.blocks);
+  CHECK_THAT(soon.sentence, Contains("valid until 2026-12-02, 5 days more"));
+  CHECK(with_calibrations({certified("20261127T235959Z")}).word == "expires");  // today
+  const auto expired = with_calibrations({certified("20261126T235959Z")});
+  CHECK(expired.word == "expired");
+  CHECK(expired.sentence ==
+        "calibration of accel_1x: certificate K-4711 of 2025-11-28 has expired, it was valid "
+        "until 2026-11-26");
+  // A newer certificate takes its place.
+  CalibrationRecord renewed = certified("20271127T235959Z");
+  renewed.entered_utc = "20261120T080000Z";
+  CHECK(with_calibrations({certified("20261126T235959Z"), renewed}).word == "fulfilled");
+}
+
+TEST_CASE("a rig that goes by another sensitivity than the certificate's is told both",
+          "[bench][station]") {
+  CHECK(with_calibrations({certified("20271127T235959Z", 0.01021)}).word == "fulfilled");  // 0.1 %
+  CHECK(with_calibrations({certified("20271127T235959Z", not_known)}).word == "fulfilled");
+  const auto off = with_calibrations({certified("20271127T235959Z", 0.0098)});
+  CHECK(off.word == "failed");
+  CHECK(off.blocks);
+  CHECK_THAT(off.sentence, Contains("states 0.0098 V/(m/s²), the rig goes by 0.0102, +4.1 % off"));
+}
+
+TEST_CASE("what is dated later than now is taken for nothing, and the clock is named",
+          "[bench][station]") {
+  CHECK(with_tests({tested("20261127T120300Z")}).word == "fulfilled");  // clocks differ
+  const auto ahead = with_tests({tested("20261128T080000Z")});
+  CHECK(ahead.blocks);
+  CHECK_THAT(ahead.sentence,
+             Contains("yet to come by this computer's clock (2026-11-27 12:00:00)"));
+  CalibrationRecord later = certified("20281127T235959Z");
+  later.calibrated_utc = "20261201T000000Z";
+  const auto dated = with_calibrations({later});
+  CHECK(dated.word == "failed");
+  CHECK_THAT(dated.sentence, Contains("was calibrated on 2026-12-01, which is yet to come"));
+  CalibrationRecord set_back = certified("20271127T235959Z");
+  set_back.entered_utc = "20270101T000000Z";
+  CHECK_THAT(with_calibrations({set_back}).sentence, Contains("was entered on 2027-01-01"));
+}
+
+TEST_CASE("records are kept as files that never change, and read back whole", "[bench][station]") {
+  const ScratchFolder root;
+  SelfTestRecord record = tested("20261127T080000Z", false);
+  record.steps = {{"tap", SelfTestWord::failed, "loose", {}}};
+  record.steps[0].readings = {at_least("accel_1x", 0.2, 1, "m/s²"),
+                              at_most("accel_1y", not_known, 1, "m/s²")};
+  const std::string first = keep_record(root.path(), record);
+  record.reason = "the later one";
+  const std::string second = keep_record(root.path(), record);  // in the same second
+  CHECK(first != second);
+  keep_record(root.path(), certified("20271127T235959Z"));
+  const StationRecords read = read_station_records(root.path());
+  CHECK(read.damaged.empty());
+  REQUIRE(read.self_tests.size() == 2);
+  CHECK(read.self_tests[0].file == first);
+  CHECK(read.self_tests[1].reason == "the later one");
+  const auto& readings = read.self_tests[0].steps.at(0).readings;
+  REQUIRE(readings.size() == 2);
+  CHECK(readings[0].value == 0.2);
+  CHECK(readings[0].is_least);
+  CHECK(readings[0].word == SelfTestWord::failed);
+  CHECK(std::isnan(readings[1].value));
+  CHECK(readings[1].word == SelfTestWord::cannot_tell);
+  REQUIRE(read.calibrations.size() == 1);
+  CHECK(read.calibrations[0].sensitivity == 0.01021);
+  CHECK(read.calibrations[0].valid_until_utc == "20271127T235959Z");
+}
+
+TEST_CASE("a record that is damaged blocks, and is named with what is wrong", "[bench][station]") {
+  const ScratchFolder root;
+  keep_record(root.path(), tested("20261127T080000Z"));
+  CHECK(gather_evidence(root.path(), asks_for_self_test()).records.damaged.empty());
+  const auto folder = qualification_folder(root.path());
+  write_file(folder / "half.json", R"({"record": "self_test", "station": "EOL)");
+  write_file(folder / "lacks.json", R"({"record": "calibration", "station": "EOL 3"})");
+  write_file(folder / "untimely.json", R"({"record": "self_test", "station": "EOL 3",
+    "utc": "soon", "software": "", "passed": true, "reason": "", "steps": []})");
+  write_file(folder / "other.json", R"({"record": "gage"})");
+  const StationEvidence evidence = gather_evidence(root.path(), asks_for_self_test());
+  CHECK(evidence.records.damaged.size() == 4);
+  const auto reasons = qualification_of(asks_for_self_test(), channels, evidence, now).reasons();
+  REQUIRE(reasons.size() == 4);
+  std::string all;
+  for (const std::string& reason : reasons) all += reason + "\n";
+  CHECK_THAT(all, Contains("half.json is damaged: parse error at line 1") &&
+                      Contains("key 'channel' not found") && Contains("its time is none") &&
+                      Contains("no record of a station") && Contains("put back a copy"));
+}
+
+TEST_CASE("all reasons are in one ending, and what is fulfilled is in none", "[bench][station]") {
+  QualificationSection section = asks_for_self_test();
+  section.calibration = CalibrationDemand{{"accel_1x", "input_torque"}};
+  const StationEvidence evidence{{{certified("20271127T235959Z")}, {}, {}}, {}};
+  const auto refusal = qualification_of(section, channels, evidence, now).refusal();
+  REQUIRE(refusal);
+  CHECK(exit_code(*refusal) == 60);
+  CHECK_THAT(refusal->reason, Contains("the station is not qualified: self-test: station EOL 3") &&
+                                  Contains("; calibration of input_torque: station EOL 3 has no") &&
+                                  !Contains("accel_1x"));
+  const StationEvidence whole{{{certified("20271127T235959Z")}, {tested(now)}, {}}, {}};
+  section.calibration->channels = {"accel_1x"};
+  CHECK_FALSE(qualification_of(section, channels, whole, now).refusal());
+  CHECK_FALSE(Qualification().refusal());
+}
+
+}  // namespace rvbench::bench

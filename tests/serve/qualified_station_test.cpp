@@ -1,0 +1,69 @@
+#include <catch2/catch.hpp>
+
+#include "bench/qualification/station_records.hpp"
+#include "bench/run_folder.hpp"
+#include "bench/text_file.hpp"
+#include "tests/serve/served_station.hpp"
+#include "tests/spec/rvbench.hpp"
+#include "tests/support/wait_until.hpp"
+
+namespace rvbench {
+namespace {
+
+using Catch::Matchers::Contains;
+using test::ScratchFolder;
+using test::ServedStation;
+
+void write_rig(const ScratchFolder& scratch) {
+  bench::write_file(scratch.path() / "rig.json", R"({"rig": "sim", "qualification": {
+    "station": "EOL 3", "calibration": {"channels": ["accel_1x"]},
+    "golden_unit": {"serial": "G01", "plan": "quick", "baseline_runs": 8}}})");
+}
+
+void calibrate(const ScratchFolder& scratch) {
+  bench::keep_record(scratch.path() / "runs", {.file = "",
+                                               .station = "EOL 3",
+                                               .channel = "accel_1x",
+                                               .sensitivity = 0.0102,
+                                               .certificate = "K-4711",
+                                               .by = "J. Weber",
+                                               .calibrated_utc = "20200101T000000Z",
+                                               .valid_until_utc = "20991231T235959Z",
+                                               .entered_utc = bench::utc_now(),
+                                               .software = "0.1.0"});
+}
+
+nlohmann::json scanned(ServedStation& station, const std::string& serial) {
+  const auto reply = station.post("/api/scan", R"({"text":")" + serial + "\"}");
+  return nlohmann::json::parse(reply.body, nullptr, false);
+}
+
+}  // namespace
+
+TEST_CASE("a station that is not qualified says why, starts nothing, and notices what is mended",
+          "[spec][serve][station]") {
+  const ScratchFolder scratch;
+  write_rig(scratch);
+  ServedStation station(scratch, R"("plan": "quick")", "rig.json");
+  REQUIRE(station.log_in("otto").status == 200);
+  const auto state = scanned(station, "A17");
+  CHECK(state.at("station").at("qualified") == false);
+  const auto reasons = state.at("station").at("reasons");
+  REQUIRE(reasons.size() == 2);
+  CHECK_THAT(reasons[0].get<std::string>(), Contains("calibration of accel_1x"));
+  CHECK_THAT(reasons[1].get<std::string>(), Contains("golden unit G01: it has no run"));
+  CHECK(state.at("next_action") == "station_not_qualified");
+  const auto refused = station.post("/api/start");
+  CHECK_THAT(refused.body, Contains("not_qualified"));
+
+  // The golden unit itself waits for the calibration alone.
+  CHECK(scanned(station, "G01").at("station").at("reasons").size() == 1);
+  calibrate(scratch);
+  CHECK(test::wait_until(
+      [&] { return scanned(station, "G01").at("station").at("qualified") == true; }));
+  const auto ready = scanned(station, "G01");
+  CHECK(ready.at("next_action") == "start");
+  CHECK(scanned(station, "A17").at("next_action") == "station_not_qualified");
+}
+
+}  // namespace rvbench
