@@ -35,10 +35,7 @@ Result<GoldenChart> chart_in(const ResultDatabase& database, const GoldenUnitDem
                              const std::optional<ChartedPoint>& point,
                              const std::vector<RunRow>& runs) {
   SeriesOf asked{.measure = indicator.measure, .of = indicator.of, .serial = demand.serial};
-  if (point) {
-    asked.speed_rpm = point->speed_rpm;
-    asked.load_pct = point->load_pct;
-  }
+  if (point) asked.at = {point->speed_rpm, point->load_pct};
   const Measure* measure = find_measure(indicator.measure);
   asked.least = measure != nullptr && measure->worst_is_least;
   const auto series = database.series(asked);
