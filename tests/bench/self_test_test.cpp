@@ -91,7 +91,7 @@ class StationBench {
 }  // namespace
 
 TEST_CASE("a sound station passes its self-test, whatever unit is on it", "[bench][station]") {
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
     StationBench bench(seed);
     CAPTURE(seed, bench.go().reason(bench.spec));
     CHECK(bench.words() == all_pass);
