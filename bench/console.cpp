@@ -4,6 +4,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 
@@ -74,6 +75,11 @@ int shown_width(std::string_view text) {
   int width = 0;
   for (const char byte : text) width += continues_character(byte) ? 0 : 1;
   return width;
+}
+
+std::string padded(std::string_view text, int columns) {
+  return std::string(text) +
+         std::string(std::size_t(std::max(0, columns - shown_width(text))), ' ');
 }
 
 std::string clipped_to(std::string_view text, int columns) {

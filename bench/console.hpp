@@ -47,6 +47,10 @@ int shown_width(std::string_view text);
 /// Fit for one row of a table: control characters become '?', and what is longer ends in "…".
 std::string as_cell(std::string_view text, int columns);
 
+/// With spaces behind it, to that width: fmt pads by bytes in some builds and by columns in others.
+/// Before paint(): escapes have no width.
+std::string padded(std::string_view text, int columns);
+
 /// The first `columns` characters of `text`; never cuts a UTF-8 sequence.
 std::string clipped_to(std::string_view text, int columns);
 

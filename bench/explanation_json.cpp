@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "bench/json_text.hpp"
 #include "bench/missing_force_json.hpp"
 
 namespace rvbench::bench {
@@ -168,7 +169,7 @@ std::string explanation_to_json(const analysis::Explanation& e, const ExplainFac
       {"notes", facts.notes},
       {"software", facts.software},
       {"data_sha256", hashes}};
-  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 }  // namespace rvbench::bench

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "bench/json_text.hpp"
 #include "bench/sha256.hpp"
 #include "sequences/limits_json.hpp"
 
@@ -42,7 +43,7 @@ std::string limits_file_to_json(const LimitsFile& file) {
       {"plan", file.plan},
       {"steps", steps},
       {"limits", nlohmann::ordered_json::parse(sequences::limits_to_json(file.limits))}};
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 std::string limits_hash(const std::vector<sequences::Limit>& limits) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bench/factory/outbox.hpp"
+#include "bench/json_text.hpp"
 #include "bench/judgement.hpp"
 #include "bench/on_disk.hpp"
 #include "bench/sha256.hpp"
@@ -112,7 +113,7 @@ RunBegin next_run(const std::filesystem::path& root, const std::string& serial,
 std::string run_begin_to_json(const RunBegin& begin) {
   const nlohmann::ordered_json json{
       {"serial", begin.serial}, {"started_utc", begin.started_utc}, {"number", begin.number}};
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 RunBegin read_run_begin(const std::filesystem::path& run) {

@@ -53,12 +53,6 @@ std::string clock_text(double seconds) {
   return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-// fmt pads by bytes in some builds and by columns in others; names may hold "·" or "²".
-std::string padded(const std::string& text, int columns) {
-  return text +
-         std::string(static_cast<std::size_t>(std::max(0, columns - shown_width(text))), ' ');
-}
-
 }  // namespace
 
 std::string timeline_table(const TestPlan& plan) {

@@ -6,6 +6,7 @@
 #include "bench/command.hpp"
 #include "bench/examination_json.hpp"
 #include "bench/findings_stand.hpp"
+#include "bench/json_text.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -171,11 +172,6 @@ void withdraw_advice(nlohmann::ordered_json& json, bool stand) {
   }
 }
 
-// Names out of foreign files need not be UTF-8: what is not is replaced, not thrown.
-std::string text_of(const nlohmann::ordered_json& json) {
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-}
-
 }  // namespace
 
 std::string refusal_to_json(int exit_code, const std::vector<std::string>& complaints) {
@@ -186,7 +182,7 @@ std::string refusal_to_json(int exit_code, const std::vector<std::string>& compl
                                  {"exit_code", exit_code},
                                  {"error_kind", to_string(ErrorKind::none)}};
   if (exit_code == exit_codes::data_refused) json["verdict"] = to_string(Outcome::invalid);
-  return text_of(json);
+  return json_text(json);
 }
 
 std::string judgement_to_json(const Judgement& judgement) {
@@ -205,7 +201,7 @@ std::string judgement_to_json(const Judgement& judgement) {
   for (const LimitCheck& check : judgement.limits) json["limits"].push_back(to_json(check));
   json["points"] = nlohmann::json::array();
   for (const JudgedPoint& point : judgement.points) json["points"].push_back(to_json(point));
-  return text_of(json);
+  return json_text(json);
 }
 
 std::optional<Judgement> judgement_from_json(const std::string& text) {

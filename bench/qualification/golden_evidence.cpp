@@ -23,19 +23,19 @@ bool was_judged(const RunRow& run) {
          run.verdict == to_string(Outcome::invalid);
 }
 
-std::string name_of(const ChartedIndicator& indicator, const std::optional<ChartedPoint>& point) {
+std::string name_of(const ChartedIndicator& indicator, const SetPoint& point) {
   std::string name = indicator.measure;
   if (!indicator.of.empty()) name += " of " + indicator.of;
-  if (point) name += fmt::format(" at {:g} rpm, {:g} %", point->speed_rpm, point->load_pct);
+  if (!point.is_any())
+    name += fmt::format(" at {:g} rpm, {:g} %", *point.speed_rpm, *point.load_pct);
   return name;
 }
 
 Result<GoldenChart> chart_in(const ResultDatabase& database, const GoldenUnitDemand& demand,
                              const ChartedIndicator& indicator,
-                             const std::optional<ChartedPoint>& point,
-                             const std::vector<RunRow>& runs) {
-  SeriesOf asked{.measure = indicator.measure, .of = indicator.of, .serial = demand.serial};
-  if (point) asked.at = {point->speed_rpm, point->load_pct};
+                             const SetPoint& point, const std::vector<RunRow>& runs) {
+  SeriesOf asked{
+      .measure = indicator.measure, .of = indicator.of, .at = point, .serial = demand.serial};
   const Measure* measure = find_measure(indicator.measure);
   asked.least = measure != nullptr && measure->worst_is_least;
   const auto series = database.series(asked);
@@ -76,10 +76,10 @@ GoldenEvidence golden_evidence(const Result<ResultDatabase>& database,
     return run.plan == demand.plan && was_judged(run);
   });
   if (evidence.runs.empty()) return evidence;
-  std::vector<std::optional<ChartedPoint>> points(demand.points.begin(), demand.points.end());
-  if (points.empty()) points.emplace_back(std::nullopt);
+  std::vector<SetPoint> points = demand.points;
+  if (points.empty()) points.emplace_back();  // any: the worst of all
   for (const ChartedIndicator& indicator : demand.indicators) {
-    for (const auto& point : points) {
+    for (const SetPoint& point : points) {
       auto chart = chart_in(database.value(), demand, indicator, point, evidence.runs);
       if (!chart) return {.unreadable = describe(chart.error()), .runs = {}, .charts = {}};
       evidence.charts.push_back(std::move(chart).value());

@@ -108,9 +108,8 @@ RequirementState golden_state(const GoldenUnitDemand& demand, const GoldenEviden
   const char* const name = "golden_unit";
   const auto reasons = golden_reasons(evidence, demand, now_utc);
   if (!reasons.empty()) {
-    std::string all = reasons.front();
-    for (std::size_t i = 1; i < reasons.size(); ++i) all += "; " + reasons[i];
-    return state_of(name, evidence.runs.empty() ? "missing" : "failed", all);
+    return state_of(name, evidence.runs.empty() ? "missing" : "failed",
+                    fmt::format("{}", fmt::join(reasons, "; ")));
   }
   const std::string& utc = evidence.runs.back().started_utc;
   const double left_h = demand.max_age_h - 24 * days_between(utc, now_utc);
@@ -156,9 +155,8 @@ std::vector<std::string> Qualification::warnings() const {
 std::optional<Ending> Qualification::refusal() const {
   const std::vector<std::string> all = reasons();
   if (all.empty()) return std::nullopt;
-  std::string reason = "the station is not qualified";
-  for (std::size_t i = 0; i < all.size(); ++i) reason += (i == 0 ? ": " : "; ") + all[i];
-  return Ending{Outcome::error, ErrorKind::not_qualified, reason};
+  return Ending{Outcome::error, ErrorKind::not_qualified,
+                fmt::format("the station is not qualified: {}", fmt::join(all, "; "))};
 }
 
 Qualification qualification_of(const QualificationSection& section,

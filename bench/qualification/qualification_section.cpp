@@ -109,8 +109,8 @@ nlohmann::ordered_json to_json(const GoldenUnitDemand& demand) {
     indicators.push_back({{"measure", indicator.measure}, {"of", indicator.of}});
   }
   auto points = nlohmann::ordered_json::array();
-  for (const ChartedPoint& point : demand.points) {
-    points.push_back({{"speed_rpm", point.speed_rpm}, {"load_pct", point.load_pct}});
+  for (const SetPoint& point : demand.points) {
+    points.push_back({{"speed_rpm", *point.speed_rpm}, {"load_pct", *point.load_pct}});
   }
   return {{"serial", demand.serial},       {"plan", demand.plan},
           {"max_age_h", demand.max_age_h}, {"baseline_runs", demand.baseline_runs},

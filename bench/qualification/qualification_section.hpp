@@ -8,6 +8,7 @@
 #include "bench/qualification/self_test_spec.hpp"
 #include "hal/config_reader.hpp"
 #include "hal/types/recording.hpp"
+#include "hal/types/set_point.hpp"
 
 namespace rvbench::bench {
 
@@ -23,11 +24,6 @@ struct ChartedIndicator {
   std::string of = {};  ///< band, order or mesh; empty: the worst of all
 };
 
-struct ChartedPoint {
-  double speed_rpm = 0;  ///< as planned
-  double load_pct = 0;
-};
-
 /// A unit that is known to be as ever: when it is not, the station has changed.
 struct GoldenUnitDemand {
   std::string serial;
@@ -35,7 +31,7 @@ struct GoldenUnitDemand {
   double max_age_h = 168;
   int baseline_runs = 20;  ///< the first ones make the chart
   std::vector<ChartedIndicator> indicators = {{"acceleration_rms"}};
-  std::vector<ChartedPoint> points = {};  ///< each has charts of its own; empty: the worst of all
+  std::vector<SetPoint> points = {};  ///< each has charts of its own; empty: the worst of all
 };
 
 /// What a rig file asks of its station before a unit may pass there:

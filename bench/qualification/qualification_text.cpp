@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "bench/json_text.hpp"
 #include "bench/qualification/ages.hpp"
 #include "bench/qualification/self_test_json.hpp"
 
@@ -13,10 +13,6 @@ namespace rvbench::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string text_of(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
 
 Tone tone_of_word(SelfTestWord word) {
   if (word == SelfTestWord::passed) return Tone::good;
@@ -28,12 +24,6 @@ std::string value_text(const SelfTestResult& step) {
   if (worst == nullptr || !std::isfinite(worst->value)) return "";
   return fmt::format("{:.3g} {} ({} {:.3g})", worst->value, worst->unit,
                      worst->is_least ? "min" : "max", worst->limit);
-}
-
-// Padded before it is painted: escapes have no width.
-std::string padded(const std::string& text, int columns) {
-  return text +
-         std::string(static_cast<std::size_t>(std::max(0, columns - shown_width(text))), ' ');
 }
 
 }  // namespace
@@ -53,7 +43,7 @@ std::string self_test_text(const Console& console, const SelfTest& test, const S
 
 std::string self_test_to_json(const SelfTestRecord& record, const Ending& ending, int exit_code) {
   const bool was_ended = ending.outcome != Outcome::pass;
-  return text_of({{"station", record.station},
+  return json_text({{"station", record.station},
                   {"utc", record.utc},
                   {"software", record.software},
                   {"passed", record.passed},
@@ -91,7 +81,7 @@ std::string qualification_to_json(const Qualification& qualification, const std:
                             {"blocks", state.blocks}});
   }
   const auto refusal = qualification.refusal();
-  return text_of({{"station", station},
+  return json_text({{"station", station},
                   {"qualified", !refusal},
                   {"requirements", std::move(requirements)},
                   {"exit_code", refusal ? exit_code(*refusal) : 0}});
@@ -120,7 +110,7 @@ std::string calibrations_to_json(const std::vector<CalibrationRecord>& records) 
                    {"entered_utc", record.entered_utc},
                    {"file", record.file}});
   }
-  return text_of({{"calibrations", std::move(all)}});
+  return json_text({{"calibrations", std::move(all)}});
 }
 
 }  // namespace rvbench::bench

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bench/qualification/self_test_steps.hpp"
+#include "hal/no_recording.hpp"
 #include "sequences/bench_loop.hpp"
 #include "sequences/phase_registry.hpp"
 #include "sequences/plan_on_rig.hpp"
@@ -73,22 +74,12 @@ bool is_well(const SelfTestResult& step, const SelfTestSpec& spec) {
          (step.word == SelfTestWord::skipped && !(step.step == tap_step && spec.tap));
 }
 
-// Where nothing is to be kept.
-class NoRecording final : public hal::RecordingWriter {
- public:
-  Status append(int, const hal::AccelerationBlock&) override { return Done{}; }
-  Status append(int, const hal::TorqueBlock&) override { return Done{}; }
-  Status end_point(const hal::PointResult&) override { return Done{}; }
-  Status note(double, const std::string&) override { return Done{}; }
-  Status close() override { return Done{}; }
-};
-
 // What the sequencer's threads refer to.
 struct Underway {
   SelfTestSpec spec;
   SelfTest test;
   sequences::TestPlan plan;
-  NoRecording nowhere;
+  hal::NoRecording nowhere;
 };
 
 }  // namespace

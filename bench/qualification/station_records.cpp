@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bench/examination_json.hpp"
+#include "bench/json_text.hpp"
 #include "bench/on_disk.hpp"
 #include "bench/qualification/self_test_json.hpp"
 #include "bench/results/run_filter.hpp"
@@ -19,10 +20,6 @@ using Json = nlohmann::ordered_json;
 constexpr const char* calibration = "calibration";
 constexpr const char* self_test = "self_test";
 constexpr const char* suffix = ".json";
-
-std::string text_of(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
 
 Json to_json(const CalibrationRecord& record) {
   return {{"record", calibration},
@@ -113,7 +110,7 @@ std::string keep(const std::filesystem::path& root, const std::string& kind, con
   for (int copy = 2; std::filesystem::exists(folder / name); ++copy) {
     name = kind + "-" + utc + "-" + std::to_string(copy) + suffix;
   }
-  write_file(folder / name, text_of(json));
+  write_file(folder / name, json_text(json));
   put_folder_on_disk(folder);
   return name;
 }

@@ -35,10 +35,6 @@ nlohmann::ordered_json later_json(const History& history, const std::string& fol
   return list;
 }
 
-std::string padded(const std::string& cell, int columns) {
-  return cell + std::string(std::size_t(std::max(0, columns - shown_width(cell))), ' ');
-}
-
 std::string painted(const Console& console, const std::string& verdict) {
   const Tone tone = verdict == "PASS" ? Tone::good : verdict == "FAIL" ? Tone::bad : Tone::warning;
   return paint(console, tone, padded(verdict.empty() ? "-" : verdict, 7));

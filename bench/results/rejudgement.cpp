@@ -8,6 +8,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "bench/json_text.hpp"
 #include "bench/verdict_json.hpp"
 
 namespace rvbench::bench {
@@ -47,7 +48,7 @@ std::string rejudgement_to_json(const Rejudgement& rejudgement) {
   json["rejudged"] = {{"utc", rejudgement.judged_utc},
                       {"limits_version", rejudgement.limits_version},
                       {"limits_sha256", rejudgement.limits_sha256}};
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 std::optional<Rejudgement> rejudgement_from_json(const std::string& text) {

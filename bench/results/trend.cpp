@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "bench/json_text.hpp"
 #include "bench/limit_checks.hpp"
 #include "bench/results/run_filter.hpp"
 #include "hal/types/measure.hpp"
@@ -110,7 +111,7 @@ std::string trend_to_json(const Trend& trend) {
                                     {"trend", slope_json(trend)},
                                     {"sentence", trend_sentence(trend)},
                                     {"values", values}};
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 }  // namespace rvbench::bench

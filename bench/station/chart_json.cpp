@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bench/json_text.hpp"
 #include "bench/software_version.hpp"
 
 namespace rvbench::bench {
@@ -73,7 +74,7 @@ std::string chart_to_json(const ChartAnswer& answer) {
       {"capability", capability_json(answer)},
       {"warnings", chart_warnings(answer)},
       {"software", software_version()}};
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 }  // namespace rvbench::bench

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bench/json_text.hpp"
 #include "bench/software_version.hpp"
 
 namespace rvbench::bench {
@@ -79,7 +80,7 @@ std::string gage_to_json(const GageAnswer& answer) {
         {"repeatability", line_json(study.anova.repeatability)},
         {"pooled", study.anova.is_pooled}}},
       {"software", software_version()}};
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 }  // namespace rvbench::bench

@@ -8,7 +8,6 @@
 #include "sequences/silent_observer.hpp"
 #include "tests/faults/oracle.hpp"
 #include "tests/faults/undrained_drive.hpp"
-#include "tests/support/nobody.hpp"
 #include "tests/support/plan_of.hpp"
 
 namespace rvbench::test {

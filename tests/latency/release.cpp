@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "hal/no_recording.hpp"
 #include "sequences/silent_observer.hpp"
 #include "tests/latency/figures.hpp"
 #include "tests/latency/live_plant.hpp"
-#include "tests/support/nobody.hpp"
 #include "tests/support/plan_of.hpp"
 
 namespace rvbench::test {
@@ -27,7 +27,7 @@ const std::string plan_text = R"({
 double held_too_long_ms(bool is_deaf) {
   hal::Rig rig = make_live_plant_rig({});
   LivePlant& plant = live_plant(rig);
-  Nowhere nowhere;
+  hal::NoRecording nowhere;
   sequences::SilentObserver nobody;
   std::stop_source stop;
   plant.look([&](FaultBench& bench) {

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace rvbench::bench {
+
+/// A JSON document as files and standard output have it: indented by two, with a line's end. Names
+/// out of foreign files need not be UTF-8: what is not is replaced, not thrown.
+std::string json_text(const nlohmann::ordered_json& json);
+
+}  // namespace rvbench::bench
