@@ -36,8 +36,8 @@ std::vector<int> strong_orders(const sim::SteadyOutput& nominal) {
 }
 
 // Whether a line stands above noise again and again: once it may be what one record alone has.
-bool is_clear(const std::vector<const OrderRecord*>& repeats, std::size_t output,
-              Eigen::Index order) {
+bool rises_clearly(const std::vector<const OrderRecord*>& repeats, std::size_t output,
+                   Eigen::Index order) {
   const double least = repeats.size() > 1 ? again_above_noise : clearly_above_noise;
   const auto clear = std::ranges::count_if(repeats, [&](const OrderRecord* record) {
     const analysis::PeriodLines& lines = record->measured.outputs[output];
@@ -62,7 +62,7 @@ std::vector<std::vector<bool>> shown_orders(const sim::PlantSpec& plant,
         const bool is_expected = std::ranges::any_of(repeats, [&](const OrderRecord* record) {
           return expected > record->measured.outputs[o].noise[k];
         });
-        if (is_expected || is_clear(repeats, o, k)) shown[o][std::size_t(k)] = true;
+        if (is_expected || rises_clearly(repeats, o, k)) shown[o][std::size_t(k)] = true;
       }
     }
   }

@@ -18,10 +18,6 @@ namespace {
 
 using Responses = std::vector<FrequencyResponse>;
 
-bool holds(const std::vector<DegreeOfFreedom>& places, const DegreeOfFreedom& place) {
-  return std::ranges::find(places, analysis::positive(place)) != places.end();
-}
-
 std::variant<MeasuredHits, TpaRefusal> ready_frfs(const TpaProject& project, ProgressBar& bar,
                                                   const std::stop_token& stop) {
   MeasuredHits read;
@@ -44,7 +40,8 @@ std::variant<MeasuredHits, TpaRefusal> ready_frfs(const TpaProject& project, Pro
 void keep_wanted(const TpaProject& project, Responses& responses) {
   const std::vector<DegreeOfFreedom> sensors = sensors_of(project);
   std::erase_if(responses, [&](const FrequencyResponse& response) {
-    return !holds(sensors, response.response) || !holds(project.paths, response.excitation);
+    return !analysis::holds(sensors, analysis::positive(response.response)) ||
+           !analysis::holds(project.paths, analysis::positive(response.excitation));
   });
 }
 

@@ -20,10 +20,6 @@ using Places = std::vector<DegreeOfFreedom>;
 constexpr hal::Bounds frequencies{0, 1e6};
 constexpr hal::Bounds ranges{1e-6, 1e9};
 
-bool holds(const Places& places, const DegreeOfFreedom& place) {
-  return std::ranges::find(places, place) != places.end();
-}
-
 class ProjectReader {
  public:
   explicit ProjectReader(hal::ConfigReader& root)
@@ -89,12 +85,13 @@ class ProjectReader {
       const std::string file = file_at(entry, "file");
       hammer.hits.push_back({file, {entry.text("point"), entry.text("direction")}});
       hit.push_back(analysis::positive(hammer.hits.back().place));
-      if (!project_.paths.empty() && !holds(project_.paths, hit.back())) {
+      if (!project_.paths.empty() && !analysis::holds(project_.paths, hit.back())) {
         entry.fault("point", analysis::name_of(hit.back()) + " is none of the paths");
       }
     }
     for (const DegreeOfFreedom& path : project_.paths) {
-      if (!holds(hit, path)) json.fault("hits", "no hit at the path " + analysis::name_of(path));
+      if (!analysis::holds(hit, path))
+        json.fault("hits", "no hit at the path " + analysis::name_of(path));
     }
     project_.hammer = std::move(hammer);
   }
@@ -109,10 +106,10 @@ class ProjectReader {
       sensors.fault("validation", project_.method + " is validated by blocks that are held out");
     }
     for (const DegreeOfFreedom& place : project_.indicators) {
-      if (holds(project_.targets, place)) {
+      if (analysis::holds(project_.targets, place)) {
         sensors.fault("indicators", analysis::name_of(place) + " is a target as well");
       }
-      if (holds(project_.validation, place)) {
+      if (analysis::holds(project_.validation, place)) {
         sensors.fault("indicators", analysis::name_of(place) + " is to validate as well");
       }
     }
@@ -208,7 +205,7 @@ std::vector<DegreeOfFreedom> read_places(hal::ConfigReader& of, const char* key)
   for (const std::string& point : list.texts("points")) {
     for (const std::string& direction : directions) {
       const DegreeOfFreedom place = analysis::positive({point, direction});
-      if (holds(all, place)) list.fault("", analysis::name_of(place) + " is there twice");
+      if (analysis::holds(all, place)) list.fault("", analysis::name_of(place) + " is there twice");
       all.push_back(place);
     }
   }

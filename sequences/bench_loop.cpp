@@ -17,7 +17,7 @@ constexpr double write_period_s = 0.1;  // well within any watchdog
 constexpr double report_period_s = 0.5;
 constexpr double longest_look_s = 2;  // at the counters of all buses
 // A stop waits for the request to the drive that is under way, with all its repetitions.
-constexpr double longest_stop_s = 5;
+constexpr double longest_wait_for_stop_s = 5;
 // Two witnesses of one shaft: no limit on what is tested, but how far apart a sound pair may be.
 // The drive's own speed may be an estimate that leaves slip out, a tenth at most of a motor within
 // its rating. Its answer may be 0.05 s old and the angle's speed is a mean over 0.1 s: 60 rpm at a
@@ -81,7 +81,7 @@ std::optional<Ending> BenchLoop::trouble() {
     ending = ending ? graver(*ending, asked) : asked;
   }
   const double patience_s =
-      supervisor_.is_tripped() ? longest_stop_s : plan_.interlocks.stale_after_s;
+      supervisor_.is_tripped() ? longest_wait_for_stop_s : plan_.interlocks.stale_after_s;
   if (!ending && supervisor_.silence_s() > patience_s) {
     return device_lost(
         fmt::format("the supervisor has not come round for {:.2f} s: a device holds it",

@@ -7,7 +7,7 @@
 namespace rvbench::analysis {
 namespace {
 
-constexpr Eigen::Index beside = 2;  // a Hann line does not reach further
+constexpr Eigen::Index lines_beside = 2;  // a Hann line does not reach further
 constexpr Eigen::Index stride = 3;  // so that two decoys of one line share no noise
 
 Eigen::VectorXd stretches_of(double reach, Eigen::Index tries) {
@@ -17,9 +17,9 @@ Eigen::VectorXd stretches_of(double reach, Eigen::Index tries) {
 
 // Whether a shift leads from a line of the gear train to where it has none.
 bool between_locked(Eigen::Index shift, Eigen::Index locked_every) {
-  if (locked_every < 2 * beside) return true;  // too dense to step around
+  if (locked_every < 2 * lines_beside) return true;  // too dense to step around
   const Eigen::Index away = shift % locked_every;
-  return away >= beside && away <= locked_every - beside;
+  return away >= lines_beside && away <= locked_every - lines_beside;
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ std::vector<Eigen::Index> decoy_shifts(const SignatureComb& comb, Eigen::Index l
   }
   const auto one_order = reach + comb.bin_of(1);
   std::vector<Eigen::Index> shifts;
-  for (Eigen::Index shift = reach + beside; shifts.size() < std::size_t{decoys}; ++shift) {
+  for (Eigen::Index shift = reach + lines_beside; shifts.size() < std::size_t{decoys}; ++shift) {
     if (!comb.rolls && !between_locked(shift, locked_every)) continue;
     if (shift > one_order && shifts.size() >= std::size_t{fewest_decoys}) break;
     shifts.push_back(shifts.size() % 2 == 0 ? shift : -shift);

@@ -9,7 +9,6 @@ namespace rvbench::analysis {
 namespace {
 
 using Eigen::Index;
-constexpr Require require{"hit_deviations"};
 
 // Of one hit: y·x* and |x|², at the lines of the band.
 struct HitProducts {
@@ -31,6 +30,7 @@ HitProducts products_of(const FrfRecord& hit, const BandLines& lines) {
 }
 
 void require_alike(const std::vector<FrfRecord>& hits) {
+  constexpr Require require{"hit_deviations"};
   require(!hits.empty(), "no hit");
   for (const FrfRecord& hit : hits) {
     require(hit.excitations.cols() == 1, hit.source + ": not one excitation");
@@ -45,6 +45,7 @@ void require_alike(const std::vector<FrfRecord>& hits) {
 
 std::vector<Eigen::MatrixXcf> hit_deviations(const std::vector<FrfRecord>& hits,
                                              const FrfBand& band) {
+  constexpr Require require{"hit_deviations"};
   require_alike(hits);
   const Index samples = hits[0].responses.rows();
   const BandLines lines = lines_of(band, 0, hits[0].rate_Hz / double(samples));

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "hal/types/frequency_response.hpp"
 
@@ -37,6 +39,10 @@ inline DegreeOfFreedom positive(const DegreeOfFreedom& place) {
 /// "J3 active +X". Errors  none thrown. Source  definition
 inline std::string name_of(const DegreeOfFreedom& place) {
   return place.direction.empty() ? place.point : place.point + " " + place.direction;
+}
+
+inline bool holds(const std::vector<DegreeOfFreedom>& places, const DegreeOfFreedom& place) {
+  return std::find(places.begin(), places.end(), place) != places.end();
 }
 
 }  // namespace rvbench::analysis

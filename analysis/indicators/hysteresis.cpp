@@ -26,7 +26,7 @@ constexpr double light_load = 0.03;  // of rated: where lost motion is taken
 constexpr double half_load = 0.5;    // of rated: from here to rated torque a reducer is linear
 constexpr Eigen::Index grid_points = 201;
 constexpr double fewest_of_slope = 5;        // of the grid's points
-constexpr Eigen::Index fewest_samples = 50;  // of a branch
+constexpr Eigen::Index fewest_samples_of_branch = 50;  // of a branch
 constexpr double least_common = 0.5;  // of a branch: the torsion that its partner spans as well
 constexpr double tip_share = 0.01;    // of a loop at each end: where friction turns round
 constexpr double end_share = 0.1;     // of a branch: where it must still rise
@@ -155,8 +155,8 @@ class LoopTest {
 
   std::string why_not(const Branch& there, const Branch& back) const {
     const auto fewest = std::min(there.size(), back.size());
-    if (fewest < fewest_samples) {
-      return fmt::format("a branch of {} samples, {} are needed", fewest, fewest_samples);
+    if (fewest < fewest_samples_of_branch) {
+      return fmt::format("a branch of {} samples, {} are needed", fewest, fewest_samples_of_branch);
     }
     if (slips(there) || slips(back)) {
       return "the torque does not rise to the end of its way: the output slips";

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t fewest_runs = 100;
 constexpr double usual_share = 0.999;  // of the runs
-constexpr Eigen::Index far_above = 10;
+constexpr Eigen::Index much_longer = 10;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ std::optional<FrozenSamples> find_frozen_samples(const Eigen::Ref<const Eigen::V
                                         usual_share * static_cast<double>(runs.size() - 1));
   std::ranges::nth_element(runs, usual);
   longest.usual = *usual;
-  if (longest.count <= far_above * longest.usual) return std::nullopt;
+  if (longest.count <= much_longer * longest.usual) return std::nullopt;
   return longest;
 }
 

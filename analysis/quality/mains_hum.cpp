@@ -16,7 +16,7 @@ constexpr double around_Hz = 3;       // where noise is read, on either side
 constexpr double strong = 100;        // times the noise power
 constexpr double alone = 10;          // times as strong as elsewhere
 constexpr double matters = 0.1;       // of the rms
-constexpr std::size_t fewest_others = 2;
+constexpr std::size_t fewest_other_points = 2;
 constexpr double lobe_lines = 2;  // half the main lobe of the Hann window
 
 // Mean power of noise lines around a line.
@@ -96,7 +96,7 @@ std::optional<MainsHum> find_mains_hum(const std::vector<Heard>& channels, std::
       sizes.push_back(rms_of(channels[i].spectrum, hum->grid_Hz, hum->harmonics));
       contrasts.push_back(contrast(channels[i], sizes.back()));
     }
-    if (sizes.size() < fewest_others) return std::nullopt;
+    if (sizes.size() < fewest_other_points) return std::nullopt;
     if (hum->rms > alone * median(sizes) &&
         contrast(channel, hum->rms) > alone * median(contrasts)) {
       return hum;

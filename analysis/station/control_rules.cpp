@@ -20,14 +20,14 @@ bool all_on_one_side(const Last& z) { return are_beyond(z, 0, z.size()); }
 bool all_within_one(const Last& z) { return (z.array().abs() < 1).all(); }
 bool none_within_one(const Last& z) { return (z.array().abs() > 1).all(); }
 
-Eigen::ArrayXd steps(const Last& z) { return z.tail(z.size() - 1) - z.head(z.size() - 1); }
+Eigen::ArrayXd steps_within(const Last& z) { return z.tail(z.size() - 1) - z.head(z.size() - 1); }
 
 bool rise_or_fall(const Last& z) {
-  const Eigen::ArrayXd step = steps(z);
+  const Eigen::ArrayXd step = steps_within(z);
   return (step > 0).all() || (step < 0).all();
 }
 bool go_up_and_down(const Last& z) {
-  const Eigen::ArrayXd step = steps(z);
+  const Eigen::ArrayXd step = steps_within(z);
   return (step.head(step.size() - 1) * step.tail(step.size() - 1) < 0).all();
 }
 

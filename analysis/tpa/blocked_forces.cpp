@@ -11,9 +11,9 @@ namespace {
 
 using Eigen::Index;
 using Places = std::vector<DegreeOfFreedom>;
-constexpr Require require{"blocked_forces"};
 
 void require_outside(const std::vector<std::string>& source, const Places& places) {
+  constexpr Require require{"blocked_forces"};
   for (const DegreeOfFreedom& place : places) {
     require(std::find(source.begin(), source.end(), place.point) == source.end(),
             place.point + " is inside the source: blocked forces are found from outside it");
@@ -40,6 +40,7 @@ BlockedForces blocked_forces(const FrfMatrix& frfs, const OperatingSpectra& oper
                              const SensorRoles& roles, const std::vector<std::string>& source,
                              const RegularisationRule& rule, std::vector<bool> is_used,
                              unsigned threads) {
+  constexpr Require require{"blocked_forces"};
   require(!source.empty(), "no point of the source");
   require_outside(source, roles.indicators());
   require_outside(source, roles.targets());

@@ -10,7 +10,6 @@ namespace rvbench::analysis {
 namespace {
 
 using Eigen::Index;
-constexpr Require require{"rank_contributions"};
 
 bool counts(const PathContributions& contributions, const TpaBand& band, Index line) {
   return contributions.is_used[std::size_t(line)] && holds(band, contributions.grid, line);
@@ -45,6 +44,7 @@ Sums sums_of(const PathContributions& contributions, const TpaBand& band, Index 
 
 TargetRanking ranking_of(const PathContributions& contributions, const TpaBand& band, Index target,
                          const Eigen::VectorXd& mean_squares) {
+  constexpr Require require{"rank_contributions"};
   const Sums sums = sums_of(contributions, band, target);
   require(sums.lines + sums.left_out > 0, "a band without lines");
   const double per_power = mean_square_per_power / double(contributions.forces.columns);
@@ -82,6 +82,7 @@ Eigen::MatrixXd partial_mean_squares(const PathContributions& contributions, con
 
 std::vector<TargetRanking> rank_contributions(const PathContributions& contributions,
                                               const std::vector<TpaBand>& bands) {
+  constexpr Require require{"rank_contributions"};
   require(!bands.empty(), "no band");
   std::vector<TargetRanking> rankings;
   for (const TpaBand& band : bands) {

@@ -16,7 +16,6 @@ using Eigen::Index;
 using Complex = std::complex<double>;
 using Order = std::vector<Index>;
 
-constexpr Require require{"line_svd"};
 constexpr Index lanes = SvdWorkspace::lanes;
 constexpr Index lines_per_job = 64;
 // Of what is scaled to 1 at most: below, squares are no more what they should be.
@@ -123,6 +122,7 @@ class Job {
 }  // namespace
 
 LineSvd line_svd(const LineMatrices& a, unsigned threads, const SvdKernels& kernels) {
+  constexpr Require require{"line_svd"};
   require(a.columns >= 1, "no columns");
   require(a.rows >= a.columns, std::to_string(a.rows) + " rows are fewer than " +
                                    std::to_string(a.columns) + " columns");

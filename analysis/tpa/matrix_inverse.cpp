@@ -14,10 +14,10 @@ namespace rvbench::analysis {
 namespace {
 
 using Eigen::Index;
-constexpr Require require{"matrix_inverse_contributions"};
 
 void require_alike(const FrfMatrix& frfs, const OperatingSpectra& operating,
                    const std::vector<bool>& is_used) {
+  constexpr Require require{"matrix_inverse_contributions"};
   require(is_on_lines_of(operating, frfs), "the spectra are not on the lines of the FRFs");
   require(operating.unit == frfs.response_unit,
           "spectra in \"" + operating.unit + "\", FRFs in \"" + frfs.response_unit + "\"");
@@ -104,6 +104,7 @@ PathContributions matrix_inverse_contributions(const FrfMatrix& frfs,
                                                const SensorRoles& roles,
                                                const RegularisationRule& rule,
                                                std::vector<bool> is_used, unsigned threads) {
+  constexpr Require require{"matrix_inverse_contributions"};
   if (is_used.empty()) is_used.assign(std::size_t(frfs.values.lines), true);
   require_alike(frfs, operating, is_used);
   const Weighted indicators = weighted(rows_of(frfs, roles.indicators()),

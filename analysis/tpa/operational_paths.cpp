@@ -15,7 +15,6 @@ namespace rvbench::analysis {
 namespace {
 
 using Eigen::Index;
-constexpr Require require{"operational_paths"};
 
 constexpr double least_size = 0.01;  // of the largest singular value
 
@@ -64,6 +63,7 @@ OperationalPaths operational_paths(const OperatingSpectra& learnt, const Operati
                                    const std::vector<DegreeOfFreedom>& references,
                                    const std::vector<DegreeOfFreedom>& targets,
                                    const RegularisationRule& rule) {
+  constexpr Require require{"operational_paths"};
   require(!references.empty() && !targets.empty(), "no reference or no target");
   require(same_lines(learnt.grid, held_out.grid),
           "blocks to learn from and others differ in lines");

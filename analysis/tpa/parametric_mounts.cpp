@@ -16,11 +16,11 @@ namespace {
 
 using Eigen::Index;
 using Complex = std::complex<double>;
-constexpr Require require{"parametric_mounts"};
 constexpr Index per_mount = 3;  // stiffness, damping, mass
 
 void require_alike(const FrfMatrix& frfs, const OperatingSpectra& operating,
                    const std::vector<MountPlaces>& mounts) {
+  constexpr Require require{"parametric_mounts"};
   require(is_on_lines_of(operating, frfs), "the spectra are not on the lines of the FRFs");
   require(frfs.response_unit == "m/s²" && frfs.excitation_unit == "N" && operating.unit == "m/s²",
           "parameters of mounts need m/s² and N");
@@ -113,6 +113,7 @@ struct FittedLines {
 
 FittedLines lines_to_fit(const LineGrid& grid, const TpaBand& band,
                          const std::vector<bool>& is_used) {
+  constexpr Require require{"parametric_mounts"};
   require(is_used.empty() || Index(is_used.size()) == grid.lines,
           std::to_string(is_used.size()) + " marks of lines that are used");
   const std::vector<bool> none(std::size_t(grid.lines), false);

@@ -14,7 +14,6 @@ namespace rvbench::analysis {
 namespace {
 
 using Eigen::Index;
-constexpr Require require{"path_histories"};
 constexpr Index fewest_lines = 8, edge_lines = 10;
 constexpr Index taps_per_delay = 4;
 
@@ -53,6 +52,7 @@ LineMatrices column_of(const LineMatrices& all, Index column) {
 std::optional<PathHistories> path_histories(const PathContributions& contributions,
                                             const Eigen::Ref<const Eigen::MatrixXd>& inputs,
                                             double rate_Hz) {
+  constexpr Require require{"path_histories"};
   const LineGrid& grid = contributions.grid;
   require(
       inputs.cols() == Index(contributions.inputs.size()),

@@ -11,7 +11,6 @@ namespace rvbench::analysis {
 namespace {
 
 using Eigen::Index;
-constexpr Require require{"ranking_certainty"};
 constexpr int fewest_replicates = 20;
 
 // RMS of all paths, one column a ranking.
@@ -95,6 +94,7 @@ std::vector<RankingCertainty> ranking_certainty(const FrfDraw& draw, Index block
                                                 const PathAnalysis& analysis,
                                                 const std::vector<TargetRanking>& rankings,
                                                 const Resampling& resampling, unsigned threads) {
+  constexpr Require require{"ranking_certainty"};
   require(resampling.replicates >= fewest_replicates, "fewer than 20 replicates");
   require(blocks > 0, "no block");
   std::vector<Replicate> replicates(std::size_t(resampling.replicates));

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr Index lines_per_job = 64;
+constexpr Index lines_at_once = 64;
 
 void require_rules(const LineSvd& svd, const std::vector<Regularisation>& rules) {
   constexpr Require require{"regularised_inverse"};
@@ -50,10 +50,10 @@ RegularisedInverse regularised_inverse(const LineSvd& svd, std::vector<Regularis
     }
   };
   parallel_for(
-      std::size_t((lines + lines_per_job - 1) / lines_per_job),
+      std::size_t((lines + lines_at_once - 1) / lines_at_once),
       [&](std::size_t job) {
-        const Index from = Index(job) * lines_per_job;
-        invert(from, std::min(lines, from + lines_per_job));
+        const Index from = Index(job) * lines_at_once;
+        invert(from, std::min(lines, from + lines_at_once));
       },
       threads);
   return inverse;

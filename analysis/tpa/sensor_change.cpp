@@ -9,7 +9,6 @@ namespace rvbench::analysis {
 namespace {
 
 using Eigen::Index;
-constexpr Require require{"find_sensor_change"};
 
 // A sensor alone: its sign. Two: their swap.
 struct Candidate {
@@ -53,6 +52,7 @@ std::optional<SensorChange> find_sensor_change(const FrfMatrix& frfs,
                                                const OperatingSpectra& operating,
                                                const SensorRoles& roles,
                                                std::vector<bool> is_used) {
+  constexpr Require require{"find_sensor_change"};
   const LineMatrices values = rows_of(frfs, roles.indicators()).values;
   const LineMatrices responses = rows_of(operating, roles.indicators()).values;
   require(values.rows > values.columns, "no more indicators than paths, nothing is outside");

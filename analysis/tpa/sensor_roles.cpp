@@ -13,18 +13,14 @@ namespace {
 
 using Eigen::Index;
 using Places = std::vector<DegreeOfFreedom>;
-constexpr Require require{"SensorRoles"};
 
 Places all_positive(Places places) {
   for (DegreeOfFreedom& place : places) place = positive(place);
   return places;
 }
 
-bool holds(const Places& places, const DegreeOfFreedom& place) {
-  return std::find(places.begin(), places.end(), place) != places.end();
-}
-
 void require_distinct(const Places& places, const std::string& role) {
+  constexpr Require require{"SensorRoles"};
   require(!places.empty(), "no sensor is " + role);
   for (const DegreeOfFreedom& place : places) {
     require(std::count(places.begin(), places.end(), place) == 1,
@@ -33,6 +29,7 @@ void require_distinct(const Places& places, const std::string& role) {
 }
 
 std::vector<Index> indices_of(const Places& places, const Places& all) {
+  constexpr Require require{"SensorRoles"};
   std::vector<Index> rows;
   for (const DegreeOfFreedom& place : all_positive(places)) {
     require(holds(all, place), name_of(place) + " is not there");
@@ -67,6 +64,7 @@ SensorRoles::SensorRoles(Places indicators, Places targets, Places validation)
     : indicators_(all_positive(std::move(indicators))),
       targets_(all_positive(std::move(targets))),
       validation_(all_positive(std::move(validation))) {
+  constexpr Require require{"SensorRoles"};
   require_distinct(indicators_, "an indicator");
   require_distinct(targets_, "a target");
   require_distinct(validation_, "for validation");

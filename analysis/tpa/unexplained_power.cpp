@@ -10,7 +10,6 @@ namespace rvbench::analysis {
 namespace {
 
 using Eigen::Index;
-constexpr Require require{"unexplained_power"};
 
 // What FRFs' errors make of the forces, all rows together.
 double power_of_errors(const Eigen::Ref<const Eigen::VectorXd>& variances, Index rows,
@@ -35,6 +34,7 @@ double floor_of(const Eigen::VectorXd& outside, const std::vector<bool>& is_used
 UnexplainedPower unexplained_power(const FrfMatrix& frfs, const OperatingSpectra& operating,
                                    const SensorRoles& roles,
                                    const PathContributions& contributions) {
+  constexpr Require require{"unexplained_power"};
   const FrfMatrix indicators = rows_of(frfs, roles.indicators());
   const LineMatrices responses = rows_of(operating, roles.indicators()).values;
   const Index rows = responses.rows, paths = indicators.values.columns, lines = responses.lines;

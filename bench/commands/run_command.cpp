@@ -38,7 +38,7 @@ namespace rvbench::bench {
 namespace {
 
 constexpr std::chrono::seconds longest_entry{10};  // results.db may be locked for a while
-constexpr std::chrono::seconds longest_farewell{2};
+constexpr std::chrono::seconds longest_wait_for_page{2};
 constexpr const char* untold_entry =
     "rvbench: the results do not answer; the run will be entered by the next one\n";
 
@@ -222,7 +222,7 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
   if (judgement.facts.must_exit) {
     // With a thread in a call that never returns, no destructor of the rig may run.
     const bool answers = try_for(longest_entry, enter);  // else it may still write the text
-    (void)try_for(longest_farewell, [&] {
+    (void)try_for(longest_wait_for_page, [&] {
       tell(console, judgement, kinematics, answers ? not_entered : untold_entry);
     });
     std::_Exit(exit_code(judgement.ending));

@@ -13,7 +13,7 @@ namespace rvbench::bench::report {
 namespace {
 
 constexpr double columns = 70;  // dots side by side at most
-constexpr int width_px = 540, height_px = 185;
+constexpr int strip_width_px = 540, strip_height_px = 185;
 
 // All that is drawn, with a little air.
 PlotAxis value_axis(const Standing& standing) {
@@ -64,8 +64,8 @@ std::string strip_plot(const Standing& standing) {
   Stacks stacks{axis};
   const std::vector<double> passed = put_all(stacks, standing.passed);
   const std::vector<double> failed = put_all(stacks, standing.failed);
-  SvgPlot plot(name_of(number), axis, {"units", 0, std::max(4.0, stacks.tallest() + 0.5)}, width_px,
-               height_px);
+  SvgPlot plot(name_of(number), axis, {"units", 0, std::max(4.0, stacks.tallest() + 0.5)},
+               strip_width_px, strip_height_px);
   plot.add_dots(standing.passed, passed, "passed");
   plot.add_dots(standing.failed, failed, "failed");
   if (std::isfinite(number.limit)) {

@@ -16,15 +16,15 @@ namespace {
 using Eigen::Index;
 using Places = std::vector<DegreeOfFreedom>;
 
-constexpr Index most_columns = 120;
-constexpr double width_px = 540, left_px = 44, right_px = 14, top_px = 22, row_px = 11,
-                 foot_px = 34;
+constexpr Index most_map_columns = 120;
+constexpr double map_width_px = 540, map_left_px = 44, map_right_px = 14, map_top_px = 22,
+                 map_row_px = 11, map_foot_px = 34;
 constexpr double range_dB = 40;  // from the largest down to white
 constexpr int colours = 16;
 
 // Largest amplitude of each path at a target, by columns of lines: paths x columns.
 Eigen::MatrixXd largest_by_columns(const analysis::PathContributions& contributions, Index target) {
-  const Index lines = contributions.grid.lines, columns = std::min(most_columns, lines);
+  const Index lines = contributions.grid.lines, columns = std::min(most_map_columns, lines);
   Eigen::MatrixXd largest = Eigen::MatrixXd::Zero(contributions.forces.rows, columns);
   for (Index line = 0; line < lines; ++line) {
     const Eigen::VectorXd amplitudes =
@@ -43,7 +43,7 @@ int colour_of(double amplitude, double largest) {
 
 // Neighbours of one colour are one rectangle; white ones are none.
 std::string row_svg(const Eigen::RowVectorXd& amplitudes, double largest, double y_px) {
-  const double cell_px = (width_px - left_px - right_px) / double(amplitudes.size());
+  const double cell_px = (map_width_px - map_left_px - map_right_px) / double(amplitudes.size());
   std::string svg;
   for (Index i = 0; i < amplitudes.size();) {
     const int colour = colour_of(amplitudes[i], largest);
@@ -52,8 +52,8 @@ std::string row_svg(const Eigen::RowVectorXd& amplitudes, double largest, double
     if (colour > 0) {
       svg +=
           fmt::format(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}"/>)",
-                      left_px + double(i) * cell_px, y_px, double(end - i) * cell_px + 0.2, row_px,
-                      heat_colour(double(colour) / colours));
+                      map_left_px + double(i) * cell_px, y_px, double(end - i) * cell_px + 0.2,
+                      map_row_px, heat_colour(double(colour) / colours));
     }
     i = end;
   }
@@ -71,30 +71,33 @@ struct PathMap {
 std::string axis_svg(const PathMap& map, double bottom_px) {
   std::string svg;
   for (const double tick : round_ticks(map.first, map.last, 8)) {
-    const double x_px =
-        left_px + (tick - map.first) / (map.last - map.first) * (width_px - left_px - right_px);
+    const double x_px = map_left_px + (tick - map.first) / (map.last - map.first) *
+                                          (map_width_px - map_left_px - map_right_px);
     svg += fmt::format(R"(<text x="{:.1f}" y="{:.1f}" class="mid">{:g}</text>)", x_px,
                        bottom_px + 13, tick);
   }
   return svg + fmt::format(R"(<text x="{:.1f}" y="{:.1f}" class="mid">{}</text>)",
-                           (left_px + width_px - right_px) / 2, bottom_px + foot_px - 6, map.axis);
+                           (map_left_px + map_width_px - map_right_px) / 2,
+                           bottom_px + map_foot_px - 6, map.axis);
 }
 
 std::string map_svg(const PathMap& map, const Places& paths, const std::string& unit) {
   const double largest = map.amplitudes.maxCoeff();
-  const double bottom_px = top_px + row_px * double(map.amplitudes.rows());
+  const double bottom_px = map_top_px + map_row_px * double(map.amplitudes.rows());
   const std::string title = fmt::format("{}, dark: {} {}", map.title, number(largest), unit);
   std::string svg = fmt::format(
       R"(<svg viewBox="0 0 {:.0f} {:.0f}" role="img" aria-label="{}"><text x="{}" y="14" class="title">{}</text>)",
-      width_px, bottom_px + foot_px, xml_escaped(title), left_px, xml_escaped(title));
+      map_width_px, bottom_px + map_foot_px, xml_escaped(title), map_left_px, xml_escaped(title));
   for (Index path = 0; path < map.amplitudes.rows(); ++path) {
-    const double y_px = top_px + row_px * double(path);
-    svg += row_svg(map.amplitudes.row(path), largest, y_px) +
-           fmt::format(R"(<text x="{:.1f}" y="{:.1f}" class="end small">{}</text>)", left_px - 4,
-                       y_px + row_px - 2.5, xml_escaped(path_label(path, paths)));
+    const double y_px = map_top_px + map_row_px * double(path);
+    svg +=
+        row_svg(map.amplitudes.row(path), largest, y_px) +
+        fmt::format(R"(<text x="{:.1f}" y="{:.1f}" class="end small">{}</text>)", map_left_px - 4,
+                    y_px + map_row_px - 2.5, xml_escaped(path_label(path, paths)));
   }
-  svg += fmt::format(R"(<rect class="frame" x="{}" y="{}" width="{}" height="{:.1f}"/>)", left_px,
-                     top_px, width_px - left_px - right_px, bottom_px - top_px);
+  svg +=
+      fmt::format(R"(<rect class="frame" x="{}" y="{}" width="{}" height="{:.1f}"/>)", map_left_px,
+                  map_top_px, map_width_px - map_left_px - map_right_px, bottom_px - map_top_px);
   return svg + axis_svg(map, bottom_px) + "</svg>\n";
 }
 

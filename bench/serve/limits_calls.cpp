@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "bench/serve/json_fields.hpp"
 #include "bench/serve/station_api.hpp"
 #include "bench/text_file.hpp"
 
@@ -11,15 +12,10 @@ namespace {
 // meanwhile.
 constexpr double longest_judging_s = 600;
 
-std::string text_at(const nlohmann::json& json, const char* key) {
+// The number of a version; it may come as text.
+std::string version_at(const nlohmann::json& json, const char* key) {
   const auto found = json.find(key);
-  if (found != json.end() && found->is_number_integer()) return found->dump();
-  return found != json.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
-bool is_true(const nlohmann::json& json, const char* key) {
-  const auto found = json.find(key);
-  return found != json.end() && found->is_boolean() && found->get<bool>();
+  return found != json.end() && found->is_number_integer() ? found->dump() : text_at(json, key);
 }
 
 // A word that a command may take for an argument of its own.
@@ -44,7 +40,7 @@ HttpAnswer StationApi::trend(const Call& call) {
 
 HttpAnswer StationApi::rejudge(const Call& call) {
   const std::string run = text_at(call.body, "run");
-  const std::string version = text_at(call.body, "limits");
+  const std::string version = version_at(call.body, "limits");
   if (!is_word(run)) return refusal(400, "run");
   if (!version.empty() && !is_word(version)) return refusal(400, "limits");
   return logged(call, "rejudge", [&] {
@@ -72,7 +68,7 @@ HttpAnswer StationApi::limits(const Call& call) {
 HttpAnswer StationApi::propose_limits(const Call& call) {
   const std::string named = text_at(call.body, "plan");
   const std::string plan = named.empty() ? station_.file().plan : named;
-  const std::string version = text_at(call.body, "version");
+  const std::string version = version_at(call.body, "version");
   const bool learns = !call.body.contains("limits");
   if (learns && !named.empty() && !is_word(named)) return refusal(400, "plan");
   if (learns && !is_word(version)) return refusal(400, "version");
@@ -84,7 +80,7 @@ HttpAnswer StationApi::propose_limits(const Call& call) {
                                      "--plan=" + plan,
                                      "--by=" + call.session.user,
                                      "--out=" + station_.file().runs.string()};
-      if (is_true(call.body, "per_point")) words.emplace_back("--per-point");
+      if (flag_at(call.body, "per_point")) words.emplace_back("--per-point");
       return ask(std::move(words), longest_judging_s);
     }
     const auto file = Station::keep_of(station_.file().runs) / "proposed.json";
@@ -99,7 +95,7 @@ HttpAnswer StationApi::activate_limits(const Call& call) { return limits_step(ca
 
 // Who is logged in has seen the effect before, on the page.
 HttpAnswer StationApi::limits_step(const Call& call, const std::string& step) {
-  const std::string version = text_at(call.body, "version");
+  const std::string version = version_at(call.body, "version");
   if (!is_word(version)) return refusal(400, "version");
   return logged(call, "limits " + step, [&] {
     std::vector<std::string> words{"limits", step, version, "--by=" + call.session.user,

@@ -8,6 +8,7 @@
 #include "bench/find_plan.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/run_folder.hpp"
+#include "bench/serve/json_fields.hpp"
 #include "bench/serve/station_state.hpp"
 #include "bench/text_file.hpp"
 
@@ -30,11 +31,6 @@ StationFile with_whole_paths(StationFile file) {
   std::filesystem::create_directories(file.runs);
   file.runs = std::filesystem::canonical(file.runs);
   return file;
-}
-
-std::string text_at(const nlohmann::json& json, const char* key) {
-  const auto found = json.find(key);
-  return found != json.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
 }  // namespace

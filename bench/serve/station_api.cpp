@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/serve/event_stream.hpp"
+#include "bench/serve/json_fields.hpp"
 #include "bench/serve/page_file.hpp"
 
 namespace rvbench::bench {
@@ -17,16 +18,6 @@ HttpAnswer json_answer(int status, const nlohmann::json& json) {
 HttpAnswer conflict(const std::string& word) { return refusal(409, word); }
 
 // "" where it is missing or no text.
-std::string text_at(const nlohmann::json& json, const char* key) {
-  const auto found = json.find(key);
-  return found != json.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
-bool flag_at(const nlohmann::json& json, const char* key) {
-  const auto found = json.find(key);
-  return found != json.end() && found->is_boolean() && found->get<bool>();
-}
-
 std::string cookie_of(const std::string& value, int seconds) {
   return std::string(session_cookie) + "=" + value +
          "; Path=/; HttpOnly; SameSite=Strict; Max-Age=" + std::to_string(seconds);

@@ -16,8 +16,6 @@ using report::paragraph;
 using report::section;
 using report::table;
 
-std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
-
 std::string components_section(const GageAnswer& answer) {
   const analysis::GageStudy& study = answer.study;
   std::vector<std::vector<std::string>> rows;

@@ -10,13 +10,13 @@ namespace {
 constexpr double good_share = 0.1, last_share = 0.3;
 constexpr int wanted_categories = 5;
 
-std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
-
 std::string interval_text(const analysis::ConfidenceInterval& interval) {
   return fmt::format("{:.4g} to {:.4g}", interval.low, interval.high);
 }
 
 }  // namespace
+
+std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
 
 GageWord word_of(const GageAnswer& answer) {
   double share = answer.study.gage_share;

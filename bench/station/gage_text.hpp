@@ -27,6 +27,8 @@ GageWord word_of(const GageAnswer& answer);
 
 std::string spoken_word(GageWord word);  ///< "MAY BE ACCEPTABLE"
 
+std::string percent(double share);  ///< "12.3 %"
+
 /// How much the gage makes up, how sure that is, and how many categories of parts it tells apart.
 std::string gage_sentence(const GageAnswer& answer);
 

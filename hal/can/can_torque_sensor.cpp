@@ -27,7 +27,7 @@ std::string flaw(const can_frames::TorqueFrame& frame) {
   return frame.flaw;
 }
 
-using torque_transducer::failure;
+using torque_transducer::transducer_failure;
 
 }  // namespace
 
@@ -55,7 +55,7 @@ Status CanTorqueSensor::connect() {
 }
 
 Result<TorqueBlock> CanTorqueSensor::read() {
-  if (!connected_) return failure(IoErrc::disconnected, "read");
+  if (!connected_) return transducer_failure(IoErrc::disconnected, "read");
   Track track = track_;
   TorqueBlock block;
   for (;;) {
@@ -68,8 +68,8 @@ Result<TorqueBlock> CanTorqueSensor::read() {
     const double now_s = clock_.now_s();
     if (!block.samples.empty()) fresh_s_ = track.time_s;
     if (now_s - fresh_s_ > options_.deadline_s) {
-      return saw_repeats_ ? failure(IoErrc::stale, "read: the counter stands still")
-                          : failure(IoErrc::timeout, "read: no frame");
+      return saw_repeats_ ? transducer_failure(IoErrc::stale, "read: the counter stands still")
+                          : transducer_failure(IoErrc::timeout, "read: no frame");
     }
     if (track.started) break;
     clock_.wait_until(now_s + 1 / options_.rate_Hz);
@@ -84,9 +84,9 @@ Result<TorqueBlock> CanTorqueSensor::read() {
 
 Status CanTorqueSensor::take(const CanFrame& frame, Track& track, TorqueBlock& block) {
   const auto torque = options_.decode(frame);
-  if (!torque) return failure(IoErrc::bad_reply, "read: not a torque frame");
+  if (!torque) return transducer_failure(IoErrc::bad_reply, "read: not a torque frame");
   const std::string what = flaw(*torque);
-  if (!what.empty()) return failure(IoErrc::bad_reply, what);
+  if (!what.empty()) return transducer_failure(IoErrc::bad_reply, what);
   append(*torque, frame.time_s, track, block);
   return Done{};
 }

@@ -21,7 +21,7 @@ constexpr unsigned booted = 0x00;
 constexpr unsigned zeroing = 0x01;
 constexpr unsigned shunt_on = 0x04;
 
-using torque_transducer::failure;
+using torque_transducer::transducer_failure;
 
 }  // namespace
 
@@ -66,7 +66,7 @@ Status CanopenTorqueSensor::connect() {
     if (!sound) return sound;
     if (!std::isnan(torque_Nm_)) break;
     if (clock_.now_s() >= end_s) {
-      return failure(IoErrc::timeout, "connect: no value after it was told to operate");
+      return transducer_failure(IoErrc::timeout, "connect: no value after it was told to operate");
     }
     clock_.wait_until(clock_.now_s() + 1 / options_.rate_Hz);
   }
@@ -78,7 +78,7 @@ Status CanopenTorqueSensor::connect() {
 }
 
 Result<TorqueBlock> CanopenTorqueSensor::read() {
-  if (!connected_) return failure(IoErrc::disconnected, "read");
+  if (!connected_) return transducer_failure(IoErrc::disconnected, "read");
   TorqueBlock block;
   block.lost = lost_;
   block.t0_s = start_s_ + static_cast<double>(made_ - lost_) / options_.rate_Hz;
@@ -87,7 +87,7 @@ Result<TorqueBlock> CanopenTorqueSensor::read() {
   Status taken = take_waiting_into(block);
   if (taken) taken = check_status();
   if (taken && now_s - alive_s_ > options_.deadline_s) {
-    taken = failure(IoErrc::timeout, "read: neither value nor heartbeat");
+    taken = transducer_failure(IoErrc::timeout, "read: neither value nor heartbeat");
   }
   hold_until(now_s, block);
   lost_ = taken ? 0 : static_cast<int>(block.samples.size());
@@ -104,7 +104,8 @@ Status CanopenTorqueSensor::take(const CanFrame& frame, TorqueBlock& block) {
   const std::uint32_t kind = frame.id - static_cast<std::uint32_t>(options_.node);
   alive_s_ = frame.time_s;
   if (kind == first_tpdo) {
-    if (frame.length < 4) return failure(IoErrc::bad_reply, "a value of less than 4 bytes");
+    if (frame.length < 4)
+      return transducer_failure(IoErrc::bad_reply, "a value of less than 4 bytes");
     hold_until(frame.time_s, block);
     std::uint32_t counts = 0;
     for (std::size_t i = 4; i-- > 0;) counts = counts << 8U | frame.data[i];
@@ -113,22 +114,25 @@ Status CanopenTorqueSensor::take(const CanFrame& frame, TorqueBlock& block) {
   }
   const unsigned byte = frame.length > 0 ? frame.data[0] : 0xFFU;
   if (kind == second_tpdo) {
-    if (frame.length < 1) return failure(IoErrc::bad_reply, "a status of 0 bytes");
+    if (frame.length < 1) return transducer_failure(IoErrc::bad_reply, "a status of 0 bytes");
     status_ = byte;
     said_ |= byte;
   }
   const bool lives_on = kind != heartbeat || byte == operational || !connected_;
   if (lives_on) return Done{};
   connected_ = false;  // what it sends from now on may be scaled or zeroed anew
-  return failure(IoErrc::disconnected, byte == booted ? "it has restarted" : "it was stopped");
+  return transducer_failure(IoErrc::disconnected,
+                            byte == booted ? "it has restarted" : "it was stopped");
 }
 
 // It says once that a flaw begins, and once that it is over. One that came and went between two
 // reads has spoilt samples as well.
 Status CanopenTorqueSensor::check_status() {
   const unsigned said = std::exchange(said_, status_);
-  if ((said & shunt_on) != 0) return failure(IoErrc::bad_reply, torque_transducer::shunt_on);
-  if ((said & zeroing) != 0) return failure(IoErrc::bad_reply, torque_transducer::zeroing);
+  if ((said & shunt_on) != 0)
+    return transducer_failure(IoErrc::bad_reply, torque_transducer::shunt_on);
+  if ((said & zeroing) != 0)
+    return transducer_failure(IoErrc::bad_reply, torque_transducer::zeroing);
   return Done{};
 }
 

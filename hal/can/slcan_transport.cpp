@@ -10,8 +10,6 @@
 namespace rvbench::hal {
 namespace {
 
-constexpr Require require{"SlcanTransport"};
-
 class SlcanMonitor final : public BusMonitor {
  public:
   explicit SlcanMonitor(std::shared_ptr<SlcanLink> link) : link_(std::move(link)) {}
@@ -24,6 +22,7 @@ class SlcanMonitor final : public BusMonitor {
 }  // namespace
 
 SlcanTransport::SlcanTransport(const SlcanOptions& options, const Clock& clock) {
+  constexpr Require require{"SlcanTransport"};
   require(!options.device.empty(), "no device");
   require(slcan_frames::command_from_bitrate(options.bitrate_kbit_s).has_value(),
           fmt::format("bitrate_kbit_s is {}, must be 10, 20, 50, 100, 125, 250, 500, 800 or 1000",

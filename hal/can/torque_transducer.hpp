@@ -10,7 +10,7 @@ namespace rvbench::hal::torque_transducer {
 inline constexpr const char* zeroing = "zeroing";
 inline constexpr const char* shunt_on = "shunt calibration is on";
 
-inline IoError failure(IoErrc code, const std::string& what) {
+inline IoError transducer_failure(IoErrc code, const std::string& what) {
   return {code, "torque transducer: " + what};
 }
 

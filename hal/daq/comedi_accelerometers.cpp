@@ -238,9 +238,8 @@ void ComediSource::stop() noexcept {
   if (device_) (void)comedi_cancel(device_.get(), subdevice_);
 }
 
-constexpr Require require{"make_comedi_accelerometers"};
-
 void check(const ComediOptions& options) {
+  constexpr Require require{"make_comedi_accelerometers"};
   require(!options.device.empty(), "no device");
   require(options.rate_Hz >= 1 && options.rate_Hz <= 1e6,
           fmt::format("rate_Hz is {}, must be 1 to 1e6", options.rate_Hz));

@@ -199,9 +199,8 @@ Status IioSource::wait(AccelerationBlock::Scans& scans) {
   return Done{};
 }
 
-constexpr Require require{"make_iio_accelerometers"};
-
 void check(const IioOptions& options) {
+  constexpr Require require{"make_iio_accelerometers"};
   require(!options.uri.empty(), "no uri");
   require(!options.device.empty(), "no device");
   require(options.rate_Hz > 0 && std::isfinite(options.rate_Hz),

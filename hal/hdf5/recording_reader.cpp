@@ -31,7 +31,7 @@ Handle open_file(const std::filesystem::path& path) {
   return own(H5Fopen(path.c_str(), mode, access.id()), H5Fclose, "open");
 }
 
-std::size_t bytes_of(const std::filesystem::path& path) {
+std::size_t bytes_on_disk(const std::filesystem::path& path) {
   std::error_code error;
   const auto bytes = std::filesystem::file_size(path, error);
   if (error) throw FileFailure(IoErrc::refused, "size: " + error.message());
@@ -47,7 +47,7 @@ int number_of(const std::string& name) {
 class Hdf5RecordingReader final : public RecordingReader {
  public:
   explicit Hdf5RecordingReader(std::filesystem::path path)
-      : path_(std::move(path)), file_(open_file(path_)), file_bytes_(bytes_of(path_)) {
+      : path_(std::move(path)), file_(open_file(path_)), file_bytes_(bytes_on_disk(path_)) {
     read_points();
     read_tables();
   }

@@ -39,9 +39,8 @@ IoErrc code_from_errno(int error) {
   }
 }
 
-constexpr Require require{"ModbusLink"};
-
 void check(const ModbusTcp& tcp) {
+  constexpr Require require{"ModbusLink"};
   in_addr address{};
   require(::inet_pton(AF_INET, tcp.host.c_str(), &address) == 1,
           "host \"" + tcp.host + "\" is not an IPv4 address");
@@ -49,6 +48,7 @@ void check(const ModbusTcp& tcp) {
 }
 
 void check(const ModbusRtu& rtu) {
+  constexpr Require require{"ModbusLink"};
   require(!rtu.device.empty(), "no serial device");
   require(rtu.baud >= 1200 && rtu.baud <= 115200,
           fmt::format("baud is {}, must be 1200 to 115200", rtu.baud));
@@ -89,6 +89,7 @@ struct ModbusLink::Connection {
 };
 
 ModbusLink::ModbusLink(ModbusLinkOptions options) : options_(std::move(options)) {
+  constexpr Require require{"ModbusLink"};
   std::visit([](const auto& kind) { check(kind); }, options_.path);
   require(options_.timeout_s >= 0.001 && options_.timeout_s <= 10,
           fmt::format("timeout_s is {}, must be 0.001 to 10", options_.timeout_s));
@@ -163,6 +164,7 @@ void ModbusLink::keep_turnaround() const {
 }
 
 void ModbusLink::require_writable(std::uint16_t address, std::size_t count) const {
+  constexpr Require require{"ModbusLink"};
   for (std::size_t i = 0; i < count; ++i) {
     require(std::ranges::find(options_.writable, address + i) != options_.writable.end(),
             fmt::format("register 0x{:04X} is not to be written", address + i));

@@ -8,7 +8,7 @@
 namespace rvbench::sim {
 namespace {
 
-constexpr Eigen::Index targets = 3;
+constexpr Eigen::Index target_count = 3;
 using Caps = Eigen::RowVector3d;
 
 bool leads_somewhere(const PathRanking& ranking, Eigen::Index path) {
@@ -26,7 +26,7 @@ void draw_leaders(const PathRanking& ranking, Draw& draw, Eigen::VectorXd& stren
 Caps caps_below(const PathRanking& ranking, const Eigen::MatrixXd& rms,
                 const Eigen::VectorXd& strengths) {
   Caps caps;
-  for (Eigen::Index t = 0; t < targets; ++t) {
+  for (Eigen::Index t = 0; t < target_count; ++t) {
     const auto k = static_cast<std::size_t>(t);
     caps[t] = strengths[ranking.leaders[k]] * rms(ranking.leaders[k], t) / (1 + ranking.margins[k]);
   }
@@ -36,7 +36,7 @@ Caps caps_below(const PathRanking& ranking, const Eigen::MatrixXd& rms,
 bool leaders_keep_below(const PathRanking& ranking, const Eigen::MatrixXd& rms,
                         const Eigen::VectorXd& strengths, const Caps& caps) {
   for (const Eigen::Index leader : ranking.leaders) {
-    for (Eigen::Index t = 0; t < targets; ++t) {
+    for (Eigen::Index t = 0; t < target_count; ++t) {
       const bool leads_here = ranking.leaders[static_cast<std::size_t>(t)] == leader;
       if (!leads_here && strengths[leader] * rms(leader, t) > caps[t]) return false;
     }
@@ -47,7 +47,7 @@ bool leaders_keep_below(const PathRanking& ranking, const Eigen::MatrixXd& rms,
 // Fills in the others; false if some target binds none of them.
 bool fill_others(const PathRanking& ranking, const Eigen::MatrixXd& rms, const Caps& caps,
                  Draw& draw, Eigen::VectorXd& strengths) {
-  std::array<bool, targets> has_second{};
+  std::array<bool, target_count> has_second{};
   for (Eigen::Index path = 0; path < rms.rows(); ++path) {
     if (leads_somewhere(ranking, path)) continue;
     Eigen::Index binding = 0;
@@ -64,7 +64,7 @@ bool fill_others(const PathRanking& ranking, const Eigen::MatrixXd& rms, const C
 std::optional<Eigen::VectorXd> ranked_strengths(const Eigen::MatrixXd& rms_per_strength,
                                                 const PathRanking& ranking, Draw& draw) {
   constexpr Require require{"ranked_strengths"};
-  require(rms_per_strength.cols() == targets && (rms_per_strength.array() > 0).all(),
+  require(rms_per_strength.cols() == target_count && (rms_per_strength.array() > 0).all(),
           "needs paths x 3 responses above 0");
   for (const Eigen::Index leader : ranking.leaders) {
     require(leader >= 0 && leader < rms_per_strength.rows(), "a leader that is no path");

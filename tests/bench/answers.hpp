@@ -1,26 +1,32 @@
 #pragma once
 
+#include <memory>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "bench/cli.hpp"
 
-namespace rvbench::bench::test {
+namespace rvbench::test {
 
 /// What a command came to, run inside this process.
-struct Answer {
+struct CommandAnswer {
   int code = -1;
   std::string out;
   std::string err;
 };
 
-inline Answer rvbench(const std::vector<std::string>& arguments) {
+inline CommandAnswer answer_of(const std::vector<std::string>& arguments,
+                               const std::vector<std::unique_ptr<bench::Command>>& commands) {
   std::ostringstream out;
   std::ostringstream err;
-  Console console{out, err};
-  const int code = run_cli(arguments, make_commands(), console);
+  bench::Console console{out, err};
+  const int code = bench::run_cli(arguments, commands, console);
   return {code, out.str(), err.str()};
 }
 
-}  // namespace rvbench::bench::test
+inline CommandAnswer rvbench(const std::vector<std::string>& arguments) {
+  return answer_of(arguments, bench::make_commands());
+}
+
+}  // namespace rvbench::test

@@ -285,11 +285,12 @@ TEST_CASE("a drive alone is checked as what it is: enough for a probe, not for a
           "[bench][rig]") {
   const RigOnDisk disk;
   write_file(disk.path(), Json{{"rig", "bench"}, {"drive", example().at("drive")}}.dump(2));
-  const test::Answer checked = test::rvbench({"check", disk.path()});
+  const test::CommandAnswer checked = test::rvbench({"check", disk.path()});
   CHECK(checked.code == 0);
   CHECK_THAT(checked.out, Contains("fit for probe, not for a run"));
   CHECK_THAT(checked.err, Contains("note: ") && Contains("/safety: this section is missing"));
-  const test::Answer planned = test::rvbench({"run", "quick", "--rig", disk.path(), "--dry-run"});
+  const test::CommandAnswer planned =
+      test::rvbench({"run", "quick", "--rig", disk.path(), "--dry-run"});
   CHECK(planned.code == 3);
   CHECK(planned.out.empty());
   CHECK_THAT(planned.err, Contains("/can: ") && Contains("/torque: ") && Contains("/brake: ") &&
@@ -309,8 +310,9 @@ TEST_CASE("what a plan asks for and the rig cannot do is told before anything tu
   plan["acceleration_rate_Hz"] = 4960;
   write_file(disk.path("plan.json"), plan.dump(2));
   for (const char* how : {"--dry-run", "--json"}) {
-    const test::Answer answer = test::rvbench({"run", disk.path("plan.json"), "--rig", disk.path(),
-                                               "--serial", "A", "--out", disk.path("runs"), how});
+    const test::CommandAnswer answer =
+        test::rvbench({"run", disk.path("plan.json"), "--rig", disk.path(), "--serial", "A",
+                       "--out", disk.path("runs"), how});
     CHECK(answer.code == 3);
     CHECK_THAT(answer.err,
                Contains("/acceleration_rate_Hz: the accelerometers run at 5120 Hz, the plan asks "
@@ -335,8 +337,9 @@ TEST_CASE("a bench where nothing is there says what is not, and does not wait fo
   rig["accelerometers"]["uri"] = "ip:127.0.0.1:1";
   write_file(disk.path(), rig.dump(2));
   const auto start = std::chrono::steady_clock::now();
-  const test::Answer answer = test::rvbench({"run", "quick", "--rig", disk.path(), "--serial", "A",
-                                             "--out", disk.path("runs"), "--json"});
+  const test::CommandAnswer answer =
+      test::rvbench({"run", "quick", "--rig", disk.path(), "--serial", "A", "--out",
+                     disk.path("runs"), "--json"});
   CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(10));
   CHECK(answer.code == 30);
   const Json verdict = Json::parse(answer.out);

@@ -15,7 +15,7 @@ namespace {
 using Catch::Matchers::Contains;
 using rvbench::test::ScratchFolder;
 using rvbench::test::white_noise;
-using test::Answer;
+using test::CommandAnswer;
 using test::rvbench;
 
 // Lost motion of about 0.8 arcmin.
@@ -42,7 +42,7 @@ nlohmann::json told(std::vector<std::string> words) {
 std::string refusal(const std::string& text) {
   const ScratchFolder scratch;
   write_file(scratch / "chart.csv", text);
-  const Answer answer = rvbench({"chart", (scratch / "chart.csv").string()});
+  const CommandAnswer answer = rvbench({"chart", (scratch / "chart.csv").string()});
   CHECK(answer.code == 20);
   CHECK(answer.out.empty());
   return answer.err;
@@ -53,7 +53,8 @@ std::string refusal(const std::string& text) {
 TEST_CASE("values of chance alone are in control, and said to fit", "[bench][station]") {
   const ScratchFolder scratch;
   const std::string file = file_of(scratch, lost_motion(30));
-  const Answer answer = rvbench({"chart", file, "--upper", "1", "--rules", "western_electric"});
+  const CommandAnswer answer =
+      rvbench({"chart", file, "--upper", "1", "--rules", "western_electric"});
   INFO(answer.out);
   CHECK(answer.code == 0);
   CHECK_THAT(answer.out, Contains("IN CONTROL  Nothing but chance shows in 30 values.") &&
@@ -91,7 +92,7 @@ TEST_CASE("what an index is not worth is told", "[bench][station]") {
   Eigen::VectorXd values = white_noise(15, 5).array().exp();
   values[7] = 60;
   const std::string file = file_of(scratch, values);
-  const Answer answer = rvbench({"chart", file, "--lower", "-5", "--upper", "100"});
+  const CommandAnswer answer = rvbench({"chart", file, "--lower", "-5", "--upper", "100"});
   CHECK_THAT(answer.out, Contains("The baseline has 15 values: its limits are uncertain") &&
                              Contains("The values are not normal") &&
                              Contains("The process is not in control") && Contains("Cp ") &&
@@ -132,7 +133,7 @@ TEST_CASE("limits and baselines that make no sense are refused", "[bench][statio
   CHECK(rvbench({"chart", file, "--lower", "2", "--upper", "1"}).code == 2);
   CHECK(rvbench({"chart", file, "--baseline", "7"}).code == 2);
   CHECK(rvbench({"chart", file, "--rules", "shewhart"}).code == 2);
-  const Answer answer = rvbench({"chart", file, "--baseline", "21"});
+  const CommandAnswer answer = rvbench({"chart", file, "--baseline", "21"});
   CHECK(answer.code == 20);
   CHECK_THAT(answer.err, Contains("20 values, and --baseline asks for 21"));
 }

@@ -38,26 +38,16 @@ class Echo final : public Command {
   std::string catalogue_;
 };
 
-struct Answer {
-  int code = -1;
-  std::string out;
-  std::string err;
-};
-
-Answer ask(const std::vector<std::string>& arguments) {
-  std::ostringstream out;
-  std::ostringstream err;
-  Console console{out, err};
+test::CommandAnswer ask(const std::vector<std::string>& arguments) {
   std::vector<std::unique_ptr<Command>> commands;
   commands.push_back(std::make_unique<Echo>());
-  const int code = run_cli(arguments, commands, console);
-  return {code, out.str(), err.str()};
+  return test::answer_of(arguments, commands);
 }
 
 }  // namespace
 
 TEST_CASE("arguments reach the command and its exit code comes back", "[bench]") {
-  const Answer answer = ask(
+  const test::CommandAnswer answer = ask(
       {"judge", "a.mat", "b.mat", "--rate", "12000", "--seed", "18446744073709551615", "--json"});
   CHECK(answer.code == 10);
   CHECK(answer.out == "a.mat b.mat 12000 18446744073709551615");
@@ -73,7 +63,7 @@ TEST_CASE("help names every command, and examples", "[bench]") {
 
 TEST_CASE("arguments that make no sense end with 2 and a hint on standard error", "[bench]") {
   const auto refused = [](const std::vector<std::string>& arguments, const char* hint) {
-    const Answer answer = ask(arguments);
+    const test::CommandAnswer answer = ask(arguments);
     INFO(answer.err);
     CHECK(answer.code == 2);
     CHECK(answer.out.empty());
@@ -130,13 +120,13 @@ TEST_CASE("a verdict that cannot be written is none, a fault of the bench stays 
 
 TEST_CASE("what a file or a user has of control characters does not reach the terminal",
           "[bench]") {
-  const Answer answer = ask({"ju\x1b[31mdge"});
+  const test::CommandAnswer answer = ask({"ju\x1b[31mdge"});
   CHECK(answer.code == 2);
   CHECK(answer.err.find('\x1b') == std::string::npos);
 }
 
 TEST_CASE("an exception is an internal error, never a verdict", "[bench]") {
-  const Answer answer = ask({"judge", "a.mat", "--catalogue", "published"});
+  const test::CommandAnswer answer = ask({"judge", "a.mat", "--catalogue", "published"});
   CHECK(answer.code == 1);
   CHECK_THAT(answer.err, Contains("out of luck"));
 }

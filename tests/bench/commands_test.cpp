@@ -20,14 +20,14 @@ namespace {
 
 using Catch::Matchers::Contains;
 using rvbench::test::ScratchFolder;
-using test::Answer;
+using test::CommandAnswer;
 using test::rvbench;
 
 }  // namespace
 
 TEST_CASE("every command explains itself with an example", "[bench]") {
   for (const char* command : {"run", "check", "judge", "report"}) {
-    const Answer help = rvbench({command, "--help"});
+    const CommandAnswer help = rvbench({command, "--help"});
     CHECK(help.code == 0);
     CHECK_THAT(help.out, Contains(std::string("rvbench ") + command + " "));
     CHECK_THAT(help.out, Contains("Examples:"));
@@ -35,7 +35,8 @@ TEST_CASE("every command explains itself with an example", "[bench]") {
 }
 
 TEST_CASE("a dry run tells time, torque, power and points of the article's procedure", "[bench]") {
-  const Answer answer = rvbench({"run", "rv20e_acceptance", "--rig", "sim", "--dry-run", "--json"});
+  const CommandAnswer answer =
+      rvbench({"run", "rv20e_acceptance", "--rig", "sim", "--dry-run", "--json"});
   REQUIRE(answer.code == 0);
   const auto json = nlohmann::json::parse(answer.out);
   CHECK(json.at("points") == 63);
@@ -50,13 +51,13 @@ TEST_CASE("a dry run tells time, torque, power and points of the article's proce
 
 TEST_CASE("a run without serial is a usage error, one without a plan a bad file", "[bench]") {
   CHECK(rvbench({"run", "quick", "--rig", "sim"}).code == 2);
-  const Answer answer = rvbench({"run", "quikc", "--rig", "sim", "--serial", "A"});
+  const CommandAnswer answer = rvbench({"run", "quikc", "--rig", "sim", "--serial", "A"});
   CHECK(answer.code == 3);
   CHECK_THAT(answer.err, Contains("did you mean \"quick\"?"));
 }
 
 TEST_CASE("an interface of a name that none can have is a usage error", "[bench]") {
-  const Answer answer = rvbench({"devices", "--rig", "sim", "--can", "averyverylongname0"});
+  const CommandAnswer answer = rvbench({"devices", "--rig", "sim", "--can", "averyverylongname0"});
   CHECK(answer.code == 2);
   CHECK_THAT(answer.err, Contains("--can \"averyverylongname0\"") && Contains("15 characters"));
 }
@@ -64,15 +65,15 @@ TEST_CASE("an interface of a name that none can have is a usage error", "[bench]
 TEST_CASE("a rig file is written over no device and no folder", "[bench]") {
   const ScratchFolder scratch;
   const std::string folder = scratch.path().string();
-  const Answer answer = rvbench({"devices", "--rig", "sim", "--write-rig", folder});
+  const CommandAnswer answer = rvbench({"devices", "--rig", "sim", "--write-rig", folder});
   CHECK(answer.code == 2);
   CHECK_THAT(answer.err, Contains("--write-rig " + folder + " is no regular file"));
 }
 
 TEST_CASE("nothing to resume is a usage error", "[bench]") {
   const ScratchFolder scratch;
-  const Answer answer = rvbench({"run", "quick", "--rig", "sim", "--serial", "A", "--resume",
-                                 "--out", scratch.path().string()});
+  const CommandAnswer answer = rvbench({"run", "quick", "--rig", "sim", "--serial", "A", "--resume",
+                                        "--out", scratch.path().string()});
   CHECK(answer.code == 2);
   CHECK(std::filesystem::is_empty(scratch.path()));
 }
@@ -88,8 +89,8 @@ TEST_CASE("a run is resumed on the rig that it began on, and on no other", "[ben
   const auto folder = create_run_folder(scratch.path(), "A", "20260102T030405Z");
   write_file(folder / "plan.json", sequences::plan_to_json(std::get<0>(find_plan("quick"))));
   write_file(folder / "rig.json", rig_to_json("sim", {.preset = "healthy", .seed = 7}));
-  const Answer answer = rvbench({"run", "quick", "--rig", "sim", "--seed", "8", "--serial", "A",
-                                 "--resume", "--out", scratch.path().string()});
+  const CommandAnswer answer = rvbench({"run", "quick", "--rig", "sim", "--seed", "8", "--serial",
+                                        "A", "--resume", "--out", scratch.path().string()});
   CHECK(answer.code == 2);
   CHECK_THAT(answer.err, Contains("rig.json says something else"));
 }
@@ -101,8 +102,8 @@ TEST_CASE("a run is resumed on the machine that it began with, whatever its file
   write_file(folder / "plan.json", sequences::plan_to_json(std::get<0>(find_plan("quick"))));
   write_file(folder / "rig.json", rig_to_json("sim", {}));
   write_file(folder / "kinematics.json", kinematics_text("cwru_6205"));
-  const Answer answer = rvbench({"run", "quick", "--rig", "sim", "--serial", "A", "--resume",
-                                 "--out", scratch.path().string()});
+  const CommandAnswer answer = rvbench({"run", "quick", "--rig", "sim", "--serial", "A", "--resume",
+                                        "--out", scratch.path().string()});
   CHECK(answer.code == 2);
   CHECK_THAT(answer.err, Contains("kinematics.json says something else"));
 }
@@ -143,7 +144,7 @@ TEST_CASE("a report is rebuilt for the machine that was run, whatever its file s
   write_sums(run.path());
   SECTION("it is gone") {}
   SECTION("it is another one") { write_file(machine, kinematics_text("cwru_6205")); }
-  const Answer answer = rvbench({"report", run.path().string()});
+  const CommandAnswer answer = rvbench({"report", run.path().string()});
   INFO(answer.err);
   CHECK(answer.code == 0);
   const std::string report = read_file(run.path() / "report.html").value_or("");
@@ -153,7 +154,7 @@ TEST_CASE("a report is rebuilt for the machine that was run, whatever its file s
 TEST_CASE("a run that was cut short has no report, and is told so", "[bench]") {
   const ScratchFolder run;
   write_file(run.path() / "plan.json", sequences::plan_to_json(std::get<0>(find_plan("quick"))));
-  const Answer answer = rvbench({"report", run.path().string()});
+  const CommandAnswer answer = rvbench({"report", run.path().string()});
   CHECK(answer.code == 3);
   CHECK_THAT(answer.err, Contains("has not come to its end: rvbench run --resume"));
 }
@@ -167,7 +168,7 @@ TEST_CASE("check follows what a plan and a rig name", "[bench]") {
   quick.specimen.kinematics = "rv20";
   write_file(plan, sequences::plan_to_json(quick));
   write_file(rig, R"({"rig": "replay", "recording": "gone.h5"})");
-  const Answer answer = rvbench({"check", plan, rig});
+  const CommandAnswer answer = rvbench({"check", plan, rig});
   CHECK(answer.code == 3);
   CHECK_THAT(answer.err, Contains("/specimen/kinematics: rv20: cannot be read") &&
                              Contains("did you mean \"rv20e\"?"));
@@ -180,10 +181,12 @@ TEST_CASE("judge never guesses a rate or a speed", "[bench]") {
   std::string text = "a\n";
   for (int i = 0; i < 100; ++i) text += std::to_string(i % 7) + "\n";
   write_file(file, text);
-  const Answer no_rate = rvbench({"judge", file, "--kinematics", "cwru_6205", "--speed", "1797"});
+  const CommandAnswer no_rate =
+      rvbench({"judge", file, "--kinematics", "cwru_6205", "--speed", "1797"});
   CHECK(no_rate.code == 2);
   CHECK_THAT(no_rate.err, Contains(file + " states no sample rate: give it with --rate HZ"));
-  const Answer no_speed = rvbench({"judge", file, "--kinematics", "cwru_6205", "--rate", "12000"});
+  const CommandAnswer no_speed =
+      rvbench({"judge", file, "--kinematics", "cwru_6205", "--rate", "12000"});
   CHECK(no_speed.code == 2);
   CHECK_THAT(no_speed.err, Contains(file + " states no shaft speed: give it with --speed RPM"));
   CHECK(rvbench({"judge", file, "--kinematics", "cwru_6205", "--rate", "-1"}).code == 2);
@@ -204,7 +207,7 @@ TEST_CASE("check names file, line and fault, of all files at once", "[bench]") {
   const std::string plan = (scratch.path() / "plan.json").string();
   write_file(broken, "{\n  \"main\": [ 1, ]\n}");
   write_file(plan, "{ \"main\": [], \"nmae\": \"x\" }");
-  const Answer answer = rvbench({"check", broken, plan, "nowhere.json"});
+  const CommandAnswer answer = rvbench({"check", broken, plan, "nowhere.json"});
   CHECK(answer.code == 3);
   CHECK_THAT(answer.err, Contains("broken.json:2:"));
   CHECK_THAT(answer.err, Contains("did you mean \"name\"?"));
@@ -225,7 +228,7 @@ TEST_CASE("check and report refuse a run folder that was tampered with", "[bench
   CHECK(rvbench({"check", folder}).code == 0);
 
   write_file(run.path() / "verdict.json", judgement_to_json(test::failed_run()));
-  const Answer tampered = rvbench({"check", folder});
+  const CommandAnswer tampered = rvbench({"check", folder});
   CHECK(tampered.code == 3);
   CHECK_THAT(tampered.err, Contains("verdict.json: does not match its hash"));
   CHECK(rvbench({"report", folder}).code == 3);

@@ -18,7 +18,7 @@ namespace {
 
 using Catch::Matchers::Contains;
 using rvbench::test::ScratchFolder;
-using test::Answer;
+using test::CommandAnswer;
 using test::rvbench;
 
 constexpr double rate_Hz = 2000;
@@ -57,14 +57,15 @@ std::string repeats(const ScratchFolder& scratch, const std::string& name, const
   return folder.string();
 }
 
-Answer compare(const std::string& a, const std::string& b, std::vector<std::string> more = {}) {
+CommandAnswer compare(const std::string& a, const std::string& b,
+                      std::vector<std::string> more = {}) {
   std::vector<std::string> words{"compare", a,      b,        "--kinematics", "cwru_6205",
                                  "--speed", "1800", "--rate", "2000"};
   words.insert(words.end(), more.begin(), more.end());
   return rvbench(words);
 }
 
-nlohmann::json told(const Answer& answer) { return nlohmann::json::parse(answer.out); }
+nlohmann::json told(const CommandAnswer& answer) { return nlohmann::json::parse(answer.out); }
 
 }  // namespace
 
@@ -72,7 +73,7 @@ TEST_CASE("compare names the line that changed, and by how much", "[bench]") {
   const ScratchFolder scratch;
   const std::string a = repeats(scratch, "a", {}, 3, 1);
   const std::string b = repeats(scratch, "b", {.outer = 0.2}, 3, 2);
-  const Answer answer = compare(a, b);
+  const CommandAnswer answer = compare(a, b);
   INFO(answer.err);
   CHECK(answer.code == 0);
   CHECK_THAT(answer.out, Contains("CHANGED  Most changed: bearing outer (spall)") &&
@@ -95,7 +96,8 @@ TEST_CASE("compare names the line that changed, and by how much", "[bench]") {
 
 TEST_CASE("compare of two draws of one motor says that nothing changed", "[bench]") {
   const ScratchFolder scratch;
-  const Answer answer = compare(repeats(scratch, "a", {}, 3, 1), repeats(scratch, "b", {}, 3, 2));
+  const CommandAnswer answer =
+      compare(repeats(scratch, "a", {}, 3, 1), repeats(scratch, "b", {}, 3, 2));
   CHECK(answer.code == 0);
   CHECK_THAT(
       answer.out,
@@ -106,7 +108,7 @@ TEST_CASE("compare of one recording each says what its scatter is worth", "[benc
   const ScratchFolder scratch;
   write_csv(scratch.path() / "a.csv", {}, 1);
   write_csv(scratch.path() / "b.csv", {.shaft = 1}, 2);
-  const Answer answer =
+  const CommandAnswer answer =
       compare((scratch.path() / "a.csv").string(), (scratch.path() / "b.csv").string());
   CHECK(answer.code == 0);
   CHECK_THAT(answer.out, Contains("motor shaft by +6.0 dB") &&
@@ -126,18 +128,19 @@ TEST_CASE("one sensor by two names is one channel if the user says so", "[bench]
   const std::string a = repeats(scratch, "a", {}, 3, 1);
   const std::string b = repeats(scratch, "b", {.outer = 0.2, .channel = "DE_130"}, 3, 2);
   const std::string out = (scratch.path() / "compared").string();
-  const Answer answer = compare(a, b, {"--same", "accel_1x=DE_130", "--out", out});
+  const CommandAnswer answer = compare(a, b, {"--same", "accel_1x=DE_130", "--out", out});
   CHECK(answer.code == 0);
   CHECK_THAT(answer.out, Contains("drive end bearing_outer by +6."));
   CHECK_THAT(read_file(out + "/compare.html").value_or(""), Contains("B, after: accel_1x"));
   for (const char* wrong : {"accel_1x", "=DE_130", "accel_1x="}) {
     CHECK(compare(a, b, {"--same", wrong}).code == 2);
   }
-  const Answer absent = compare(a, b, {"--same", "accel_1x=DE_131"});
+  const CommandAnswer absent = compare(a, b, {"--same", "accel_1x=DE_131"});
   CHECK(absent.code == 2);
   CHECK_THAT(absent.err, Contains("has no channel DE_131"));
   CHECK(compare(a, b, {"--same", "accel_2x=DE_130"}).code == 2);
-  const Answer twice = compare(a, b, {"--same", "accel_1x=DE_130", "--same", "accel_1x=DE_130"});
+  const CommandAnswer twice =
+      compare(a, b, {"--same", "accel_1x=DE_130", "--same", "accel_1x=DE_130"});
   CHECK(twice.code == 2);
   CHECK_THAT(twice.err, Contains("accel_1x is given twice"));
 }
@@ -156,10 +159,10 @@ TEST_CASE("a name of A that B has for another sensor is not given twice", "[benc
     return (scratch.path() / name).string();
   };
   const std::string a = write("a.csv", "s1,s2", 1), b = write("b.csv", "s1,s2", 2);
-  const Answer merged = compare(a, b, {"--same", "s1=s2"});
+  const CommandAnswer merged = compare(a, b, {"--same", "s1=s2"});
   CHECK(merged.code == 2);
   CHECK_THAT(merged.err, Contains("has both s1 and s2"));
-  const Answer swapped = compare(a, b, {"--same", "s1=s2", "--same", "s2=s1", "--json"});
+  const CommandAnswer swapped = compare(a, b, {"--same", "s1=s2", "--same", "s2=s1", "--json"});
   REQUIRE(swapped.code == 0);
   const nlohmann::json answer = told(swapped);
   for (const auto& change : answer.at("points").at(0).at("changes")) {
@@ -173,13 +176,13 @@ TEST_CASE("one motor in g and in m/s² is one motor", "[bench]") {
   const ScratchFolder scratch;
   const std::string a = repeats(scratch, "a", {.channel = "accel_1x [m/s²]"}, 3, 1);
   const Motor in_g{.channel = "accel_1x [g]", .unit = 9.80665};
-  const Answer same = compare(a, repeats(scratch, "b", in_g, 3, 2));
+  const CommandAnswer same = compare(a, repeats(scratch, "b", in_g, 3, 2));
   INFO(same.err << same.out);
   CHECK(same.code == 0);
   CHECK_THAT(same.out, Contains("NOT CHANGED"));
   Motor spoilt = in_g;
   spoilt.outer = 0.2;
-  const Answer other = compare(a, repeats(scratch, "c", spoilt, 3, 2));
+  const CommandAnswer other = compare(a, repeats(scratch, "c", spoilt, 3, 2));
   CHECK_THAT(other.out, Contains("drive end bearing_outer by +6.") && !Contains("unit"));
 }
 
@@ -195,7 +198,7 @@ TEST_CASE("a column that is no acceleration is not compared as one", "[bench]") 
   const ScratchFolder scratch;
   const std::string a = repeats(scratch, "a", {.channel = "accel_1x [V]"}, 3, 1);
   const std::string b = repeats(scratch, "b", {.channel = "accel_1x [V]"}, 3, 2);
-  const Answer answer = compare(a, b);
+  const CommandAnswer answer = compare(a, b);
   CHECK(answer.code == 20);
   CHECK_THAT(answer.err, Contains("no acceleration"));
 }
@@ -208,7 +211,7 @@ TEST_CASE("copies of a recording are no repeats", "[bench]") {
       std::filesystem::copy_file(side + "/0.csv", side + "/" + copy);
     }
   }
-  const Answer answer = compare(a, b, {"--json"});
+  const CommandAnswer answer = compare(a, b, {"--json"});
   REQUIRE(answer.code == 0);
   const auto json = told(answer);
   CHECK(json.at("verdict") != "changed");
@@ -284,7 +287,7 @@ TEST_CASE("compare writes a page that stands for itself, and not over an older o
   const std::string a = repeats(scratch, "a", {}, 2, 1);
   const std::string b = repeats(scratch, "b", {.outer = 0.3}, 2, 2);
   const std::string out = (scratch.path() / "compared").string();
-  const Answer answer = compare(a, b, {"--out", out});
+  const CommandAnswer answer = compare(a, b, {"--out", out});
   CHECK(answer.code == 0);
   CHECK_THAT(answer.out, Contains("Report: " + out + "/compare.html"));
   const std::string page = read_file(out + "/compare.html").value_or("");
@@ -296,7 +299,7 @@ TEST_CASE("compare writes a page that stands for itself, and not over an older o
   }
   CHECK((page.find("http") == page.find("http://www.w3.org")));  // no link but SVG's namespace
   CHECK(nlohmann::json::accept(read_file(out + "/compare.json").value_or("")));
-  const Answer again = compare(a, b, {"--out", out});
+  const CommandAnswer again = compare(a, b, {"--out", out});
   CHECK(again.code == 2);
   CHECK_THAT(again.err, Contains("holds a compare.json already"));
 }
@@ -305,20 +308,20 @@ TEST_CASE("compare refuses what cannot be compared, and says why", "[bench]") {
   const ScratchFolder scratch;
   const std::string a = repeats(scratch, "a", {}, 2, 1);
   SECTION("no channel of the same name") {
-    const Answer answer = compare(a, repeats(scratch, "b", {.channel = "accel_2x"}, 2, 2));
+    const CommandAnswer answer = compare(a, repeats(scratch, "b", {.channel = "accel_2x"}, 2, 2));
     CHECK(answer.code == 20);
     CHECK_THAT(answer.err, Contains("accel_1x: only A has it") &&
                                Contains("no channel in common that can be compared"));
   }
   SECTION("no machine") {
-    const Answer answer = rvbench({"compare", a, a, "--speed", "1800", "--rate", "2000"});
+    const CommandAnswer answer = rvbench({"compare", a, a, "--speed", "1800", "--rate", "2000"});
     CHECK(answer.code == 2);
     CHECK_THAT(answer.err, Contains("give its machine with --kinematics"));
   }
   SECTION("no such file") { CHECK(compare(a, (scratch.path() / "none.csv").string()).code == 20); }
   SECTION("a folder without recordings") {
     std::filesystem::create_directories(scratch.path() / "empty");
-    const Answer answer = compare(a, (scratch.path() / "empty").string());
+    const CommandAnswer answer = compare(a, (scratch.path() / "empty").string());
     CHECK(answer.code == 20);
     CHECK_THAT(answer.err, Contains("holds no recording"));
   }
@@ -328,7 +331,7 @@ TEST_CASE("compare refuses what cannot be compared, and says why", "[bench]") {
     write_file(runs / "results.db", "");
     write_file(runs / "A17" / "20260102T030405Z" / "plan.json", "{}");
     for (const auto& parent : {runs, runs / "A17"}) {
-      const Answer answer = compare(a, parent.string());
+      const CommandAnswer answer = compare(a, parent.string());
       CHECK(answer.code == 20);
       CHECK_THAT(answer.err,
                  Contains("is a parent of run folders") && Contains("A17/20260102T030405Z"));
@@ -340,7 +343,7 @@ TEST_CASE("compare refuses what cannot be compared, and says why", "[bench]") {
     std::filesystem::permissions(folder, std::filesystem::perms::none);
     std::error_code why;
     const std::filesystem::directory_iterator reads(folder, why);
-    const Answer answer = compare(a, folder.string());
+    const CommandAnswer answer = compare(a, folder.string());
     std::filesystem::permissions(folder, std::filesystem::perms::owner_all);
     CHECK(answer.code == 20);  // the superuser reads it: then it holds no recording
     CHECK_THAT(answer.err, Contains(why ? "Permission denied" : "holds no recording"));
@@ -351,8 +354,8 @@ TEST_CASE("compare refuses what cannot be compared, and says why", "[bench]") {
   }
   SECTION("a kinematics file that is none") {
     write_file(scratch.path() / "k.json", "{");
-    const Answer answer = rvbench({"compare", a, a, "--speed", "1800", "--rate", "2000",
-                                   "--kinematics", (scratch.path() / "k.json").string()});
+    const CommandAnswer answer = rvbench({"compare", a, a, "--speed", "1800", "--rate", "2000",
+                                          "--kinematics", (scratch.path() / "k.json").string()});
     CHECK(answer.code == 3);
   }
   SECTION("a run folder whose machine is damaged") {
@@ -360,7 +363,7 @@ TEST_CASE("compare refuses what cannot be compared, and says why", "[bench]") {
     std::filesystem::create_directories(run);
     write_file(run / "plan.json", "{}");
     write_file(run / "kinematics.json", "{");
-    const Answer answer = compare(a, run.string());
+    const CommandAnswer answer = compare(a, run.string());
     CHECK(answer.code == 3);
     CHECK_THAT(answer.err, Contains("kinematics.json"));
   }

@@ -17,7 +17,7 @@ using Catch::Matchers::Contains;
 using rvbench::test::aiag_study;
 using rvbench::test::ScratchFolder;
 using rvbench::test::simulated_study;
-using test::Answer;
+using test::CommandAnswer;
 using test::rvbench;
 
 const std::string head = "part,operator,trial,value [mm]\n";
@@ -43,7 +43,7 @@ std::string file_of(const ScratchFolder& scratch, const std::string& text) {
 
 std::string refusal(const std::string& text) {
   const ScratchFolder scratch;
-  const Answer answer = rvbench({"gage", file_of(scratch, text)});
+  const CommandAnswer answer = rvbench({"gage", file_of(scratch, text)});
   CHECK(answer.code == 20);
   CHECK(answer.out.empty());
   return answer.err;
@@ -54,7 +54,7 @@ std::string refusal(const std::string& text) {
 TEST_CASE("gage tells the manual's example as the manual does", "[bench][station][literature]") {
   const ScratchFolder scratch;
   const std::string file = file_of(scratch, head + rows_of(aiag_study()));
-  const Answer answer = rvbench({"gage", file});
+  const CommandAnswer answer = rvbench({"gage", file});
   CHECK(answer.code == 0);
   CHECK(answer.err.empty());
   CHECK_THAT(answer.out, Contains("MAY BE ACCEPTABLE  The gage makes up 27.9 % of the total") &&
@@ -106,7 +106,7 @@ TEST_CASE("rows come in any order, and trials have any names", "[bench][station]
   const std::string rows =
       "y;Bo;second;2.1\nx;Al;first;1\n\ny;Al;first;2\nx;Bo;second;1.2\nx;Al;second;1.1\n"
       "y;Al;second;2.2\nx;Bo;first;1.1\ny;Bo;first;2.3\n";
-  const Answer answer =
+  const CommandAnswer answer =
       rvbench({"gage", file_of(scratch, "part;operator;trial;value\n" + rows), "--json"});
   INFO(answer.err);
   REQUIRE(answer.code == 0);
@@ -126,7 +126,7 @@ TEST_CASE("the folder of --out holds the page and the document", "[bench][statio
   CHECK_THAT(page, Contains("<svg") && Contains("Operator C") && Contains("value [mm]") &&
                        Contains("36.3 %") && !Contains("nan") && !Contains("href=\"http"));
   CHECK(nlohmann::json::parse(read_file(scratch / "gage/gage.json").value()).at("tolerance") == 5);
-  const Answer again = rvbench({"gage", file, "--out", out});
+  const CommandAnswer again = rvbench({"gage", file, "--out", out});
   CHECK(again.code == 2);
   CHECK_THAT(again.err, Contains("holds a gage.json already"));
 }
@@ -154,7 +154,7 @@ TEST_CASE("a study that is not whole is refused, with the place", "[bench][stati
 
 TEST_CASE("a file that is not there, and a tolerance of nothing, are refused", "[bench][station]") {
   CHECK(rvbench({"gage", "/nowhere.csv"}).code == 20);
-  const Answer answer = rvbench({"gage", "/nowhere.csv", "--tolerance", "0"});
+  const CommandAnswer answer = rvbench({"gage", "/nowhere.csv", "--tolerance", "0"});
   CHECK(answer.code == 2);
   CHECK_THAT(answer.err, Contains("--tolerance must be above 0"));
   const auto json = nlohmann::json::parse(rvbench({"gage", "/nowhere.csv", "--json"}).out);

@@ -11,7 +11,7 @@ namespace {
 
 using Catch::Contains;
 using rvbench::test::ScratchFolder;
-using test::Answer;
+using test::CommandAnswer;
 
 // Two points of a run, with torque and angle.
 std::string run_in(const ScratchFolder& scratch) {
@@ -43,7 +43,8 @@ TEST_CASE("import makes a point of each recording, with its start from the times
   const ScratchFolder scratch;
   const std::string out = (scratch / "all.h5").string();
   const std::string table = table_in(scratch, "time_s,a [g]\n5,0\n5.5,1\n6,2\n");
-  const Answer answer = test::rvbench({"import", table, table, "--speed", "605", "--out", out});
+  const CommandAnswer answer =
+      test::rvbench({"import", table, table, "--speed", "605", "--out", out});
   INFO(answer.err);
   REQUIRE(answer.code == 0);
   CHECK_THAT(answer.out, Contains("all.h5: 2 channels"));
@@ -69,19 +70,19 @@ TEST_CASE("import asks for what it must not guess", "[bench][import]") {
   const ScratchFolder scratch;
   const std::string out = (scratch / "out.h5").string();
   const std::string table = table_in(scratch, "a,b\n1,2\n3,4\n");
-  const Answer answer = test::rvbench({"import", table, "--out", out});
+  const CommandAnswer answer = test::rvbench({"import", table, "--out", out});
   CHECK(answer.code == 20);
   CHECK_THAT(answer.err, Contains("table.csv: a: its sample rate is not known; give it with "
                                   "--rate HZ"));
   CHECK_FALSE(std::filesystem::exists(out));
   CHECK(test::rvbench({"import", table, "--rate", "1000", "--out", out}).code == 0);
-  const Answer ending = test::rvbench({"import", table, "--out", out + ".csv"});
+  const CommandAnswer ending = test::rvbench({"import", table, "--out", out + ".csv"});
   CHECK(ending.code == 2);
   CHECK_THAT(ending.err, Contains("must end in .h5"));
-  const Answer absent = test::rvbench({"import", table + "x", "--out", out, "--force"});
+  const CommandAnswer absent = test::rvbench({"import", table + "x", "--out", out, "--force"});
   CHECK(absent.code == 20);
   CHECK_THAT(absent.err, Contains("no such file"));
-  const Answer nowhere = test::rvbench(
+  const CommandAnswer nowhere = test::rvbench(
       {"import", table, "--rate", "1000", "--out", (scratch / "none/out.h5").string()});
   CHECK(nowhere.code == 2);
   CHECK_THAT(nowhere.err, Contains("none/out.h5: No such file or directory"));
@@ -94,7 +95,7 @@ TEST_CASE("export writes all points, or those that are asked for", "[bench][expo
     more.insert(more.begin(), {"export", run, "--to", (scratch / name).string()});
     return test::rvbench(more);
   };
-  const Answer all = into("all.tdms");
+  const CommandAnswer all = into("all.tdms");
   INFO(all.err);
   REQUIRE(all.code == 0);
   CHECK(all.err.empty());  // nothing is lost, nothing is said
@@ -107,11 +108,11 @@ TEST_CASE("export writes all points, or those that are asked for", "[bench][expo
   REQUIRE(into("one", {"--format", "mat73", "--point", "1"}).code == 0);
   CHECK(hal::read_recordings(scratch / "one").value()[0].load_pct == 50);
 
-  const Answer wav = into("p.wav", {"--point", "001"});
+  const CommandAnswer wav = into("p.wav", {"--point", "001"});
   REQUIRE(wav.code == 0);
   CHECK(std::filesystem::exists(scratch / "p.wav"));
   CHECK_THAT(wav.err, Contains("warning: WAV has no place for units: left out"));
-  const Answer absent = into("q.wav", {"--point", "7"});
+  const CommandAnswer absent = into("q.wav", {"--point", "7"});
   CHECK(absent.code == 2);
   CHECK_THAT(absent.err, Contains("has no point 7; it has 000, 001"));
 }
@@ -119,15 +120,15 @@ TEST_CASE("export writes all points, or those that are asked for", "[bench][expo
 TEST_CASE("export refuses what it cannot name or must not replace", "[bench][export]") {
   const ScratchFolder scratch;
   const std::string run = run_in(scratch);
-  const Answer unknown = test::rvbench({"export", run, "--to", "a.xyz"});
+  const CommandAnswer unknown = test::rvbench({"export", run, "--to", "a.xyz"});
   CHECK(unknown.code == 2);
   CHECK_THAT(unknown.err, Contains("no ending that says a format") && Contains("uff58b"));
-  const Answer itself = test::rvbench({"export", run, "--to", run, "--force"});
+  const CommandAnswer itself = test::rvbench({"export", run, "--to", run, "--force"});
   CHECK(itself.code == 2);
   CHECK_THAT(itself.err, Contains("is what it would be made from"));
   const std::string out = (scratch / "a.uff").string();
   REQUIRE(test::rvbench({"export", run, "--point", "0", "--to", out}).code == 0);
-  const Answer again = test::rvbench({"export", run, "--point", "0", "--to", out});
+  const CommandAnswer again = test::rvbench({"export", run, "--point", "0", "--to", out});
   CHECK(again.code == 2);
   CHECK_THAT(again.err, Contains("a.uff: exists; --force replaces it"));
   CHECK(test::rvbench({"export", run, "--point", "0", "--to", out, "--force"}).code == 0);

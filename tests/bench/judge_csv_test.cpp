@@ -17,7 +17,7 @@ namespace {
 
 using Catch::Matchers::Contains;
 using rvbench::test::ScratchFolder;
-using test::Answer;
+using test::CommandAnswer;
 using test::rvbench;
 
 constexpr double rate_Hz = 2000;
@@ -50,13 +50,13 @@ std::string table(const ScratchFolder& scratch, const std::string& head,
   return file.string();
 }
 
-Answer judge(const std::string& file, std::vector<std::string> more = {}) {
+CommandAnswer judge(const std::string& file, std::vector<std::string> more = {}) {
   more.insert(more.begin(),
               {"judge", file, "--kinematics", "cwru_6205", "--json", "--speed", "1815"});
   return rvbench(more);
 }
 
-std::vector<std::string> judged_channels(const Answer& answer) {
+std::vector<std::string> judged_channels(const CommandAnswer& answer) {
   std::vector<std::string> names;
   const auto json = nlohmann::json::parse(answer.out);
   for (const auto& channel : json.at("points").at(0).at("channels")) {
@@ -83,11 +83,11 @@ TEST_CASE("rows that miss in a column of time are refused, whatever rate is give
                                : "about 20 samples are missing behind its sample 4000 (1.9995)";
   const std::string file = timed(scratch, lost);
   for (const auto& rate : {std::vector<std::string>{}, {"--rate", "2000"}}) {
-    const Answer answer = judge(file, rate);
+    const CommandAnswer answer = judge(file, rate);
     CHECK(answer.code == 20);
     CHECK_THAT(answer.err, Contains("time_s only rises, as time does, but unevenly: " + told));
   }
-  const Answer asked = judge(file, {"--rate", "2000", "--channel", "a"});
+  const CommandAnswer asked = judge(file, {"--rate", "2000", "--channel", "a"});
   CHECK_THAT(asked.err, Contains("time_s only rises, as no vibration does, and is left out; it "
                                  "rises unevenly: " +
                                  told));
@@ -97,7 +97,7 @@ TEST_CASE("a column of time without a gap is no reason to refuse, nor to speak o
   const ScratchFolder scratch;
   const std::string file = timed(scratch, 0);
   for (const auto& rate : {std::vector<std::string>{}, {"--rate", "2000"}}) {
-    const Answer answer = judge(file, rate);
+    const CommandAnswer answer = judge(file, rate);
     CHECK(answer.code == 0);
     CHECK_THAT(answer.err, Contains("it says 2000 Hz\n") && !Contains("missing") &&
                                !Contains("not 2000") && !Contains("as given"));
@@ -106,10 +106,10 @@ TEST_CASE("a column of time without a gap is no reason to refuse, nor to speak o
 
 TEST_CASE("a rate that a column of time contradicts is told", "[bench]") {
   const ScratchFolder scratch;
-  const Answer even = judge(timed(scratch, 0), {"--rate", "4000"});
+  const CommandAnswer even = judge(timed(scratch, 0), {"--rate", "4000"});
   CHECK_THAT(even.err, Contains("rate 4000 Hz as given: the file says 2000 Hz"));
   // Printed in whole milliseconds it states no rate, but means one.
-  const Answer coarse =
+  const CommandAnswer coarse =
       judge(table(scratch, "t [ms],a",
                   [](int i, double x) { return fmt::format("{},{:.6g}", i / 2, x); }),
             {"--rate", "4000"});
@@ -121,7 +121,7 @@ TEST_CASE("what is named as time and does not rise is refused", "[bench]") {
   const std::string file = table(scratch, "Time (s),a", [](int i, double x) {
     return fmt::format("{:.6f},{:.6g}", (i % 4000) / rate_Hz, x);
   });
-  const Answer answer = judge(file, {"--rate", "2000"});
+  const CommandAnswer answer = judge(file, {"--rate", "2000"});
   CHECK(answer.code == 20);
   CHECK_THAT(answer.err, Contains("Time (s) is named as time but does not only rise"));
   CHECK(judge(file, {"--rate", "2000", "--channel", "a"}).code == 0);
@@ -133,7 +133,7 @@ TEST_CASE("only accelerations are judged, by their units, and the others are tol
       table(scratch, "a [g],T [degC],U [V],d [furlong],n_rpm,b", [](int, double x) {
         return fmt::format("{0:.6g},{0:.6g},{0:.6g},{0:.6g},{0:.6g},{1:.6g}", x / 9.80665, -x);
       });
-  const Answer answer = judge(file, {"--rate", "2000"});
+  const CommandAnswer answer = judge(file, {"--rate", "2000"});
   CHECK(answer.code == 0);
   CHECK(judged_channels(answer) == std::vector<std::string>{"a", "b"});
   CHECK_THAT(answer.err,
@@ -149,7 +149,7 @@ TEST_CASE("only accelerations are judged, by their units, and the others are tol
 TEST_CASE("a table without an acceleration is INVALID, and says what it has", "[bench]") {
   const ScratchFolder scratch;
   const std::string head = GENERATE("U [V]", "d [furlong]", "T (degC)");
-  const Answer answer =
+  const CommandAnswer answer =
       judge(table(scratch, head, [](int, double x) { return fmt::format("{:.6g}", x); }),
             {"--rate", "2000"});
   CHECK(answer.code == 20);
@@ -161,7 +161,7 @@ TEST_CASE("a table without an acceleration is INVALID, and says what it has", "[
 TEST_CASE("the unit of a table does not change what is found in it", "[bench]") {
   const ScratchFolder scratch;
   const auto indicators = [&](const std::string& head, double unit) {
-    const Answer answer = judge(
+    const CommandAnswer answer = judge(
         table(scratch, head, [unit](int, double x) { return fmt::format("{:.9g}", x / unit); }),
         {"--rate", "2000"});
     return nlohmann::json::parse(answer.out).at("points").at(0).at("channels").at(0);
@@ -178,7 +178,7 @@ TEST_CASE("a table that is clipped on one side is INVALID, each sample alone or 
   const ScratchFolder scratch;
   const std::string file =
       table(scratch, "a", [](int, double x) { return fmt::format("{:.6g}", std::max(x, -0.25)); });
-  const Answer answer = judge(file, {"--rate", "2000"});
+  const CommandAnswer answer = judge(file, {"--rate", "2000"});
   CHECK(answer.code == 20);
   CHECK_THAT(nlohmann::json::parse(answer.out).at("reason").get<std::string>(),
              Contains("a: clipped: "));
@@ -188,13 +188,13 @@ TEST_CASE("a table that is clipped on one side is INVALID, each sample alone or 
 TEST_CASE("check says what a recording is", "[bench]") {
   const ScratchFolder scratch;
   const std::string file = timed(scratch, 0);
-  const Answer answer = rvbench({"check", file});
+  const CommandAnswer answer = rvbench({"check", file});
   CHECK(answer.code == 0);
   CHECK(answer.out == file + ": CSV, 2 channels (time_s, a), 8000 samples at 2000 Hz: 4 s\n");
   CHECK_THAT(answer.err, !Contains("warning"));
   const std::string bare =
       table(scratch, "a [g]", [](int, double x) { return fmt::format("{:.6g}", x); });
-  const Answer rateless = rvbench({"check", bare});
+  const CommandAnswer rateless = rvbench({"check", bare});
   CHECK(rateless.code == 0);
   CHECK(rateless.out ==
         bare + ": CSV, 1 channel (a [m/s²]), 8000 samples at a rate that it does not state\n");
@@ -203,17 +203,17 @@ TEST_CASE("check says what a recording is", "[bench]") {
 
 TEST_CASE("check says what is wrong with a recording", "[bench]") {
   const ScratchFolder scratch;
-  const Answer gap = rvbench({"check", timed(scratch, 7)});
+  const CommandAnswer gap = rvbench({"check", timed(scratch, 7)});
   CHECK(gap.code == 0);
   CHECK_THAT(gap.err, Contains("warning: ") && Contains("judge refuses it: time_s only rises") &&
                           Contains("about 7 samples are missing"));
-  const Answer lost = rvbench({"check", table(scratch, "a", [](int i, double x) {
-                                 return i % 1000 == 9 ? "nan" : fmt::format("{:.6g}", x);
-                               })});
+  const CommandAnswer lost = rvbench({"check", table(scratch, "a", [](int i, double x) {
+                                        return i % 1000 == 9 ? "nan" : fmt::format("{:.6g}", x);
+                                      })});
   CHECK_THAT(lost.err, Contains("a: lost samples: 8 of 8000"));
   const auto bad = scratch.path() / "bad.csv";
   write_file(bad, "a;b\n1,5;2\n1;x\n");
-  const Answer refused = rvbench({"check", bad.string()});
+  const CommandAnswer refused = rvbench({"check", bad.string()});
   CHECK(refused.code == 20);
   CHECK_THAT(refused.err, Contains("bad.csv: 3:2: \"x\" is not a number"));
   CHECK(refused.out.empty());
@@ -224,7 +224,7 @@ TEST_CASE("check still reads JSON that is broken as JSON", "[bench]") {
   const std::string name = GENERATE("a.json", "a.txt", "a.csv");
   const auto file = scratch.path() / name;
   write_file(file, R"({"main": [1, 2}, "name": "x")");
-  const Answer answer = rvbench({"check", file.string()});
+  const CommandAnswer answer = rvbench({"check", file.string()});
   CHECK(answer.code == 3);
   CHECK_THAT(answer.err, Contains(name + ":1:"));
 }

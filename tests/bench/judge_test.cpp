@@ -16,7 +16,7 @@ namespace {
 
 using Catch::Matchers::Contains;
 using rvbench::test::ScratchFolder;
-using test::Answer;
+using test::CommandAnswer;
 using test::rvbench;
 
 constexpr double rate_Hz = 2000;
@@ -67,15 +67,15 @@ std::string damaged_planet(const ScratchFolder& scratch) {
   });
 }
 
-Answer judge(const std::string& file, const std::string& machine,
-             std::vector<std::string> more = {}) {
+CommandAnswer judge(const std::string& file, const std::string& machine,
+                    std::vector<std::string> more = {}) {
   more.insert(more.begin(), {"judge", file, "--kinematics", machine, "--json"});
   return rvbench(more);
 }
 
 const std::vector<std::string> right{"--rate", "2000", "--speed", "1815"};
 
-bool notes(const Answer& answer, const std::string& what) {
+bool notes(const CommandAnswer& answer, const std::string& what) {
   const auto verdict = nlohmann::json::parse(answer.out);
   for (const auto& note : verdict.at("quality")) {
     if (note.at("what").get<std::string>().find(what) != std::string::npos) return true;
@@ -96,7 +96,7 @@ TEST_CASE("what is judged at a wrong speed, rate or machine is INVALID, not PASS
       {"--rate", "48000", "--speed", "1815"},
   }));
   CAPTURE(wrong);
-  const Answer answer = judge(file, "cwru_6205", wrong);
+  const CommandAnswer answer = judge(file, "cwru_6205", wrong);
   CHECK(answer.code == 20);
   CHECK(notes(answer, "cannot tell: no line of this machine"));
 }
@@ -106,7 +106,7 @@ TEST_CASE("a machine whose own lines are not in the data is INVALID, though its 
   const ScratchFolder scratch;
   const std::string file = unbalanced(scratch);
   for (const char* machine : {"gear0", "two_stage"}) {
-    const Answer answer = judge(file, machine, right);
+    const CommandAnswer answer = judge(file, machine, right);
     CHECK(answer.code == 20);
     CHECK(notes(answer, "no line is in the data but those of its input shaft"));
   }
@@ -117,7 +117,7 @@ TEST_CASE("at a speed a little off, the one that the machine's lines fit is name
   const std::string file =
       recorded(scratch, 17, [](double turns) { return 0.2 * tone(1, turns) + tone(23, turns); });
   CHECK(judge(file, "gear0", right).code == 0);
-  const Answer answer = judge(file, "gear0", {"--rate", "2000", "--speed", "1800"});
+  const CommandAnswer answer = judge(file, "gear0", {"--rate", "2000", "--speed", "1800"});
   CHECK(answer.code == 20);
   CHECK(notes(answer, "at 1815"));
 }
@@ -130,14 +130,14 @@ TEST_CASE("a speed that is a motor's slip off the file's stays in force, and is 
   write_file(file, rvbench::test::mat5_file({rvbench::test::mat5_array("x", 8000, 1, samples),
                                              rvbench::test::mat5_array("XRPM", 1, 1, {1815})}));
   const std::string told = "speed 1750 rpm as given: the file says 1815 rpm";
-  const Answer answer = judge(file, "cwru_6205", {"--rate", "2000", "--speed", "1750"});
+  const CommandAnswer answer = judge(file, "cwru_6205", {"--rate", "2000", "--speed", "1750"});
   CHECK_THAT(answer.err, Contains(told));
   CHECK(notes(answer, told));
   CHECK(nlohmann::json::parse(answer.out).at("points").at(0).at("speed_rpm") == 1750);
-  const Answer nominal = judge(file, "cwru_6205", {"--rate", "2000", "--speed", "1800"});
+  const CommandAnswer nominal = judge(file, "cwru_6205", {"--rate", "2000", "--speed", "1800"});
   CHECK_THAT(nominal.err, !Contains("as given"));  // within 1 %
   // Two thirds: order 2 would be taken for order 3, and one race for the other.
-  const Answer wrong = judge(file, "cwru_6205", {"--rate", "2000", "--speed", "1210"});
+  const CommandAnswer wrong = judge(file, "cwru_6205", {"--rate", "2000", "--speed", "1210"});
   CHECK(wrong.code == 20);
   CHECK_THAT(wrong.err,
              Contains("a.mat: says 1815 rpm, 1210 rpm were given: one of them is wrong"));
@@ -147,7 +147,7 @@ TEST_CASE("a rate at which the shaft could not be seen is refused before the ana
   const ScratchFolder scratch;
   const std::string file = unbalanced(scratch);
   for (const char* rate : {"2", "60.5"}) {
-    const Answer answer = judge(file, "cwru_6205", {"--rate", rate, "--speed", "1815"});
+    const CommandAnswer answer = judge(file, "cwru_6205", {"--rate", rate, "--speed", "1815"});
     CHECK(answer.code == 2);
     CHECK_THAT(answer.err, Contains("turns 30.25 times a second") && Contains("is --rate in Hz"));
   }
@@ -157,7 +157,7 @@ TEST_CASE("a channel that is not there is answered with those that are", "[bench
   const ScratchFolder scratch;
   const auto file = scratch.path() / "two.csv";
   std::ofstream(file) << "accel_1x,accel_1y\n1,2\n2,3\n";
-  const Answer answer =
+  const CommandAnswer answer =
       judge(file.string(), "rv20e", {"--rate", "2000", "--speed", "605", "--channel", "acel_1x"});
   CHECK(answer.code == 2);
   CHECK_THAT(answer.err,
@@ -171,13 +171,13 @@ TEST_CASE("a column that only rises is time, not vibration", "[bench]") {
   const std::string told =
       "t only rises, as no vibration does, and is left out; in seconds it "
       "says 1999.75 Hz";
-  const Answer answer = judge(file, "cwru_6205", right);
+  const CommandAnswer answer = judge(file, "cwru_6205", right);
   CHECK(answer.code == 0);
   const auto channels = nlohmann::json::parse(answer.out).at("points").at(0).at("channels");
   REQUIRE(channels.size() == 1);
   CHECK(channels.at(0).at("name") == "a");
   CHECK(notes(answer, told));
-  const Answer no_rate = judge(file, "cwru_6205", {"--speed", "1815"});
+  const CommandAnswer no_rate = judge(file, "cwru_6205", {"--speed", "1815"});
   CHECK(no_rate.code == 2);
   CHECK_THAT(no_rate.err, Contains("give it with --rate HZ (" + told + ")"));
 }
@@ -212,7 +212,7 @@ TEST_CASE("a velocity is not judged as an acceleration", "[bench]") {
   out << head << ",a\n";
   while (std::getline(in, line)) out << line << ',' << line << '\n';
   out.close();
-  const Answer answer = judge(file.string(), "cwru_6205", right);
+  const CommandAnswer answer = judge(file.string(), "cwru_6205", right);
   const auto channels = nlohmann::json::parse(answer.out).at("points").at(0).at("channels");
   REQUIRE(channels.size() == 1);
   CHECK(channels.at(0).at("name") == "a");
@@ -226,7 +226,7 @@ TEST_CASE("a speed that the file states and that is none is told", "[bench]") {
   std::ofstream(file, std::ios::binary)
       << rvbench::test::mat5_file({rvbench::test::mat5_array("x", 3, 1, {1, 2, 3}),
                                    rvbench::test::mat5_array("X105RPM", 1, 1, {stated_rpm})});
-  const Answer answer = judge(file.string(), "cwru_6205", {"--rate", "12000"});
+  const CommandAnswer answer = judge(file.string(), "cwru_6205", {"--rate", "12000"});
   CHECK(answer.code == 2);
   CHECK_THAT(answer.err, Contains("give it with --speed RPM (X105RPM: ") &&
                              Contains(" is no speed of a shaft that turns forward"));
@@ -235,13 +235,13 @@ TEST_CASE("a speed that the file states and that is none is told", "[bench]") {
 TEST_CASE("time that jumps is no single rate: INVALID, unless a channel is asked for", "[bench]") {
   const ScratchFolder scratch;
   const std::string file = timed(scratch, [](double t_s) { return t_s < 2 ? t_s : t_s + 0.1; });
-  const Answer answer = judge(file, "cwru_6205", right);
+  const CommandAnswer answer = judge(file, "cwru_6205", right);
   CHECK(answer.code == 20);
   CHECK_THAT(answer.err,
              Contains("t only rises, as time does, but unevenly: about 200 samples are missing"));
   std::vector<std::string> words = right;
   words.insert(words.end(), {"--channel", "a"});
-  const Answer asked = judge(file, "cwru_6205", words);
+  const CommandAnswer asked = judge(file, "cwru_6205", words);
   CHECK(asked.code == 0);
   CHECK(notes(asked, "t only rises, as no vibration does, and is left out"));
 }
@@ -251,7 +251,7 @@ TEST_CASE("samples beyond any unit are INVALID, not an internal error", "[bench]
   for (const double unit : {1e300, 1e-300}) {
     const std::string file = recorded(
         scratch, 4, [](double turns) { return 0.2 * tone(1, turns); }, unit);
-    const Answer answer = judge(file, "cwru_6205", right);
+    const CommandAnswer answer = judge(file, "cwru_6205", right);
     CHECK(answer.code == 20);
     CHECK_THAT(answer.err, Contains("a: its largest sample") && Contains("no vibration"));
   }
@@ -263,14 +263,14 @@ TEST_CASE("samples beyond any unit are INVALID, not an internal error", "[bench]
 TEST_CASE("what the published Table 4 misses is INVALID, not PASS", "[bench]") {
   const ScratchFolder scratch;
   const std::string file = damaged_planet(scratch);
-  const Answer derived = judge(file, "rv20e", right);
+  const CommandAnswer derived = judge(file, "rv20e", right);
   CHECK(derived.code == 10);
   const auto verdict = nlohmann::json::parse(derived.out);
   CHECK(verdict.at("findings").at(0).at("component") == "planet_gear");
 
   std::vector<std::string> published = right;
   published.insert(published.end(), {"--catalogue", "published"});
-  const Answer answer = judge(file, "rv20e", published);
+  const CommandAnswer answer = judge(file, "rv20e", published);
   CHECK(answer.code == 20);
   CHECK_THAT(nlohmann::json::parse(answer.out).at("reason").get<std::string>(),
              Contains("Table 4 as published does not hold the lines of planet_gear"));
@@ -279,8 +279,9 @@ TEST_CASE("what the published Table 4 misses is INVALID, not PASS", "[bench]") {
 TEST_CASE("the published Table 4 is of one machine, and needs a speed", "[bench]") {
   const ScratchFolder scratch;
   for (const char* machine : {"cwru_6205", "gear0", "two_stage"}) {
-    const Answer answer = rvbench({"judge", unbalanced(scratch), "--kinematics", machine, "--rate",
-                                   "2000", "--speed", "1815", "--catalogue", "published"});
+    const CommandAnswer answer =
+        rvbench({"judge", unbalanced(scratch), "--kinematics", machine, "--rate", "2000", "--speed",
+                 "1815", "--catalogue", "published"});
     CHECK(answer.code == 2);
     CHECK_THAT(answer.err, Contains("Table 4 of the RV-20E"));
   }
@@ -304,7 +305,7 @@ TEST_CASE("judge does not write over an older verdict", "[bench]") {
   CHECK(judge(file, "cwru_6205", words).code == 0);
   const std::string verdict = read_file(scratch.path() / "judged" / "verdict.json").value();
   words[3] = "1600";
-  const Answer again = judge(file, "cwru_6205", words);
+  const CommandAnswer again = judge(file, "cwru_6205", words);
   CHECK(again.code == 2);
   CHECK_THAT(again.err, Contains("holds a verdict.json already"));
   CHECK(read_file(scratch.path() / "judged" / "verdict.json") == verdict);
@@ -317,7 +318,7 @@ TEST_CASE("a result that judge cannot write is an ERROR that names it", "[bench]
   std::filesystem::create_directories(out / "report.html.draft");  // nothing can be drafted there
   std::vector<std::string> words = right;
   words.insert(words.end(), {"--out", out.string()});
-  const Answer answer = judge(file, "cwru_6205", words);
+  const CommandAnswer answer = judge(file, "cwru_6205", words);
   CHECK(answer.code == 30);
   CHECK_THAT(answer.err, Contains("not written: report.html: Is a directory"));
   CHECK(nlohmann::json::parse(answer.out).at("exit_code") == 30);

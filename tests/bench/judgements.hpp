@@ -2,7 +2,7 @@
 
 #include "bench/judgement.hpp"
 
-namespace rvbench::bench::test {
+namespace rvbench::test {
 
 inline analysis::Finding misaligned_shaft() {
   analysis::Finding finding;
@@ -41,8 +41,8 @@ inline analysis::Finding silent_sun() {
   return finding;
 }
 
-inline JudgedPoint recorded_point() {
-  JudgedPoint recorded;
+inline bench::JudgedPoint recorded_point() {
+  bench::JudgedPoint recorded;
   recorded.planned_speed_rpm = 605;
   recorded.torque_Nm = 1.4;
   recorded.examination.source = "recording.h5#000";
@@ -67,8 +67,8 @@ inline JudgedPoint recorded_point() {
 }
 
 /// A reducer that was wound to and fro: no vibration, no orders, and nothing amiss.
-inline JudgedPoint wound_point() {
-  JudgedPoint wound;
+inline bench::JudgedPoint wound_point() {
+  bench::JudgedPoint wound;
   wound.planned_speed_rpm = 30;
   wound.examination.source = "recording.h5#001";
   wound.examination.load_pct = 125;
@@ -80,8 +80,8 @@ inline JudgedPoint wound_point() {
 }
 
 /// A hand-made run of a bad unit: two points, one of them never recorded, and one finding.
-inline Judgement failed_run() {
-  Judgement judgement;
+inline bench::Judgement failed_run() {
+  bench::Judgement judgement;
   judgement.ending = {Outcome::fail, ErrorKind::none, "input_shaft: misalignment"};
   judgement.machine = "RV-20E";
   judgement.facts.serial = "A-17 <&\"'>";
@@ -101,7 +101,7 @@ inline Judgement failed_run() {
   judgement.limits = {{"acceleration_peak", "", "g", 0.5, 1.9, "recording.h5#000, accel_1x", false,
                        "healthy units stay near 0.1 g"}};
 
-  JudgedPoint missing;
+  bench::JudgedPoint missing;
   missing.status = "not_recorded";
   missing.planned_speed_rpm = 1210;
   missing.examination.load_pct = 50;
@@ -110,8 +110,8 @@ inline Judgement failed_run() {
   return judgement;
 }
 
-inline Judgement passed_run() {
-  Judgement judgement = failed_run();
+inline bench::Judgement passed_run() {
+  bench::Judgement judgement = failed_run();
   judgement.ending = {Outcome::pass, ErrorKind::none, "no finding above its limit"};
   judgement.facts.serial = "A18";
   judgement.facts.preset = "healthy";
@@ -122,4 +122,4 @@ inline Judgement passed_run() {
   return judgement;
 }
 
-}  // namespace rvbench::bench::test
+}  // namespace rvbench::test

@@ -17,7 +17,7 @@ namespace {
 
 using Catch::Matchers::Contains;
 using rvbench::test::ScratchFolder;
-using test::Answer;
+using test::CommandAnswer;
 using test::rvbench;
 
 // The two points of the quick plan at 1815 rpm.
@@ -29,7 +29,7 @@ void write_plan(const ScratchFolder& scratch) {
 }
 
 struct Run {
-  Answer answer;
+  CommandAnswer answer;
   nlohmann::json verdict;
   Judgement judgement;
 };
@@ -78,7 +78,7 @@ void learn_and_activate(const ScratchFolder& scratch, const std::string& version
   const auto step = [&](std::vector<std::string> words) {
     words.insert(words.begin(), "limits");
     words.insert(words.end(), {"--by", "A. Sato", "--out", (scratch / "runs").string()});
-    const Answer answer = rvbench(words);
+    const CommandAnswer answer = rvbench(words);
     CAPTURE(answer.out, answer.err);
     REQUIRE(answer.code == 0);
   };
@@ -158,7 +158,7 @@ TEST_CASE("no run begins on active limits for a point that its plan does not rec
   CHECK(limits({"propose", "--from", (scratch / "far.json").string()}) == 0);
   CHECK(limits({"approve", "far", "--yes"}) == 0);
   CHECK(limits({"activate", "far"}) == 0);
-  const Answer refused = rvbench(
+  const CommandAnswer refused = rvbench(
       {"run", (scratch / "two.json").string(), "--rig", "sim", "--serial", "A17", "--out", runs});
   CHECK(refused.code == 3);
   CHECK_THAT(refused.err,

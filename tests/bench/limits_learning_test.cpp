@@ -38,7 +38,7 @@ void enter(const ScratchFolder& root, const std::vector<double>& peaks_m_s2) {
   }
 }
 
-test::Answer limits(const ScratchFolder& root, std::vector<std::string> words) {
+test::CommandAnswer limits(const ScratchFolder& root, std::vector<std::string> words) {
   words.insert(words.begin(), "limits");
   words.insert(words.end(), {"--by", "J. Weber", "--out", root.path().string()});
   return test::rvbench(words);
@@ -76,7 +76,7 @@ TEST_CASE("what is learnt is a draft that says where it comes from", "[bench][li
   std::vector<double> peaks = good_peaks(50);
   peaks[7] = 2;
   enter(root, peaks);
-  const test::Answer learnt = limits(root, {"learn", "v1", "--plan", "quick"});
+  const test::CommandAnswer learnt = limits(root, {"learn", "v1", "--plan", "quick"});
   CHECK(learnt.code == 0);
   CHECK_THAT(learnt.out, Contains("acceleration_peak: max ") && Contains("in force 1 g") &&
                              Contains("of 50 units") && Contains("set aside") && Contains("U07") &&
@@ -94,7 +94,7 @@ TEST_CASE("from too few units, or none, no draft is made", "[bench][limits]") {
   const ScratchFolder root;
   CHECK(limits(root, {"learn", "v1", "--plan", "quick"}).code == 20);
   enter(root, good_peaks(19));
-  const test::Answer few = limits(root, {"learn", "v1", "--plan", "quick"});
+  const test::CommandAnswer few = limits(root, {"learn", "v1", "--plan", "quick"});
   CHECK(few.code == 20);
   CHECK_THAT(few.out, Contains("19 units, and a limit takes 20"));
   CHECK_FALSE(std::filesystem::exists(limits_path(root.path(), "v1")));

@@ -13,7 +13,7 @@ namespace {
 
 using Catch::Matchers::Contains;
 using rvbench::test::ScratchFolder;
-using test::Answer;
+using test::CommandAnswer;
 using test::rvbench;
 
 // The quick plan with its limits replaced by one.
@@ -43,10 +43,10 @@ TEST_CASE("check and a dry run tell a limit that nothing can be held against", "
   }));
   CAPTURE(limit);
   write_file(plan, quick_with_limit(limit));
-  const Answer checked = rvbench({"check", plan});
+  const CommandAnswer checked = rvbench({"check", plan});
   CHECK(checked.code == 3);
   CHECK_THAT(checked.err, Contains("/limits/0/") && Contains(told));
-  const Answer dry = rvbench({"run", plan, "--rig", "sim", "--dry-run"});
+  const CommandAnswer dry = rvbench({"run", plan, "--rig", "sim", "--dry-run"});
   CHECK(dry.code == 3);
   CHECK_THAT(dry.err, Contains(told));
 }
@@ -81,10 +81,10 @@ TEST_CASE("a limit on what the rig does not record is no fault of the plan, but 
   CAPTURE(limit);
   write_file(plan, quick_with_limit(limit));
   CHECK(rvbench({"check", plan}).code == 0);
-  const Answer dry = rvbench({"run", plan, "--rig", "sim", "--dry-run"});
+  const CommandAnswer dry = rvbench({"run", plan, "--rig", "sim", "--dry-run"});
   CHECK(dry.code == 3);
   CHECK_THAT(dry.err, Contains(told));
-  const Answer run = rvbench(
+  const CommandAnswer run = rvbench(
       {"run", plan, "--rig", "sim", "--serial", "A1", "--out", (scratch.path() / "runs").string()});
   CHECK(run.code == 3);
   CHECK_THAT(run.err, Contains(told));

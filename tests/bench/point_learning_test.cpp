@@ -52,7 +52,7 @@ std::vector<double> three_times(std::vector<double> values) {
   return values;
 }
 
-test::Answer limits(const ScratchFolder& root, std::vector<std::string> words) {
+test::CommandAnswer limits(const ScratchFolder& root, std::vector<std::string> words) {
   words.insert(words.begin(), "limits");
   words.insert(words.end(), {"--by", "J. Weber", "--out", root.path().string()});
   return test::rvbench(words);
@@ -73,7 +73,8 @@ TEST_CASE("each point of the matrix gets a limit of its own, beside the one for 
           "[bench][limits]") {
   const ScratchFolder root;
   enter(root, peaks(), three_times(peaks()));
-  const test::Answer learnt = limits(root, {"learn", "v1", "--plan", "quick", "--per-point"});
+  const test::CommandAnswer learnt =
+      limits(root, {"learn", "v1", "--plan", "quick", "--per-point"});
   CHECK(learnt.code == 0);
   CHECK_THAT(learnt.out,
              Contains("acceleration_peak at 1210 rpm, 50 % load: max ") &&
@@ -107,7 +108,8 @@ TEST_CASE("three noisy units at one point widen no limit there, nor elsewhere", 
   enter(clean, peaks(), three_times(peaks()));
   enter(trapped, peaks(), noisy);
   CHECK(limits(clean, {"learn", "v1", "--plan", "quick", "--per-point"}).code == 0);
-  const test::Answer learnt = limits(trapped, {"learn", "v1", "--plan", "quick", "--per-point"});
+  const test::CommandAnswer learnt =
+      limits(trapped, {"learn", "v1", "--plan", "quick", "--per-point"});
   CHECK(std::abs(max_at(trapped, fast) / max_at(clean, fast) - 1) < 0.1);
   CHECK(max_at(trapped, slow) == max_at(clean, slow));
   CHECK_THAT(learnt.out,
@@ -123,7 +125,7 @@ TEST_CASE("a limit for a point that is in force is learnt anew in its place", "[
   const auto before = std::get<0>(read_limits_file(limits_path(root.path(), "v0"))).limits;
   REQUIRE(before.size() == 3);
   // Those in force are learnt, the general one and the two of points.
-  const test::Answer again = limits(root, {"learn", "v1", "--plan", "quick"});
+  const test::CommandAnswer again = limits(root, {"learn", "v1", "--plan", "quick"});
   CHECK(again.code == 0);
   const auto after = std::get<0>(read_limits_file(limits_path(root.path(), "v1"))).limits;
   REQUIRE(after.size() == 3);
@@ -137,7 +139,7 @@ TEST_CASE("what no unit shows at any point makes no draft", "[bench][limits]") {
   const ScratchFolder root;
   CHECK(limits(root, {"learn", "v1", "--plan", "quick", "--per-point"}).code == 20);
   CHECK_FALSE(std::filesystem::exists(limits_path(root.path(), "v1")));
-  const test::Answer none =
+  const test::CommandAnswer none =
       limits(root, {"learn", "v1", "--plan", "quick", "--per-point", "--measure", "lost_motion"});
   CHECK(none.code == 20);
   CHECK_FALSE(std::filesystem::exists(limits_path(root.path(), "v1")));

@@ -18,7 +18,7 @@ namespace rvbench::bench {
 
 using Catch::Matchers::Contains;
 using rvbench::test::ScratchFolder;
-using test::Answer;
+using test::CommandAnswer;
 using test::rvbench;
 
 TEST_CASE("with --json every refusal is one document on standard output", "[bench]") {
@@ -43,7 +43,7 @@ TEST_CASE("with --json every refusal is one document on standard output", "[benc
     CAPTURE(refused.reason);
     std::vector<std::string> words = refused.words;
     words.emplace_back("--json");
-    const Answer answer = rvbench(words);
+    const CommandAnswer answer = rvbench(words);
     CHECK(answer.code == refused.code);
     const auto json = nlohmann::json::parse(answer.out);
     CHECK(json.at("exit_code") == refused.code);
@@ -57,7 +57,7 @@ TEST_CASE("with --json every refusal is one document on standard output", "[benc
 
 TEST_CASE("a name that does not exist is answered with those that do", "[bench]") {
   const auto told = [](const std::vector<std::string>& words) {
-    const Answer answer = rvbench(words);
+    const CommandAnswer answer = rvbench(words);
     CHECK(answer.code == 3);
     return answer.err;
   };
@@ -77,7 +77,7 @@ TEST_CASE("every line of a refusal says who speaks", "[bench]") {
   const std::string machine = (scratch.path() / "m.json").string();
   write_file(machine, R"({"machine": "m", "shafts": [{"nam": "in"}]})");
   for (const std::string& named : {std::string("nosuch"), machine}) {
-    const Answer answer = rvbench({"judge", "a.csv", "--kinematics", named});
+    const CommandAnswer answer = rvbench({"judge", "a.csv", "--kinematics", named});
     CHECK(answer.code == 3);
     std::istringstream lines(answer.err);
     for (std::string line; std::getline(lines, line);) CHECK(line.starts_with("rvbench: "));
@@ -88,7 +88,7 @@ TEST_CASE("a rig file with a preset that does not exist is a bad file", "[bench]
   const ScratchFolder scratch;
   const std::string rig = (scratch.path() / "rig.json").string();
   write_file(rig, "{\"rig\": \"sim\",\n \"preset\": \"helthy\"}");
-  const Answer answer = rvbench({"check", rig});
+  const CommandAnswer answer = rvbench({"check", rig});
   CHECK(answer.code == 3);
   CHECK_THAT(answer.err, Contains("rig.json:2: /preset") && Contains("did you mean \"healthy\"?"));
 }
@@ -111,17 +111,17 @@ TEST_CASE("check refuses what is no regular file, and does not wait for it", "[b
   const ScratchFolder scratch;
   const std::string pipe = (scratch.path() / "pipe").string();
   REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
-  const Answer answer = rvbench({"check", pipe, scratch.path().string()});
+  const CommandAnswer answer = rvbench({"check", pipe, scratch.path().string()});
   CHECK(answer.code == 3);
   CHECK_THAT(answer.err, Contains("pipe: cannot be read: it is no regular file"));
   CHECK_THAT(answer.err, Contains("no run folder"));
 }
 
 TEST_CASE("help shows what there is, and each default", "[bench]") {
-  const Answer run = rvbench({"run", "--help"});
+  const CommandAnswer run = rvbench({"run", "--help"});
   CHECK_THAT(run.out, Contains("quick, rv20e_acceptance") && Contains("planet_tooth") &&
                           Contains("default: runs") && Contains("healthy"));
-  const Answer judge = rvbench({"judge", "--help"});
+  const CommandAnswer judge = rvbench({"judge", "--help"});
   CHECK_THAT(judge.out, Contains("two_stage") && Contains("default: derived"));
   for (const std::string& help : {run.out, judge.out}) {
     std::istringstream lines(help);
@@ -141,11 +141,11 @@ TEST_CASE("a run that another process is at work on is not resumed", "[bench]") 
     const auto lock = FileLock::take(folder / "log.jsonl");
     REQUIRE(lock);
     CHECK_FALSE(FileLock::take(folder / "log.jsonl"));
-    const Answer answer = rvbench(resume);
+    const CommandAnswer answer = rvbench(resume);
     CHECK(answer.code == 2);
     CHECK_THAT(answer.err, Contains("another rvbench is at work in"));
     for (const char* command : {"check", "report"}) {
-      const Answer early = rvbench({command, folder.string()});
+      const CommandAnswer early = rvbench({command, folder.string()});
       CHECK(early.code == 3);
       CHECK_THAT(early.err, Contains("still at work in it"));
     }
@@ -158,8 +158,8 @@ TEST_CASE("a run that has lost its plan is no run that is not there", "[bench]")
   const ScratchFolder scratch;
   const auto folder = create_run_folder(scratch.path(), "A", "20260102T030405Z");
   write_file(folder / "recording.h5", "");
-  const Answer answer = rvbench({"run", "quick", "--rig", "sim", "--serial", "A", "--out",
-                                 scratch.path().string(), "--resume"});
+  const CommandAnswer answer = rvbench({"run", "quick", "--rig", "sim", "--serial", "A", "--out",
+                                        scratch.path().string(), "--resume"});
   CHECK(answer.code == 2);
   CHECK_THAT(answer.err, Contains("is damaged: nobody knows what the run was"));
 }
@@ -177,7 +177,7 @@ TEST_CASE("a report that cannot be written is refused, not an internal error", "
   write_file(run.path() / "report.html", "");
   write_sums(run.path());
   std::filesystem::create_directory(run.path() / "report.html.draft");  // as good as no room
-  const Answer answer = rvbench({"report", run.path().string()});
+  const CommandAnswer answer = rvbench({"report", run.path().string()});
   CHECK(answer.code == 2);
   CHECK_THAT(answer.err, Contains("report: cannot be written") && Contains("Is a directory"));
 }
@@ -189,11 +189,12 @@ TEST_CASE("an option whose value is empty takes no other option for it", "[bench
        {std::vector<std::string>{"--serial=", "--dry-run"}, {"--serial", "", "--dry-run"}}) {
     std::vector<std::string> words{"run", "quick", "--rig", "sim", "--out", runs};
     words.insert(words.end(), more.begin(), more.end());
-    const Answer answer = rvbench(words);
+    const CommandAnswer answer = rvbench(words);
     CHECK(answer.code == 2);
     CHECK_FALSE(std::filesystem::exists(runs));
   }
-  const Answer blank = rvbench({"run", "quick", "--rig", "sim", "--out", runs, "--serial", "A1 "});
+  const CommandAnswer blank =
+      rvbench({"run", "quick", "--rig", "sim", "--out", runs, "--serial", "A1 "});
   CHECK(blank.code == 2);
   CHECK_THAT(blank.err, Contains("no blank may begin or end it"));
 }
@@ -202,7 +203,8 @@ TEST_CASE("a unit is simulated on the simulated bench only", "[bench]") {
   const ScratchFolder scratch;
   const std::string rig = (scratch.path() / "rig.json").string();
   write_file(rig, R"({"rig": "replay", "recording": "none.h5"})");
-  const Answer answer = rvbench({"run", "quick", "--rig", rig, "--serial", "A", "--seed", "3"});
+  const CommandAnswer answer =
+      rvbench({"run", "quick", "--rig", rig, "--serial", "A", "--seed", "3"});
   CHECK(answer.code == 2);
   CHECK_THAT(answer.err, Contains("--seed") && Contains("none is simulated"));
 }
@@ -211,7 +213,7 @@ TEST_CASE("devices write over a rig file and over no other", "[bench]") {
   const ScratchFolder scratch;
   const std::string mine = (scratch.path() / "mine.txt").string();
   write_file(mine, "dear diary");
-  const Answer answer = rvbench({"devices", "--rig", "sim", "--write-rig", mine});
+  const CommandAnswer answer = rvbench({"devices", "--rig", "sim", "--write-rig", mine});
   CHECK(answer.code == 2);
   CHECK_THAT(answer.err, Contains("it would be lost"));
   CHECK(read_file(mine) == "dear diary");

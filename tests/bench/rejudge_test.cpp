@@ -15,7 +15,7 @@ namespace rvbench::bench {
 
 using Catch::Matchers::Contains;
 using rvbench::test::ScratchFolder;
-using test::Answer;
+using test::CommandAnswer;
 using test::rvbench;
 
 namespace {
@@ -35,8 +35,9 @@ std::filesystem::path make_run(const ScratchFolder& scratch) {
   plan["main"][0]["speeds_rpm"] = {1815};
   plan["main"][0]["loads_pct"] = {100};
   write_file(scratch / "one.json", plan.dump(2));
-  const Answer run = rvbench({"run", (scratch / "one.json").string(), "--rig", "sim", "--serial",
-                              "A17", "--out", (scratch / "runs").string(), "--no-report"});
+  const CommandAnswer run =
+      rvbench({"run", (scratch / "one.json").string(), "--rig", "sim", "--serial", "A17", "--out",
+               (scratch / "runs").string(), "--no-report"});
   REQUIRE(run.code == 0);
   return std::filesystem::directory_iterator(scratch / "runs/A17")->path();
 }
@@ -64,7 +65,7 @@ TEST_CASE("a stored run is judged again, and both judgements stay", "[bench][res
     CHECK(other.outcome == alone.outcome);
     CHECK(other.reason == alone.reason);
   }
-  const Answer same = rvbench({"rejudge", folder.string(), "--json"});
+  const CommandAnswer same = rvbench({"rejudge", folder.string(), "--json"});
   CHECK(same.code == 0);
   const auto told = nlohmann::json::parse(same.out).at("runs").at(0);
   CHECK(told.at("as_judged") == told.at("rejudged"));
@@ -77,7 +78,7 @@ TEST_CASE("a stored run is judged again, and both judgements stay", "[bench][res
 
   // By limits that it does not keep to.
   write_file(scratch / "limits.json", limits_text("strict", "0.0001"));
-  const Answer strict =
+  const CommandAnswer strict =
       rvbench({"rejudge", folder.string(), "--limits", (scratch / "limits.json").string()});
   CHECK(strict.code == 10);
   CHECK_THAT(strict.out, Contains("as judged then  PASS") && Contains("re-judged       FAIL"));
@@ -86,7 +87,7 @@ TEST_CASE("a stored run is judged again, and both judgements stay", "[bench][res
   CHECK(rvbench({"check", folder.string()}).code == 0);
   CHECK(rejudgement_names(folder) ==
         std::vector<std::string>{"rejudged-1.json", "rejudged-2.json"});
-  const Answer history = rvbench({"history", "--out", runs});
+  const CommandAnswer history = rvbench({"history", "--out", runs});
   CHECK_THAT(history.out,
              Contains("PASS") && Contains("re-judged") && Contains("by limits strict: acceler"));
   const auto listed = nlohmann::json::parse(rvbench({"history", "--out", runs, "--json"}).out);
@@ -100,7 +101,7 @@ TEST_CASE("a stored run is judged again, and both judgements stay", "[bench][res
   }
   SECTION("of a run that was tampered with nothing is blessed") {
     write_file(folder / "log.jsonl", "{}\n");
-    const Answer refused = rvbench({"rejudge", folder.string()});
+    const CommandAnswer refused = rvbench({"rejudge", folder.string()});
     CHECK(refused.code == 3);
     CHECK_THAT(refused.err, Contains("log.jsonl: does not match its hash"));
     CHECK(rejudgement_names(folder).size() == 2);
@@ -109,7 +110,7 @@ TEST_CASE("a stored run is judged again, and both judgements stay", "[bench][res
     write_file(scratch / "limits.json", limits_text("strict", "1", "other"));
     const std::string file = (scratch / "limits.json").string();
     CHECK(rvbench({"check", file}).code == 0);
-    const Answer other = rvbench({"rejudge", folder.string(), "--limits", file});
+    const CommandAnswer other = rvbench({"rejudge", folder.string(), "--limits", file});
     CHECK(other.code == 20);
     CHECK_THAT(other.err, Contains("limits runs of plan \"other\""));
     write_file(scratch / "limits.json", limits_text("strict", "\"much\""));
@@ -139,10 +140,10 @@ TEST_CASE("limits go from draft to approved to active, their effect being shown 
              Contains("there is a version v1"));
   CHECK_THAT(limits({"list"}).out, Contains("v1  draft") && Contains("proposed by J. Weber"));
 
-  const Answer too_soon = limits({"activate", "v1", "--by", "A. Sato"});
+  const CommandAnswer too_soon = limits({"activate", "v1", "--by", "A. Sato"});
   CHECK(too_soon.code == 2);
   CHECK_THAT(too_soon.err, Contains("v1 is a draft"));
-  const Answer shown = limits({"approve", "v1", "--by", "A. Sato"});
+  const CommandAnswer shown = limits({"approve", "v1", "--by", "A. Sato"});
   CHECK_THAT(shown.out, Contains("1 of 1 verdicts would change: 1 PASS to FAIL") &&
                             Contains("A17") && Contains("nothing is approved yet"));
   CHECK_THAT(limits({"list"}).out, Contains("v1  draft"));
@@ -174,8 +175,8 @@ TEST_CASE("limits go from draft to approved to active, their effect being shown 
   CHECK(limits({"effect", "../A17"}).code == 2);
 
   SECTION("a run takes the active limits, and says so") {
-    const Answer run = rvbench({"run", (scratch / "one.json").string(), "--rig", "sim", "--serial",
-                                "B", "--out", runs, "--no-report"});
+    const CommandAnswer run = rvbench({"run", (scratch / "one.json").string(), "--rig", "sim",
+                                       "--serial", "B", "--out", runs, "--no-report"});
     CHECK(run.code == 10);
     CHECK_THAT(run.err, Contains("limits v1 are active"));
     const auto folder = std::filesystem::directory_iterator(scratch / "runs/B")->path();
@@ -187,7 +188,7 @@ TEST_CASE("limits go from draft to approved to active, their effect being shown 
     std::string text = read_file(path).value();
     text.replace(text.find("0.0001"), 6, "9.0001");
     write_file(path, text);
-    const Answer run = rvbench(
+    const CommandAnswer run = rvbench(
         {"run", (scratch / "one.json").string(), "--rig", "sim", "--serial", "B", "--out", runs});
     CHECK(run.code == 2);
     CHECK_THAT(run.err, Contains("limits v1 were changed since they were approved"));

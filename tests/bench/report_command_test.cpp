@@ -18,7 +18,7 @@ namespace {
 
 using Catch::Matchers::Contains;
 using rvbench::test::ScratchFolder;
-using test::Answer;
+using test::CommandAnswer;
 using test::rvbench;
 
 // A run folder that has come to its end.
@@ -40,7 +40,7 @@ TEST_CASE("a report on paper is one of the run's files, and a changed one is fou
           "[bench][pdf]") {
   const ScratchFolder run;
   const auto folder = leave_run(run.path());
-  const Answer made = rvbench({"report", folder.string(), "--pdf"});
+  const CommandAnswer made = rvbench({"report", folder.string(), "--pdf"});
   INFO(made.err);
   REQUIRE(made.code == 0);
   CHECK_THAT(made.out, Contains("report.pdf"));
@@ -51,11 +51,11 @@ TEST_CASE("a report on paper is one of the run's files, and a changed one is fou
   CHECK(rvbench({"check", folder.string()}).code == 0);
 
   change(folder / "report.pdf");
-  const Answer checked = rvbench({"check", folder.string()});
+  const CommandAnswer checked = rvbench({"check", folder.string()});
   CHECK(checked.code == 3);
   CHECK_THAT(checked.err, Contains("report.pdf: does not match its hash"));
   SECTION("the page of the browser made anew does not bless it") {
-    const Answer answer = rvbench({"report", folder.string()});
+    const CommandAnswer answer = rvbench({"report", folder.string()});
     CHECK(answer.code == 3);
     CHECK_THAT(answer.err, Contains("report.pdf: does not match its hash"));
     CHECK(rvbench({"check", folder.string()}).code == 3);
@@ -67,7 +67,7 @@ TEST_CASE("a report on paper is one of the run's files, and a changed one is fou
   }
   SECTION("of a verdict that was changed no report is made") {
     change(folder / "verdict.json");
-    const Answer answer = rvbench({"report", folder.string(), "--pdf"});
+    const CommandAnswer answer = rvbench({"report", folder.string(), "--pdf"});
     CHECK(answer.code == 3);
     CHECK_THAT(answer.err, Contains("verdict.json"));
   }
@@ -97,10 +97,10 @@ TEST_CASE("a copy of the report on paper goes where --out says", "[bench][pdf]")
   REQUIRE(rvbench({"report", folder.string(), "--pdf", "--out", copy}).code == 0);
   CHECK(read_file(copy).value() == read_file(folder / "report.pdf").value());
 
-  const Answer alone = rvbench({"report", folder.string(), "--out", copy});
+  const CommandAnswer alone = rvbench({"report", folder.string(), "--out", copy});
   CHECK(alone.code == 2);
   CHECK_THAT(alone.err, Contains("add --pdf"));
-  const Answer nowhere =
+  const CommandAnswer nowhere =
       rvbench({"report", folder.string(), "--pdf", "--out", (desk / "no/A18.pdf").string()});
   CHECK(nowhere.code == 2);
   CHECK_THAT(nowhere.err, Contains("no/A18.pdf: No such file or directory"));

@@ -142,7 +142,8 @@ TEST_CASE("a folder that cannot be looked into hinders no other", "[bench][resul
     std::filesystem::create_symlink(name, odd / name);  // a link to itself
   }
   CHECK_FALSE(newest_unfinished_run(root.path(), "B2"));
-  const test::Answer all = test::rvbench({"history", "--out", root.path().string(), "--json"});
+  const test::CommandAnswer all =
+      test::rvbench({"history", "--out", root.path().string(), "--json"});
   CHECK(all.code == 0);
   CHECK(nlohmann::json::parse(all.out).at("runs").size() == 1);
 }
@@ -205,20 +206,20 @@ TEST_CASE("history tells every run of a folder, also those nobody entered", "[be
   const ScratchFolder root;
   finished_run(root, "A17");
   finished_run(root, "B2");
-  const test::Answer all = test::rvbench({"history", "--out", root.path().string()});
+  const test::CommandAnswer all = test::rvbench({"history", "--out", root.path().string()});
   CHECK(all.code == 0);
   CHECK_THAT(all.out, Catch::Contains("2026-01-02 03:04:05  A17     quick  FAIL     input_shaft"));
   CHECK_THAT(all.out, Catch::Contains("B2"));
-  const test::Answer one =
+  const test::CommandAnswer one =
       test::rvbench({"history", "--out", root.path().string(), "--serial", "B2", "--json"});
   const auto runs = nlohmann::json::parse(one.out).at("runs");
   REQUIRE(runs.size() == 1);
   CHECK(runs[0].at("serial") == "B2");
   CHECK(runs[0].at("verdict") == "FAIL");
-  const test::Answer none =
+  const test::CommandAnswer none =
       test::rvbench({"history", "--out", root.path().string(), "--serial", "C"});
   CHECK_THAT(none.out, Catch::Contains("no run of C in "));
-  const test::Answer absent = test::rvbench({"history", "--out", (root / "no").string()});
+  const test::CommandAnswer absent = test::rvbench({"history", "--out", (root / "no").string()});
   CHECK(absent.code == 2);
 }
 
@@ -230,14 +231,14 @@ TEST_CASE("history tells runs without a result, in rows that hold", "[bench][res
     const auto place = begin_run(root.path(), serial, {{"plan.json", R"({"name": "mine"})"}});
     CHECK(read_run_begin(place.folder).serial == serial);
   }
-  const test::Answer all = test::rvbench({"history", "--out", root.path().string()});
+  const test::CommandAnswer all = test::rvbench({"history", "--out", root.path().string()});
   CHECK(all.code == 0);
   CHECK(std::count(all.out.begin(), all.out.end(), '\n') == 4);
   CHECK_THAT(all.out,
              Catch::Contains("A?17?[31mxxxxxxxxxxxxxxxxxxxxxx…  mine   -        not finished"));
   CHECK_THAT(all.out, Catch::Contains("  results.db "));
   CHECK(all.out.find('\x1b') == std::string::npos);
-  const test::Answer one =
+  const test::CommandAnswer one =
       test::rvbench({"history", "--out", root.path().string(), "--serial", odd, "--json"});
   const auto runs = nlohmann::json::parse(one.out).at("runs");
   REQUIRE(runs.size() == 1);
@@ -283,7 +284,7 @@ TEST_CASE("where the table cannot be used, history tells the runs from their fol
     std::filesystem::create_directory(root / "results.db");
     why = "unable to open database file";
   }
-  const test::Answer answer = test::rvbench({"history", "--out", root.path().string()});
+  const test::CommandAnswer answer = test::rvbench({"history", "--out", root.path().string()});
   CHECK(answer.code == 0);
   CHECK_THAT(answer.err, Catch::Contains(why));
   CHECK_THAT(answer.out, Catch::Contains("A17     quick  FAIL"));

@@ -13,7 +13,7 @@
 
 namespace rvbench::bench {
 
-using test::Answer;
+using test::CommandAnswer;
 
 namespace {
 
@@ -57,12 +57,13 @@ TEST_CASE("a run leaves a folder that says everything and agrees with its exit c
   CHECK(verify_sums(folder).empty());
   CHECK(read_file(folder / "verdict.json") == out.str());
   CHECK_FALSE(newest_unfinished_run(runs, "A17"));
-  const Answer history = test::rvbench({"history", "--out", runs, "--json"});
+  const CommandAnswer history = test::rvbench({"history", "--out", runs, "--json"});
   CHECK(nlohmann::json::parse(history.out).at("runs").at(0).at("verdict") == printed.at("verdict"));
 
   // A speed that the user states goes before the angle that was measured.
-  const Answer judged = test::rvbench({"judge", (folder / "recording.h5").string(), "--kinematics",
-                                       "rv20e", "--channel", "accel_1x", "--speed", "1500"});
+  const CommandAnswer judged =
+      test::rvbench({"judge", (folder / "recording.h5").string(), "--kinematics", "rv20e",
+                     "--channel", "accel_1x", "--speed", "1500"});
   CHECK(judged.code == 20);
   CHECK_THAT(judged.err, Catch::Contains("speed 1500 rpm as given: the shaft's angle, which says"));
 }
@@ -71,8 +72,9 @@ TEST_CASE("a run without report is whole, and the report is made later", "[bench
   const rvbench::test::ScratchFolder scratch;
   write_file(scratch.path() / "one.json", one_point_plan());
   const std::string runs = (scratch.path() / "runs").string();
-  const Answer answer = test::rvbench({"run", (scratch.path() / "one.json").string(), "--rig",
-                                       "sim", "--serial", "A17", "--out", runs, "--no-report"});
+  const CommandAnswer answer =
+      test::rvbench({"run", (scratch.path() / "one.json").string(), "--rig", "sim", "--serial",
+                     "A17", "--out", runs, "--no-report"});
   CHECK(answer.code == 0);
   CHECK_THAT(answer.out, Catch::Contains("PASS") && !Catch::Contains("Report:"));
   const std::filesystem::path folder =

@@ -12,7 +12,7 @@
 #include "bench/simulated_recording.hpp"
 #include "bench/text_file.hpp"
 
-namespace rvbench::bench::test {
+namespace rvbench::test {
 
 /// A machine without dynamics, so that its answers can be told by hand: two paths, each sensor the
 /// sum of both forces by fixed gains.
@@ -130,14 +130,14 @@ inline std::string write_small_machine(const std::filesystem::path& folder,
                                        const nlohmann::json& project = small_project()) {
   const auto write = [&](const char* name, const std::vector<Recording>& recordings) {
     std::filesystem::remove(folder / name);
-    if (!write_vibration_hdf5(folder / name, recordings)) throw std::runtime_error(name);
+    if (!bench::write_vibration_hdf5(folder / name, recordings)) throw std::runtime_error(name);
   };
   write("J1.h5", hits_of(machine, false, 3 * machine.seed));
   write("J2.h5", hits_of(machine, true, 3 * machine.seed + 1));
   write("slow.h5", {operation_of(machine, 3 * machine.seed + 2)});
   const std::filesystem::path file = folder / "project.json";
-  write_file(file, project.dump(1));
+  bench::write_file(file, project.dump(1));
   return file.string();
 }
 
-}  // namespace rvbench::bench::test
+}  // namespace rvbench::test

@@ -15,17 +15,17 @@ namespace {
 using Catch::Matchers::Contains;
 using nlohmann::json;
 using rvbench::test::ScratchFolder;
-using test::Answer;
+using test::CommandAnswer;
 using test::SmallMachine;
 
-Answer tpa(const SmallMachine& machine, const json& project) {
+CommandAnswer tpa(const SmallMachine& machine, const json& project) {
   const ScratchFolder scratch;
   return test::rvbench(
       {"tpa", test::write_small_machine(scratch.path(), machine, project), "--json"});
 }
 
 json told(const SmallMachine& machine, const json& project) {
-  const Answer answer = tpa(machine, project);
+  const CommandAnswer answer = tpa(machine, project);
   INFO(answer.err << answer.out.substr(0, 2000));
   REQUIRE(answer.code == 0);
   return json::parse(answer.out);
@@ -122,7 +122,7 @@ TEST_CASE("operation that is too short to learn from is refused, and says what w
   project["step_Hz"] = 0.5;  // nine blocks of 2 s
   project["sensors"]["indicators"]["points"].push_back("J1 passive");
   project["sensors"]["indicators"]["points"].push_back("J2 passive");
-  const Answer answer = tpa({}, project);
+  const CommandAnswer answer = tpa({}, project);
   CHECK(answer.code == 20);
   CHECK_THAT(answer.err, Contains("slow.h5") && Contains("4 references") && Contains("8 at least"));
 }
@@ -178,7 +178,7 @@ TEST_CASE("bands between lines, and hits in other units or another sense, are no
           "[bench][tpa]") {
   json project = test::small_project();
   project["bands"][0] = {{"from_Hz", 20.3}, {"to_Hz", 20.9}};  // lines are 2 Hz apart
-  const Answer between = tpa({}, project);
+  const CommandAnswer between = tpa({}, project);
   CHECK(between.code == 20);
   CHECK_THAT(between.err, Contains("20.3 to 20.9 Hz"));
 }
@@ -189,7 +189,7 @@ TEST_CASE("histories that cannot be made are refused before anything is written"
   project["bands"][0] = {{"from_Hz", 20}, {"to_Hz", 30}};  // six lines
   const std::string file = test::write_small_machine(scratch.path(), {}, project);
   const std::string out = (scratch / "out").string();
-  const Answer refused = test::rvbench({"tpa", file, "--out", out, "--histories"});
+  const CommandAnswer refused = test::rvbench({"tpa", file, "--out", out, "--histories"});
   CHECK(refused.code == 20);
   CHECK_THAT(refused.err, Contains("eight lines"));
   CHECK_FALSE(std::filesystem::exists(out + "/tpa.json"));
@@ -229,7 +229,7 @@ TEST_CASE("keys of one method are those of no other", "[bench][tpa]") {
   operational["frfs"] = {"J1.h5"};
   operational["rule"] = "truncation_by_noise";
   operational["sensors"]["validation"] = operational["sensors"]["targets"];
-  const Answer without = faults_of(operational);
+  const CommandAnswer without = faults_of(operational);
   CHECK(without.code == 3);
   CHECK_THAT(without.err, Contains("/frfs: operation alone has no FRFs") &&
                               Contains("/rule: truncation_by_noise needs FRFs") &&
@@ -240,7 +240,7 @@ TEST_CASE("keys of one method are those of no other", "[bench][tpa]") {
   json mounts = mounts_project();
   mounts["active"]["points"] = {"J1 active"};
   mounts["rule"] = "none";
-  const Answer one_side = faults_of(mounts);
+  const CommandAnswer one_side = faults_of(mounts);
   CHECK_THAT(one_side.err, Contains("1 places on the active side, for 2 paths") &&
                                Contains("/rule: mounts are fitted"));
   json stray = test::small_project();

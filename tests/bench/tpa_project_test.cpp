@@ -100,7 +100,7 @@ TEST_CASE("a project has ready FRFs or hits, sensors enough, and each place once
 TEST_CASE("check knows a project of paths, and other kinds are told from it", "[bench][tpa]") {
   const ScratchFolder scratch;
   const std::string file = test::write_small_machine(scratch.path(), {});
-  const test::Answer sound = test::rvbench({"check", file});
+  const test::CommandAnswer sound = test::rvbench({"check", file});
   CHECK(sound.code == 0);
   CHECK_THAT(sound.out, Contains("tpa, no fault"));
   nlohmann::json project = test::small_project();
@@ -108,7 +108,7 @@ TEST_CASE("check knows a project of paths, and other kinds are told from it", "[
   write_file(file, project.dump());
   CHECK(test::rvbench({"check", file}).code == 3);
   write_file(scratch / "rig.json", R"({"rig": "sim"})");
-  const test::Answer other = test::rvbench({"tpa", (scratch / "rig.json").string()});
+  const test::CommandAnswer other = test::rvbench({"tpa", (scratch / "rig.json").string()});
   CHECK(other.code == 3);
   CHECK_THAT(other.err, Contains("seems to be a rig file"));
 }

@@ -61,7 +61,7 @@ TEST_CASE("from a hammer, past the joint that shakes the arm, to the part inside
     CHECK((text.find(word) == std::string::npos));
   }
 
-  const test::Answer answer = test::rvbench({"tpa", project, "--json"});
+  const test::CommandAnswer answer = test::rvbench({"tpa", project, "--json"});
   INFO(answer.err);
   REQUIRE(answer.code == 0);
   const auto json = nlohmann::json::parse(answer.out);

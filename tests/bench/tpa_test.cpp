@@ -12,11 +12,11 @@ namespace {
 
 using Catch::Matchers::Contains;
 using rvbench::test::ScratchFolder;
-using test::Answer;
+using test::CommandAnswer;
 using test::SmallMachine;
 
-Answer tpa(const SmallMachine& machine, std::vector<std::string> more = {},
-           const nlohmann::json& project = test::small_project()) {
+CommandAnswer tpa(const SmallMachine& machine, std::vector<std::string> more = {},
+                  const nlohmann::json& project = test::small_project()) {
   const ScratchFolder scratch;
   std::vector<std::string> words{"tpa",
                                  test::write_small_machine(scratch.path(), machine, project)};
@@ -25,7 +25,7 @@ Answer tpa(const SmallMachine& machine, std::vector<std::string> more = {},
 }
 
 nlohmann::json told(const SmallMachine& machine) {
-  const Answer answer = tpa(machine, {"--json"});
+  const CommandAnswer answer = tpa(machine, {"--json"});
   INFO(answer.err);
   REQUIRE(answer.code == 0);
   return nlohmann::json::parse(answer.out);
@@ -76,13 +76,13 @@ TEST_CASE("of two paths that contribute alike none is named, but by chance", "[b
 }
 
 TEST_CASE("nothing is named where the paths do not explain an unused sensor", "[bench][tpa]") {
-  const Answer answer = tpa({.forearm_noise = 5});
+  const CommandAnswer answer = tpa({.forearm_noise = 5});
   CHECK(answer.code == 0);
   CHECK_THAT(answer.out, Contains("X: cannot tell: validation") && !Contains("leads"));
 }
 
 TEST_CASE("a sensor whose sign changed since the hammer test is named", "[bench][tpa]") {
-  const Answer answer = tpa({.sign_of_j2 = -1});
+  const CommandAnswer answer = tpa({.sign_of_j2 = -1});
   CHECK(answer.code == 0);
   CHECK_THAT(answer.out, Contains("J2 active +X: in operation it fits the hammer test with the "
                                   "other sign"));
@@ -95,28 +95,28 @@ TEST_CASE("a target that shows something else than the sum of its paths names no
   CHECK_THAT(tpa({.flange_gain = -1}).out,
              Contains("cannot tell: the paths explain -300 % of what the target shows"));
   CHECK_THAT(tpa({.flange_gain = 0.3}).out, Contains("of what the target shows"));
-  const Answer dead = tpa({.flange_gain = 0});
+  const CommandAnswer dead = tpa({.flange_gain = 0});
   CHECK(dead.code == 20);
   CHECK_THAT(dead.err, Contains("flange +X: shows 0 throughout: it is dead"));
 }
 
 TEST_CASE("data that cannot be used is refused, with its place", "[bench][tpa]") {
   SECTION("a sensor that the motion does not have") {
-    const Answer answer = tpa({.has_flange = false});
+    const CommandAnswer answer = tpa({.has_flange = false});
     CHECK(answer.code == 20);
     CHECK_THAT(answer.err, Contains("slow.h5") && Contains("flange +X: no channel"));
   }
   SECTION("a hammer by another name") {
     nlohmann::json project = test::small_project();
     project["hammer"]["channel"] = "impulse";
-    const Answer answer = tpa({}, {}, project);
+    const CommandAnswer answer = tpa({}, {}, project);
     CHECK(answer.code == 20);
     CHECK_THAT(answer.err, Contains("J1.h5") && Contains("J2.h5") && Contains("impulse"));
   }
   SECTION("bands beyond the data") {
     nlohmann::json project = test::small_project();
     project["bands"][0]["to_Hz"] = 1200;
-    const Answer answer = tpa({}, {"--json"}, project);
+    const CommandAnswer answer = tpa({}, {"--json"}, project);
     CHECK(answer.code == 20);
     CHECK(nlohmann::json::parse(answer.out).at("verdict") == "INVALID");
   }
@@ -138,7 +138,7 @@ TEST_CASE("the page stands for itself, says what the answers say, and is not wri
   project["motions"][0]["after"] = "slow.h5";
   const std::string file = test::write_small_machine(scratch.path(), {}, project);
   const std::string out = (scratch / "out").string();
-  const Answer answer = test::rvbench({"tpa", file, "--out", out});
+  const CommandAnswer answer = test::rvbench({"tpa", file, "--out", out});
   INFO(answer.err);
   CHECK(answer.code == 0);
   const std::string page = read_file(out + "/tpa.html").value_or("");

@@ -34,19 +34,19 @@ void enter_twelve(const ScratchFolder& root) {
   }
 }
 
-test::Answer trend(const ScratchFolder& root, std::vector<std::string> words) {
+test::CommandAnswer trend(const ScratchFolder& root, std::vector<std::string> words) {
   words.insert(words.begin(), "trend");
   words.insert(words.end(), {"--runs", root.path().string()});
   return test::rvbench(words);
 }
 
-test::Answer history(const ScratchFolder& root, std::vector<std::string> words) {
+test::CommandAnswer history(const ScratchFolder& root, std::vector<std::string> words) {
   words.insert(words.begin(), "history");
   words.insert(words.end(), {"--out", root.path().string(), "--json"});
   return test::rvbench(words);
 }
 
-std::size_t runs_in(const test::Answer& answer) {
+std::size_t runs_in(const test::CommandAnswer& answer) {
   return nlohmann::json::parse(answer.out).at("runs").size();
 }
 

@@ -121,11 +121,11 @@ TEST_CASE("a password that goes over a network in the open is warned of", "[fact
 TEST_CASE("check knows a broker file, and publish that a plan is none", "[factory][broker]") {
   const ScratchFolder folder;
   const std::string file = written(folder, R"({"host": "h"})");
-  const test::Answer checked = test::rvbench({"check", file});
+  const test::CommandAnswer checked = test::rvbench({"check", file});
   CHECK(checked.code == 0);
   CHECK_THAT(checked.out, Catch::Contains("broker, no fault"));
   CHECK(test::rvbench({"check", written(folder, R"({"host": 5})")}).code == 3);
-  const test::Answer refused = test::rvbench(
+  const test::CommandAnswer refused = test::rvbench(
       {"publish", "--out", folder.path().string(), "--broker", written(folder, R"({"main": []})")});
   CHECK(refused.code == 3);
   CHECK_THAT(refused.err, Catch::Contains("seems to be a plan file, not a broker file"));

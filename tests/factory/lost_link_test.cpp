@@ -12,8 +12,8 @@
 namespace rvbench::test {
 namespace {
 
-using bench::test::passed_run;
 using Catch::Contains;
+using test::passed_run;
 
 constexpr const char* topic = "rvbench/b3/result";
 

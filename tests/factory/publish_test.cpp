@@ -13,9 +13,9 @@
 namespace rvbench::test {
 namespace {
 
-using bench::test::failed_run;
-using bench::test::passed_run;
 using Catch::Contains;
+using test::failed_run;
+using test::passed_run;
 
 std::vector<std::string> parts_of(const std::vector<nlohmann::json>& results) {
   std::vector<std::string> parts;

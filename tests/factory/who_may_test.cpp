@@ -9,8 +9,8 @@
 namespace rvbench::test {
 namespace {
 
-using bench::test::passed_run;
 using Catch::Contains;
+using test::passed_run;
 
 void run_in(const std::filesystem::path& folder, const std::vector<std::string>& words) {
   const Answer answer = Program(folder, words).wait();

@@ -29,7 +29,7 @@ TEST_CASE("without fonts there is no report on paper, and it says what to instal
   bench::write_file(run / "plan.json",
                     sequences::plan_to_json(std::get<0>(bench::find_plan("quick"))));
   bench::write_file(run / "kinematics.json", bench::kinematics_text("rv20e"));
-  bench::write_file(run / "verdict.json", bench::judgement_to_json(bench::test::passed_run()));
+  bench::write_file(run / "verdict.json", bench::judgement_to_json(test::passed_run()));
   bench::write_sums(run);
   bench::write_file(scratch / "none.conf",
                     "<?xml version=\"1.0\"?>\n<!DOCTYPE fontconfig SYSTEM \"fonts.dtd\">\n"

@@ -68,7 +68,7 @@ WritingProcess quick(bool resume) {
   return process;
 }
 
-WritingProcess in_real_time() {
+WritingProcess struck_in_real_time() {
   WritingProcess process;
   process.run.pace = killed_pace;
   return process;
@@ -169,12 +169,12 @@ RunLengths measure_lengths() {
   kill_somewhere(half, whole.witness().calls / 2);
   half.run(quick(true));
   Disk real(third.path());
-  real.run(in_real_time());
+  real.run(struck_in_real_time());
   return {whole.witness().calls, half.witness().calls, real.witness().calls};
 }
 
 Crash kill_run(const RunLengths& lengths, double share, int number) {
-  WritingProcess strike = number % real_time_every == 0 ? in_real_time() : quick(false);
+  WritingProcess strike = number % real_time_every == 0 ? struck_in_real_time() : quick(false);
   strike.disk.kill_halfway = number % 2 == 1;
   Crash crash = strike_run(lengths, share, number, strike, &DiskPlan::kill_at,
                            [](const Disk& disk) { return disk.was_killed(); });
