@@ -15,13 +15,15 @@ using Catch::Matchers::Contains;
 using test::Answer;
 using test::ScratchFolder;
 
-// A simulated station that asks for a self-test and two calibrations.
+constexpr const char* self_test_and_calibrations =
+    R"("self_test": {"max_age_h": 24}, "calibration": {"channels": ["accel_1x", "input_torque"]})";
+
+// A simulated station, and what it asks for.
 class Station {
  public:
-  Station() {
-    bench::write_file(scratch_.path() / "rig.json", R"({"rig": "sim", "qualification": {
-      "station": "EOL 3", "self_test": {"max_age_h": 24},
-      "calibration": {"channels": ["accel_1x", "input_torque"]}}})");
+  explicit Station(const std::string& demands = self_test_and_calibrations) {
+    bench::write_file(scratch_.path() / "rig.json",
+                      R"({"rig": "sim", "qualification": {"station": "EOL 3", )" + demands + "}}");
     bench::write_file(scratch_.path() / "short.json", test::short_plan);
   }
 
@@ -159,6 +161,28 @@ TEST_CASE("of a rig that asks for nothing nothing is asked", "[spec][station]") 
   const Answer untested = test::rvbench(scratch.path(), {"qualify", "--rig", "sim"});
   CHECK(untested.code == 3);
   CHECK_THAT(untested.err, Contains("/qualification: this section is missing"));
+}
+
+TEST_CASE("once the golden unit is in control others can pass, until it moves", "[spec][station]") {
+  Station station(R"("golden_unit": {"serial": "G01", "plan": "short", "baseline_runs": 8})");
+  const auto run_as = [&](const std::string& serial, int seed, std::vector<std::string> more = {}) {
+    more.insert(more.end(), {"--seed", std::to_string(seed)});
+    return station.run(serial, more);
+  };
+  CHECK_THAT(run_as("A17", 100).out, Contains("golden unit G01: it has no run of plan short"));
+  for (int seed = 1; seed <= 8; ++seed) CHECK(run_as("G01", seed).code == 0);
+  CHECK(run_as("A17", 100).code == 60);  // a chart of eight has no run that it could judge
+  CHECK(run_as("G01", 9).code == 0);
+  const Answer status = station.qualify({"status"});
+  INFO(status.out);
+  CHECK(status.code == 0);
+  CHECK(run_as("A18", 100).code == 0);
+
+  // Its input shaft is not what it was: the golden unit fails, and nobody else can pass.
+  CHECK(run_as("G01", 10, {"--preset", "input_shaft"}).code == 10);
+  const Answer refused = run_as("A19", 100);
+  CHECK(refused.code == 60);
+  CHECK_THAT(refused.out, Contains("golden unit G01"));
 }
 
 TEST_CASE("a run that is refused connects and turns nothing", "[spec][station][safety]") {
