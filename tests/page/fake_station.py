@@ -58,6 +58,7 @@ class Station:
         why = "50 good units: median + 3.4 robust sigma"
         return [{"measure": "acceleration_rms", "unit": "m/s²", "max": most, "why": why},
                 {"measure": "kurtosis", "unit": "1", "max": 3.6, "why": why},
+                {"measure": "kurtosis", "unit": "1", "max": 3.4, "speed_rpm": 1815, "load_pct": 150, "why": why},
                 {"measure": "efficiency", "unit": "1", "min": 0.72, "why": why}]
 
     @staticmethod

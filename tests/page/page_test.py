@@ -204,6 +204,7 @@ class WholeWay(PageTest):
         page.type(Keys.ENTER)
         page.wait("the effect on history", lambda: "7" in page.text("#version_effect"))
         self.assertIn("A14", page.text("#version_changes"))  # which run would change, before approval
+        self.assertIn("1815 rpm, 150 %", page.text("#version_limits"))  # a limit of one point says of which
         self.look(f"{language}_approve")
         page.tab_to("version_go")
         self.assertIn("enzo", page.text("#version_go"))  # it says in whose name

@@ -12,6 +12,7 @@
 #include "tests/spec/bench_run.hpp"
 #include "tests/spec/rvbench.hpp"
 #include "tests/support/real_data.hpp"
+#include "tests/support/under_sanitizer.hpp"
 
 // Run folders of simulated units, before and after, with the program as it is shipped.
 namespace rvbench {
@@ -55,6 +56,7 @@ nlohmann::json compared(const test::ScratchFolder& scratch) {
 }  // namespace
 
 TEST_CASE("a unit that is measured again has not changed", "[spec][compare]") {
+  if (test::too_long_under_sanitizer()) return;
   const test::ScratchFolder scratch;
   run_unit(scratch.path() / "a", "healthy", 11);
   run_unit(scratch.path() / "b", "healthy", 12);
@@ -66,6 +68,7 @@ TEST_CASE("a unit that is measured again has not changed", "[spec][compare]") {
 }
 
 TEST_CASE("a reducer that was replaced shows the lines of its bad part", "[spec][compare]") {
+  if (test::too_long_under_sanitizer()) return;
   const auto [preset, component] =
       GENERATE(table<std::string, std::string>({{"input_shaft", "input_shaft"},
                                                 {"planet_tooth", "planet_gear"},

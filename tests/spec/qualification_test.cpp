@@ -7,6 +7,7 @@
 #include "bench/text_file.hpp"
 #include "tests/spec/bench_run.hpp"
 #include "tests/spec/rvbench.hpp"
+#include "tests/support/under_sanitizer.hpp"
 
 namespace rvbench {
 namespace {
@@ -164,6 +165,7 @@ TEST_CASE("of a rig that asks for nothing nothing is asked", "[spec][station]") 
 }
 
 TEST_CASE("once the golden unit is in control others can pass, until it moves", "[spec][station]") {
+  if (test::too_long_under_sanitizer()) return;
   Station station(R"("golden_unit": {"serial": "G01", "plan": "short", "baseline_runs": 8})");
   const auto run_as = [&](const std::string& serial, int seed, std::vector<std::string> more = {}) {
     more.insert(more.end(), {"--seed", std::to_string(seed)});
