@@ -15,10 +15,10 @@ HERE = pathlib.Path(__file__).parent
 class FakeStation:
     """Keeps its port and what it knows when it is killed and started anew."""
 
-    def __init__(self, options, with_plots):
+    def __init__(self, options, with_plots, run_s):
         self.folder = tempfile.TemporaryDirectory()
         self.command = [sys.executable, str(HERE / "fake_station.py"), "--page", str(options.page),
-                        "--keep", str(pathlib.Path(self.folder.name) / "kept.json"), "--run-s", "3"]
+                        "--keep", str(pathlib.Path(self.folder.name) / "kept.json"), "--run-s", str(run_s)]
         if with_plots and options.plots and (options.plots / "uplot.js").exists():
             self.command += ["--plots", str(options.plots)]
         self.port = 0
