@@ -6,6 +6,7 @@
 #include "bench/sha256.hpp"
 #include "hal/recording_file.hpp"
 #include "tests/spec/bench_run.hpp"
+#include "tests/support/under_sanitizer.hpp"
 
 namespace rvbench {
 namespace {
@@ -99,6 +100,7 @@ TEST_CASE("a bench with a fault from the start never turns the shaft", "[spec][s
 }
 
 TEST_CASE("a fault at any moment of a run stops the shaft and is told", "[spec][safety]") {
+  if (test::too_long_under_sanitizer()) return;
   for (const auto& [moment, at_s] : {std::pair{"warm-up", 0.6}, {"speed change", 1.6}}) {
     for (const Fault& fault : faults()) {
       DYNAMIC_SECTION(fault.name << " during " << moment) {

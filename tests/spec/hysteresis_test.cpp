@@ -3,6 +3,7 @@
 
 #include "sim/rv_plant.hpp"
 #include "tests/spec/bench_run.hpp"
+#include "tests/support/under_sanitizer.hpp"
 
 using namespace rvbench;
 using test::BenchRun;
@@ -74,6 +75,7 @@ TEST_CASE("a plan of both a matrix and a winding passes a good reducer", "[spec]
 }
 
 SCENARIO("a run winds the simulated reducer and tells what it yields", "[spec]") {
+  if (test::too_long_under_sanitizer()) return;
   GIVEN("a brake that holds at standstill") {
     BenchRun run({}, sim::with_holding_brake(sim::rv20e_bench()));
     const bench::Judgement& judgement = run.go(winding_plan);

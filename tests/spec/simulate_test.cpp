@@ -8,6 +8,7 @@
 #include "hal/types/units.hpp"
 #include "tests/spec/rvbench.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/under_sanitizer.hpp"
 
 namespace rvbench {
 namespace {
@@ -61,6 +62,7 @@ TEST_CASE("simulate shows what the shipped bench makes of a run's points", "[spe
 }
 
 TEST_CASE("simulate runs a plant along a plan, before anything is measured", "[spec][simulate]") {
+  if (test::too_long_under_sanitizer()) return;
   const ScratchFolder scratch;
   const auto along = [&](std::vector<std::string> words) {
     words.insert(words.begin(), {"simulate", "--plan", "quick", "--out", "sim.h5", "--plant"});
