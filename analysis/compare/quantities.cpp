@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/order/same_order.hpp"
+
 namespace rvbench::analysis {
 namespace {
 
 constexpr int harmonics = 3;
-constexpr double same_order = 1e-6;
 
 // Of rolling elements; whatever else has a signature is locked to its shaft.
 double stray_of(double order, const Kinematics& kinematics) {

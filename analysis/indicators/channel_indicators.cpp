@@ -25,7 +25,7 @@ namespace names = measure_names;
 constexpr Eigen::Index fewest_samples = 16;  // of a band: its moments mean nothing below
 constexpr int sidebands = 3;
 constexpr int most_harmonics = 4;           // of the mesh, in FM0
-constexpr double same_order = 1e-6;         // relative
+constexpr double equal_orders = 1e-6;       // relative
 constexpr double rounding = 1e-9;           // relative: what is left of an average that is all mesh
 constexpr double above_line_noise = 20;     // amplitude of a mesh, for its sideband ratio
 constexpr double above_average_noise = 12;  // sum of the mesh's harmonics, for FM0
@@ -100,7 +100,7 @@ struct Task {
   // Of several parts at one order a line bears the first one's name.
   bool hears(double mesh_order) const {
     return std::ranges::any_of(kinematics.orders, [&](const CharacteristicOrder& o) {
-      return std::abs(o.order - mesh_order) <= same_order * mesh_order &&
+      return std::abs(o.order - mesh_order) <= equal_orders * mesh_order &&
              std::ranges::find(heard, o.name, &SpectralLine::meaning) != heard.end();
     });
   }

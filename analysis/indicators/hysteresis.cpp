@@ -25,8 +25,8 @@ using units::arcmin_from_rad;
 constexpr double light_load = 0.03;  // of rated: where lost motion is taken
 constexpr double half_load = 0.5;    // of rated: from here to rated torque a reducer is linear
 constexpr Eigen::Index grid_points = 201;
-constexpr double fewest_of_slope = 5;        // of the grid's points
-constexpr Eigen::Index fewest_samples_of_branch = 50;  // of a branch
+constexpr double fewest_of_slope = 5;  // of the grid's points
+constexpr Eigen::Index fewest_samples_of_branch = 50;
 constexpr double least_common = 0.5;  // of a branch: the torsion that its partner spans as well
 constexpr double tip_share = 0.01;    // of a loop at each end: where friction turns round
 constexpr double end_share = 0.1;     // of a branch: where it must still rise

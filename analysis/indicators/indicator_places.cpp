@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "analysis/indicators/order_bands.hpp"
+#include "analysis/order/same_order.hpp"
 #include "hal/types/measure.hpp"
 #include "hal/types/recording.hpp"
 
 namespace rvbench::analysis {
 namespace {
-
-constexpr double same_order = 1e-6;
 
 template <typename Place>
 std::vector<std::string> names_of(const std::vector<Place>& places) {

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 
+#include "analysis/order/same_order.hpp"
+
 namespace rvbench::analysis {
 namespace {
 
 constexpr double half_width = 3.5;  // three sidebands of the input shaft, and half-way to the next
 constexpr double harmonics = 4.5;   // four, likewise
-constexpr double equal_orders = 1e-6;
 
 std::vector<CharacteristicOrder> meshes_by_order(const Kinematics& kinematics) {
   std::vector<CharacteristicOrder> meshes;
@@ -16,7 +17,7 @@ std::vector<CharacteristicOrder> meshes_by_order(const Kinematics& kinematics) {
   }
   std::ranges::stable_sort(meshes, {}, &CharacteristicOrder::order);
   const auto is_double = [](const CharacteristicOrder& a, const CharacteristicOrder& b) {
-    return b.order - a.order < equal_orders;
+    return b.order - a.order < same_order;
   };
   meshes.erase(std::unique(meshes.begin(), meshes.end(), is_double), meshes.end());
   return meshes;

@@ -11,11 +11,11 @@ namespace rvbench::analysis {
 namespace {
 
 constexpr Eigen::Index shortest_run = 3;
-constexpr double rounding_of_rail = 1e-9;  // of the largest magnitude
-constexpr double few = 0.1;            // pass a rail, of those that it holds
-constexpr double least_jump = 0.03;    // of the rms change from sample to sample
-constexpr double at_rest = 0.75;       // of all samples
-constexpr double least_moving = 0.01;  // of all samples, in no run
+constexpr double rail_rounding = 1e-9;  // of the largest magnitude
+constexpr double few = 0.1;             // pass a rail, of those that it holds
+constexpr double least_jump = 0.03;     // of the rms change from sample to sample
+constexpr double at_rest = 0.75;        // of all samples
+constexpr double least_moving = 0.01;   // of all samples, in no run
 constexpr Eigen::Index fewest_repeats = 10;
 constexpr double far_oftener = 10;           // than any of the next values
 constexpr std::size_t next_values = 5;       // further in
@@ -136,7 +136,7 @@ Eigen::Index clipped_at_top(const Eigen::VectorXd& x, double equal, double crest
 
 Eigen::Index clipped_samples(const Eigen::Ref<const Eigen::VectorXd>& x) {
   if (x.size() < shortest_run) return 0;
-  const double equal = rounding_of_rail * x.cwiseAbs().maxCoeff();
+  const double equal = rail_rounding * x.cwiseAbs().maxCoeff();
   Eigen::Index in_runs = 0;
   for (const Run& run : runs_of(x, equal)) in_runs += run.size;
   if (double(x.size() - in_runs) < least_moving * double(x.size())) return 0;

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "hal/types/parallel_for.hpp"
+#include "analysis/tpa/line_jobs.hpp"
 #include "hal/types/require.hpp"
 
 namespace rvbench::analysis {
@@ -17,7 +17,6 @@ using Complex = std::complex<double>;
 using Order = std::vector<Index>;
 
 constexpr Index lanes = SvdWorkspace::lanes;
-constexpr Index lines_per_job = 64;
 // Of what is scaled to 1 at most: below, squares are no more what they should be.
 constexpr double no_square = 1e-280;
 
@@ -129,14 +128,8 @@ LineSvd line_svd(const LineMatrices& a, unsigned threads, const SvdKernels& kern
   require(a.values.size() == a.rows * a.columns * a.lines, "values do not fill the matrices");
   LineSvd svd{LineMatrices::unset(a.rows, a.columns, a.lines), Eigen::MatrixXd(a.columns, a.lines),
               LineMatrices::unset(a.columns, a.columns, a.lines)};
-  const Index jobs = (a.lines + lines_per_job - 1) / lines_per_job;
-  parallel_for(
-      std::size_t(jobs),
-      [&](std::size_t job) {
-        const Index from = Index(job) * lines_per_job;
-        Job(a, kernels, svd).decompose(from, std::min(a.lines, from + lines_per_job));
-      },
-      threads);
+  for_line_stretches(
+      a.lines, [&](Index from, Index to) { Job(a, kernels, svd).decompose(from, to); }, threads);
   return svd;
 }
 

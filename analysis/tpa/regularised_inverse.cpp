@@ -1,20 +1,17 @@
 #include "analysis/tpa/regularised_inverse.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
 
-#include "hal/types/parallel_for.hpp"
+#include "analysis/tpa/line_jobs.hpp"
 #include "hal/types/require.hpp"
 
 namespace rvbench::analysis {
 namespace {
 
 using Eigen::Index;
-
-constexpr Index lines_at_once = 64;
 
 void require_rules(const LineSvd& svd, const std::vector<Regularisation>& rules) {
   constexpr Require require{"regularised_inverse"};
@@ -49,13 +46,7 @@ RegularisedInverse regularised_inverse(const LineSvd& svd, std::vector<Regularis
           s[n - 1] > 0 ? s[0] / s[n - 1] : std::numeric_limits<double>::infinity();
     }
   };
-  parallel_for(
-      std::size_t((lines + lines_at_once - 1) / lines_at_once),
-      [&](std::size_t job) {
-        const Index from = Index(job) * lines_at_once;
-        invert(from, std::min(lines, from + lines_at_once));
-      },
-      threads);
+  for_line_stretches(lines, invert, threads);
   return inverse;
 }
 
