@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <vector>
 
 #include "bench/commands/commands.hpp"
 #include "bench/out_folder.hpp"
@@ -38,6 +40,13 @@ Result<std::vector<RunValue>> values_in(Result<ResultDatabase> opened, const Ser
   return database.value().series(asked);
 }
 
+std::vector<RunValue> newest_of(std::vector<RunValue> values, std::optional<std::uint64_t> count) {
+  if (count && *count < values.size()) {
+    values.erase(values.begin(), values.end() - static_cast<std::ptrdiff_t>(*count));
+  }
+  return values;
+}
+
 class TrendCommand final : public Command {
  public:
   std::string name() const override { return "trend"; }
@@ -55,6 +64,7 @@ class TrendCommand final : public Command {
             {"--point", "at this speed and load only: RPM/PERCENT", &point_},
             {"--channel", "of this channel only", &asked_.channel},
             {"--serial", "of this unit only", &asked_.serial},
+            {"--last", "of the newest runs only, so many", &last_, false, {}, UINT64_MAX, 1},
             {"--runs", "folder of run folders; default: " + runs_, &runs_},
             {"--out", "folder for trend.json and trend.html; default: none are written", &out_},
             {"--json", "one JSON document on standard output", &json_}};
@@ -65,6 +75,7 @@ class TrendCommand final : public Command {
   std::string measure_;
   SeriesOf asked_;
   std::string point_;
+  std::optional<std::uint64_t> last_;
   std::string runs_ = "runs";
   std::string out_;
   bool json_ = false;
@@ -96,7 +107,7 @@ int TrendCommand::run(Console& console) {
     values = values_in(ResultDatabase::in_memory(runs_), asked_);
   }
   if (!values) return refuse_data(console, "trend: " + describe(values.error()));
-  const Trend trend = trend_of(asked_, std::move(values).value());
+  const Trend trend = trend_of(asked_, newest_of(std::move(values).value(), last_));
   if (!out_.empty()) {
     write_file(std::filesystem::path(out_) / "trend.html", make_trend_page(trend));
     write_file(std::filesystem::path(out_) / "trend.json", trend_to_json(trend));

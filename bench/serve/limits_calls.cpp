@@ -26,18 +26,6 @@ bool is_word(const std::string& text) {
 
 }  // namespace
 
-HttpAnswer StationApi::trend(const Call& call) {
-  const std::string indicator = call.request.parameter("indicator");
-  if (!is_word(indicator)) return refusal(400, "indicator");
-  std::vector<std::string> words{"trend", indicator, "--json",
-                                 "--runs=" + station_.file().runs.string()};
-  for (const char* name : {"point", "channel", "serial"}) {
-    const std::string value = call.request.parameter(name);
-    if (!value.empty()) words.push_back(std::string("--") + name + "=" + value);
-  }
-  return ask(std::move(words));
-}
-
 HttpAnswer StationApi::rejudge(const Call& call) {
   const std::string run = text_at(call.body, "run");
   const std::string version = version_at(call.body, "limits");

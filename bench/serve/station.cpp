@@ -55,9 +55,15 @@ std::string Station::scan(const std::string& text) {
     if (phase_ == Phase::running) return "running";
     if (!fault.empty()) return fault;
     read_plan();
+  }
+  gather();
+  auto known = known_runs(file_.runs, serial);
+  {
+    const std::lock_guard lock(mutex_);
+    if (phase_ == Phase::running) return "running";  // a start of the unit before came between
     serial_ = serial;
-    gather();  // the golden unit is let in where others are not
-    known_ = known_runs(file_.runs, serial_);
+    hold_against_time();  // the golden unit is let in where others are not
+    known_ = std::move(known);
     phase_ = known_.empty() ? Phase::ready : Phase::duplicate;
     run_.clear();
     verdict_ = "null";
@@ -135,6 +141,7 @@ bool Station::is_running() const {
 }
 
 void Station::tick() {
+  bool has_ended = false, waits = false;
   {
     const std::lock_guard lock(mutex_);
     if (is_due_) spawn();
@@ -142,10 +149,12 @@ void Station::tick() {
     if (phase_ == Phase::running && !process_.is_alive()) {
       hear();  // what it said last
       conclude();
-      gather();
+      has_ended = true;
     }
-    if (phase_ != Phase::running) look_after_qualification();
+    waits = phase_ != Phase::running;
   }
+  if (has_ended) gather();
+  if (waits) look_after_qualification();
   tell_change();
 }
 
@@ -161,14 +170,23 @@ void Station::look_after_qualification() {
     gathered_ = now;
     gather();
   } else {
+    const std::lock_guard lock(mutex_);
     hold_against_time();
   }
 }
 
-// What there is to hold against what the rig file asks.
+// What there is to hold against what the rig file asks. Results may be long in coming, while
+// another program writes some: nobody waits for them who only asks how the station stands.
 void Station::gather() {
-  const QualificationSection* asked = rig_ ? qualification_in(*rig_) : nullptr;
-  if (asked != nullptr) evidence_ = gather_evidence(file_.runs, *asked);
+  std::optional<QualificationSection> asked;
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto* section = rig_ ? qualification_in(*rig_) : nullptr) asked = *section;
+  }
+  StationEvidence found;
+  if (asked) found = gather_evidence(file_.runs, *asked);
+  const std::lock_guard lock(mutex_);
+  evidence_ = std::move(found);
   hold_against_time();
 }
 

@@ -63,9 +63,9 @@ class Station {
   };
 
   void read_plan();
-  void gather();
-  void hold_against_time();
+  void gather();  // these two without the lock, all others with it
   void look_after_qualification();
+  void hold_against_time();
   void find_run();
   void keep_unit() const;
   void spawn();

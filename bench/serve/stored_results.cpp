@@ -15,6 +15,8 @@ constexpr const char* report_policy =
     "default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; "
     "form-action 'none'; frame-ancestors 'self'";
 
+const std::string newest_runs = "200";
+
 // One component of a path that leads nowhere else, nor is it an option of a command.
 bool is_plain_name(const std::string& name) {
   const auto is_plain = [](char c) {
@@ -46,6 +48,12 @@ void add_options(std::vector<std::string>& words, const HttpRequest& request,
     const std::string value = request.parameter(name);
     if (!value.empty()) words.push_back("--" + name + "=" + value);
   }
+}
+
+// The newest alone, where nobody asks for more: an answer does not grow with the years.
+void add_last(std::vector<std::string>& words, const HttpRequest& request) {
+  const std::string last = request.parameter("last");
+  words.push_back("--last=" + (last.empty() ? newest_runs : last));
 }
 
 }  // namespace
@@ -91,7 +99,18 @@ HttpAnswer StationApi::ask(std::vector<std::string> words, double longest_s) con
 
 HttpAnswer StationApi::history(const Call& call) {
   std::vector<std::string> words{"history", "--json", "--out=" + station_.file().runs.string()};
-  add_options(words, call.request, {"serial", "from", "to", "verdict", "plan", "last"});
+  add_options(words, call.request, {"serial", "from", "to", "verdict", "plan"});
+  add_last(words, call.request);
+  return ask(std::move(words));
+}
+
+HttpAnswer StationApi::trend(const Call& call) {
+  const std::string indicator = call.request.parameter("indicator");
+  if (!is_plain_name(indicator)) return refusal(400, "indicator");
+  std::vector<std::string> words{"trend", indicator, "--json",
+                                 "--runs=" + station_.file().runs.string()};
+  add_options(words, call.request, {"point", "channel", "serial"});
+  add_last(words, call.request);
   return ask(std::move(words));
 }
 

@@ -70,6 +70,21 @@ TEST_CASE("a rise that is there is told with its slope and interval", "[bench][r
         json.at("values"));
 }
 
+TEST_CASE("--last tells of the newest runs alone, and of all where there are not so many",
+          "[bench][results]") {
+  const ScratchFolder root;
+  enter_twelve(root);
+  const auto values = [&](const std::string& last) {
+    return nlohmann::json::parse(trend(root, {"band_rms", "--last", last, "--json"}).out)
+        .at("values");
+  };
+  CHECK(values("10").size() == 10);
+  CHECK(values("10").back() == values("12").back());
+  CHECK(values("12").size() == 12);
+  CHECK(values("13").size() == 12);
+  CHECK(trend(root, {"band_rms", "--last", "0"}).code == 2);
+}
+
 TEST_CASE("what does not move, and what too few runs show, is told as no trend",
           "[bench][results]") {
   const ScratchFolder root;
