@@ -36,7 +36,10 @@ constexpr SpecNumber spec_numbers[] = {
     {"brake_torque_Nm", &SelfTestSpec::brake_torque_Nm, {0.1, 1e5}},
     {"brake_tolerance_pct", &SelfTestSpec::brake_tolerance_pct, {0.1, 100}},
     {"gear_ratio", &SelfTestSpec::gear_ratio, {1, 1e4}},
-    {"torque_tolerance_pct", &SelfTestSpec::torque_tolerance_pct, {1, 100}}};
+    {"torque_tolerance_pct", &SelfTestSpec::torque_tolerance_pct, {1, 100}},
+    {"most_input_torque_Nm", &SelfTestSpec::most_input_torque_Nm, {0.1, 1e4}},
+    {"most_acceleration_m_s2", &SelfTestSpec::most_acceleration_m_s2, {1, 1e4}},
+    {"most_housing_temp_degC", &SelfTestSpec::most_housing_temp_degC, {30, 150}}};
 
 SelfTestSpec read_self_test(hal::ConfigReader& section) {
   SelfTestSpec spec;

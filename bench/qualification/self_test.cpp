@@ -15,10 +15,6 @@
 namespace rvbench::bench {
 namespace {
 
-// As the plans that are shipped have them; a bench at 300 rpm stays far below.
-constexpr double most_input_torque_Nm = 8;
-constexpr double most_acceleration_m_s2 = 300;
-constexpr double most_housing_temp_degC = 60;
 constexpr double stale_after_s = 0.3;
 constexpr double most_of_speed = 1.5;
 constexpr double most_of_range = 0.9;
@@ -58,12 +54,13 @@ sequences::TestPlan plan_of(const SelfTestSpec& spec, const hal::Rig& rig) {
   plan.name = "self_test";
   plan.specimen = {"", spec.gear_ratio, spec.brake_torque_Nm};
   plan.acceleration_rate_Hz = rig.accelerometers->rate_Hz();
-  plan.interlocks = {.input_speed_rpm = most_of_speed * spec.speed_rpm,
-                     .input_torque_Nm = most_input_torque_Nm,
-                     .acceleration_m_s2 = std::min(
-                         most_acceleration_m_s2, most_of_range * rig.accelerometers->range_m_s2()),
-                     .housing_temp_degC = most_housing_temp_degC,
-                     .stale_after_s = stale_after_s};
+  plan.interlocks = {
+      .input_speed_rpm = most_of_speed * spec.speed_rpm,
+      .input_torque_Nm = spec.most_input_torque_Nm,
+      .acceleration_m_s2 =
+          std::min(spec.most_acceleration_m_s2, most_of_range * rig.accelerometers->range_m_s2()),
+      .housing_temp_degC = spec.most_housing_temp_degC,
+      .stale_after_s = stale_after_s};
   auto connect = hal::ConfigReader::from_text(R"({"phase": "connect"})", "self_test");
   plan.setup.push_back(sequences::parse_phase(connect));
   return plan;

@@ -223,6 +223,23 @@ TEST_CASE("a device that is lost ends the self-test as an ERROR, with the shaft 
   bench.check_at_rest();
 }
 
+TEST_CASE("above what the rig file allows the shaft is stopped", "[bench][station][safety]") {
+  const auto check_stopped = [](double SelfTestSpec::*limit, double allowed,
+                                const std::string& named) {
+    StationBench bench;
+    bench.spec.*limit = allowed;
+    bench.go();
+    CAPTURE(named, bench.result.ending.reason);
+    CHECK(bench.result.ending.error_kind == ErrorKind::safety_trip);
+    CHECK_THAT(bench.result.ending.reason, Contains(named));
+    CHECK_FALSE(bench.result.passed(bench.spec));
+    bench.check_at_rest();
+  };
+  check_stopped(&SelfTestSpec::most_input_torque_Nm, 0.1, "input torque");
+  check_stopped(&SelfTestSpec::most_acceleration_m_s2, 0.2, "acceleration");
+  check_stopped(&SelfTestSpec::most_housing_temp_degC, 10, "temperature");
+}
+
 TEST_CASE("a self-test that is stopped stops the shaft, and steps not reached say so",
           "[bench][station][safety]") {
   StationBench bench;
