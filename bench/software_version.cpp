@@ -1,5 +1,7 @@
 #include "bench/software_version.hpp"
 
+#include "source_id.hpp"
+
 namespace rvbench::bench {
 
 std::string software_version() { return RVBENCH_VERSION " (" RVBENCH_SOURCE_ID ")"; }
