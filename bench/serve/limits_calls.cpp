@@ -1,8 +1,11 @@
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <system_error>
 #include <vector>
 
 #include "bench/serve/json_fields.hpp"
 #include "bench/serve/station_api.hpp"
+#include "bench/serve/tokens.hpp"
 #include "bench/text_file.hpp"
 
 namespace rvbench::bench {
@@ -71,17 +74,23 @@ HttpAnswer StationApi::propose_limits(const Call& call) {
       if (flag_at(call.body, "per_point")) words.emplace_back("--per-point");
       return ask(std::move(words), longest_judging_s);
     }
-    const auto file = Station::keep_of(station_.file().runs) / "proposed.json";
+    // Of a name of its own: two may propose at once.
+    const auto file =
+        Station::keep_of(station_.file().runs) / ("proposed-" + random_hex(8) + ".json");
     write_file(file, call.body["limits"].dump() + "\n");
-    return ask({"limits", "propose", "--from=" + file.string(), "--by=" + call.session.user,
-                "--out=" + station_.file().runs.string()});
+    HttpAnswer answer =
+        ask({"limits", "propose", "--from=" + file.string(), "--by=" + call.session.user,
+             "--out=" + station_.file().runs.string()});
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);
+    return answer;
   });
 }
 
 HttpAnswer StationApi::approve_limits(const Call& call) { return limits_step(call, "approve"); }
 HttpAnswer StationApi::activate_limits(const Call& call) { return limits_step(call, "activate"); }
 
-// Who is logged in has seen the effect before, on the page.
+// The page shows the effect before it offers the step; who calls by another program asks for it.
 HttpAnswer StationApi::limits_step(const Call& call, const std::string& step) {
   const std::string version = version_at(call.body, "version");
   if (!is_word(version)) return refusal(400, "version");
@@ -89,7 +98,7 @@ HttpAnswer StationApi::limits_step(const Call& call, const std::string& step) {
     std::vector<std::string> words{"limits", step, version, "--by=" + call.session.user,
                                    "--out=" + station_.file().runs.string()};
     if (step == "approve") words.emplace_back("--yes");
-    return ask(std::move(words));
+    return ask(std::move(words), longest_judging_s);
   });
 }
 

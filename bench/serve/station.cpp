@@ -53,8 +53,15 @@ std::string Station::scan(const std::string& text) {
   {
     const std::lock_guard lock(mutex_);
     if (phase_ == Phase::running) return "running";
-    if (!fault.empty()) return fault;
-    read_plan();
+    if (fault.empty()) {
+      read_plan();
+    } else if (phase_ != Phase::ended) {
+      forget_unit();  // what was scanned before is not what lies there now
+    }
+  }
+  if (!fault.empty()) {
+    tell_change();
+    return fault;
   }
   gather();
   auto known = known_runs(file_.runs, serial);
@@ -88,10 +95,11 @@ std::string Station::may_start(bool is_retest, const StationViewer& viewer) cons
 }
 
 // The process is made by tick(): it has the priority of whoever makes it.
-std::string Station::start(bool is_retest, const StationViewer& viewer) {
+std::string Station::start(const std::string& serial, bool is_retest, const StationViewer& viewer) {
   {
     const std::lock_guard lock(mutex_);
     if (const std::string reason = why_not(is_retest, viewer); !reason.empty()) return reason;
+    if (serial != serial_) return "other_unit";
     phase_ = Phase::running;
     progress_ = {.stage = "start", .text = ""};
     is_due_ = true;
@@ -105,7 +113,7 @@ std::string Station::stop() {
   if (phase_ != Phase::running) return "not_running";
   if (is_due_) {
     is_due_ = false;
-    fail("stopped before it began");
+    fail("stopped before it began", Outcome::aborted);
     return "";
   }
   return process_.stop() ? "" : "not_running";
@@ -115,19 +123,23 @@ std::string Station::clear() {
   {
     const std::lock_guard lock(mutex_);
     if (phase_ == Phase::running) return "running";
-    phase_ = Phase::idle;
-    serial_.clear();
-    hold_against_time();
-    known_.clear();
-    run_.clear();
-    verdict_ = "null";
-    progress_ = {};
-    point_states_.assign(points_.size(), 'o');
-    std::error_code ignored;
-    std::filesystem::remove(keep_ / unit_file, ignored);
+    forget_unit();
   }
   tell_change();
   return "";
+}
+
+void Station::forget_unit() {
+  phase_ = Phase::idle;
+  serial_.clear();
+  hold_against_time();
+  known_.clear();
+  run_.clear();
+  verdict_ = "null";
+  progress_ = {};
+  point_states_.assign(points_.size(), 'o');
+  std::error_code ignored;
+  std::filesystem::remove(keep_ / unit_file, ignored);
 }
 
 std::string Station::serial() const {
@@ -153,7 +165,10 @@ void Station::tick() {
     }
     waits = phase_ != Phase::running;
   }
-  if (has_ended) gather();
+  if (has_ended) {
+    tell_change();  // nobody waits for the database to see a verdict
+    gather();
+  }
   if (waits) look_after_qualification();
   tell_change();
 }
@@ -241,6 +256,7 @@ void Station::spawn() {
   is_due_ = false;
   hub_.forget_strips();
   try {
+    std::filesystem::remove(process_.answer_file());  // that of the unit before
     keep_unit();
   } catch (const std::system_error& error) {
     return fail(reason_of(error));
@@ -292,6 +308,14 @@ void Station::conclude() {
     return fail("the run ended without an answer (see " + process_.log_file().string() +
                 "); if the shaft turned, the drive's watchdog has stopped it");
   }
+  // Where power failed between two runs, the answer is the other's.
+  if (const auto run = answer.find("run"); run != answer.end() && run->is_object()) {
+    const std::string serial = text_at(*run, "serial"), started = text_at(*run, "started_utc");
+    const std::string folder = std::filesystem::path(run_).filename().string();
+    if (serial != serial_ || !folder.starts_with(started)) {
+      return fail("the answer that was left is of another run, of " + serial + " at " + started);
+    }
+  }
   phase_ = Phase::ended;
   try {
     verdict_ = verdict_of_answer(answer, run_, file_.runs);
@@ -300,10 +324,13 @@ void Station::conclude() {
   }
 }
 
-void Station::fail(const std::string& reason) {
+void Station::fail(const std::string& reason, Outcome outcome) {
   phase_ = Phase::ended;
-  verdict_ = verdict_of_answer({{"verdict", "ERROR"}, {"exit_code", 30}, {"reason", reason}}, run_,
-                               file_.runs);
+  const Ending ending{outcome, ErrorKind::device_lost, reason};
+  verdict_ = verdict_of_answer({{"verdict", rvbench::to_string(outcome)},
+                                {"exit_code", rvbench::exit_code(ending)},
+                                {"reason", reason}},
+                               run_, file_.runs);
 }
 
 }  // namespace rvbench::bench

@@ -16,6 +16,7 @@
 #include "bench/serve/other_process.hpp"
 #include "bench/serve/station_file.hpp"
 #include "hal/recording_file.hpp"
+#include "hal/types/outcome.hpp"
 
 namespace rvbench::bench {
 
@@ -38,8 +39,9 @@ class Station {
 
   // Each returns "", or the word of the API for why not.
   std::string scan(const std::string& text);  ///< "running", "empty", "serial_rule", "check_digit"
-  /// "running", "no_unit", "duplicate", "not_qualified", "remote_start_off"
-  std::string start(bool is_retest, const StationViewer& viewer);
+  /// "running", "no_unit", "duplicate", "not_qualified", "remote_start_off", "other_unit": somebody
+  /// else has scanned another one meanwhile
+  std::string start(const std::string& serial, bool is_retest, const StationViewer& viewer);
   std::string may_start(bool is_retest, const StationViewer& viewer) const;  ///< what it would say
   std::string stop();                                                        ///< "not_running"
   std::string clear();                                                       ///< "running"
@@ -66,13 +68,14 @@ class Station {
   void gather();  // these two without the lock, all others with it
   void look_after_qualification();
   void hold_against_time();
+  void forget_unit();
   void find_run();
   void keep_unit() const;
   void spawn();
   void hear();
   void hear(const nlohmann::json& letter);
   void conclude();
-  void fail(const std::string& reason);
+  void fail(const std::string& reason, Outcome outcome = Outcome::error);
   void tell_change();
   std::string why_not(bool is_retest, const StationViewer& viewer) const;
   std::string next_action(const StationViewer& viewer) const;

@@ -17,7 +17,6 @@ HttpAnswer json_answer(int status, const nlohmann::json& json) {
 
 HttpAnswer conflict(const std::string& word) { return refusal(409, word); }
 
-// "" where it is missing or no text.
 std::string cookie_of(const std::string& value, int seconds) {
   return std::string(session_cookie) + "=" + value +
          "; Path=/; HttpOnly; SameSite=Strict; Max-Age=" + std::to_string(seconds);
@@ -40,7 +39,11 @@ bool is_from_afar(const HttpRequest& request) {
   for (const char* name : {"forwarded", "x-forwarded-for", "via", "x-real-ip"}) {
     if (request.headers.contains(name)) return true;
   }
-  return !is_loopback(request.address);
+  // A proxy need not say that it is one, but it is not called by this computer's own name.
+  const std::string host = request.header("host");
+  const std::string name =
+      host.starts_with("[") ? host.substr(1, host.find(']') - 1) : host.substr(0, host.find(':'));
+  return !is_loopback(request.address) || !is_loopback(name);
 }
 
 StationApi::StationApi(Station& station, EventHub& hub, Sessions& sessions, const Gate& gate,
@@ -170,7 +173,8 @@ HttpAnswer StationApi::scan(const Call& call) {
 
 HttpAnswer StationApi::start(const Call& call) {
   return logged(call, "start", [&] {
-    const std::string fault = station_.start(flag_at(call.body, "retest"), viewer(call));
+    const std::string fault =
+        station_.start(text_at(call.body, "serial"), flag_at(call.body, "retest"), viewer(call));
     if (!fault.empty()) return conflict(fault);
     return json_answer(202, nlohmann::json::object());
   });

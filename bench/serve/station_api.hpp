@@ -80,6 +80,7 @@ class StationApi {
   std::mutex login_mutex_;  // one at a time: each takes 64 MiB
   FailedAttempts of_user_{5}, of_address_{30};
   std::atomic<std::size_t> listeners_ = 0;
+  mutable std::atomic<int> long_jobs_ = 0;
 };
 
 /// Whether a request comes from another computer, itself or through a proxy on this one.

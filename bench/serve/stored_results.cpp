@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <system_error>
 
 #include "bench/serve/other_process.hpp"
@@ -16,6 +18,24 @@ constexpr const char* report_policy =
     "form-action 'none'; frame-ancestors 'self'";
 
 const std::string newest_runs = "200";
+
+// What works through many results takes workers and the computer that measures: two at a time.
+constexpr double longest_short_job_s = 20;
+constexpr int most_long_jobs = 2;
+
+// One of those that are at work, from 1.
+class LongJob {
+ public:
+  explicit LongJob(std::atomic<int>& at_work) : at_work_(at_work), number_(++at_work) {}
+  ~LongJob() { --at_work_; }
+  LongJob(const LongJob&) = delete;
+  LongJob& operator=(const LongJob&) = delete;
+  int number() const { return number_; }
+
+ private:
+  std::atomic<int>& at_work_;
+  const int number_;
+};
 
 // One component of a path that leads nowhere else, nor is it an option of a command.
 bool is_plain_name(const std::string& name) {
@@ -83,6 +103,9 @@ HttpAnswer StationApi::run_file(const HttpRequest& request) const {
 // What rvbench's other commands answer, as they say it. A unit that fails is an answer as well:
 // only what comes without the document that was asked for is a refusal.
 HttpAnswer StationApi::ask(std::vector<std::string> words, double longest_s) const {
+  std::optional<LongJob> job;
+  if (longest_s > longest_short_job_s) job.emplace(long_jobs_);
+  if (job && job->number() > most_long_jobs) return refusal(503, "busy");
   words.insert(words.begin(), program_);
   const ProgramAnswer answer = ask_program(words, longest_s);
   if (answer.code < 0) return refusal(504, "no_answer");

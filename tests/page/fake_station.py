@@ -149,6 +149,8 @@ class Station:
             return 409, {"error": "duplicate"}
         if self.phase not in ("ready", "duplicate"):
             return 409, {"error": "no_unit"}
+        if body.get("serial") != self.serial:
+            return 409, {"error": "other_unit"}
         self.phase, self.begun_s = "running", time.time()
         self.changed()
         return 202, {}

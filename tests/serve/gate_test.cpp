@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "bench/serve/attempts.hpp"
+#include "bench/serve/station_api.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -118,6 +119,26 @@ TEST_CASE("a cookie is found among others, whole or not at all", "[bench][serve]
   CHECK(cookie_in("ab=1", "b").empty());
   CHECK(cookie_in("", "b").empty());
   CHECK(cookie_in(" ; ;", "b").empty());
+}
+
+TEST_CASE("who comes through a proxy comes from afar, also where the proxy does not say so",
+          "[bench][serve]") {
+  HttpRequest request{.method = "POST", .path = "/api/start", .address = "127.0.0.1"};
+  for (const char* host : {"localhost:8080", "127.0.0.1:8080", "[::1]:8080"}) {
+    request.headers = {{"host", host}};
+    CHECK_FALSE(is_from_afar(request));
+  }
+  for (const char* host :
+       {"eol3.factory.local", "eol3.factory.local:443", "192.168.3.30:8080", ""}) {
+    request.headers = {{"host", host}};
+    CAPTURE(host);
+    CHECK(is_from_afar(request));
+  }
+  request.headers = {{"host", "localhost:8080"}, {"x-forwarded-for", "192.168.3.30"}};
+  CHECK(is_from_afar(request));
+  request.headers = {{"host", "localhost:8080"}};
+  request.address = "192.168.3.30";
+  CHECK(is_from_afar(request));
 }
 
 }  // namespace rvbench::bench

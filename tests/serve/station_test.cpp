@@ -51,7 +51,7 @@ nlohmann::json state_of(ServedStation& station) {
 test::Socket started(ServedStation& station) {
   REQUIRE(station.log_in("otto").status == 200);
   REQUIRE(station.post("/api/scan", R"({"text":"A17"})").status == 200);
-  REQUIRE(station.post("/api/start").status == 202);
+  REQUIRE(station.post("/api/start", R"({"serial":"A17"})").status == 202);
   return station.listen();
 }
 
@@ -79,7 +79,13 @@ TEST_CASE("a unit goes through the station: scan, start, watch, verdict, report,
   CHECK(scanned.at("next_action") == "start");
   CHECK(scanned.at("station").at("name") == "EOL 3");
   CHECK(scanned.at("matrix").at("cells").size() == 4);
-  REQUIRE(station.post("/api/start").status == 202);
+  // What is started is the unit that whoever starts it sees, not what somebody scanned meanwhile.
+  CHECK(json_of(station.post("/api/start", R"({"serial":"A18"})")).at("error") == "other_unit");
+  CHECK(json_of(station.post("/api/start")).at("error") == "other_unit");
+  CHECK(station.post("/api/scan", R"({"text":"B17"})").status == 422);
+  CHECK(json_of(station.post("/api/start", R"({"serial":"A17"})")).at("error") == "no_unit");
+  REQUIRE(station.post("/api/scan", R"({"text":"A17"})").status == 200);
+  REQUIRE(station.post("/api/start", R"({"serial":"A17"})").status == 202);
   CHECK(json_of(station.post("/api/start")).at("error") == "running");
   CHECK(json_of(station.post("/api/scan", R"({"text":"A18"})")).at("error") == "running");
   CHECK(station.post("/api/clear").status == 409);
@@ -201,6 +207,24 @@ TEST_CASE("a station that is killed leaves the test running, and finds it again"
   const auto answer = station.program().wait();
   CHECK(answer.code == 0);
   CHECK_THAT(answer.err, Contains("rvbench: serve: ended\n"));
+}
+
+TEST_CASE("an answer that another unit's run left is no verdict of this one",
+          "[spec][serve][safety]") {
+  const ScratchFolder scratch;
+  const auto keep = scratch.path() / "runs" / ".station";
+  std::filesystem::create_directories(keep);
+  // What power that fails right after A17 was started can leave of A16's run.
+  bench::write_file(keep / "unit.json", R"({"serial": "A17", "newest_before": ""})");
+  bench::write_file(keep / "answer.json", R"({"verdict": "PASS", "exit_code": 0, "reason": "",
+      "run": {"serial": "A16", "started_utc": "20261127T101112Z"}})");
+  ServedStation station(scratch, R"("plan": "quick")");
+  REQUIRE(station.log_in("otto").status == 200);
+  const auto state = state_of(station);
+  CHECK(state.at("serial") == "A17");
+  CHECK(state.at("verdict").at("word") == "ERROR");
+  CHECK(state.at("verdict").at("exit_code") == 30);
+  CHECK_THAT(state.at("verdict").at("reason").get<std::string>(), Contains("of A16"));
 }
 
 TEST_CASE("SIGTERM ends the page and not the test, a test that is killed is an ERROR",

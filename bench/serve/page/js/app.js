@@ -103,7 +103,7 @@ await begin_words(() => {
 begin_live_plots();
 show_no_curves();
 begin_login({ logged_in, logged_out });
-begin_unit(attempt, focus_scan);
+begin_unit(page, attempt, focus_scan);
 begin_scan(page, attempt, () => tabs.go("station"));
 begin_duplicate(attempt, focus_scan);
 begin_history(page);

@@ -37,7 +37,7 @@ export function begin_duplicate(attempt, focus_scan) {
   by_id("decide").addEventListener("click", open_duplicate);
   by_id("retest").addEventListener("click", () => {
     dialog.close("retest");
-    attempt(() => act("start", { retest: true }));
+    attempt(() => act("start", { serial: asked_for, retest: true }));
   });
   by_id("another").addEventListener("click", () => {
     dialog.close("another");

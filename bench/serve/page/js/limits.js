@@ -104,7 +104,7 @@ export function begin_limits(of_page) {
     if (has_proposed) await show_limits();
   });
   by_id("version_go").addEventListener("click", () => told_by(by_id("version_told"), async () => {
-    await act(`limits/${step_of[shown.status]}`, { version: name_of(shown) });
+    await act(`limits/${step_of[shown.status]}`, { version: name_of(shown) }, long_patience_ms);
     dialog.close("done");
     await show_limits();
   }));

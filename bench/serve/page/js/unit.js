@@ -60,13 +60,14 @@ export function show_unit(page) {
   tell(by_id("station_name"), state.station.name);
 }
 
-/** @param attempt  does a call and shows its refusal */
-export function begin_unit(attempt, focus_scan) {
+/** @param page  its state
+    @param attempt  does a call and shows its refusal */
+export function begin_unit(page, attempt, focus_scan) {
   const on = (id, call) => by_id(id).addEventListener("click", async () => {
     await attempt(call);
     focus_scan();
   });
-  on("start", () => act("start", { retest: false }));
+  on("start", () => act("start", { serial: page.state.serial, retest: false }));
   on("stop", () => act("stop"));
   on("next", () => act("clear"));
 }
