@@ -85,7 +85,7 @@ double bound_in_force(const Limit& limit, const std::vector<Limit>& in_force) {
 
 // Runs by folder: their serials.
 struct Runs {
-  std::map<std::string, std::string> good;    // the newest PASS of each good unit
+  std::map<std::string, std::string> good;    // the newest run of each good unit that passed it
   std::map<std::string, std::string> judged;  // every PASS and FAIL of the plan
 };
 
@@ -96,7 +96,10 @@ Runs runs_of(const std::vector<RunRow>& rows, const LearningTask& task) {
     if (row.plan != task.plan.name) continue;
     if (row.verdict == "PASS" || row.verdict == "FAIL") runs.judged[row.folder] = row.serial;
     const bool is_good = task.serials.empty() || task.serials.contains(row.serial);
-    if (row.verdict == "PASS" && is_good) newest[row.serial] = row.folder;
+    if (!is_good) continue;
+    // A unit that failed since is no good one, whatever it was before.
+    if (row.verdict == "FAIL") newest.erase(row.serial);
+    if (row.verdict == "PASS") newest[row.serial] = row.folder;
   }
   for (const auto& [serial, folder] : newest) runs.good[folder] = serial;
   return runs;

@@ -24,7 +24,8 @@ std::vector<double> good_peaks(int count) {
   return {x.begin(), x.end()};
 }
 
-void enter(const ScratchFolder& root, const std::vector<double>& peaks_m_s2) {
+void enter(const ScratchFolder& root, const std::vector<double>& peaks_m_s2,
+           Outcome outcome = Outcome::pass, const std::string& utc = "20260102T030405Z") {
   auto opened = ResultDatabase::open(root.path());
   REQUIRE(opened);
   ResultDatabase database = std::move(opened).value();
@@ -33,7 +34,9 @@ void enter(const ScratchFolder& root, const std::vector<double>& peaks_m_s2) {
     judgement.facts.serial = fmt::format("U{:02}", i);
     judgement.points[0].examination.channels[0].indicators = {
         {"acceleration_peak", "", peaks_m_s2[i], "m/s²"}};
-    const auto folder = root / (judgement.facts.serial + "/20260102T030405Z");
+    judgement.facts.started_utc = utc;
+    judgement.ending.outcome = outcome;
+    const auto folder = root / (judgement.facts.serial + "/" + utc);
     REQUIRE(database.enter(row_of(root.path(), folder, judgement), judgement));
   }
 }
@@ -88,6 +91,19 @@ TEST_CASE("what is learnt is a draft that says where it comes from", "[bench][li
   CHECK(limits(root, {"approve", "v1", "--yes"}).code == 0);
   CHECK(limits(root, {"activate", "v1"}).code == 0);
   CHECK(std::get<0>(active_limits(root.path(), "quick"))->version == "v1");
+}
+
+TEST_CASE("a unit that failed since is no good one, and one that passed since is",
+          "[bench][limits]") {
+  const ScratchFolder root;
+  enter(root, good_peaks(20));
+  REQUIRE(limits(root, {"learn", "v1", "--plan", "quick"}).code == 0);
+  enter(root, {1}, Outcome::fail, "20260103T030405Z");  // U00 again
+  const test::CommandAnswer few = limits(root, {"learn", "v2", "--plan", "quick"});
+  CHECK(few.code == 20);
+  CHECK_THAT(few.out, Contains("19 units, and a limit takes 20"));
+  enter(root, {1}, Outcome::pass, "20260104T030405Z");
+  CHECK(limits(root, {"learn", "v2", "--plan", "quick"}).code == 0);
 }
 
 TEST_CASE("from too few units, or none, no draft is made", "[bench][limits]") {
