@@ -1,6 +1,6 @@
 #include "bench/software_version.hpp"
 
-#include "source_id.hpp"
+#include "bench/source_id.hpp"
 
 namespace rvbench::bench {
 

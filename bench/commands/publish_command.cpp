@@ -36,7 +36,7 @@ class PublishCommand final : public Command {
            "\"factory_ca.pem\"},\n"
            "   \"user\": \"bench3\", \"password_file\": \"mqtt_password\", \"client_id\": "
            "\"bench3\",\n"
-           "   \"qos\": 2, \"station\": \"bench3\", \"topic\": \"rvbench/bench3/result\",\n"
+           "   \"qos\": 2, \"station_name\": \"bench3\", \"topic\": \"rvbench/bench3/result\",\n"
            "   \"step\": \"EOL-20\", \"keep_alive_s\": 30}\n"
            "Every judged run that has not been acknowledged is sent, oldest first. What is due\n"
            "waits in the folder's outbox.db while the broker is away (exit 30).\n";

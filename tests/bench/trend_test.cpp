@@ -70,7 +70,7 @@ TEST_CASE("a rise that is there is told with its slope and interval", "[bench][r
         json.at("values"));
 }
 
-TEST_CASE("--last tells of the newest runs alone, and of all where there are not so many",
+TEST_CASE("trend --last tells of the newest runs alone, and of all where there are not so many",
           "[bench][results]") {
   const ScratchFolder root;
   enter_twelve(root);
