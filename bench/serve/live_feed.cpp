@@ -80,7 +80,8 @@ void LiveFeed::take(const hal::AccelerationBlock& block, double rate_Hz,
                     const std::string& first_channel) {
   const std::unique_lock lock(values_mutex_, std::try_to_lock);
   if (!lock || block.scans.rows() == 0 || block.scans.cols() == 0) return;
-  if (values_.scans == 0) {
+  if (values_.sums_m_s2.size() !=
+      block.scans.cols()) {  // once for each of the two that are swapped
     values_.sums_m_s2 = values_.squares = Eigen::VectorXd::Zero(block.scans.cols());
   }
   for (Eigen::Index row = 0; row < block.scans.rows(); ++row) {
@@ -106,14 +107,24 @@ void LiveFeed::take_temperature(double degC) {
   if (lock) values_.temperature_degC = degC;
 }
 
+void LiveFeed::Values::clear() {
+  Values none;
+  std::swap(none.sums_m_s2, sums_m_s2);
+  std::swap(none.squares, squares);
+  none.sums_m_s2.setZero();
+  none.squares.setZero();
+  std::swap(*this, none);
+}
+
 void LiveFeed::run(const std::stop_token& stop) {
   std::mutex mutex;
+  Values values;
   for (int round = 1; !stop.stop_requested(); ++round) {
     {
       std::unique_lock lock(mutex);
       ending_.wait_for(lock, stop, strip_every, [] { return false; });
     }
-    Values values;
+    values.clear();
     std::vector<double> samples;
     double rate_Hz = 0;
     {

@@ -54,6 +54,8 @@ class LiveFeed {
     int scans = 0;
     double temperature_degC = not_known;
     double newest_s = not_known;  // on the rig's clock
+
+    void clear();  // keeps the memory of sums and squares
   };
   void run(const std::stop_token& stop);
   void send_state();
