@@ -34,9 +34,9 @@ struct LearntLimits {
   std::vector<LearntLimit> learnt;  ///< those that were refused, too
 };
 
-/// Learns limits from the newest PASS run of each good unit: of each the worst value over all
-/// channels of the points that the limit is for, as it is held against it. A limit for a point is
-/// added to one for all points that is in force: both hold.
+/// Learns limits from the newest PASS of each good unit that no FAIL came after: of each the worst
+/// value over all channels of the points that the limit is for, as it is held against it. A limit
+/// for a point is added to one for all points that is in force: both hold.
 /// @param utc  of now, for the reasons
 /// Units   of the limit in force, else of the measure. Errors  as ResultDatabase; too few units are
 ///         a refusal of that limit. @throws std::invalid_argument as propose_limits()

@@ -7,6 +7,7 @@
 #include "bench/commands/commands.hpp"
 #include "bench/result_database.hpp"
 #include "bench/results/history_table.hpp"
+#include "bench/results/keep_newest.hpp"
 #include "bench/results/run_filter.hpp"
 #include "bench/sha256.hpp"
 #include "hal/did_you_mean.hpp"
@@ -120,8 +121,7 @@ int HistoryCommand::read_filter(Console& console) {
 
 void HistoryCommand::narrow(std::vector<RunRow>& rows) const {
   std::erase_if(rows, [&](const RunRow& row) { return !matches(filter_, row); });
-  if (!last_ || *last_ >= rows.size()) return;
-  rows.erase(rows.begin(), rows.end() - static_cast<std::ptrdiff_t>(*last_));
+  keep_newest(rows, last_);
 }
 
 int HistoryCommand::run(Console& console) {

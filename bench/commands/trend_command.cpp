@@ -5,11 +5,13 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "bench/commands/commands.hpp"
 #include "bench/out_folder.hpp"
 #include "bench/result_database.hpp"
+#include "bench/results/keep_newest.hpp"
 #include "bench/results/trend.hpp"
 #include "bench/text_file.hpp"
 #include "hal/did_you_mean.hpp"
@@ -38,13 +40,6 @@ Result<std::vector<RunValue>> values_in(Result<ResultDatabase> opened, const Ser
   const auto database = caught_up(std::move(opened));
   if (!database) return database.error();
   return database.value().series(asked);
-}
-
-std::vector<RunValue> newest_of(std::vector<RunValue> values, std::optional<std::uint64_t> count) {
-  if (count && *count < values.size()) {
-    values.erase(values.begin(), values.end() - static_cast<std::ptrdiff_t>(*count));
-  }
-  return values;
 }
 
 class TrendCommand final : public Command {
@@ -107,7 +102,9 @@ int TrendCommand::run(Console& console) {
     values = values_in(ResultDatabase::in_memory(runs_), asked_);
   }
   if (!values) return refuse_data(console, "trend: " + describe(values.error()));
-  const Trend trend = trend_of(asked_, newest_of(std::move(values).value(), last_));
+  std::vector<RunValue> newest = std::move(values).value();
+  keep_newest(newest, last_);
+  const Trend trend = trend_of(asked_, std::move(newest));
   if (!out_.empty()) {
     write_file(std::filesystem::path(out_) / "trend.html", make_trend_page(trend));
     write_file(std::filesystem::path(out_) / "trend.json", trend_to_json(trend));

@@ -11,10 +11,6 @@
 namespace rvbench::bench {
 namespace {
 
-// All recordings of a run are worked through again, or the results of all runs; others measure
-// meanwhile.
-constexpr double longest_judging_s = 600;
-
 // The number of a version; it may come as text.
 std::string version_at(const nlohmann::json& json, const char* key) {
   const auto found = json.find(key);
@@ -40,7 +36,7 @@ HttpAnswer StationApi::rejudge(const Call& call) {
       const auto file = station_.file().runs / "limits" / (version + ".json");
       words.push_back("--limits=" + file.string());
     }
-    return ask(std::move(words), longest_judging_s);
+    return ask_long(std::move(words));
   });
 }
 
@@ -49,8 +45,8 @@ HttpAnswer StationApi::limits(const Call& call) {
   const std::string version = call.request.parameter("version");
   if (!version.empty()) {
     if (!is_word(version)) return refusal(400, "version");
-    return ask({"limits", "effect", version, "--json", "--out=" + station_.file().runs.string()},
-               longest_judging_s);
+    return ask_long(
+        {"limits", "effect", version, "--json", "--out=" + station_.file().runs.string()});
   }
   return ask({"limits", "list", "--json", "--out=" + station_.file().runs.string()});
 }
@@ -72,7 +68,7 @@ HttpAnswer StationApi::propose_limits(const Call& call) {
                                      "--by=" + call.session.user,
                                      "--out=" + station_.file().runs.string()};
       if (flag_at(call.body, "per_point")) words.emplace_back("--per-point");
-      return ask(std::move(words), longest_judging_s);
+      return ask_long(std::move(words));
     }
     // Of a name of its own: two may propose at once.
     const auto file =
@@ -98,7 +94,7 @@ HttpAnswer StationApi::limits_step(const Call& call, const std::string& step) {
     std::vector<std::string> words{"limits", step, version, "--by=" + call.session.user,
                                    "--out=" + station_.file().runs.string()};
     if (step == "approve") words.emplace_back("--yes");
-    return ask(std::move(words), longest_judging_s);
+    return ask_long(std::move(words));
   });
 }
 

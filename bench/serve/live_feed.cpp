@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "analysis/spectrum.hpp"
 #include "hal/types/units.hpp"
@@ -80,8 +81,8 @@ void LiveFeed::take(const hal::AccelerationBlock& block, double rate_Hz,
                     const std::string& first_channel) {
   const std::unique_lock lock(values_mutex_, std::try_to_lock);
   if (!lock || block.scans.rows() == 0 || block.scans.cols() == 0) return;
-  if (values_.sums_m_s2.size() !=
-      block.scans.cols()) {  // once for each of the two that are swapped
+  // Once for each of the two that are swapped.
+  if (values_.sums_m_s2.size() != block.scans.cols()) {
     values_.sums_m_s2 = values_.squares = Eigen::VectorXd::Zero(block.scans.cols());
   }
   for (Eigen::Index row = 0; row < block.scans.rows(); ++row) {
@@ -108,12 +109,9 @@ void LiveFeed::take_temperature(double degC) {
 }
 
 void LiveFeed::Values::clear() {
-  Values none;
-  std::swap(none.sums_m_s2, sums_m_s2);
-  std::swap(none.squares, squares);
-  none.sums_m_s2.setZero();
-  none.squares.setZero();
-  std::swap(*this, none);
+  *this = {.sums_m_s2 = std::move(sums_m_s2), .squares = std::move(squares)};
+  sums_m_s2.setZero();
+  squares.setZero();
 }
 
 void LiveFeed::run(const std::stop_token& stop) {

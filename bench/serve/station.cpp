@@ -72,10 +72,7 @@ std::string Station::scan(const std::string& text) {
     hold_against_time();  // the golden unit is let in where others are not
     known_ = std::move(known);
     phase_ = known_.empty() ? Phase::ready : Phase::duplicate;
-    run_.clear();
-    verdict_ = "null";
-    progress_ = {};
-    point_states_.assign(points_.size(), 'o');
+    forget_run();
   }
   tell_change();
   return "";
@@ -134,12 +131,16 @@ void Station::forget_unit() {
   serial_.clear();
   hold_against_time();
   known_.clear();
+  forget_run();
+  std::error_code ignored;
+  std::filesystem::remove(keep_ / unit_file, ignored);
+}
+
+void Station::forget_run() {
   run_.clear();
   verdict_ = "null";
   progress_ = {};
   point_states_.assign(points_.size(), 'o');
-  std::error_code ignored;
-  std::filesystem::remove(keep_ / unit_file, ignored);
 }
 
 std::string Station::serial() const {
@@ -153,7 +154,7 @@ bool Station::is_running() const {
 }
 
 void Station::tick() {
-  bool has_ended = false, waits = false;
+  bool has_ended = false;
   {
     const std::lock_guard lock(mutex_);
     if (is_due_) spawn();
@@ -163,24 +164,20 @@ void Station::tick() {
       conclude();
       has_ended = true;
     }
-    waits = phase_ != Phase::running;
   }
-  if (has_ended) {
-    tell_change();  // nobody waits for the database to see a verdict
-    gather();
-  }
-  if (waits) look_after_qualification();
+  if (has_ended) tell_change();  // nobody waits for the database to see a verdict
+  if (!is_running()) look_after_qualification(has_ended);
   tell_change();
 }
 
 // What expires does so while the station waits, and somebody qualifies it in another program.
-void Station::look_after_qualification() {
+void Station::look_after_qualification(bool has_ended) {
   const auto now = std::chrono::steady_clock::now();
-  if (now - judged_ < judge_again) return;
+  if (!has_ended && now - judged_ < judge_again) return;
   judged_ = now;
   std::error_code none_yet;
   const auto changed = std::filesystem::last_write_time(qualification_folder(file_.runs), none_yet);
-  if (changed != records_changed_ || now - gathered_ >= gather_again) {
+  if (has_ended || changed != records_changed_ || now - gathered_ >= gather_again) {
     records_changed_ = changed;
     gathered_ = now;
     gather();

@@ -66,9 +66,10 @@ class Station {
 
   void read_plan();
   void gather();  // these two without the lock, all others with it
-  void look_after_qualification();
+  void look_after_qualification(bool has_ended);
   void hold_against_time();
   void forget_unit();
+  void forget_run();
   void find_run();
   void keep_unit() const;
   void spawn();

@@ -67,6 +67,7 @@ class StationApi {
   bool log(const HttpRequest& request, const std::string& user, const std::string& action,
            const std::string& detail);
   HttpAnswer ask(std::vector<std::string> words, double longest_s = 20) const;
+  HttpAnswer ask_long(std::vector<std::string> words) const;  ///< for minutes, or 503 "busy"
   StationViewer viewer(const Call& call) const;
 
   Station& station_;

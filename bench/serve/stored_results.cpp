@@ -2,7 +2,6 @@
 #include <atomic>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <system_error>
 
 #include "bench/serve/other_process.hpp"
@@ -19,8 +18,9 @@ constexpr const char* report_policy =
 
 const std::string newest_runs = "200";
 
-// What works through many results takes workers and the computer that measures: two at a time.
-constexpr double longest_short_job_s = 20;
+// What works through all recordings of a run, or the results of all runs, takes workers and the
+// computer that measures: two at a time.
+constexpr double longest_judging_s = 600;
 constexpr int most_long_jobs = 2;
 
 // One of those that are at work, from 1.
@@ -103,9 +103,6 @@ HttpAnswer StationApi::run_file(const HttpRequest& request) const {
 // What rvbench's other commands answer, as they say it. A unit that fails is an answer as well:
 // only what comes without the document that was asked for is a refusal.
 HttpAnswer StationApi::ask(std::vector<std::string> words, double longest_s) const {
-  std::optional<LongJob> job;
-  if (longest_s > longest_short_job_s) job.emplace(long_jobs_);
-  if (job && job->number() > most_long_jobs) return refusal(503, "busy");
   words.insert(words.begin(), program_);
   const ProgramAnswer answer = ask_program(words, longest_s);
   if (answer.code < 0) return refusal(504, "no_answer");
@@ -118,6 +115,12 @@ HttpAnswer StationApi::ask(std::vector<std::string> words, double longest_s) con
   nlohmann::json json{{"error", "refused"}, {"exit_code", answer.code}, {"reason", answer.err}};
   return {.status = 422,
           .body = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"};
+}
+
+HttpAnswer StationApi::ask_long(std::vector<std::string> words) const {
+  const LongJob job(long_jobs_);
+  if (job.number() > most_long_jobs) return refusal(503, "busy");
+  return ask(std::move(words), longest_judging_s);
 }
 
 HttpAnswer StationApi::history(const Call& call) {

@@ -7,6 +7,7 @@ import { fill_table, row_button } from "./table.js";
 import { told_by } from "./told.js";
 import { say, say_time } from "./words.js";
 
+const most = 200;
 const form = by_id("history_filter");
 
 const unit_cell = (run) => [make("b", {}, run.serial), make("span", { class: "then" }, run.plan ?? "")];
@@ -27,7 +28,7 @@ function actions(run, page) {
 }
 
 export async function show_history(page) {
-  const query = Object.fromEntries(new FormData(form));
+  const query = { ...Object.fromEntries(new FormData(form)), last: most };
   await told_by(by_id("history_told"), async () => {
     const answer = await ask("history", query);
     const runs = (answer.runs ?? []).slice().sort((a, b) => (a.started_utc < b.started_utc ? 1 : -1));
@@ -35,7 +36,7 @@ export async function show_history(page) {
       [say_time(run.started_utc), unit_cell(run), verdict_cell(run), run.reason ?? "", actions(run, page)]);
     fill_table(by_id("history"),
       ["history.started", "history.serial", "history.verdict", "history.reason", ""], rows);
-    return rows.length ? say("history.newest", { count: rows.length }) : say("history.none");
+    return rows.length ? say("history.newest", { count: rows.length, most }) : say("history.none");
   });
 }
 

@@ -60,8 +60,10 @@ export function show_unit(page) {
   tell(by_id("station_name"), state.station.name);
 }
 
-/** @param page  its state
-    @param attempt  does a call and shows its refusal */
+/**
+ * @param page     its state
+ * @param attempt  does a call and shows its refusal
+ */
 export function begin_unit(page, attempt, focus_scan) {
   const on = (id, call) => by_id(id).addEventListener("click", async () => {
     await attempt(call);
