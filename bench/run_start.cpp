@@ -25,6 +25,10 @@ bool is_at_work(const std::filesystem::path& folder) {
   return hal::is_locked(log_of(folder)).value_or(false);
 }
 
+std::optional<FileLock> lock_run(const std::filesystem::path& folder) {
+  return FileLock::take(folder / "verdict.json");  // is there, and is never written again
+}
+
 RunPlace begin_run(const std::filesystem::path& root, const std::string& serial,
                    const ResolvedFiles& resolved) {
   const RunBegin begin = next_run(root, serial, utc_now());

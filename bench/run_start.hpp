@@ -32,6 +32,10 @@ inline constexpr const char* still_at_work = "an rvbench is still at work in it:
 /// Whether a process works in that run folder now.
 bool is_at_work(const std::filesystem::path& folder);
 
+/// For whoever adds files to a run that has come to its end. @return nullopt if another is at work
+/// @throws std::system_error
+std::optional<FileLock> lock_run(const std::filesystem::path& folder);
+
 /// The newest unfinished run of that serial, or why it cannot be resumed: there is none, another
 /// process works in it, or it was begun with other files than these.
 /// @throws std::system_error

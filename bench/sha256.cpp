@@ -83,6 +83,14 @@ std::optional<std::pair<std::string, std::string>> parse_sum(const std::string& 
   return std::pair{name, line.substr(0, hex_digits)};
 }
 
+// Of SHA256SUMS. The file is on the disk before its sum is.
+std::string line_of(const std::filesystem::path& folder, const std::string& name) {
+  put_on_disk(folder / name);
+  const std::optional<std::string> sum = sha256_of_file(folder / name);
+  if (!sum) throw_error(EIO, folder / name);
+  return *sum + "  " + name + "\n";
+}
+
 }  // namespace
 
 std::string sha256_of_text(const std::string& text) {
@@ -108,12 +116,22 @@ std::optional<std::string> sha256_of_file(const std::filesystem::path& file) {
 
 void write_sums(const std::filesystem::path& folder) {
   std::string text;
-  for (const std::string& name : contents_of(folder).files) {
-    put_on_disk(folder / name);
-    const std::optional<std::string> sum = sha256_of_file(folder / name);
-    if (!sum) throw_error(EIO, folder / name);
-    text += *sum + "  " + name + "\n";
+  for (const std::string& name : contents_of(folder).files) text += line_of(folder, name);
+  write_file(folder / sums_name, text);
+}
+
+void renew_sums(const std::filesystem::path& folder, const std::vector<std::string>& names) {
+  const std::optional<std::string> old = read_file(folder / sums_name);
+  if (!old) throw_error(EIO, folder / sums_name);
+  std::map<std::string, std::string> text_by_name;  // sorted by it, as write_sums() sorts
+  std::istringstream lines(*old);
+  for (std::string line; std::getline(lines, line);) {
+    const auto sum = parse_sum(line);
+    text_by_name[sum ? sum->first : line] = line + "\n";
   }
+  for (const std::string& name : names) text_by_name[name] = line_of(folder, name);
+  std::string text;
+  for (const auto& [name, line] : text_by_name) text += line;
   write_file(folder / sums_name, text);
 }
 

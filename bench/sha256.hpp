@@ -17,6 +17,11 @@ std::optional<std::string> sha256_of_file(
 /// @throws std::system_error
 void write_sums(const std::filesystem::path& folder);
 
+/// Puts the sums of these files of the folder in place of those they had, or beside the others,
+/// which stay as they are: no hash of a file that nobody wrote is made anew.
+/// @throws std::system_error
+void renew_sums(const std::filesystem::path& folder, const std::vector<std::string>& names);
+
 /// Whether write_sums() has come to its end there, since remove_sums().
 bool has_sums(const std::filesystem::path& folder);
 

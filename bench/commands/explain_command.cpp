@@ -109,7 +109,10 @@ void ExplainCommand::write_out(const Twin& twin, const analysis::Explanation& ex
   write_file(folder / "explain.html", page);
   write_file(folder / "explain.json", explanation_to_json(explanation, facts));
   std::error_code apart;
-  if (!run_.empty() && std::filesystem::equivalent(folder, run_, apart)) write_sums(folder);
+  if (run_.empty() || !std::filesystem::equivalent(folder, run_, apart)) return;
+  std::vector<std::string> names = {"explain.html", "explain.json"};
+  if (!plant.empty()) names.emplace_back("plant_updated.json");
+  renew_sums(folder, names);
 }
 
 // @throws Interrupted

@@ -14,6 +14,7 @@
 #include "bench/rejudging.hpp"
 #include "bench/result_database.hpp"
 #include "bench/run_folder.hpp"
+#include "bench/run_start.hpp"
 #include "bench/sha256.hpp"
 #include "bench/text_file.hpp"
 #include "hal/did_you_mean.hpp"
@@ -130,10 +131,13 @@ int RejudgeCommand::judge(Console& console, const std::filesystem::path& folder)
     again.judgement.facts.limits_version = limits_->version;
     again.limits_sha256 = limits_hash(limits_->limits);
   }
-  const std::string file = next_rejudgement_name(folder);
+  std::string file;
   try {
+    const std::optional<FileLock> alone = lock_run(folder);
+    if (!alone) return refuse_file(console, folder, {{0, "", still_at_work}});
+    file = next_rejudgement_name(folder);
     write_file(folder / file, rejudgement_to_json(again));
-    write_sums(folder);
+    renew_sums(folder, {file});
   } catch (const std::system_error& error) {
     return refuse_usage(console, "rejudge: cannot be written: " + reason_of(error));
   }

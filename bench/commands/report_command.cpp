@@ -1,16 +1,21 @@
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <variant>
+#include <vector>
 
 #include "bench/commands/commands.hpp"
+#include "bench/file_kind.hpp"
 #include "bench/judging.hpp"
 #include "bench/report/pdf/pdf_report.hpp"
 #include "bench/report/report.hpp"
 #include "bench/run_results.hpp"
+#include "bench/run_start.hpp"
 #include "bench/sha256.hpp"
 #include "bench/stored_run.hpp"
 #include "bench/text_file.hpp"
+#include "hal/formats/file_draft.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -43,12 +48,16 @@ class ReportCommand final : public Command {
   std::vector<Option> options() override {
     return {{"RUN", "run folder", &folder_, true, {}},
             {"--pdf", "report.pdf as well: a page for the verdict, and an appendix", &pdf_},
-            {"--out", "with --pdf: a copy of report.pdf in this file", &out_}};
+            {"--out", "with --pdf: a copy of report.pdf in this file", &out_},
+            {"--force", "replace the file that --out names", &force_}};
   }
 
   int run(Console& console) override {
     if (!out_.empty() && !pdf_) {
       return refuse_usage(console, "report: --out is where a copy of report.pdf goes: add --pdf");
+    }
+    if (const std::string why = why_not_out(); !why.empty()) {
+      return refuse_usage(console, "report: --out: " + why);
     }
     const std::filesystem::path folder = folder_;
     const auto read = read_stored_run(folder);
@@ -72,6 +81,11 @@ class ReportCommand final : public Command {
         }
         paper = report.bytes;
       }
+      const std::optional<FileLock> alone = lock_run(folder);
+      if (!alone) return refuse_file(console, folder, {{0, "", still_at_work}});
+      if (const Status copied = write_copy(paper); !copied) {
+        return refuse_usage(console, "report: --out: " + copied.error().where);
+      }
       write_reports(folder, make_report(input), paper);
     } catch (const std::system_error& error) {
       return refuse_usage(console, std::string("report: cannot be written: ") + error.what());
@@ -81,17 +95,37 @@ class ReportCommand final : public Command {
   }
 
  private:
-  // Its copy first: what names no place to write to leaves the folder as it is.
+  // Empty: a copy may go there. The files of a run are its own, whoever asks.
+  std::string why_not_out() const {
+    if (out_.empty()) return "";
+    const std::filesystem::path place = std::filesystem::absolute(out_).parent_path();
+    if (!is_absent(place / "plan.json")) {
+      return out_ + ": " + place.string() + " is a run folder, which holds report.pdf itself";
+    }
+    const Status free = hal::formats::check_place(out_, force_);
+    return free ? "" : free.error().where;
+  }
+
+  // Before anything of the run: what names no place to write to leaves its folder as it is.
+  Status write_copy(const std::string& paper) const {
+    if (out_.empty()) return Done{};
+    hal::formats::FileDraft draft(out_, force_);
+    Status done = draft.begin();
+    if (done) done = draft.write(paper);
+    return done ? draft.finish() : done;
+  }
+
   void write_reports(const std::filesystem::path& folder, const std::string& html,
                      const std::string& paper) const {
-    if (!out_.empty()) write_file(out_, paper);
     write_file(folder / "report.html", html);
     if (pdf_) write_file(folder / "report.pdf", paper);
-    write_sums(folder);
+    std::vector<std::string> made = {"report.html"};
+    if (pdf_) made.emplace_back("report.pdf");
+    renew_sums(folder, made);
   }
 
   std::string folder_, out_;
-  bool pdf_ = false;
+  bool pdf_ = false, force_ = false;
 };
 
 }  // namespace

@@ -97,6 +97,11 @@ TEST_CASE("a copy of the report on paper goes where --out says", "[bench][pdf]")
   REQUIRE(rvbench({"report", folder.string(), "--pdf", "--out", copy}).code == 0);
   CHECK(read_file(copy).value() == read_file(folder / "report.pdf").value());
 
+  const CommandAnswer again = rvbench({"report", folder.string(), "--pdf", "--out", copy});
+  CHECK(again.code == 2);
+  CHECK_THAT(again.err, Contains("A18.pdf: exists; --force replaces it"));
+  CHECK(rvbench({"report", folder.string(), "--pdf", "--out", copy, "--force"}).code == 0);
+
   const CommandAnswer alone = rvbench({"report", folder.string(), "--out", copy});
   CHECK(alone.code == 2);
   CHECK_THAT(alone.err, Contains("add --pdf"));
@@ -105,6 +110,34 @@ TEST_CASE("a copy of the report on paper goes where --out says", "[bench][pdf]")
   CHECK(nowhere.code == 2);
   CHECK_THAT(nowhere.err, Contains("no/A18.pdf: No such file or directory"));
   CHECK(rvbench({"check", folder.string()}).code == 0);  // left as it was
+}
+
+TEST_CASE("no copy of a report takes the place of a file of a run", "[bench][pdf]") {
+  const ScratchFolder run, other;
+  const auto folder = leave_run(run.path());
+  leave_run(other.path());
+  const std::string verdict = read_file(other / "verdict.json").value();
+  for (const auto& place : {folder / "verdict.json", other / "verdict.json", other / "new.pdf"}) {
+    const CommandAnswer answer =
+        rvbench({"report", folder.string(), "--pdf", "--out", place.string(), "--force"});
+    CHECK(answer.code == 2);
+    CHECK_THAT(answer.err, Contains("is a run folder"));
+  }
+  CHECK(read_file(other / "verdict.json").value() == verdict);
+  CHECK_FALSE(std::filesystem::exists(other / "new.pdf"));
+  CHECK(rvbench({"report", folder.string(), "--pdf", "--out", "/dev/null", "--force"}).code == 2);
+  CHECK(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST_CASE("a report renews its own sums alone", "[bench][pdf]") {
+  const ScratchFolder run;
+  const auto folder = leave_run(run.path());
+  REQUIRE(rvbench({"report", folder.string()}).code == 0);
+  const std::string before = read_file(folder / "SHA256SUMS").value();
+  change(folder / "plan.json");
+  renew_sums(folder, {"report.html"});
+  CHECK(read_file(folder / "SHA256SUMS").value() == before);
+  CHECK(verify_sums(folder) == std::vector<std::string>{"plan.json: does not match its hash"});
 }
 
 TEST_CASE("a new verdict takes the old report on paper away", "[bench][pdf]") {
