@@ -62,7 +62,7 @@ BenchRig read_bench_rig(hal::ConfigReader& root) {
   rig.accelerometers = read_optional(root, "accelerometers", read_accelerometer_section);
   rig.safety = read_optional(root, "safety", read_safety_section);
   rig.plant = root.text("plant", rig.plant);
-  rig.qualification = read_qualification_section(root, channels_of(rig));
+  rig.qualification = read_qualification_section(root, "bench", channels_of(rig));
   for (const auto& [has, key] :
        {std::pair{rig.torque.has_value(), "torque"}, {rig.brake.has_value(), "brake"}}) {
     if (has && !rig.can) root.fault(key, "it is on a CAN bus, and the file has no \"can\"");

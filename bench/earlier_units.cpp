@@ -31,18 +31,22 @@ std::vector<RunRow> runs_below(const std::filesystem::path& root) {
     row.folder = folder.lexically_relative(root).string();
     row.started_utc = read_run_begin(folder).started_utc;
     row.plan = plan_name_in(folder);
+    row.rig_kind = rig_of(folder).kind;
     rows.push_back(std::move(row));
   }
   return rows;
 }
 
-// Others' runs of that plan before this one that may have come to PASS or FAIL, the latest first.
-std::vector<RunRow> runs_before(const std::filesystem::path& own, const Judgement& judgement) {
+// Others' runs of that plan on that kind of rig before this one that may have come to PASS or FAIL,
+// the latest first.
+std::vector<RunRow> runs_before(const std::filesystem::path& run, const Judgement& judgement) {
+  const std::filesystem::path own = run.parent_path();
+  const std::string kind = rig_of(run).kind;
   std::vector<RunRow> rows = runs_below(own.parent_path());
   std::erase_if(rows, [&](const RunRow& row) {
     const bool may_be_judged = row.verdict.empty() || row.verdict == to_string(Outcome::pass) ||
                                row.verdict == to_string(Outcome::fail);
-    return !may_be_judged || row.plan != judgement.facts.plan ||
+    return !may_be_judged || row.plan != judgement.facts.plan || row.rig_kind != kind ||
            row.started_utc >= judgement.facts.started_utc ||
            std::filesystem::path(row.folder).parent_path() == own.filename();
   });
@@ -78,7 +82,7 @@ std::vector<EarlierUnit> earlier_units(const std::filesystem::path& run, const J
   if (unknown || serial.empty() || own.filename() != folder_name_of(serial)) return {};
   std::vector<EarlierUnit> earlier;
   std::set<std::filesystem::path> known;  // folders of the units that are told
-  for (const RunRow& row : runs_before(own, judgement)) {
+  for (const RunRow& row : runs_before(folder, judgement)) {
     if (earlier.size() == most_earlier_units) break;
     const std::filesystem::path name = std::filesystem::path(row.folder).parent_path();
     if (known.contains(name)) continue;

@@ -14,6 +14,7 @@
 #include "bench/trust.hpp"
 #include "hal/did_you_mean.hpp"
 #include "hal/types/measure.hpp"
+#include "sequences/limits_on_plan.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -134,6 +135,16 @@ analysis::Kinematics of_specimen(analysis::Kinematics kinematics,
   kinematics.gear_ratio = specimen.gear_ratio;
   kinematics.rated_output_torque_Nm = specimen.rated_output_torque_Nm;
   return kinematics;
+}
+
+std::vector<hal::ConfigFault> limits_out_of_place(const std::vector<sequences::Limit>& limits,
+                                                  const sequences::TestPlan& plan,
+                                                  const analysis::Kinematics& kinematics) {
+  auto faults = limits_on_unknown_parts(limits, kinematics);
+  for (hal::ConfigFault& fault : sequences::limits_without_points(limits, plan)) {
+    faults.push_back(std::move(fault));
+  }
+  return faults;
 }
 
 std::vector<hal::ConfigFault> limits_on_unknown_parts(const std::vector<sequences::Limit>& limits,

@@ -25,6 +25,12 @@ std::vector<analysis::Examination> examined_points(const Judgement& judgement);
 analysis::Kinematics of_specimen(analysis::Kinematics kinematics,
                                  const sequences::Specimen& specimen);
 
+/// Limits that no run of the plan on that machine can be held against, as faults at "/limits".
+/// Errors  none thrown. Source  limits_on_unknown_parts(), sequences::limits_without_points()
+std::vector<hal::ConfigFault> limits_out_of_place(const std::vector<sequences::Limit>& limits,
+                                                  const sequences::TestPlan& plan,
+                                                  const analysis::Kinematics& kinematics);
+
 /// Limits on parts, bands, orders or meshes that the machine does not have, as faults of the plan:
 /// never found, such a part would always be within its limit.
 /// Errors  none thrown: each is a fault in the answer. Source  the names of the kinematics

@@ -87,14 +87,21 @@ double bound_in_force(const Limit& limit, const std::vector<Limit>& in_force) {
 struct Runs {
   std::map<std::string, std::string> good;    // the newest run of each good unit that passed it
   std::map<std::string, std::string> judged;  // every PASS and FAIL of the plan
+  std::vector<std::string> changed;
 };
 
-Runs runs_of(const std::vector<RunRow>& rows, const LearningTask& task) {
-  std::map<std::string, std::string> newest;  // folder by serial; rows are oldest first
+Runs runs_of(std::vector<RunRow> rows, const LearningTask& task) {
+  std::ranges::stable_sort(rows, {}, &RunRow::number);  // of a serial: clocks may have been set
+  std::map<std::string, std::string> newest;            // folder by serial
   Runs runs;
   for (const RunRow& row : rows) {
-    if (row.plan != task.plan.name) continue;
-    if (row.verdict == "PASS" || row.verdict == "FAIL") runs.judged[row.folder] = row.serial;
+    if (row.plan != task.plan.name || row.rig_kind != task.rig_kind) continue;
+    if (row.verdict != "PASS" && row.verdict != "FAIL") continue;
+    if (!is_as_entered(task.root, row)) {
+      runs.changed.push_back(row.folder);
+      continue;
+    }
+    runs.judged[row.folder] = row.serial;
     const bool is_good = task.serials.empty() || task.serials.contains(row.serial);
     if (!is_good) continue;
     // A unit that failed since is no good one, whatever it was before.
@@ -105,15 +112,16 @@ Runs runs_of(const std::vector<RunRow>& rows, const LearningTask& task) {
   return runs;
 }
 
-std::string why_of(const LearntLimit& learnt, const analysis::Coverage& coverage,
-                   const std::string& utc) {
+std::string why_of(const LearntLimit& learnt, const LearningTask& task, const std::string& utc) {
+  const analysis::Coverage& coverage = task.coverage;
   const analysis::RobustLimit& robust = learnt.proposal.learnt;
   return fmt::format(
       "median {} {} {:.2f} robust sigma of {} good units ({:g} % of all with {:g} % "
-      "confidence), {}",
+      "confidence), rig {}, {}",
       with_unit(robust.median, learnt.limit.unit),
       learnt.proposal.side == LimitSide::max ? "+" : "-", robust.factor, robust.units,
-      100 * coverage.content, 100 * coverage.confidence, readable_utc(utc).substr(0, 10));
+      100 * coverage.content, 100 * coverage.confidence, task.rig_kind,
+      readable_utc(utc).substr(0, 10));
 }
 
 // What judged runs and good units show of one limit.
@@ -156,7 +164,7 @@ LearntLimit learnt_of(const Limit& limit, const Taught& taught, analysis::LimitP
   const bool is_min = learnt.proposal.side == LimitSide::min;
   learnt.limit.min = is_min ? learnt.proposal.learnt.limit : not_known;
   learnt.limit.max = is_min ? not_known : learnt.proposal.learnt.limit;
-  learnt.limit.why = why_of(learnt, task.coverage, utc);
+  learnt.limit.why = why_of(learnt, task, utc);
   return learnt;
 }
 
@@ -192,6 +200,7 @@ Result<LearntLimits> learn_limits(const ResultDatabase& database, const Learning
   const auto proposals = analysis::propose_limits(histories, task.coverage);
   LearntLimits all;
   all.file = {task.version, task.plan.name, {}, task.plan.limits};
+  all.changed = runs.changed;
   for (std::size_t i = 0; i < limits.size(); ++i) {
     all.learnt.push_back(learnt_of(limits[i], all_taught[i], proposals[i], task, utc));
     if (proposals[i].refusal.empty()) put(all.file.limits, all.learnt.back().limit);
@@ -199,8 +208,22 @@ Result<LearntLimits> learn_limits(const ResultDatabase& database, const Learning
   return all;
 }
 
+Result<std::set<std::string>> rig_kinds_of(const ResultDatabase& database,
+                                           const std::string& plan) {
+  const auto rows = database.runs();
+  if (!rows) return rows.error();
+  std::set<std::string> kinds;
+  for (const RunRow& row : rows.value()) {
+    if (row.plan == plan && row.verdict == "PASS") kinds.insert(row.rig_kind);
+  }
+  return kinds;
+}
+
 std::string learnt_text(const LearntLimits& learnt) {
   std::string text;
+  for (const std::string& folder : learnt.changed) {
+    text += folder + ": teaches nothing: it is gone, or its verdict.json was changed\n";
+  }
   for (const LearntLimit& one : learnt.learnt) {
     const analysis::LimitProposal& proposal = one.proposal;
     const std::string name = one.limit.measure +

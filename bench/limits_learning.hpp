@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <set>
 #include <string>
 #include <variant>
@@ -16,6 +17,8 @@ struct LearningTask {
   std::string version;
   sequences::TestPlan plan;  ///< with the limits in force: what is not learnt stays as it is
   std::vector<std::string> measures;  ///< to learn; empty: those that are limited
+  std::filesystem::path root = {};    ///< of the folders, which vouch for what was entered
+  std::string rig_kind = {};          ///< on which they ran: kinds are never mixed
   bool per_point = false;         ///< a limit for each point of the matrix, in place of one for all
   std::set<std::string> serials;  ///< good units; empty: all that passed
   analysis::Coverage coverage;
@@ -30,8 +33,9 @@ struct LearntLimit {
 };
 
 struct LearntLimits {
-  LimitsFile file;                  ///< a draft: what was learnt, and what stays; no steps
-  std::vector<LearntLimit> learnt;  ///< those that were refused, too
+  LimitsFile file;                   ///< a draft: what was learnt, and what stays; no steps
+  std::vector<LearntLimit> learnt;   ///< those that were refused, too
+  std::vector<std::string> changed;  ///< folders of runs that are gone or were changed: no teachers
 };
 
 /// Learns limits from the newest PASS of each good unit that no FAIL came after: of each the worst
@@ -44,6 +48,10 @@ struct LearntLimits {
 /// Source  analysis::propose_limits()
 Result<LearntLimits> learn_limits(const ResultDatabase& database, const LearningTask& task,
                                   const std::string& utc);
+
+/// The kinds of rig on which units passed the plan: "bench", "sim", "replay", or empty where nobody
+/// knows.
+Result<std::set<std::string>> rig_kinds_of(const ResultDatabase& database, const std::string& plan);
 
 /// A table, a row each, with what is refused and why.
 std::string learnt_text(const LearntLimits& learnt);

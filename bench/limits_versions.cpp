@@ -12,18 +12,62 @@ namespace {
 constexpr const char* folder_name = "limits";
 constexpr const char* suffix = ".json";
 
-std::vector<std::filesystem::path> files_in(const std::filesystem::path& root) {
-  std::vector<std::filesystem::path> files;
+std::string below_root(const std::string& version) {
+  return std::string(folder_name) + "/" + version + suffix;
+}
+
+std::string kind_of(const std::string& step) { return "limits " + step; }
+
+std::vector<std::string> versions_in(const std::filesystem::path& root) {
+  std::vector<std::string> versions;
   std::error_code error;  // what cannot be looked into holds none
   using Entries = std::filesystem::directory_iterator;
   for (Entries entry(root / folder_name, error), end; !error && entry != end;
        entry.increment(error)) {
     std::error_code unknown;
     const bool is_one = entry->path().extension() == suffix && entry->is_regular_file(unknown);
-    if (is_one) files.push_back(entry->path());
+    if (is_one) versions.push_back(entry->path().stem().string());
   }
-  std::ranges::sort(files);
-  return files;
+  std::ranges::sort(versions);
+  return versions;
+}
+
+// By what the file says of itself.
+std::string status_by_steps(const LimitsFile& file) {
+  const std::string now = limits_hash(file.limits);
+  const auto is_of_now = [&](const char* name) {
+    const LimitsStep* step = last_step(file, name);
+    return step != nullptr && step->limits_sha256 == now;
+  };
+  if (!is_of_now("approved")) return "draft";
+  return is_of_now("activated") ? "activated" : "approved";
+}
+
+// "" if it is as it was kept.
+std::string fault_in(const Ledger& ledger, const std::filesystem::path& root,
+                     const std::string& version) {
+  const LedgerLine* line = ledger.last_of(below_root(version));
+  if (line != nullptr) return fault_of(root, *line);
+  return limits_path(root, version).string() + " is in no line of " + ledger_name +
+         ": it was put there by hand";
+}
+
+// Of files that the ledger does not have, one that says it is active: a ledger may be gone.
+std::string unlisted_active(const Ledger& ledger, const std::filesystem::path& root,
+                            const std::string& plan) {
+  for (const std::string& version : versions_in(root)) {
+    if (ledger.last_of(below_root(version)) != nullptr) continue;
+    const std::filesystem::path path = limits_path(root, version);
+    const auto read = read_limits_file(path);
+    if (read.index() == 1) {
+      return fault_in(ledger, root, version) + ", and cannot be read: rvbench check tells why";
+    }
+    const LimitsFile& file = std::get<0>(read);
+    if (file.plan != plan || last_step(file, "activated") == nullptr) continue;
+    return fault_in(ledger, root, version) +
+           ", and says that it is active: approve and activate it, or take it away";
+  }
+  return "";
 }
 
 }  // namespace
@@ -33,16 +77,7 @@ bool is_limits_version(const std::string& version) {
 }
 
 std::filesystem::path limits_path(const std::filesystem::path& root, const std::string& version) {
-  return root / folder_name / (version + suffix);
-}
-
-std::vector<LimitsFile> limits_versions(const std::filesystem::path& root) {
-  std::vector<LimitsFile> versions;
-  for (const std::filesystem::path& file : files_in(root)) {
-    auto read = read_limits_file(file);
-    if (read.index() == 0) versions.push_back(std::get<0>(std::move(read)));
-  }
-  return versions;
+  return root / below_root(version);
 }
 
 const LimitsStep* last_step(const LimitsFile& file, const std::string& step) {
@@ -51,34 +86,61 @@ const LimitsStep* last_step(const LimitsFile& file, const std::string& step) {
   return found == file.steps.rend() ? nullptr : &*found;
 }
 
-std::string status_of(const LimitsFile& file) {
-  if (file.steps.empty() || file.steps.back().limits_sha256 != limits_hash(file.limits)) {
-    return "draft";
+std::vector<LimitsVersion> limits_versions(const std::filesystem::path& root) {
+  const Ledger ledger = read_ledger(root);
+  std::vector<LimitsVersion> versions;
+  for (const std::string& name : versions_in(root)) {
+    LimitsVersion& version = versions.emplace_back();
+    version.version = name;
+    version.fault = fault_in(ledger, root, name);
+    auto read = read_limits_file(limits_path(root, name));
+    if (read.index() == 1) {
+      version.status = "damaged";
+      version.fault = limits_path(root, name).string() + " cannot be read: rvbench check tells why";
+      continue;
+    }
+    version.file = std::get<0>(std::move(read));
+    version.status = version.fault.empty() ? status_by_steps(version.file) : "draft";
+    if (version.status != "activated") continue;
+    const auto active = active_limits(root, version.file.plan);
+    const auto* in_force = std::get_if<std::optional<LimitsFile>>(&active);
+    version.is_in_force =
+        in_force != nullptr && in_force->has_value() && (*in_force)->version == name;
   }
-  const LimitsStep* approved = last_step(file, "approved");
-  if (approved == nullptr || approved->limits_sha256 != limits_hash(file.limits)) return "draft";
-  return file.steps.back().step == "activated" ? "activated" : "approved";
+  return versions;
+}
+
+std::string status_of(const LimitsFile& file, const std::filesystem::path& root) {
+  const bool is_kept = fault_in(read_ledger(root), root, file.version).empty();
+  return is_kept ? status_by_steps(file) : "draft";
 }
 
 std::variant<std::optional<LimitsFile>, std::string> active_limits(
     const std::filesystem::path& root, const std::string& plan) {
-  std::optional<LimitsFile> active;
-  for (const std::filesystem::path& file : files_in(root)) {
-    auto read = read_limits_file(file);
-    if (read.index() == 1) {
-      return file.string() + " cannot be read: rvbench check tells why";
-    }
-    LimitsFile& version = std::get<0>(read);
-    const LimitsStep* step = last_step(version, "activated");
-    if (version.plan != plan || step == nullptr) continue;
-    if (active && last_step(*active, "activated")->utc > step->utc) continue;
-    active = std::move(version);
+  const Ledger ledger = read_ledger(root);
+  if (!ledger.fault.empty()) return ledger.fault;
+  if (std::string unlisted = unlisted_active(ledger, root, plan); !unlisted.empty()) {
+    return unlisted;
   }
-  if (active && status_of(*active) != "activated") {
-    return "limits " + active->version +
-           " were changed since they were approved: approve and activate them again";
+  const auto line = std::find_if(
+      ledger.lines.rbegin(), ledger.lines.rend(),
+      [&](const LedgerLine& one) { return one.kind == kind_of("activated") && one.of == plan; });
+  if (line == ledger.lines.rend()) return std::optional<LimitsFile>();
+  const std::string fault = fault_of(root, *ledger.last_of(line->file));
+  const std::string remedy = ": put back a copy, or approve and activate limits again";
+  if (!fault.empty()) return "of the limits in force for plan " + plan + ", " + fault + remedy;
+  auto read = read_limits_file(root / line->file);
+  if (read.index() == 1) return (root / line->file).string() + " cannot be read" + remedy;
+  LimitsFile& file = std::get<0>(read);
+  if (status_by_steps(file) != "activated") {
+    return "limits " + file.version + " were changed since they were approved" + remedy;
   }
-  return active;
+  return std::optional<LimitsFile>(std::move(file));
+}
+
+void keep_limits(LedgerPen& pen, const LimitsFile& file) {
+  pen.keep(kind_of(file.steps.back().step), file.plan, below_root(file.version),
+           limits_file_to_json(file));
 }
 
 }  // namespace rvbench::bench

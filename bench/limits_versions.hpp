@@ -6,11 +6,12 @@
 #include <variant>
 #include <vector>
 
+#include "bench/ledger.hpp"
 #include "bench/limits_file.hpp"
 
 /// Versions of limits beside the runs that they are for: <root>/limits/<version>.json. A draft is
-/// proposed, approved by somebody with a name, and activated; rvbench run takes the active one of
-/// its plan in place of the limits that the plan states.
+/// proposed, approved by somebody with a name, and activated, each step a line of the ledger;
+/// rvbench run takes the active one of its plan in place of the limits that the plan states.
 namespace rvbench::bench {
 
 /// Letters, digits, '.', '_' and '-', at most 64, the first no '.': the name of a file.
@@ -18,19 +19,33 @@ bool is_limits_version(const std::string& version);
 
 std::filesystem::path limits_path(const std::filesystem::path& root, const std::string& version);
 
-/// All that can be read, by version.
-std::vector<LimitsFile> limits_versions(const std::filesystem::path& root);
-
 /// The newest step of that name; null if there is none.
 const LimitsStep* last_step(const LimitsFile& file, const std::string& step);
 
-/// "draft", "approved" or "activated": how far it has come. What was changed since its approval is
-/// a draft again.
-std::string status_of(const LimitsFile& file);
+/// One version, as far as it has come.
+struct LimitsVersion {
+  std::string version;
+  LimitsFile file;     ///< empty if it cannot be read
+  std::string status;  ///< "draft", "approved", "activated" or "damaged"
+  bool is_in_force = false;
+  std::string fault;  ///< of a file that cannot be read, or differs from what was kept
+};
 
-/// The one of that plan that was activated last; nothing if none was, or why it must not be used:
-/// it cannot be read, or was changed since it was approved.
+/// All there are, by name.
+std::vector<LimitsVersion> limits_versions(const std::filesystem::path& root);
+
+/// How far the version of a file that is read has come. What was changed since its approval, or is
+/// not as it was kept, is a draft again.
+std::string status_of(const LimitsFile& file, const std::filesystem::path& root);
+
+/// The one of that plan that was activated last, whatever clocks said; nothing if none was, or why
+/// no run may begin: it is missing, cannot be read, or was changed since it was approved, or
+/// nobody can tell which was the last.
 std::variant<std::optional<LimitsFile>, std::string> active_limits(
     const std::filesystem::path& root, const std::string& plan);
+
+/// Keeps the version with a further step, which the caller has put at the end of its steps.
+/// @throws std::system_error
+void keep_limits(LedgerPen& pen, const LimitsFile& file);
 
 }  // namespace rvbench::bench

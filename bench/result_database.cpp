@@ -19,12 +19,14 @@ namespace rvbench::bench {
 namespace {
 
 // The columns, in the order of the statement below.
-constexpr std::string RunRow::*columns[] = {&RunRow::folder, &RunRow::serial,  &RunRow::started_utc,
-                                            &RunRow::plan,   &RunRow::verdict, &RunRow::error_kind,
-                                            &RunRow::reason, &RunRow::software};
+constexpr std::string RunRow::*columns[] = {
+    &RunRow::folder,   &RunRow::serial,     &RunRow::started_utc, &RunRow::plan,
+    &RunRow::verdict,  &RunRow::error_kind, &RunRow::reason,      &RunRow::software,
+    &RunRow::rig_kind, &RunRow::station,    &RunRow::sha256};
 constexpr const char* get_runs =
-    "SELECT folder, serial, started_utc, plan, verdict, error_kind, reason, software, is_whole "
-    "FROM runs WHERE ?1 = '' OR serial = ?1 ORDER BY started_utc, folder";
+    "SELECT folder, serial, started_utc, plan, verdict, error_kind, reason, software, rig_kind, "
+    "station, verdict_sha256, number, is_whole FROM runs WHERE ?1 = '' OR serial = ?1 ORDER BY "
+    "started_utc, folder";
 constexpr const char* get_later =
     "SELECT runs.folder, file, judged_utc, judgements.software, limits_version, "
     "judgements.verdict, judgements.error_kind, judgements.reason FROM judgements "
@@ -47,6 +49,7 @@ Result<std::vector<EnteredRun>> entered_runs(const SqliteFile& file, const std::
     EnteredRun& run = entered.emplace_back();
     int at = 0;
     for (const auto column : columns) run.row.*column = query.text(at++);
+    run.row.number = static_cast<int>(query.integer(at++));
     run.is_whole = query.integer(at) != 0;
   }
   if (!query.is_done()) return file.failure("cannot be read");
@@ -57,7 +60,9 @@ bool may_be_resumed(const RunRow& row) {
   return row.verdict == to_string(Outcome::aborted) || row.verdict == to_string(Outcome::error);
 }
 
+// Nothing of one that was changed since the run's end.
 std::optional<Judgement> verdict_in(const std::filesystem::path& folder) {
+  if (!matches_sum(folder, "verdict.json")) return std::nullopt;
   return judgement_from_json(read_file(folder / "verdict.json").value_or(""));
 }
 
@@ -74,10 +79,8 @@ RunRow row_without_result(const std::filesystem::path& root, const std::filesyst
           .serial = begin.serial,
           .started_utc = begin.started_utc,
           .plan = plan_name_in(folder),
-          .verdict = "",
-          .error_kind = "",
           .reason = reason,
-          .software = ""};
+          .number = begin.number};
 }
 
 }  // namespace
@@ -132,7 +135,7 @@ Result<int> ResultDatabase::catch_up() {
     if (!more) return more.error();
     missing += int{done.value()} + more.value();
   }
-  for (const LimitsFile& limits : limits_versions(root_)) {
+  for (const LimitsVersion& limits : limits_versions(root_)) {
     const Status done = enter_limits_version(file_, limits);
     if (!done) return done.error();
   }
@@ -248,8 +251,13 @@ std::vector<RunRow> damaged_runs(const std::filesystem::path& root,
   return rows;
 }
 
+bool is_as_entered(const std::filesystem::path& root, const RunRow& row) {
+  return sha256_of_file(root / row.folder / "verdict.json") == row.sha256;
+}
+
 RunRow row_of(const std::filesystem::path& root, const std::filesystem::path& folder,
               const Judgement& judgement) {
+  const RigOfRun rig = rig_of(folder);
   return {.folder = folder.lexically_relative(root).string(),
           .serial = judgement.facts.serial,
           .started_utc = judgement.facts.started_utc,
@@ -257,7 +265,11 @@ RunRow row_of(const std::filesystem::path& root, const std::filesystem::path& fo
           .verdict = to_string(judgement.ending.outcome),
           .error_kind = to_string(judgement.ending.error_kind),
           .reason = judgement.ending.reason,
-          .software = judgement.facts.software};
+          .software = judgement.facts.software,
+          .number = read_run_begin(folder).number,
+          .rig_kind = rig.kind,
+          .station = rig.station,
+          .sha256 = sha256_of_file(folder / "verdict.json").value_or("")};
 }
 
 JudgementRow row_of(const std::filesystem::path& root, const std::filesystem::path& file,

@@ -19,10 +19,14 @@ struct RunRow {
   std::string serial;
   std::string started_utc;
   std::string plan;
-  std::string verdict;     ///< "PASS", ...; "" if there is none (yet)
-  std::string error_kind;  ///< "none", "device_lost", ...
-  std::string reason;
-  std::string software;
+  std::string verdict = {};     ///< "PASS", ...; "" if there is none (yet)
+  std::string error_kind = {};  ///< "none", "device_lost", ...
+  std::string reason = {};
+  std::string software = {};
+  int number = 0;  ///< among the runs of that serial, in the order they began; 0: not known
+  std::string rig_kind = {};  ///< "bench", "sim", "replay"; empty: not known
+  std::string station = {};   ///< that its rig names; empty: none
+  std::string sha256 = {};    ///< of its verdict.json
 
   bool operator==(const RunRow&) const = default;
 };
@@ -64,7 +68,8 @@ class ResultDatabase {
 
   /// Enters every run folder with a complete verdict that is missing or not whole, every one that
   /// has come to another verdict since (an ABORTED or ERROR run may be resumed), and later
-  /// judgements, versions of limits and records of stations. @return how many runs and later judgements
+  /// judgements, versions of limits and records of stations. What was told of a run whose folder is
+  /// gone stays. @return how many runs and later judgements came
   Result<int> catch_up();
 
   /// Oldest first. @param serial  empty: of every unit
@@ -99,10 +104,14 @@ Result<ResultDatabase> caught_up(Result<ResultDatabase> opened);
 /// it began.
 std::vector<RunRow> unfinished_runs(const std::filesystem::path& root);
 
-/// Likewise those that have come to their end, but whose verdict nobody can read any more, nor has
-/// it been entered.
+/// Likewise those that have come to their end, but whose verdict is not the one of then, or cannot
+/// be read, nor has it been entered.
 std::vector<RunRow> damaged_runs(const std::filesystem::path& root,
                                  const std::vector<RunRow>& entered);
+
+/// Whether the verdict that was entered is still that of its folder in `root`: what is gone or was
+/// changed since vouches for nothing.
+bool is_as_entered(const std::filesystem::path& root, const RunRow& row);
 
 /// The row of a run whose folder lies in `root`.
 RunRow row_of(const std::filesystem::path& root, const std::filesystem::path& folder,

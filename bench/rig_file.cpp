@@ -47,7 +47,7 @@ SimRig read_sim(hal::ConfigReader& root, const RigOptions& options) {
          .device = entry.choice("device", {"inverter"}),
          .fault = entry.choice("fault", {"none", "late", "silent", "garbled", "busy", "dead"})});
   }
-  sim.qualification = read_qualification_section(root, channels_of(sim));
+  sim.qualification = read_qualification_section(root, "sim", channels_of(sim));
   return sim;
 }
 

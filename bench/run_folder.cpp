@@ -13,6 +13,7 @@
 #include "bench/factory/outbox.hpp"
 #include "bench/json_text.hpp"
 #include "bench/judgement.hpp"
+#include "bench/ledger.hpp"
 #include "bench/on_disk.hpp"
 #include "bench/sha256.hpp"
 #include "bench/text_file.hpp"
@@ -27,6 +28,16 @@ constexpr std::uint64_t most_runs = 1'000'000'000;
 bool is_plain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
          c == '_' || c == '-';
+}
+
+// Discarded if it is none.
+nlohmann::json json_in(const std::filesystem::path& file) {
+  return nlohmann::json::parse(read_file(file).value_or(""), nullptr, false);
+}
+
+std::string text_in(const nlohmann::json& json, const char* key) {
+  const bool is_there = json.is_object() && json.contains(key) && json[key].is_string();
+  return is_there ? json[key].get<std::string>() : "";
 }
 
 // With those above it, each on the disk before the next.
@@ -67,10 +78,14 @@ std::vector<std::filesystem::path> run_folders(const std::filesystem::path& root
 }
 
 std::string plan_name_in(const std::filesystem::path& run) {
-  const auto plan =
-      nlohmann::json::parse(read_file(run / "plan.json").value_or(""), nullptr, false);
-  const bool is_named = plan.is_object() && plan.contains("name") && plan["name"].is_string();
-  return is_named ? plan["name"].get<std::string>() : "";
+  return text_in(json_in(run / "plan.json"), "name");
+}
+
+RigOfRun rig_of(const std::filesystem::path& run) {
+  const nlohmann::json rig = json_in(run / "rig.json");
+  const nlohmann::json asked =
+      rig.is_object() ? rig.value("qualification", nlohmann::json()) : nlohmann::json();
+  return {text_in(rig, "rig"), text_in(asked, "station")};
 }
 
 std::string folder_name_of(const std::string& serial) {
@@ -79,7 +94,7 @@ std::string folder_name_of(const std::string& serial) {
   std::ranges::replace_if(
       name, [](char c) { return !is_plain(c); }, '_');
   if (name.front() == '.' || name.front() == '-') name.front() = '_';
-  for (const char* taken : {result_database_name, outbox_name}) {
+  for (const char* taken : {result_database_name, outbox_name, ledger_name}) {
     if (name.starts_with(taken)) name.front() = '_';  // SQLite adds -wal and -shm
   }
   if (name != serial) name.append("-").append(sha256_of_text(serial), 0, 8);
@@ -118,14 +133,12 @@ std::string run_begin_to_json(const RunBegin& begin) {
 
 RunBegin read_run_begin(const std::filesystem::path& run) {
   RunBegin begin{run.parent_path().filename().string(), run.filename().string(), 0};
-  const auto json =
-      nlohmann::json::parse(read_file(run / "start.json").value_or(""), nullptr, false);
+  const nlohmann::json json = json_in(run / "start.json");
   if (!json.is_object()) return begin;
-  const auto text = [&json](const char* key, std::string& value) {
-    if (json.contains(key) && json[key].is_string()) value = json[key].get<std::string>();
-  };
-  text("serial", begin.serial);
-  text("started_utc", begin.started_utc);
+  for (const auto& [key, value] :
+       {std::pair{"serial", &begin.serial}, {"started_utc", &begin.started_utc}}) {
+    if (std::string text = text_in(json, key); !text.empty()) *value = std::move(text);
+  }
   if (json.contains("number") && json["number"].is_number_unsigned()) {
     begin.number = static_cast<int>(std::min(json["number"].get<std::uint64_t>(), most_runs));
   }

@@ -11,8 +11,8 @@ namespace rvbench::bench {
 inline constexpr const char* result_database_name = "results.db";
 
 /// A name that is safe as one path component. Characters other than letters, digits, '.', '_' and
-/// '-' become '_' and a short hash keeps different serials apart, and from results.db and outbox.db
-/// beside them.
+/// '-' become '_' and a short hash keeps different serials apart, and from results.db, outbox.db
+/// and ledger.jsonl beside them.
 /// @throws std::invalid_argument if `serial` is empty
 std::string folder_name_of(const std::string& serial);
 
@@ -24,6 +24,13 @@ std::vector<std::filesystem::path> run_folders(const std::filesystem::path& root
 
 /// The name that a run's plan.json states; empty if it states none.
 std::string plan_name_in(const std::filesystem::path& run);
+
+/// On what a run was made, of its rig.json.
+struct RigOfRun {
+  std::string kind;     ///< "bench", "sim", "replay"; empty: it states none
+  std::string station;  ///< that the file's "qualification" names; empty: none
+};
+RigOfRun rig_of(const std::filesystem::path& run);
 
 /// How a run began: start.json of its folder.
 struct RunBegin {

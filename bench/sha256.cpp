@@ -146,6 +146,16 @@ void remove_sums(const std::filesystem::path& folder) {
   put_folder_on_disk(sums);
 }
 
+bool matches_sum(const std::filesystem::path& folder, const std::string& name) {
+  const auto sum = sha256_of_file(folder / name);
+  if (!sum) return false;
+  std::istringstream lines(read_file(folder / sums_name).value_or(""));
+  for (std::string line; std::getline(lines, line);) {
+    if (parse_sum(line) == std::pair{name, *sum}) return true;
+  }
+  return false;
+}
+
 std::vector<std::string> verify_sums(const std::filesystem::path& folder) {
   const std::optional<std::string> list = read_file(folder / sums_name);
   if (!list && is_there(folder / sums_name)) return {std::string(sums_name) + unread};

@@ -28,6 +28,9 @@ bool has_sums(const std::filesystem::path& folder);
 /// Before a folder's files change. @throws std::system_error
 void remove_sums(const std::filesystem::path& folder);
 
+/// Whether that file of the folder is as its line in SHA256SUMS says.
+bool matches_sum(const std::filesystem::path& folder, const std::string& name);
+
 /// What is wrong with a folder and its SHA256SUMS: "recording.h5: does not match its hash".
 /// Empty if every file listed is there unchanged and none is unlisted.
 std::vector<std::string> verify_sums(const std::filesystem::path& folder);

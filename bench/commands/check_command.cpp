@@ -8,6 +8,7 @@
 #include "bench/file_kind.hpp"
 #include "bench/judging.hpp"
 #include "bench/kinematics_file.hpp"
+#include "bench/ledger.hpp"
 #include "bench/limits_file.hpp"
 #include "bench/recording_facts.hpp"
 #include "bench/rig_factory.hpp"
@@ -135,7 +136,19 @@ int check_audit_log(Console& console, const std::string& file) {
   return exit_codes::done;
 }
 
+// Of the files that it lists those that are not as they were kept.
+int check_ledger(Console& console, const std::filesystem::path& file) {
+  const std::vector<std::string> faults = ledger_faults(file.parent_path());
+  for (const std::string& fault : faults) complain(console, "rvbench: " + fault);
+  if (!faults.empty()) return exit_codes::bad_file;
+  console.out << file.string() << ": ledger, "
+              << read_ledger(file.parent_path()).lines.size()
+              << " lines, every file is as it was kept\n";
+  return exit_codes::done;
+}
+
 int check_file(Console& console, const std::string& file) {
+  if (std::filesystem::path(file).filename() == ledger_name) return check_ledger(console, file);
   if (is_audit_log(file)) return check_audit_log(console, file);
   if (is_recording(file)) return check_recording(console, file);
   const hal::ConfigReader root = hal::ConfigReader::from_file(file);
@@ -156,13 +169,13 @@ class CheckCommand final : public Command {
   std::string name() const override { return "check"; }
   std::string summary() const override {
     return "validates plan, rig, kinematics, plant, campaign, tpa, limits, station and broker "
-           "files, "
-           "recordings, run folders and audit logs";
+           "files, recordings, run folders, ledgers and audit logs";
   }
   std::string examples() const override {
     return "  rvbench check plans/mine.json bench_a.json\n"
            "  rvbench check gear.csv                     its channels, rate and length\n"
            "  rvbench check runs/A17/20260102T030405Z    verifies the hashes of a run\n"
+           "  rvbench check runs/ledger.jsonl            limits and records of stations\n"
            "  rvbench check runs/.station/audit.jsonl    verifies the chain of hashes\n";
   }
   std::vector<Option> options() override {

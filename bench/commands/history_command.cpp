@@ -122,6 +122,11 @@ int HistoryCommand::read_filter(Console& console) {
 void HistoryCommand::narrow(std::vector<RunRow>& rows) const {
   std::erase_if(rows, [&](const RunRow& row) { return !matches(filter_, row); });
   keep_newest(rows, last_);
+  for (RunRow& row : rows) {
+    std::error_code unknown;
+    if (std::filesystem::exists(std::filesystem::path(out_) / row.folder, unknown)) continue;
+    row.reason += row.reason.empty() ? "its folder is gone" : " (its folder is gone)";
+  }
 }
 
 int HistoryCommand::run(Console& console) {

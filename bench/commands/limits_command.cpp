@@ -16,10 +16,13 @@
 #include "bench/limits_effect.hpp"
 #include "bench/limits_in_force.hpp"
 #include "bench/limits_learning.hpp"
+#include "bench/limits_list.hpp"
+#include "bench/limits_on_runs.hpp"
 #include "bench/limits_versions.hpp"
 #include "bench/progress_bar.hpp"
 #include "bench/results/run_filter.hpp"
 #include "bench/run_folder.hpp"
+#include "bench/sha256.hpp"
 #include "bench/text_file.hpp"
 #include "hal/did_you_mean.hpp"
 #include "hal/types/measure.hpp"
@@ -53,11 +56,17 @@ class LimitsCommand final : public Command {
              {"list", "propose", "learn", "effect", "approve", "activate"}},
             {"VERSION", "version of the limits", &version_},
             {"--from", "limits file to propose", &from_},
-            {"--plan", "learn: plan whose runs teach", &plan_},
+            {"--plan", "learn: plan whose runs teach; else the limits' plan, where no run tells it",
+             &plan_},
             {"--measure", "learn: this indicator alone; default: those limited now", &measures_},
             {"--per-point", "learn: a limit for each speed and load of the plan", &per_point_},
             {"--serials", "learn: file of good serials, one a line; default: all that passed",
              &serials_},
+            {"--rig-kind",
+             "learn: from runs on bench, replay or sim; default: the first that there is",
+             &rig_kind_,
+             false,
+             {"bench", "replay", "sim"}},
             {"--content", "learn: share of good units within; default: 0.999", &content_},
             {"--confidence", "learn: of it; default: 0.95", &confidence_},
             {"--by", "who proposes, approves or activates", &by_},
@@ -79,6 +88,7 @@ class LimitsCommand final : public Command {
       return refuse_usage(console, "limits: no version " + hal::in_quotes(version_) + " in " +
                                        out_ + hal::what_there_is(version_, names()));
     }
+    read_sha256_ = sha256_of_file(path);
     auto read = read_limits_file(path);
     if (read.index() == 1) return refuse_file(console, path, std::get<1>(read));
     LimitsFile file = std::get<0>(std::move(read));
@@ -94,6 +104,7 @@ class LimitsCommand final : public Command {
   int learn(Console& console) const;
   int approve(Console& console, LimitsFile file) const;
   int activate(Console& console, LimitsFile file) const;
+  int check_on_runs(Console& console, const LimitsFile& file) const;
   int record(Console& console, LimitsFile file, const std::string& step) const;
   int show_effect(Console& console, const LimitsFile& file) const;
 
@@ -104,11 +115,13 @@ class LimitsCommand final : public Command {
   std::string plan_;
   std::vector<std::string> measures_;
   std::string serials_;
+  std::string rig_kind_;
   bool per_point_ = false;
   std::optional<double> content_, confidence_;
   std::string out_ = "runs";
   bool yes_ = false;
   bool json_ = false;
+  std::optional<std::string> read_sha256_;  // of the version that is to come further; none: new
 };
 
 // Without the empty ones; also of a file with a carriage return before each line's end.
@@ -122,37 +135,35 @@ std::set<std::string> lines_of(const std::string& text) {
   return found;
 }
 
+// Real units before simulated ones.
+std::string kind_to_learn_from(const std::set<std::string>& kinds) {
+  for (const char* kind : {"bench", "replay", "sim"}) {
+    if (kinds.contains(kind)) return kind;
+  }
+  return "";
+}
+
 void print(Console& console, const nlohmann::ordered_json& json) {
   console.out << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
 }
 
 std::vector<std::string> LimitsCommand::names() const {
   std::vector<std::string> names;
-  for (const LimitsFile& file : limits_versions(out_)) names.push_back(file.version);
+  for (const LimitsVersion& one : limits_versions(out_)) names.push_back(one.version);
   return names;
 }
 
 int LimitsCommand::list(Console& console) const {
-  const std::vector<LimitsFile> versions = limits_versions(out_);
+  const std::vector<LimitsVersion> versions = limits_versions(out_);
   if (json_) {
-    auto told = nlohmann::ordered_json::array();
-    for (const LimitsFile& file : versions) {
-      told.push_back(nlohmann::ordered_json::parse(limits_file_to_json(file)));
-      told.back()["status"] = status_of(file);
-    }
-    print(console, {{"versions", told}});
-    return exit_codes::done;
+    print(console, limits_json(versions));
+  } else {
+    console.out << limits_text(versions);
+    if (versions.empty()) console.out << "no limits in " << out_ << ": plans state their own\n";
   }
-  for (const LimitsFile& file : versions) {
-    console.out << fmt::format("{}  {}, plan {}, {} limits\n", file.version, status_of(file),
-                               file.plan, file.limits.size());
-    for (const LimitsStep& step : file.steps) {
-      console.out << fmt::format("  {}  {} by {}\n", readable_utc(step.utc), step.step,
-                                 as_cell(step.by, 64));
-    }
-  }
-  if (versions.empty()) console.out << "no limits in " << out_ << ": plans state their own\n";
-  return exit_codes::done;
+  bool is_whole = true;
+  for (const LimitsVersion& version : versions) is_whole &= version.status != "damaged";
+  return is_whole ? exit_codes::done : exit_codes::bad_file;
 }
 
 int LimitsCommand::propose(Console& console) const {
@@ -165,10 +176,6 @@ int LimitsCommand::propose(Console& console) const {
                        {{0, "/limits_version",
                          hal::in_quotes(file.version) + ": letters, digits, '.', '_' and '-'"}});
   }
-  if (std::filesystem::exists(limits_path(out_, file.version))) {
-    return refuse_usage(console, "limits: there is a version " + file.version + " in " + out_ +
-                                     " already: give the new one another name");
-  }
   file.steps.clear();  // whatever was done with it elsewhere
   return record(console, std::move(file), "proposed");
 }
@@ -177,7 +184,11 @@ std::variant<LearningTask, int> LimitsCommand::learning_task(Console& console) c
   for (const std::string& measure : measures_) {
     if (find_measure(measure) == nullptr) return refuse_measure(console, "limits", measure);
   }
-  LearningTask task{version_, {}, measures_, per_point_, {}, {}};
+  LearningTask task;
+  task.version = version_;
+  task.root = out_;
+  task.measures = measures_;
+  task.per_point = per_point_;
   task.coverage = {content_.value_or(task.coverage.content),
                    confidence_.value_or(task.coverage.confidence)};
   for (const double share : {task.coverage.content, task.coverage.confidence}) {
@@ -204,12 +215,18 @@ int LimitsCommand::learn(Console& console) const {
     return refuse_usage(console, "limits: " + hal::in_quotes(version_) +
                                      " is there already, or no name of a version");
   }
-  const auto task = learning_task(console);
+  auto task = learning_task(console);
   if (task.index() == 1) return std::get<1>(task);
   const auto database = caught_up(ResultDatabase::open(out_));
   if (!database) return refuse_data(console, "limits: " + describe(database.error()));
+  const auto kinds = rig_kinds_of(database.value(), std::get<0>(task).plan.name);
+  if (!kinds) return refuse_data(console, "limits: " + describe(kinds.error()));
+  std::get<0>(task).rig_kind = rig_kind_.empty() ? kind_to_learn_from(kinds.value()) : rig_kind_;
   auto learnt = learn_limits(database.value(), std::get<0>(task), utc_now());
   if (!learnt) return refuse_data(console, "limits: " + describe(learnt.error()));
+  if (kinds.value().size() > 1) {
+    console.out << "from runs on rigs of kind " << std::get<0>(task).rig_kind << " alone\n";
+  }
   console.out << learnt_text(learnt.value());
   const auto is_new = [](const LearntLimit& one) { return one.proposal.refusal.empty(); };
   if (std::ranges::none_of(learnt.value().learnt, is_new)) {
@@ -232,7 +249,7 @@ int LimitsCommand::approve(Console& console, LimitsFile file) const {
 }
 
 int LimitsCommand::activate(Console& console, LimitsFile file) const {
-  if (status_of(file) == "draft") {
+  if (status_of(file, out_) == "draft") {
     const bool was = last_step(file, "approved") != nullptr;
     return refuse_usage(console, "limits: " + file.version +
                                      (was ? " was changed since it was approved" : " is a draft") +
@@ -259,13 +276,31 @@ int LimitsCommand::show_effect(Console& console, const LimitsFile& file) const {
   return exit_codes::done;
 }
 
+int LimitsCommand::check_on_runs(Console& console, const LimitsFile& file) const {
+  const auto checked = faults_on_runs(file, out_, plan_);
+  if (checked.index() == 1) return refuse_usage(console, "limits: " + std::get<1>(checked));
+  const auto& faults = std::get<0>(checked);
+  if (faults.empty()) return exit_codes::done;
+  const std::string path = from_.empty() ? limits_path(out_, file.version).string() : from_;
+  return refuse_file(console, path, with_lines(path, faults));
+}
+
 int LimitsCommand::record(Console& console, LimitsFile file, const std::string& step) const {
   if (by_.empty()) return refuse_usage(console, "limits: by whom? give --by NAME");
+  if (const int refused = check_on_runs(console, file); refused != exit_codes::done) return refused;
   file.steps.push_back({step, utc_now(), by_, limits_hash(file.limits)});
-  const std::filesystem::path path = limits_path(out_, file.version);
   try {
-    std::filesystem::create_directories(path.parent_path());
-    write_file(path, limits_file_to_json(file));
+    LedgerPen pen(out_);
+    // Another may have been at it while this one looked.
+    if (sha256_of_file(limits_path(out_, file.version)) != read_sha256_) {
+      return refuse_usage(console, step == "proposed"
+                                       ? "limits: there is a version " + file.version + " in " +
+                                             out_ + " already: give the new one another name"
+                                       : "limits: " + file.version +
+                                             " has just been changed: look "
+                                             "at it again");
+    }
+    keep_limits(pen, file);
   } catch (const std::system_error& error) {
     return refuse_usage(console, "limits: cannot be written: " + reason_of(error));
   }

@@ -172,6 +172,7 @@ int QualifyCommand::tell(Console& console, const SelfTest& test) {
   const SelfTestSpec& spec = *section.self_test;
   SelfTestRecord record{.file = "",
                         .station = section.station,
+                        .rig_kind = section.rig_kind,
                         .utc = utc_now(),
                         .software = software_version(),
                         .passed = test.passed(spec),
@@ -274,7 +275,9 @@ int QualifyCommand::records(Console& console) const {
   const StationRecords kept = read_station_records(out_);
   console.out << (json_ ? calibrations_to_json(kept.calibrations)
                         : calibrations_text(kept.calibrations));
-  for (const std::string& damaged : kept.damaged) complain(console, "rvbench: " + damaged);
+  for (const DamagedRecord& damaged : kept.damaged) {
+    complain(console, "rvbench: " + damaged.sentence);
+  }
   return kept.damaged.empty() ? exit_codes::done : exit_codes::bad_file;
 }
 

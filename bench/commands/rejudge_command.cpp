@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
@@ -18,7 +17,6 @@
 #include "bench/sha256.hpp"
 #include "bench/text_file.hpp"
 #include "hal/did_you_mean.hpp"
-#include "sequences/limits_on_plan.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -95,9 +93,7 @@ int RejudgeCommand::check_limits(Console& console, const StoredRun& run) const {
                                     hal::in_quotes(limits_->plan) + ", and " + run.folder.string() +
                                     " is one of " + hal::in_quotes(run.plan.name));
   }
-  auto faults = limits_on_unknown_parts(limits_->limits, run.kinematics);
-  std::ranges::move(sequences::limits_without_points(limits_->limits, run.plan),
-                    std::back_inserter(faults));
+  const auto faults = limits_out_of_place(limits_->limits, run.plan, run.kinematics);
   if (faults.empty()) return exit_codes::done;
   return refuse_file(console, limits_file_, with_lines(limits_file_, faults));
 }

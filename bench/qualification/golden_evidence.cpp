@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <optional>
-#include <set>
 #include <utility>
 #include <variant>
 
@@ -32,21 +32,21 @@ std::string name_of(const ChartedIndicator& indicator, const SetPoint& point) {
 }
 
 Result<GoldenChart> chart_in(const ResultDatabase& database, const GoldenUnitDemand& demand,
-                             const ChartedIndicator& indicator,
-                             const SetPoint& point, const std::vector<RunRow>& runs) {
+                             const ChartedIndicator& indicator, const SetPoint& point,
+                             const std::vector<RunRow>& runs) {
   SeriesOf asked{
       .measure = indicator.measure, .of = indicator.of, .at = point, .serial = demand.serial};
   const Measure* measure = find_measure(indicator.measure);
   asked.least = measure != nullptr && measure->worst_is_least;
   const auto series = database.series(asked);
   if (!series) return series.error();
-  std::set<std::string> folders;
-  for (const RunRow& run : runs) folders.insert(run.folder);
+  std::map<std::string, double> value_by_folder;
+  for (const RunValue& value : series.value()) value_by_folder[value.folder] = value.value;
   GoldenChart chart{name_of(indicator, point), {}, false};
-  for (const RunValue& value : series.value()) {
-    if (!folders.contains(value.folder)) continue;
-    chart.values.push_back(value.value);
-    chart.has_newest = value.folder == runs.back().folder;
+  for (const RunRow& run : runs) {
+    const auto value = value_by_folder.find(run.folder);
+    chart.has_newest = value != value_by_folder.end();
+    if (chart.has_newest) chart.values.push_back(value->second);
   }
   return chart;
 }
@@ -67,21 +67,35 @@ std::optional<std::string> reason_of(const GoldenChart& chart, int baseline_runs
 }  // namespace
 
 GoldenEvidence golden_evidence(const Result<ResultDatabase>& database,
-                               const GoldenUnitDemand& demand) {
-  if (!database) return {.unreadable = describe(database.error()), .runs = {}, .charts = {}};
-  const auto runs = database.value().runs(demand.serial);
-  if (!runs) return {.unreadable = describe(runs.error()), .runs = {}, .charts = {}};
+                               const std::filesystem::path& root,
+                               const QualificationSection& section) {
+  const GoldenUnitDemand& demand = *section.golden_unit;
   GoldenEvidence evidence;
-  std::ranges::copy_if(runs.value(), std::back_inserter(evidence.runs), [&](const RunRow& run) {
-    return run.plan == demand.plan && was_judged(run);
-  });
+  const auto unreadable = [](const IoError& error) {
+    GoldenEvidence none;
+    none.unreadable = describe(error);
+    return none;
+  };
+  if (!database) return unreadable(database.error());
+  const auto runs = database.value().runs(demand.serial);
+  if (!runs) return unreadable(runs.error());
+  for (const RunRow& run : runs.value()) {
+    const bool is_here = run.station == section.station && run.rig_kind == section.rig_kind;
+    if (!is_here || run.plan != demand.plan || !was_judged(run)) continue;
+    if (is_as_entered(root, run)) {
+      evidence.runs.push_back(run);
+    } else {
+      evidence.changed.push_back(run.folder);
+    }
+  }
+  std::ranges::stable_sort(evidence.runs, {}, &RunRow::number);  // clocks may have been set
   if (evidence.runs.empty()) return evidence;
   std::vector<SetPoint> points = demand.points;
   if (points.empty()) points.emplace_back();  // any: the worst of all
   for (const ChartedIndicator& indicator : demand.indicators) {
     for (const SetPoint& point : points) {
       auto chart = chart_in(database.value(), demand, indicator, point, evidence.runs);
-      if (!chart) return {.unreadable = describe(chart.error()), .runs = {}, .charts = {}};
+      if (!chart) return unreadable(chart.error());
       evidence.charts.push_back(std::move(chart).value());
     }
   }
@@ -94,9 +108,17 @@ std::vector<std::string> golden_reasons(const GoldenEvidence& evidence,
   const std::string unit = "golden unit " + demand.serial + ": ";
   if (!evidence.unreadable.empty())
     return {unit + "its runs cannot be read: " + evidence.unreadable};
-  if (evidence.runs.empty()) return {unit + "it has no run of plan " + demand.plan};
-  const RunRow& newest = evidence.runs.back();
   std::vector<std::string> reasons;
+  for (const std::string& folder : evidence.changed) {
+    reasons.push_back(unit + folder +
+                      " is gone, or its verdict.json was changed: put back a copy, "
+                      "or let results.db be made anew");
+  }
+  if (evidence.runs.empty()) {
+    reasons.push_back(unit + "it has no run of plan " + demand.plan + " on this station");
+    return reasons;
+  }
+  const RunRow& newest = evidence.runs.back();
   const std::string age = age_fault(newest.started_utc, demand.max_age_h, now_utc);
   if (!age.empty()) reasons.push_back(unit + "its newest run " + age);
   if (newest.verdict != to_string(Outcome::pass)) {

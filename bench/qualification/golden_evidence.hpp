@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -17,14 +18,18 @@ struct GoldenChart {
 
 /// What the result database tells of the golden unit.
 struct GoldenEvidence {
-  std::string unreadable;    ///< why nothing can be told; empty: it can
-  std::vector<RunRow> runs;  ///< of the plan, that were judged (no ERROR, no ABORTED), oldest first
+  std::string unreadable;  ///< why nothing can be told; empty: it can
+  /// Of the plan, on this station, that were judged (no ERROR, no ABORTED), in their order.
+  std::vector<RunRow> runs;
+  std::vector<std::string> changed;  ///< folders of those that are not as they were entered
   std::vector<GoldenChart> charts;
 };
 
-/// @param database  that holds every run there is, or why there is none
+/// @param database  that holds every run there is below `root`, or why there is none
+/// @param section   with a golden unit: runs on another station or kind of rig do not count
 GoldenEvidence golden_evidence(const Result<ResultDatabase>& database,
-                               const GoldenUnitDemand& demand);
+                               const std::filesystem::path& root,
+                               const QualificationSection& section);
 
 /// What its runs say against the station, a sentence each; empty: it is as ever.
 std::vector<std::string> golden_reasons(const GoldenEvidence& evidence,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -20,10 +21,27 @@ namespace {
 constexpr double same_sensitivity = 0.005;
 constexpr double warn_share = 0.9;  // of the time that something counts for
 
-template <typename Record>
-const Record* newest_of(const std::vector<Record>& records, const auto& is_meant) {
-  const auto found = std::find_if(records.rbegin(), records.rend(), is_meant);
+const SelfTestRecord* newest_self_test(const QualificationSection& section,
+                                       const std::vector<SelfTestRecord>& records) {
+  const auto found =
+      std::find_if(records.rbegin(), records.rend(), [&](const SelfTestRecord& record) {
+        return record.station == section.station && record.rig_kind == section.rig_kind;
+      });
   return found == records.rend() ? nullptr : &*found;
+}
+
+// The one by which the sensor was calibrated last, whenever it was entered. Of a certificate that
+// was entered again the last entry counts: the one before was wrong.
+const CalibrationRecord* newest_calibration(const std::string& station, const std::string& channel,
+                                            const std::vector<CalibrationRecord>& records) {
+  const CalibrationRecord* newest = nullptr;
+  std::set<std::string> seen;
+  for (auto record = records.rbegin(); record != records.rend(); ++record) {
+    if (record->station != station || record->channel != channel) continue;
+    if (!seen.insert(record->certificate).second) continue;
+    if (newest == nullptr || record->calibrated_utc > newest->calibrated_utc) newest = &*record;
+  }
+  return newest;
 }
 
 RequirementState state_of(std::string requirement, const char* word, std::string sentence) {
@@ -31,15 +49,15 @@ RequirementState state_of(std::string requirement, const char* word, std::string
   return {std::move(requirement), word, std::move(sentence), blocks};
 }
 
-RequirementState self_test_state(const std::string& station, const SelfTestSpec& spec,
+RequirementState self_test_state(const QualificationSection& section,
                                  const std::vector<SelfTestRecord>& records,
                                  const std::string& now_utc) {
   const char* const name = "self_test";
-  const SelfTestRecord* newest =
-      newest_of(records, [&](const SelfTestRecord& record) { return record.station == station; });
+  const SelfTestSpec& spec = *section.self_test;
+  const SelfTestRecord* newest = newest_self_test(section, records);
   if (newest == nullptr) {
     return state_of(name, "missing",
-                    "self-test: station " + station + " has none: rvbench qualify");
+                    "self-test: station " + section.station + " has none: rvbench qualify");
   }
   if (!newest->passed) {
     return state_of(name, "failed",
@@ -69,9 +87,7 @@ RequirementState calibration_state(const std::string& station, const ChannelInfo
                                    double warn_days, const std::vector<CalibrationRecord>& records,
                                    const std::string& now_utc) {
   const std::string name = "calibration of " + channel.name;
-  const CalibrationRecord* newest = newest_of(records, [&](const CalibrationRecord& record) {
-    return record.station == station && record.channel == channel.name;
-  });
+  const CalibrationRecord* newest = newest_calibration(station, channel.name, records);
   if (newest == nullptr) {
     return state_of(
         name, "missing",
@@ -128,11 +144,10 @@ StationEvidence gather_evidence(const std::filesystem::path& root,
   if (!section.golden_unit) return evidence;
   std::error_code unknown;
   if (!std::filesystem::is_directory(root, unknown)) return evidence;  // no run yet
-  evidence.golden = golden_evidence(caught_up(ResultDatabase::open(root)), *section.golden_unit);
+  evidence.golden = golden_evidence(caught_up(ResultDatabase::open(root)), root, section);
   if (evidence.golden.unreadable.empty()) return evidence;
   // The folders are the truth, and the database may be locked or of a newer rvbench.
-  evidence.golden =
-      golden_evidence(caught_up(ResultDatabase::in_memory(root)), *section.golden_unit);
+  evidence.golden = golden_evidence(caught_up(ResultDatabase::in_memory(root)), root, section);
   return evidence;
 }
 
@@ -166,15 +181,13 @@ Qualification qualification_of(const QualificationSection& section,
   Qualification qualification;
   auto& all = qualification.requirements;
   const StationRecords& records = evidence.records;
-  // Which record it was, and of which station, nobody can tell.
-  for (const std::string& damaged : records.damaged) {
-    all.push_back(state_of("records", "failed",
-                           damaged + ": put back a copy, or take it away and qualify anew"));
+  for (const DamagedRecord& damaged : records.damaged) {
+    if (!damaged.station.empty() && damaged.station != section.station) continue;
+    const char* remedy = damaged.station.empty() ? ": put back a copy, or take it away"
+                                                 : ": put back a copy, or qualify anew";
+    all.push_back(state_of("records", "failed", damaged.sentence + remedy));
   }
-  if (section.self_test) {
-    all.push_back(
-        self_test_state(section.station, *section.self_test, records.self_tests, now_utc));
-  }
+  if (section.self_test) all.push_back(self_test_state(section, records.self_tests, now_utc));
   if (section.calibration) {
     for (const std::string& name : section.calibration->channels) {
       const auto channel = std::ranges::find(channels, name, &ChannelInfo::name);

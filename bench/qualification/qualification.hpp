@@ -19,7 +19,8 @@ struct StationEvidence {
   GoldenEvidence golden;
 };
 
-/// Of the folder of runs. The golden unit is looked for in results.db once that holds every run.
+/// Of the folder of runs. The golden unit is looked for in results.db once that holds every run,
+/// and only runs count whose verdict.json is still the one that was entered.
 StationEvidence gather_evidence(const std::filesystem::path& root,
                                 const QualificationSection& section);
 

@@ -123,10 +123,11 @@ nlohmann::ordered_json to_json(const GoldenUnitDemand& demand) {
 }  // namespace
 
 std::optional<QualificationSection> read_qualification_section(
-    hal::ConfigReader& rig, const std::vector<ChannelInfo>& channels) {
+    hal::ConfigReader& rig, const std::string& rig_kind, const std::vector<ChannelInfo>& channels) {
   auto section = rig.optional_object("qualification");
   if (!section) return std::nullopt;
   QualificationSection asked;
+  asked.rig_kind = rig_kind;
   asked.station = section->text("station");
   if (auto json = section->optional_object("self_test")) asked.self_test = read_self_test(*json);
   if (auto json = section->optional_object("calibration")) {

@@ -48,15 +48,17 @@ struct GoldenUnitDemand {
 /// keep theirs beside the same runs.
 struct QualificationSection {
   std::string station;
+  std::string
+      rig_kind;  ///< of its rig file: what a simulated station shows says nothing of a bench
   std::optional<SelfTestSpec> self_test;
   std::optional<CalibrationDemand> calibration;
   std::optional<GoldenUnitDemand> golden_unit;
 };
 
 /// The section of a rig file, if it has one; faults are noted there.
-/// @param channels  those that the rig has
+/// @param rig_kind  "bench", "sim"  @param channels  those that the rig has
 std::optional<QualificationSection> read_qualification_section(
-    hal::ConfigReader& rig, const std::vector<ChannelInfo>& channels);
+    hal::ConfigReader& rig, const std::string& rig_kind, const std::vector<ChannelInfo>& channels);
 
 /// With every default spelled out.
 nlohmann::ordered_json to_json(const QualificationSection& section);

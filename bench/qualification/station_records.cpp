@@ -1,13 +1,14 @@
 #include "bench/qualification/station_records.hpp"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
 
 #include "bench/examination_json.hpp"
 #include "bench/json_text.hpp"
-#include "bench/on_disk.hpp"
+#include "bench/ledger.hpp"
 #include "bench/qualification/self_test_json.hpp"
 #include "bench/results/run_filter.hpp"
 #include "bench/text_file.hpp"
@@ -20,6 +21,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* calibration = "calibration";
 constexpr const char* self_test = "self_test";
 constexpr const char* suffix = ".json";
+constexpr const char* folder_name = "qualification";
 
 Json to_json(const CalibrationRecord& record) {
   return {{"record", calibration},
@@ -35,9 +37,9 @@ Json to_json(const CalibrationRecord& record) {
 }
 
 Json to_json(const SelfTestRecord& record) {
-  return {{"record", self_test},           {"station", record.station}, {"utc", record.utc},
-          {"software", record.software},   {"passed", record.passed},   {"reason", record.reason},
-          {"steps", json_of(record.steps)}};
+  return {{"record", self_test},     {"station", record.station},     {"rig", record.rig_kind},
+          {"utc", record.utc},       {"software", record.software},   {"passed", record.passed},
+          {"reason", record.reason}, {"steps", json_of(record.steps)}};
 }
 
 CalibrationRecord calibration_from(const Json& json) {
@@ -57,6 +59,7 @@ CalibrationRecord calibration_from(const Json& json) {
 SelfTestRecord self_test_from(const Json& json) {
   SelfTestRecord record;
   json.at("station").get_to(record.station);
+  json.at("rig").get_to(record.rig_kind);
   json.at("utc").get_to(record.utc);
   json.at("software").get_to(record.software);
   json.at("passed").get_to(record.passed);
@@ -77,7 +80,7 @@ std::string without_name(const std::string& what) {
 }
 
 // @return why it cannot be used; "" if it can
-std::string take(StationRecords& records, const std::filesystem::path& file) {
+std::string why_not_taken(StationRecords& records, const std::filesystem::path& file) {
   try {
     const Json json = Json::parse(read_file(file).value_or(""));
     const std::string kind = json.at("record").get<std::string>();
@@ -102,54 +105,72 @@ std::string take(StationRecords& records, const std::filesystem::path& file) {
   }
 }
 
-std::string keep(const std::filesystem::path& root, const std::string& kind, const std::string& utc,
-                 const Json& json) {
+std::string take(StationRecords& records, const std::filesystem::path& file) {
+  const std::string why = why_not_taken(records, file);
+  return why.empty() ? "" : file.string() + " is damaged: " + why;
+}
+
+// A file of the folder, as the ledger and the records name it.
+std::string below_root(const std::string& name) { return std::string(folder_name) + "/" + name; }
+
+std::string keep(const std::filesystem::path& root, const char* prefix, const std::string& kind,
+                 const std::string& station, const std::string& utc, const Json& json) {
+  LedgerPen pen(root);
   const std::filesystem::path folder = qualification_folder(root);
-  std::filesystem::create_directories(folder);
-  std::string name = kind + "-" + utc + suffix;
+  std::string name = std::string(prefix) + "-" + utc + suffix;
   for (int copy = 2; std::filesystem::exists(folder / name); ++copy) {
-    name = kind + "-" + utc + "-" + std::to_string(copy) + suffix;
+    name = std::string(prefix) + "-" + utc + "-" + std::to_string(copy) + suffix;
   }
-  write_file(folder / name, json_text(json));
-  put_folder_on_disk(folder);
+  pen.keep(kind, station, below_root(name), json_text(json));
   return name;
+}
+
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;  // what cannot be looked into holds none
+  using Entries = std::filesystem::directory_iterator;
+  for (Entries entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    if (entry->path().extension() == suffix) files.push_back(entry->path());
+  }
+  std::ranges::sort(files);
+  return files;
 }
 
 }  // namespace
 
 std::filesystem::path qualification_folder(const std::filesystem::path& root) {
-  return root / "qualification";
+  return root / folder_name;
 }
 
 StationRecords read_station_records(const std::filesystem::path& root) {
   StationRecords records;
-  std::vector<std::filesystem::path> files;
-  std::error_code error;  // what cannot be looked into holds none
-  using Entries = std::filesystem::directory_iterator;
-  for (Entries entry(qualification_folder(root), error), end; !error && entry != end;
-       entry.increment(error)) {
-    if (entry->path().extension() == suffix) files.push_back(entry->path());
+  const Ledger ledger = read_ledger(root);
+  if (!ledger.fault.empty()) records.damaged.push_back({"", ledger.fault});
+  // By kind and station: what was kept later tells what the damaged one told.
+  std::map<std::pair<std::string, std::string>, DamagedRecord> damaged;
+  for (const LedgerLine& line : ledger.lines) {
+    if (!line.file.starts_with(below_root(""))) continue;
+    std::string why = fault_of(root, line);
+    if (why.empty()) why = take(records, root / line.file);
+    damaged.erase({line.kind, line.of});
+    if (!why.empty()) damaged[{line.kind, line.of}] = {line.of, why};
   }
-  // Of several in one second the names grow: "...Z.json", "...Z-2.json".
-  std::ranges::sort(files, {}, [](const std::filesystem::path& file) {
-    const std::string name = file.filename().string();
-    return std::pair(name.size(), name);
-  });
-  for (const std::filesystem::path& file : files) {
-    const std::string why = take(records, file);
-    if (!why.empty()) records.damaged.push_back(file.string() + " is damaged: " + why);
+  for (auto& [kind, record] : damaged) records.damaged.push_back(std::move(record));
+  for (const std::filesystem::path& file : files_in(qualification_folder(root))) {
+    if (ledger.last_of(below_root(file.filename().string())) != nullptr) continue;
+    records.damaged.push_back({"", file.string() + " is in no line of " + ledger_name +
+                                       ": it was put there by hand, or its keeping was cut short"});
   }
-  std::ranges::stable_sort(records.calibrations, {}, &CalibrationRecord::entered_utc);
-  std::ranges::stable_sort(records.self_tests, {}, &SelfTestRecord::utc);
   return records;
 }
 
 std::string keep_record(const std::filesystem::path& root, const CalibrationRecord& record) {
-  return keep(root, calibration, record.entered_utc, to_json(record));
+  return keep(root, calibration, "calibration of " + record.channel, record.station,
+              record.entered_utc, to_json(record));
 }
 
 std::string keep_record(const std::filesystem::path& root, const SelfTestRecord& record) {
-  return keep(root, self_test, record.utc, to_json(record));
+  return keep(root, self_test, self_test, record.station, record.utc, to_json(record));
 }
 
 }  // namespace rvbench::bench

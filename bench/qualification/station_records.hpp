@@ -9,7 +9,8 @@
 #include "hal/types/recording.hpp"
 
 /// What a station has shown, beside the runs that it is for: one file a record in
-/// <root>/qualification/, never changed. results.db has them too, as an index.
+/// <root>/qualification/, never changed, in the order of the ledger. results.db has them too, as an
+/// index.
 namespace rvbench::bench {
 
 /// A sensor's calibration, as somebody entered it from its certificate.
@@ -30,6 +31,7 @@ struct CalibrationRecord {
 struct SelfTestRecord {
   std::string file;
   std::string station;
+  std::string rig_kind;  ///< that was tested: "bench", "sim"
   std::string utc;
   std::string software;
   bool passed = false;
@@ -37,19 +39,26 @@ struct SelfTestRecord {
   std::vector<SelfTestResult> steps;
 };
 
+/// A record that may be the newest of its kind and says nothing any more, or one that nobody kept.
+struct DamagedRecord {
+  std::string station;  ///< empty: nobody can tell
+  std::string sentence;
+};
+
 struct StationRecords {
   std::vector<CalibrationRecord> calibrations;  ///< in the order they were entered
-  std::vector<SelfTestRecord> self_tests;       ///< in the order of time
-  std::vector<std::string> damaged;             ///< files that cannot be read, and why
+  std::vector<SelfTestRecord> self_tests;       ///< in the order they were made
+  std::vector<DamagedRecord> damaged;
 };
 
 /// Where they lie.
 std::filesystem::path qualification_folder(const std::filesystem::path& root);
 
-/// Those of every station; a file that is damaged is told and left out.
+/// Those of every station that are as they were kept; the others are left out, and told where no
+/// record of the same came after.
 StationRecords read_station_records(const std::filesystem::path& root);
 
-// Each makes a further file, on the disk when it returns, and never replaces one.
+// Each makes a further file, on the disk and in the ledger when it returns, and never replaces one.
 // @return its name in the folder @throws std::system_error
 std::string keep_record(const std::filesystem::path& root, const CalibrationRecord& record);
 std::string keep_record(const std::filesystem::path& root, const SelfTestRecord& record);

@@ -13,9 +13,11 @@ namespace {
 // The run keeps its number: other tables go by it.
 constexpr const char* put_run =
     "INSERT INTO runs (folder, serial, started_utc, plan, verdict, error_kind, reason, software, "
-    "is_whole) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, 1) ON CONFLICT (folder) DO UPDATE SET "
-    "serial = ?2, started_utc = ?3, plan = ?4, verdict = ?5, error_kind = ?6, reason = ?7, "
-    "software = ?8, is_whole = 1";
+    "number, rig_kind, station, verdict_sha256, is_whole) "
+    "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, 1) "
+    "ON CONFLICT (folder) DO UPDATE SET serial = ?2, started_utc = ?3, plan = ?4, verdict = ?5, "
+    "error_kind = ?6, reason = ?7, software = ?8, number = ?9, rig_kind = ?10, station = ?11, "
+    "verdict_sha256 = ?12, is_whole = 1";
 constexpr const char* put_unit =
     "INSERT INTO units VALUES (?1, ?2) ON CONFLICT (serial) DO UPDATE SET machine = ?2";
 constexpr const char* put_judgement =
@@ -162,7 +164,7 @@ bool put_all(RunEntry& entry, const Judgement& judgement) {
 Status enter_run(SqliteFile& file, const RunRow& row, const Judgement& judgement) {
   SqlStatement run(file, put_run);
   run.bind(row.folder, row.serial, row.started_utc, row.plan, row.verdict, row.error_kind,
-           row.reason, row.software);
+           row.reason, row.software, row.number, row.rig_kind, row.station, row.sha256);
   if (!run.run()) return file.failure("cannot be written");
   SqlStatement unit(file, put_unit);
   unit.bind(row.serial, judgement.machine);
@@ -189,15 +191,15 @@ Status enter_judgement_row(SqliteFile& file, const JudgementRow& row) {
   return Done{};
 }
 
-Status enter_limits_version(SqliteFile& file, const LimitsFile& limits) {
+Status enter_limits_version(SqliteFile& file, const LimitsVersion& limits) {
   const auto step = [&](const char* name) {
-    const LimitsStep* found = last_step(limits, name);
+    const LimitsStep* found = last_step(limits.file, name);
     return found == nullptr ? LimitsStep{} : *found;
   };
   const LimitsStep approved = step("approved"), activated = step("activated");
   for (const char* sql : {get_limits, put_limits}) {
     SqlStatement statement(file, sql);
-    statement.bind(limits.version, limits.plan, status_of(limits), approved.by, approved.utc,
+    statement.bind(limits.version, limits.file.plan, limits.status, approved.by, approved.utc,
                    activated.by, activated.utc);
     if (statement.next()) return Done{};
     if (!statement.is_done()) return file.failure("cannot be written");

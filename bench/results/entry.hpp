@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bench/judgement.hpp"
-#include "bench/limits_file.hpp"
+#include "bench/limits_versions.hpp"
 #include "bench/qualification/station_records.hpp"
 #include "bench/result_database.hpp"
 #include "bench/results/sqlite.hpp"
@@ -18,7 +18,7 @@ Status enter_run(SqliteFile& file, const RunRow& row, const Judgement& judgement
 Status enter_judgement_row(SqliteFile& file, const JudgementRow& row);
 
 /// A version of limits and how far it has come; writes nothing where that is there already.
-Status enter_limits_version(SqliteFile& file, const LimitsFile& limits);
+Status enter_limits_version(SqliteFile& file, const LimitsVersion& limits);
 
 /// Records of stations; those that are there already stay, for a record never changes.
 Status enter_station_records(SqliteFile& file, const StationRecords& records);

@@ -98,8 +98,18 @@ constexpr const char* extremes_of_runs = R"sql(
     USING (quantity, run, channel);
 )sql";
 
-constexpr std::array steps = {runs_alone, what_was_measured, what_stations_showed,
-                              extremes_of_runs};
+// 5: where each run was made, which of its serial it was, and the verdict that was entered, by its
+// hash. All of it is in the folders.
+constexpr const char* where_runs_were_made = R"sql(
+  ALTER TABLE runs ADD COLUMN number INTEGER NOT NULL DEFAULT 0;
+  ALTER TABLE runs ADD COLUMN rig_kind TEXT NOT NULL DEFAULT '';
+  ALTER TABLE runs ADD COLUMN station TEXT NOT NULL DEFAULT '';
+  ALTER TABLE runs ADD COLUMN verdict_sha256 TEXT NOT NULL DEFAULT '';
+  UPDATE runs SET is_whole = 0;
+)sql";
+
+constexpr std::array table_steps = {runs_alone, what_was_measured, what_stations_showed, extremes_of_runs,
+                              where_runs_were_made};
 
 Result<int> version_of(const SqliteFile& file) {
   SqlStatement asked(file, "PRAGMA user_version");
@@ -109,7 +119,7 @@ Result<int> version_of(const SqliteFile& file) {
 
 }  // namespace
 
-const int schema_version = static_cast<int>(steps.size());
+const int schema_version = static_cast<int>(table_steps.size());
 
 Status bring_up_to_date(SqliteFile& file) {
   const Result<int> seen = version_of(file);
@@ -127,7 +137,7 @@ Status bring_up_to_date(SqliteFile& file) {
   const Result<int> now = version_of(file);  // another process may have been at it
   if (!now) return now.error();
   for (int step = now.value(); step < schema_version; ++step) {
-    if (const Status done = file.execute(steps[std::size_t(step)]); !done) return done.error();
+    if (const Status done = file.execute(table_steps[std::size_t(step)]); !done) return done.error();
   }
   const std::string set = fmt::format("PRAGMA user_version = {}", schema_version);
   if (const Status done = file.execute(set.c_str()); !done) return done.error();

@@ -4,9 +4,14 @@
 
 #include <array>
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <functional>
 
 #include "bench/qualification/qualification.hpp"
+#include "bench/run_folder.hpp"
+#include "bench/sha256.hpp"
+#include "bench/text_file.hpp"
+#include "bench/verdict_json.hpp"
 #include "tests/bench/judgements.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -26,6 +31,12 @@ GoldenUnitDemand demand() {
   return demand;
 }
 
+// Where its runs were made.
+struct Place {
+  std::string rig_kind = "bench";
+  std::string station = "EOL 3";
+};
+
 // Its runs, one a day from 1 January on, of one point at 605 rpm and 100 %.
 class GoldenRuns {
  public:
@@ -36,11 +47,18 @@ class GoldenRuns {
     judgement.facts.started_utc = fmt::format("202601{:02}T120000Z", ++day_);
     judgement.points[0].examination.channels[0].indicators[0].value = kurtosis;
     change(judgement);
-    auto database = ResultDatabase::open(root_.path());
-    REQUIRE(database);
-    const auto folder = root_ / ("GOLD/" + judgement.facts.started_utc);
-    REQUIRE(std::move(database).value().enter(row_of(root_.path(), folder, judgement), judgement));
+    newest_ = create_run_folder(root_.path(), "GOLD", judgement.facts.started_utc);
+    write_file(newest_ / "start.json",
+               run_begin_to_json({"GOLD", judgement.facts.started_utc, day_}));
+    write_file(newest_ / "rig.json",
+               fmt::format(R"({{"rig": "{}", "qualification": {{"station": "{}"}}}})",
+                           place_.rig_kind, place_.station));
+    write_file(newest_ / "verdict.json", judgement_to_json(judgement));
+    write_sums(newest_);
   }
+
+  void move_to(const Place& place) { place_ = place; }
+  std::filesystem::path newest() const { return newest_; }
 
   // 3 and what chance adds, without a pattern that a rule would see.
   void enter_sound(int count) {
@@ -52,12 +70,16 @@ class GoldenRuns {
     const int hours = 12 + static_cast<int>(hours_later);
     const std::string now = fmt::format("202601{:02}T{:02}0000Z", day_ + hours / 24, hours % 24);
     QualificationSection section;
+    section.station = "EOL 3";
+    section.rig_kind = "bench";
     section.golden_unit = asked;
     return golden_reasons(gather_evidence(root_.path(), section).golden, asked, now);
   }
 
  private:
   ScratchFolder root_;
+  Place place_;
+  std::filesystem::path newest_;
   int day_ = 0;
 };
 
@@ -96,7 +118,7 @@ TEST_CASE("a golden unit that moves is told with indicator, rule, centre and lim
 TEST_CASE("without enough runs of the golden unit there is no chart, and without any no unit",
           "[bench][station]") {
   GoldenRuns runs;
-  CHECK(only(runs.reasons(demand())) == "golden unit GOLD: it has no run of plan quick");
+  CHECK(only(runs.reasons(demand())) == "golden unit GOLD: it has no run of plan quick on this station");
   runs.enter_sound(9);
   CHECK_THAT(only(runs.reasons(demand())),
              Contains("9 runs of the golden unit: its chart takes 20"));
@@ -141,6 +163,51 @@ TEST_CASE("a charted indicator that the newest run lacks is missing, not in cont
         judgement.points[0].examination.channels[0].indicators.begin());
   });
   CHECK(only(runs.reasons(demand())) == "golden unit GOLD: its newest run has no kurtosis");
+}
+
+TEST_CASE("what the golden unit showed elsewhere is nothing to this station", "[bench][station]") {
+  GoldenRuns runs;
+  GoldenUnitDemand of_days = demand();
+  of_days.max_age_h = 24 * 7;
+  runs.enter_sound(20);
+  runs.enter(3.02);
+  for (const Place& elsewhere : {Place{"sim", "EOL 3"}, Place{"bench", "EOL 4"}}) {
+    runs.move_to(elsewhere);
+    runs.enter(9);  // far off, and not of this station
+    CHECK(runs.reasons(of_days).empty());
+  }
+  CHECK_THAT(only(runs.reasons(demand())), Contains("its newest run is of 2026-01-21"));
+}
+
+TEST_CASE("a station does not go by golden runs that are gone or were changed",
+          "[bench][station]") {
+  GoldenRuns runs;
+  runs.enter_sound(20);
+  runs.enter(3.02);
+  REQUIRE(runs.reasons(demand()).empty());
+  SECTION("all of them gone") {
+    std::filesystem::remove_all(runs.newest().parent_path());
+    const auto reasons = runs.reasons(demand());
+    CHECK(reasons.back() == "golden unit GOLD: it has no run of plan quick on this station");
+  }
+  SECTION("the newest made better") {
+    const auto path = runs.newest() / "verdict.json";
+    write_file(path, read_file(path).value() + "\n");
+    const auto reasons = runs.reasons(demand());
+    REQUIRE_FALSE(reasons.empty());
+    CHECK_THAT(reasons[0], Contains("GOLD/20260121T120000Z is gone, or its verdict.json was"));
+  }
+}
+
+TEST_CASE("the newest golden run is told by its number where a clock was set back",
+          "[bench][station]") {
+  GoldenRuns runs;
+  runs.enter_sound(20);
+  const auto set_back = [](Judgement& judgement) {
+    judgement.facts.started_utc = "20251231T120000Z";
+  };
+  runs.enter(9, set_back);
+  CHECK_THAT(runs.reasons(demand()).back(), Contains("kurtosis is 9"));
 }
 
 TEST_CASE("the golden unit's own run does not wait for the golden unit", "[bench][station]") {

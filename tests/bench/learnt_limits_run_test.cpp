@@ -10,6 +10,7 @@
 #include "bench/text_file.hpp"
 #include "bench/verdict_json.hpp"
 #include "tests/bench/answers.hpp"
+#include "tests/bench/entered_run.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace rvbench::bench {
@@ -50,9 +51,6 @@ Run run(const ScratchFolder& scratch, const std::string& serial) {
 // @return a file of their serials
 std::string enter_alike(const ScratchFolder& scratch, const Judgement& unit,
                         const std::string& prefix, const std::vector<double>& of_peak) {
-  auto opened = ResultDatabase::open(scratch / "runs");
-  REQUIRE(opened);
-  ResultDatabase database = std::move(opened).value();
   std::string serials;
   for (int i = 0; i < 30; ++i) {
     Judgement judgement = unit;
@@ -65,8 +63,8 @@ std::string enter_alike(const ScratchFolder& scratch, const Judgement& unit,
         }
       }
     }
-    const auto folder = scratch / "runs" / judgement.facts.serial / "20260102T030405Z";
-    REQUIRE(database.enter(row_of(scratch / "runs", folder, judgement), judgement));
+    judgement.facts.started_utc = "20260102T030405Z";
+    test::enter_run(scratch / "runs", judgement);
     serials += judgement.facts.serial + "\n";
   }
   write_file(scratch / (prefix + ".txt"), serials);
@@ -149,7 +147,7 @@ TEST_CASE("no run begins on active limits for a point that its plan does not rec
   const std::string runs = (scratch / "runs").string();
   write_file(scratch / "far.json",
              R"({"limits_version": "far", "plan": "quick", "limits": [
-  {"measure": "kurtosis", "max": 9, "speed_rpm": 605, "load_pct": 50, "why": "a test"}]})");
+  {"measure": "kurtosis", "max": 9, "speed_rpm": 1210, "load_pct": 50, "why": "a test"}]})");
   const auto limits = [&](std::vector<std::string> words) {
     words.insert(words.begin(), "limits");
     words.insert(words.end(), {"--by", "A. Sato", "--out", runs});
@@ -163,7 +161,7 @@ TEST_CASE("no run begins on active limits for a point that its plan does not rec
   CHECK(refused.code == 3);
   CHECK_THAT(refused.err,
              Contains("limits/far.json:") && Contains("/limits/0/speed_rpm") &&
-                 Contains("no point of the plan shows kurtosis at 605 rpm, 50 % load"));
+                 Contains("no point of the plan shows kurtosis at 1210 rpm, 50 % load"));
   CHECK_FALSE(std::filesystem::exists(scratch / "runs" / "A17"));
 }
 

@@ -8,6 +8,7 @@
 #include "bench/limits_versions.hpp"
 #include "bench/text_file.hpp"
 #include "tests/bench/answers.hpp"
+#include "tests/bench/entered_run.hpp"
 #include "tests/bench/judgements.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/signals.hpp"
@@ -26,9 +27,6 @@ std::vector<double> good_peaks(int count) {
 
 void enter(const ScratchFolder& root, const std::vector<double>& peaks_m_s2,
            Outcome outcome = Outcome::pass, const std::string& utc = "20260102T030405Z") {
-  auto opened = ResultDatabase::open(root.path());
-  REQUIRE(opened);
-  ResultDatabase database = std::move(opened).value();
   for (std::size_t i = 0; i < peaks_m_s2.size(); ++i) {
     Judgement judgement = test::passed_run();
     judgement.facts.serial = fmt::format("U{:02}", i);
@@ -36,8 +34,7 @@ void enter(const ScratchFolder& root, const std::vector<double>& peaks_m_s2,
         {"acceleration_peak", "", peaks_m_s2[i], "m/s²"}};
     judgement.facts.started_utc = utc;
     judgement.ending.outcome = outcome;
-    const auto folder = root / (judgement.facts.serial + "/" + utc);
-    REQUIRE(database.enter(row_of(root.path(), folder, judgement), judgement));
+    test::enter_run(root.path(), judgement);
   }
 }
 
@@ -85,12 +82,42 @@ TEST_CASE("what is learnt is a draft that says where it comes from", "[bench][li
                              Contains("of 50 units") && Contains("set aside") && Contains("U07") &&
                              Contains("2.0 % of 50 judged runs would change"));
   const auto file = std::get<0>(read_limits_file(limits_path(root.path(), "v1")));
-  CHECK(status_of(file) == "draft");
+  CHECK(status_of(file, root.path()) == "draft");
   CHECK_THAT(file.limits.at(0).why, Contains("robust sigma of 50 good units"));
   CHECK(limits(root, {"learn", "v1", "--plan", "quick"}).code == 2);
   CHECK(limits(root, {"approve", "v1", "--yes"}).code == 0);
   CHECK(limits(root, {"activate", "v1"}).code == 0);
   CHECK(std::get<0>(active_limits(root.path(), "quick"))->version == "v1");
+}
+
+TEST_CASE("simulated units teach no limit where real ones do", "[bench][limits]") {
+  const ScratchFolder root;
+  enter(root, good_peaks(20));
+  Judgement real = test::passed_run();
+  real.facts.serial = "R01";
+  test::enter_run(root.path(), real, "bench");
+  const test::CommandAnswer few = limits(root, {"learn", "v1", "--plan", "quick"});
+  CHECK(few.code == 20);
+  CHECK_THAT(few.out, Contains("from runs on rigs of kind bench alone"));
+  const test::CommandAnswer asked =
+      limits(root, {"learn", "v1", "--plan", "quick", "--rig-kind", "sim"});
+  CHECK(asked.code == 0);
+  CHECK_THAT(asked.out, Contains("of 20 units"));
+  const auto file = std::get<0>(read_limits_file(limits_path(root.path(), "v1")));
+  CHECK_THAT(file.limits.at(0).why, Contains(", rig sim, "));
+}
+
+TEST_CASE("a run whose verdict is gone or was changed teaches nothing", "[bench][limits]") {
+  const ScratchFolder root;
+  enter(root, good_peaks(22));
+  std::filesystem::remove_all(root / "U03");
+  const auto changed = root / "U05/20260102T030405Z/verdict.json";
+  write_file(changed, read_file(changed).value() + "\n");
+  const test::CommandAnswer learnt = limits(root, {"learn", "v1", "--plan", "quick"});
+  CHECK(learnt.code == 0);
+  CHECK_THAT(learnt.out, Contains("U03/20260102T030405Z: teaches nothing") &&
+                             Contains("U05/20260102T030405Z: teaches nothing") &&
+                             Contains("of 20 units"));
 }
 
 TEST_CASE("a unit that failed since is no good one, and one that passed since is",

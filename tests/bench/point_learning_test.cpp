@@ -7,6 +7,7 @@
 #include "bench/result_database.hpp"
 #include "bench/text_file.hpp"
 #include "tests/bench/answers.hpp"
+#include "tests/bench/entered_run.hpp"
 #include "tests/bench/judgements.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/signals.hpp"
@@ -30,15 +31,11 @@ JudgedPoint point_with_peak(const SetPoint& at, double peak_m_s2) {
 // Good units of the quick plan, three times as loud at the fast point as at the slow one.
 void enter(const ScratchFolder& root, const std::vector<double>& slow_m_s2,
            const std::vector<double>& fast_m_s2) {
-  auto opened = ResultDatabase::open(root.path());
-  REQUIRE(opened);
-  ResultDatabase database = std::move(opened).value();
   for (std::size_t i = 0; i < slow_m_s2.size(); ++i) {
     Judgement judgement = test::passed_run();
     judgement.facts.serial = fmt::format("U{:02}", i);
     judgement.points = {point_with_peak(slow, slow_m_s2[i]), point_with_peak(fast, fast_m_s2[i])};
-    const auto folder = root / (judgement.facts.serial + "/20260102T030405Z");
-    REQUIRE(database.enter(row_of(root.path(), folder, judgement), judgement));
+    test::enter_run(root.path(), judgement);
   }
 }
 

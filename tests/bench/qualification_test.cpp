@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "bench/ledger.hpp"
 #include "bench/qualification/ages.hpp"
 #include "bench/text_file.hpp"
 #include "tests/bench/judgements.hpp"
@@ -21,6 +22,7 @@ const std::vector<ChannelInfo> channels{{"accel_1x", "m/s²", "+X", 0.0102},
 SelfTestRecord tested(const std::string& utc, bool passed = true) {
   return {.file = "",
           .station = "EOL 3",
+          .rig_kind = "bench",
           .utc = utc,
           .software = "0.1.0",
           .passed = passed,
@@ -44,6 +46,7 @@ CalibrationRecord certified(const std::string& until, double sensitivity = 0.010
 QualificationSection asks_for_self_test() {
   QualificationSection section;
   section.station = "EOL 3";
+  section.rig_kind = "bench";
   section.self_test.emplace();
   return section;
 }
@@ -88,6 +91,9 @@ TEST_CASE("a self-test counts for its hours, the newest one, of this station", "
   SelfTestRecord elsewhere = tested("20261127T080000Z");
   elsewhere.station = "EOL 4";
   CHECK(with_tests({elsewhere}).word == "missing");
+  SelfTestRecord simulated = tested("20261127T080000Z");
+  simulated.rig_kind = "sim";
+  CHECK(with_tests({simulated}).word == "missing");
 }
 
 TEST_CASE("a calibration holds to the end of its last day", "[bench][station]") {
@@ -103,10 +109,21 @@ TEST_CASE("a calibration holds to the end of its last day", "[bench][station]") 
   CHECK(expired.sentence ==
         "calibration of accel_1x: certificate K-4711 of 2025-11-28 has expired, it was valid "
         "until 2026-11-26");
-  // A newer certificate takes its place.
+}
+
+TEST_CASE("of several certificates the one counts by which was calibrated last",
+          "[bench][station]") {
+  const CalibrationRecord expired = certified("20261126T235959Z");
   CalibrationRecord renewed = certified("20271127T235959Z");
-  renewed.entered_utc = "20261120T080000Z";
-  CHECK(with_calibrations({certified("20261126T235959Z"), renewed}).word == "fulfilled");
+  renewed.certificate = "K-4712";
+  renewed.calibrated_utc = "20261120T000000Z";
+  CHECK(with_calibrations({expired, renewed}).word == "fulfilled");
+  CHECK(with_calibrations({renewed, expired}).word == "fulfilled");  // entered in the wrong order
+  // A certificate that is entered again puts right what was entered of it before.
+  CalibrationRecord mistyped = expired;
+  mistyped.valid_until_utc = "20361126T235959Z";
+  mistyped.calibrated_utc = "20260201T000000Z";
+  CHECK(with_calibrations({mistyped, expired}).word == "expired");
 }
 
 TEST_CASE("a rig that goes by another sensitivity than the certificate's is told both",
@@ -168,12 +185,15 @@ TEST_CASE("a record that is damaged blocks, and is named with what is wrong", "[
   const ScratchFolder root;
   keep_record(root.path(), tested("20261127T080000Z"));
   CHECK(gather_evidence(root.path(), asks_for_self_test()).records.damaged.empty());
-  const auto folder = qualification_folder(root.path());
-  write_file(folder / "half.json", R"({"record": "self_test", "station": "EOL)");
-  write_file(folder / "lacks.json", R"({"record": "calibration", "station": "EOL 3"})");
-  write_file(folder / "untimely.json", R"({"record": "self_test", "station": "EOL 3",
+  LedgerPen pen(root.path());
+  const auto keep = [&](const std::string& name, const std::string& text) {
+    pen.keep(name, "EOL 3", "qualification/" + name + ".json", text);
+  };
+  keep("half", R"({"record": "self_test", "station": "EOL)");
+  keep("lacks", R"({"record": "calibration", "station": "EOL 3"})");
+  keep("untimely", R"({"record": "self_test", "station": "EOL 3", "rig": "bench",
     "utc": "soon", "software": "", "passed": true, "reason": "", "steps": []})");
-  write_file(folder / "other.json", R"({"record": "gage"})");
+  keep("other", R"({"record": "gage"})");
   const StationEvidence evidence = gather_evidence(root.path(), asks_for_self_test());
   CHECK(evidence.records.damaged.size() == 4);
   const auto reasons = qualification_of(asks_for_self_test(), channels, evidence, now).reasons();
@@ -183,6 +203,56 @@ TEST_CASE("a record that is damaged blocks, and is named with what is wrong", "[
   CHECK_THAT(all, Contains("half.json is damaged: parse error at line 1") &&
                       Contains("key 'channel' not found") && Contains("its time is none") &&
                       Contains("no record of a station") && Contains("put back a copy"));
+}
+
+TEST_CASE("a record that was changed, taken away or put there by hand is believed by nobody",
+          "[bench][station]") {
+  const ScratchFolder root;
+  const std::string kept = keep_record(root.path(), certified("20261126T235959Z"));
+  const auto path = qualification_folder(root.path()) / kept;
+  const std::string text = read_file(path).value();
+  const auto state = [&] {
+    const auto evidence = gather_evidence(root.path(), asks_for_calibration());
+    const auto all = qualification_of(asks_for_calibration(), channels, evidence, now).reasons();
+    std::string told;
+    for (const std::string& reason : all) told += reason + "\n";
+    return told;
+  };
+  REQUIRE_THAT(state(), Contains("has expired") && !Contains("ledger"));
+  SECTION("changed: it would hold for ten years more") {
+    std::string better = text;
+    better.replace(better.find("20261126T"), 9, "20361126T");
+    write_file(path, better);
+    CHECK_THAT(state(), Contains(kept + " was changed since rvbench kept it") &&
+                            Contains("has no record of it") && Contains("or qualify anew"));
+    SECTION("what was entered since takes its place") {
+      keep_record(root.path(), certified("20271127T235959Z"));
+      CHECK(state().empty());
+    }
+    SECTION("a copy put back is as good as it was") {
+      write_file(path, text);
+      CHECK_THAT(state(), Contains("has expired") && !Contains("changed"));
+    }
+  }
+  SECTION("taken away: what it told may have been against the station") {
+    std::filesystem::remove(path);
+    CHECK_THAT(state(), Contains(kept + " is missing"));
+  }
+  SECTION("put there by hand") {
+    write_file(qualification_folder(root.path()) / "calibration-x.json", text);
+    CHECK_THAT(state(), Contains("calibration-x.json is in no line of ledger.jsonl"));
+  }
+  SECTION("without the ledger nothing is known") {
+    std::filesystem::remove(root / ledger_name);
+    CHECK_THAT(state(), Contains("is in no line of ledger.jsonl"));
+  }
+  SECTION("another station's record is nothing to this one") {
+    CalibrationRecord other = certified("20271127T235959Z");
+    other.station = "EOL 4";
+    const auto of_other = qualification_folder(root.path()) / keep_record(root.path(), other);
+    std::filesystem::remove(of_other);
+    CHECK_THAT(state(), !Contains("missing"));
+  }
 }
 
 TEST_CASE("all reasons are in one ending, and what is fulfilled is in none", "[bench][station]") {

@@ -163,7 +163,7 @@ TEST_CASE("limits go from draft to approved to active, their effect being shown 
   CHECK_FALSE(std::get<0>(active_limits(runs, "quick")));
   CHECK(limits({"activate", "v1", "--by", "A. Sato"}).code == 0);
   CHECK_THAT(limits({"list"}).out,
-             Contains("v1  activated, plan quick, 1 limits") && Contains("approved by A. Sato"));
+             Contains("v1  activated, in force, plan quick, 1 limits") && Contains("approved by A. Sato"));
   const auto listed = nlohmann::json::parse(limits({"list", "--json"}).out).at("versions").at(0);
   CHECK(listed.at("limits_version") == "v1");
   CHECK(listed.at("status") == "activated");
@@ -191,7 +191,7 @@ TEST_CASE("limits go from draft to approved to active, their effect being shown 
     const CommandAnswer run = rvbench(
         {"run", (scratch / "one.json").string(), "--rig", "sim", "--serial", "B", "--out", runs});
     CHECK(run.code == 2);
-    CHECK_THAT(run.err, Contains("limits v1 were changed since they were approved"));
+    CHECK_THAT(run.err, Contains("v1.json was changed since rvbench kept it"));
     CHECK_THAT(limits({"activate", "v1", "--by", "A. Sato"}).err,
                Contains("v1 was changed since it was approved"));
   }

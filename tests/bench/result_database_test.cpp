@@ -40,7 +40,11 @@ RunRow row_number(int number) {
           "PASS",
           "none",
           "nothing above its limit",
-          "0.1.0"};
+          "0.1.0",
+          number,
+          "sim",
+          "EOL 3",
+          "5ea1"};
 }
 
 Status entered(ResultDatabase& database, const RunRow& row) {

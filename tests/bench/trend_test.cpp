@@ -9,6 +9,7 @@
 #include "bench/results/run_filter.hpp"
 #include "bench/text_file.hpp"
 #include "tests/bench/answers.hpp"
+#include "tests/bench/entered_run.hpp"
 #include "tests/bench/judgements.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -21,16 +22,12 @@ namespace {
 
 // Twelve runs, one a day, of two units in turn; band_rms of the meshes rises by 0.1 m/s² a day.
 void enter_twelve(const ScratchFolder& root) {
-  auto opened = ResultDatabase::open(root.path());
-  REQUIRE(opened);
-  ResultDatabase database = std::move(opened).value();
   for (int day = 1; day <= 12; ++day) {
     Judgement judgement = day % 4 == 0 ? test::failed_run() : test::passed_run();
     judgement.facts.serial = day % 2 == 0 ? "B" : "A";
     judgement.facts.started_utc = fmt::format("202601{:02}T120000Z", day);
     judgement.points[0].examination.channels[0].indicators[2].value = 1 + 0.1 * day;
-    const auto folder = root / (judgement.facts.serial + "/" + judgement.facts.started_utc);
-    REQUIRE(database.enter(row_of(root.path(), folder, judgement), judgement));
+    test::enter_run(root.path(), judgement);
   }
 }
 
@@ -109,9 +106,6 @@ TEST_CASE("the depth of a part is followed through findings", "[bench][results]"
 TEST_CASE("the worst of all is the worst of the points and of the channels", "[bench][results]") {
   const ScratchFolder root;
   {
-    auto opened = ResultDatabase::open(root.path());
-    REQUIRE(opened);
-    ResultDatabase database = std::move(opened).value();
     Judgement judgement = test::passed_run();
     judgement.points.resize(2, judgement.points.front());
     judgement.points[1].planned_speed_rpm = 1815;
@@ -121,8 +115,7 @@ TEST_CASE("the worst of all is the worst of the points and of the channels", "[b
       channels[1].name = "accel_1y";
       for (std::size_t c = 0; c < 2; ++c) channels[c].indicators[0].value = double(3 + 2 * p + c);
     }
-    const auto folder = root / "A/20260102T120000Z";
-    REQUIRE(database.enter(row_of(root.path(), folder, judgement), judgement));
+    test::enter_run(root.path(), judgement);
   }
   const auto kurtosis = [&](SeriesOf asked) {
     asked.measure = "kurtosis";

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/file_lock.hpp"
+
+/// What was kept beside the runs, and in which order: <root>/ledger.jsonl, one JSON object a line.
+///
+///     {"number":7,"utc":"20261127T080000Z","kind":"limits activated","of":"quick",
+///      "file":"limits/2026-11.json","sha256":"<64 hex digits>"}
+///
+/// Which record is the newest is told by its number, as clocks may be set; a file that is missing,
+/// that was changed or that nobody kept is told by the hash. Like the sums of a run it shows what
+/// happened by accident, or by a hand that did not think of it; it is no seal against somebody who
+/// writes a new ledger.
+namespace rvbench::bench {
+
+inline constexpr const char* ledger_name = "ledger.jsonl";
+
+/// One line: a file as somebody kept it then.
+struct LedgerLine {
+  int number = 0;    ///< from 1, without a gap
+  std::string utc;   ///< by the clock of then
+  std::string kind;  ///< "self_test", "calibration", "limits activated", ...
+  std::string of;    ///< what it is for: a station, a plan
+  std::string file;  ///< below the root
+  std::string sha256;
+};
+
+struct Ledger {
+  std::vector<LedgerLine> lines;  ///< by number
+  /// "runs/ledger.jsonl:3: ..." if it cannot be trusted from there on; empty: it can. What a power
+  /// failure left of a line that was not finished is none.
+  std::string fault;
+
+  /// The last of that file; null if it was never kept.
+  const LedgerLine* last_of(const std::string& file) const;
+};
+
+/// Without lines where there is none yet.
+Ledger read_ledger(const std::filesystem::path& root);
+
+/// What is wrong with the file of a line that is the last of it: "runs/limits/a.json is missing",
+/// "... was changed since rvbench kept it"; empty: nothing.
+std::string fault_of(const std::filesystem::path& root, const LedgerLine& line);
+
+/// All that is wrong with a ledger and the files it lists, each by its last line.
+std::vector<std::string> ledger_faults(const std::filesystem::path& root);
+
+/// Who may keep files in a root: one at a time, so that what was looked at stays so until it is
+/// written.
+class LedgerPen {
+ public:
+  /// Waits while another keeps something; the root is made if need be.
+  /// @throws std::system_error  also if another does not let go of it for seconds
+  explicit LedgerPen(std::filesystem::path root);
+
+  /// Writes the file, replacing one of that name, and enters it; both are on the disk when this
+  /// returns.
+  /// @throws std::system_error, also if the ledger cannot be trusted
+  void keep(const std::string& kind, const std::string& of, const std::string& file,
+            const std::string& text);
+
+ private:
+  std::filesystem::path root_;
+  FileLock lock_;
+};
+
+}  // namespace rvbench::bench

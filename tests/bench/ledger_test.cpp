@@ -1,0 +1,113 @@
+#include "bench/ledger.hpp"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "bench/sha256.hpp"
+#include "bench/text_file.hpp"
+#include "tests/bench/answers.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+using Catch::Matchers::Contains;
+using rvbench::test::ScratchFolder;
+
+void keep(const ScratchFolder& root, const std::string& file, const std::string& text) {
+  LedgerPen(root.path()).keep("note", "EOL 3", file, text);
+}
+
+void put_at_end(const ScratchFolder& root, const std::string& text) {
+  std::ofstream(root / ledger_name, std::ios::app) << text;
+}
+
+}  // namespace
+
+TEST_CASE("a ledger tells what was kept, in the order it was kept", "[bench][ledger]") {
+  const ScratchFolder root;
+  CHECK(read_ledger(root.path()).lines.empty());
+  CHECK(read_ledger(root.path()).fault.empty());
+  keep(root, "b/second.json", "1");
+  keep(root, "a/first.json", "2");
+  keep(root, "b/second.json", "3");
+  const Ledger ledger = read_ledger(root.path());
+  REQUIRE(ledger.lines.size() == 3);
+  CHECK(ledger.lines[1].number == 2);
+  CHECK(ledger.lines[1].file == "a/first.json");
+  CHECK(ledger.lines[1].of == "EOL 3");
+  CHECK(ledger.last_of("b/second.json")->number == 3);
+  CHECK(ledger.last_of("b/second.json")->sha256 == sha256_of_text("3"));
+  CHECK(ledger.last_of("b/third.json") == nullptr);
+  CHECK(read_file(root / "b/second.json") == "3");
+  CHECK(ledger_faults(root.path()).empty());
+  CHECK(test::rvbench({"check", (root / ledger_name).string()}).code == 0);
+}
+
+TEST_CASE("a file that was changed or taken away is told by its ledger", "[bench][ledger]") {
+  const ScratchFolder root;
+  keep(root, "a.json", "1");
+  keep(root, "b.json", "2");
+  write_file(root / "a.json", "9");
+  std::filesystem::remove(root / "b.json");
+  const auto faults = ledger_faults(root.path());
+  REQUIRE(faults.size() == 2);
+  CHECK_THAT(faults[0], Contains("a.json was changed since rvbench kept it"));
+  CHECK_THAT(faults[1], Contains("b.json is missing"));
+  const auto checked = test::rvbench({"check", (root / ledger_name).string()});
+  CHECK(checked.code == 3);
+  CHECK_THAT(checked.err, Contains("a.json was changed") && Contains("b.json is missing"));
+}
+
+TEST_CASE("half a line that a power failure left is none, and the next one takes its place",
+          "[bench][ledger]") {
+  const ScratchFolder root;
+  keep(root, "a.json", "1");
+  put_at_end(root, R"({"number":2,"ut)");
+  CHECK(read_ledger(root.path()).fault.empty());
+  CHECK(read_ledger(root.path()).lines.size() == 1);
+  keep(root, "b.json", "2");
+  const Ledger ledger = read_ledger(root.path());
+  CHECK(ledger.fault.empty());
+  REQUIRE(ledger.lines.size() == 2);
+  CHECK(ledger.lines[1].file == "b.json");
+}
+
+TEST_CASE("a ledger that was tampered with is trusted up to there, and nothing is added",
+          "[bench][ledger]") {
+  const ScratchFolder root;
+  for (const char* name : {"a", "b", "c"}) keep(root, name, name);
+  std::string text = read_file(root / ledger_name).value();
+  const auto fault_with = [&](const std::string& changed) {
+    write_file(root / ledger_name, changed);
+    return read_ledger(root.path()).fault;
+  };
+  SECTION("a line was taken out") {
+    const std::size_t begin = text.find('\n') + 1;
+    text.erase(begin, text.find('\n', begin) + 1 - begin);
+    CHECK_THAT(fault_with(text), Contains("ledger.jsonl:2: is not line 2"));
+    CHECK(read_ledger(root.path()).lines.size() == 1);
+  }
+  SECTION("a line is none") {
+    CHECK_THAT(fault_with("hello\n" + text), Contains("ledger.jsonl:1: is no line of a ledger"));
+  }
+  CHECK_THROWS_AS(keep(root, "d", "d"), std::system_error);
+  CHECK_FALSE(std::filesystem::exists(root / "d"));
+}
+
+TEST_CASE("of many who keep something at once none is lost", "[bench][ledger]") {
+  const ScratchFolder root;
+  std::vector<std::thread> all;
+  for (int i = 0; i < 8; ++i) {
+    all.emplace_back([&, i] { keep(root, "f" + std::to_string(i), std::to_string(i)); });
+  }
+  for (std::thread& one : all) one.join();
+  CHECK(read_ledger(root.path()).lines.size() == 8);
+  CHECK(ledger_faults(root.path()).empty());
+}
+
+}  // namespace rvbench::bench
