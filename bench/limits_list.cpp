@@ -18,9 +18,9 @@ std::string limits_text(const std::vector<LimitsVersion>& versions) {
   std::string text;
   for (const LimitsVersion& version : versions) {
     text += fmt::format("{}  {}", version.version, version.status);
-    if (version.status != "damaged") {
-      text += fmt::format("{}, plan {}, {} limits", version.is_in_force ? ", in force" : "",
-                          version.file.plan, version.file.limits.size());
+    if (version.is_in_force) text += ", in force";
+    if (!version.file.version.empty()) {
+      text += fmt::format(", plan {}, {} limits", version.file.plan, version.file.limits.size());
     }
     text += "\n";
     for (const LimitsStep& step : version.file.steps) {
@@ -36,7 +36,7 @@ nlohmann::ordered_json limits_json(const std::vector<LimitsVersion>& versions) {
   auto told = nlohmann::ordered_json::array();
   for (const LimitsVersion& version : versions) {
     nlohmann::ordered_json json{{"limits_version", version.version}};
-    if (version.status != "damaged") {
+    if (!version.file.version.empty()) {
       json = nlohmann::ordered_json::parse(limits_file_to_json(version.file));
     }
     json["status"] = version.status;

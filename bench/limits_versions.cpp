@@ -1,6 +1,7 @@
 #include "bench/limits_versions.hpp"
 
 #include <algorithm>
+#include <map>
 #include <system_error>
 #include <utility>
 
@@ -57,17 +58,37 @@ std::string unlisted_active(const Ledger& ledger, const std::filesystem::path& r
                             const std::string& plan) {
   for (const std::string& version : versions_in(root)) {
     if (ledger.last_of(below_root(version)) != nullptr) continue;
-    const std::filesystem::path path = limits_path(root, version);
-    const auto read = read_limits_file(path);
-    if (read.index() == 1) {
-      return fault_in(ledger, root, version) + ", and cannot be read: rvbench check tells why";
-    }
+    const auto read = read_limits_file(limits_path(root, version));
+    if (read.index() == 1) continue;  // limits list tells of it
     const LimitsFile& file = std::get<0>(read);
     if (file.plan != plan || last_step(file, "activated") == nullptr) continue;
     return fault_in(ledger, root, version) +
            ", and says that it is active: approve and activate it, or take it away";
   }
   return "";
+}
+
+// By plan the file that was activated last.
+std::map<std::string, std::string> files_in_force(const Ledger& ledger) {
+  std::map<std::string, std::string> file_by_plan;
+  for (const LedgerLine& line : ledger.lines) {
+    if (line.kind == kind_of("activated")) file_by_plan[line.of] = line.file;
+  }
+  return file_by_plan;
+}
+
+LimitsVersion version_of(const Ledger& ledger, const std::filesystem::path& root,
+                         const std::string& name) {
+  const std::filesystem::path path = limits_path(root, name);
+  LimitsVersion version{name, {}, "damaged", false, fault_in(ledger, root, name)};
+  auto read = read_limits_file(path);
+  if (read.index() == 1) {
+    version.fault = path.string() + " cannot be read: rvbench check tells why";
+    return version;
+  }
+  version.file = std::get<0>(std::move(read));
+  version.status = version.fault.empty() ? status_by_steps(version.file) : "draft";
+  return version;
 }
 
 }  // namespace
@@ -88,24 +109,17 @@ const LimitsStep* last_step(const LimitsFile& file, const std::string& step) {
 
 std::vector<LimitsVersion> limits_versions(const std::filesystem::path& root) {
   const Ledger ledger = read_ledger(root);
+  const std::vector<std::string> names = versions_in(root);
   std::vector<LimitsVersion> versions;
-  for (const std::string& name : versions_in(root)) {
-    LimitsVersion& version = versions.emplace_back();
-    version.version = name;
-    version.fault = fault_in(ledger, root, name);
-    auto read = read_limits_file(limits_path(root, name));
-    if (read.index() == 1) {
-      version.status = "damaged";
-      version.fault = limits_path(root, name).string() + " cannot be read: rvbench check tells why";
-      continue;
+  for (const std::string& name : names) versions.push_back(version_of(ledger, root, name));
+  for (const auto& [plan, file] : files_in_force(ledger)) {
+    const std::string name = std::filesystem::path(file).stem().string();
+    const auto found = std::ranges::find(versions, name, &LimitsVersion::version);
+    if (found != versions.end()) {
+      found->is_in_force = true;
+    } else {
+      versions.push_back({name, {}, "missing", true, root.string() + "/" + file + " is missing"});
     }
-    version.file = std::get<0>(std::move(read));
-    version.status = version.fault.empty() ? status_by_steps(version.file) : "draft";
-    if (version.status != "activated") continue;
-    const auto active = active_limits(root, version.file.plan);
-    const auto* in_force = std::get_if<std::optional<LimitsFile>>(&active);
-    version.is_in_force =
-        in_force != nullptr && in_force->has_value() && (*in_force)->version == name;
   }
   return versions;
 }
@@ -122,15 +136,15 @@ std::variant<std::optional<LimitsFile>, std::string> active_limits(
   if (std::string unlisted = unlisted_active(ledger, root, plan); !unlisted.empty()) {
     return unlisted;
   }
-  const auto line = std::find_if(
-      ledger.lines.rbegin(), ledger.lines.rend(),
-      [&](const LedgerLine& one) { return one.kind == kind_of("activated") && one.of == plan; });
-  if (line == ledger.lines.rend()) return std::optional<LimitsFile>();
-  const std::string fault = fault_of(root, *ledger.last_of(line->file));
+  const auto in_force = files_in_force(ledger);
+  const auto found = in_force.find(plan);
+  if (found == in_force.end()) return std::optional<LimitsFile>();
+  const std::string& name = found->second;
+  const std::string fault = fault_of(root, *ledger.last_of(name));
   const std::string remedy = ": put back a copy, or approve and activate limits again";
   if (!fault.empty()) return "of the limits in force for plan " + plan + ", " + fault + remedy;
-  auto read = read_limits_file(root / line->file);
-  if (read.index() == 1) return (root / line->file).string() + " cannot be read" + remedy;
+  auto read = read_limits_file(root / name);
+  if (read.index() == 1) return (root / name).string() + " cannot be read" + remedy;
   LimitsFile& file = std::get<0>(read);
   if (status_by_steps(file) != "activated") {
     return "limits " + file.version + " were changed since they were approved" + remedy;

@@ -25,13 +25,13 @@ const LimitsStep* last_step(const LimitsFile& file, const std::string& step);
 /// One version, as far as it has come.
 struct LimitsVersion {
   std::string version;
-  LimitsFile file;     ///< empty if it cannot be read
-  std::string status;  ///< "draft", "approved", "activated" or "damaged"
-  bool is_in_force = false;
-  std::string fault;  ///< of a file that cannot be read, or differs from what was kept
+  LimitsFile file;           ///< empty if it cannot be read
+  std::string status;        ///< "draft", "approved", "activated", "damaged" or "missing"
+  bool is_in_force = false;  ///< of its plan it was activated last; with a fault no run begins
+  std::string fault;         ///< of a file that cannot be read, or differs from what was kept
 };
 
-/// All there are, by name.
+/// All there are, by name, and those in force that are missing.
 std::vector<LimitsVersion> limits_versions(const std::filesystem::path& root);
 
 /// How far the version of a file that is read has come. What was changed since its approval, or is

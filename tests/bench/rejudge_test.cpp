@@ -162,8 +162,8 @@ TEST_CASE("limits go from draft to approved to active, their effect being shown 
   CHECK(active_limits(runs, "quick").index() == 0);
   CHECK_FALSE(std::get<0>(active_limits(runs, "quick")));
   CHECK(limits({"activate", "v1", "--by", "A. Sato"}).code == 0);
-  CHECK_THAT(limits({"list"}).out,
-             Contains("v1  activated, in force, plan quick, 1 limits") && Contains("approved by A. Sato"));
+  CHECK_THAT(limits({"list"}).out, Contains("v1  activated, in force, plan quick, 1 limits") &&
+                                       Contains("approved by A. Sato"));
   const auto listed = nlohmann::json::parse(limits({"list", "--json"}).out).at("versions").at(0);
   CHECK(listed.at("limits_version") == "v1");
   CHECK(listed.at("status") == "activated");
@@ -182,6 +182,45 @@ TEST_CASE("limits go from draft to approved to active, their effect being shown 
     const auto folder = std::filesystem::directory_iterator(scratch / "runs/B")->path();
     CHECK_THAT(read_file(folder / "log.jsonl").value(), Contains("limits v1 are active"));
     CHECK_THAT(read_file(folder / "plan.json").value(), Contains("0.0001"));
+  }
+  SECTION("those in force are missed: no older ones come back by themselves") {
+    const std::string second = (scratch / "second.json").string();
+    std::string text = read_file(from).value();
+    text.replace(text.find("v1"), 2, "v2");
+    write_file(second, text);
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"propose", "--from", second},
+          {"approve", "v2", "--yes"},
+          {"activate", "v2"}}) {
+      std::vector<std::string> step = words;
+      step.insert(step.end(), {"--by", "A. Sato"});
+      REQUIRE(limits(step).code == 0);
+    }
+    CHECK_THAT(limits({"list"}).out, Contains("v1  activated, plan quick") &&
+                                         Contains("v2  activated, in force, plan quick"));
+    std::filesystem::remove(limits_path(runs, "v2"));
+    const CommandAnswer run = rvbench(
+        {"run", (scratch / "one.json").string(), "--rig", "sim", "--serial", "B", "--out", runs});
+    CHECK(run.code == 2);
+    CHECK_THAT(run.err,
+               Contains("of the limits in force for plan quick") && Contains("v2.json is missing"));
+    const CommandAnswer told = limits({"list"});
+    CHECK(told.code == 3);
+    CHECK_THAT(told.out, Contains("v2  missing, in force"));
+    CHECK(limits({"activate", "v1", "--by", "A. Sato"}).code == 0);  // somebody's decision
+    CHECK(std::get<0>(active_limits(runs, "quick"))->version == "v1");
+  }
+  SECTION("a file that somebody put there is told, and is nothing") {
+    write_file(limits_path(runs, "by_hand"), "{");
+    const CommandAnswer told = limits({"list"});
+    CHECK(told.code == 3);
+    CHECK_THAT(told.out, Contains("by_hand  damaged") && Contains("cannot be read"));
+    CHECK(std::get<0>(active_limits(runs, "quick"))->version == "v1");
+  }
+  SECTION("without the ledger nobody knows whether they are in force") {
+    std::filesystem::remove(scratch / "runs" / ledger_name);
+    CHECK_THAT(std::get<1>(active_limits(runs, "quick")), Contains("says that it is active"));
+    CHECK_THAT(limits({"list"}).out, Contains("v1  draft"));
   }
   SECTION("what is changed after its approval is neither used nor activated") {
     const auto path = limits_path(runs, "v1");
