@@ -7,6 +7,8 @@
 #include <system_error>
 
 #include "bench/commands/commands.hpp"
+#include "bench/rising_channels.hpp"
+#include "hal/formats/time_column.hpp"
 
 namespace rvbench::bench {
 
@@ -16,6 +18,15 @@ PointSource point_source(const Recording& recording) {
   const std::size_t stroke = source.rfind('#');
   if (stroke == std::string::npos || std::filesystem::exists(source, unknown)) return {source, ""};
   return {source.substr(0, stroke), source.substr(stroke + 1)};
+}
+
+std::optional<std::string> prepare_for_writing(Recording& recording) {
+  if (const auto broken = what_breaks_the_clock(recording)) {
+    return fmt::format("{}: {}; part the file there, or name otherwise what is no time",
+                       recording.source, *broken);
+  }
+  hal::formats::drop_time_column(recording);
+  return std::nullopt;
 }
 
 void tell_notes_of(Console& console, const std::vector<Recording>& recordings) {
