@@ -127,6 +127,25 @@ TEST_CASE("a table that makes no chart is refused, with the place", "[bench][sta
   CHECK_THAT(refusal(alike), Contains("all alike: too coarse"));
 }
 
+TEST_CASE("values that overflow are no chart and no index", "[bench][station]") {
+  const ScratchFolder scratch;
+  const auto asked = [&](double large, double small, std::vector<std::string> more) {
+    Eigen::VectorXd values(10);
+    for (Eigen::Index i = 0; i < 10; ++i) values[i] = i % 2 == 0 ? large : small;
+    more.insert(more.begin(), {"chart", file_of(scratch, values)});
+    return rvbench(more);
+  };
+  const CommandAnswer chart = asked(1e308, -1e308, {});
+  CHECK(chart.code == 20);
+  CHECK(chart.out.empty());
+  CHECK_THAT(chart.err, Contains("chart.csv: cannot tell: a limit of the chart is no finite"));
+  // The chart of these can be made, but not their squares.
+  const CommandAnswer index = asked(1e200, -1e200, {"--upper", "2e200"});
+  CHECK(index.code == 20);
+  CHECK_THAT(index.err, Contains("cannot tell: the standard deviation is no finite number"));
+  CHECK(asked(1e200, -1e200, {}).code == 0);
+}
+
 TEST_CASE("limits and baselines that make no sense are refused", "[bench][station]") {
   const ScratchFolder scratch;
   const std::string file = file_of(scratch, lost_motion(20));
