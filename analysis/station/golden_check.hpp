@@ -19,7 +19,7 @@ struct GoldenCheck {
 
   bool is_in_control() const { return fired.empty() && !is_wide && !has_drifted; }
 
-  /// "in control"; or what fired: "out of control: nelson_1 (beyond 3 sigma), EWMA beyond ..."
+  /// "in control"; or what fired: "out of control: western_electric_1 (beyond 3 sigma), EWMA ..."
   std::string text() const;
 };
 
