@@ -29,10 +29,6 @@ std::string kind_of(const Channel& channel) {
   return channel.info.unit == "m/s²" ? "acceleration" : "signals";
 }
 
-bool is_one_clock(const Channel& a, const Channel& b) {
-  return a.rate_Hz == b.rate_Hz && a.start_s == b.start_s && a.samples.size() == b.samples.size();
-}
-
 std::vector<Group> groups_of(const Recording& recording) {
   std::vector<Group> groups;
   for (const Channel& channel : recording.channels) {

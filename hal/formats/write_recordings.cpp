@@ -19,10 +19,6 @@ struct Part {
   std::vector<Recording> recordings;
 };
 
-bool is_one_clock(const Channel& a, const Channel& b) {
-  return a.rate_Hz == b.rate_Hz && a.start_s == b.start_s && a.samples.size() == b.samples.size();
-}
-
 // Recordings that each have one clock, and no more channels than may be.
 std::vector<Recording> by_clock(const Recording& whole, std::size_t most_channels) {
   Recording head = whole;
@@ -30,7 +26,8 @@ std::vector<Recording> by_clock(const Recording& whole, std::size_t most_channel
   std::vector<Recording> parts;
   for (const Channel& channel : whole.channels) {
     auto own = std::ranges::find_if(parts, [&](const Recording& part) {
-      return is_one_clock(part.channels.front(), channel) && part.channels.size() < most_channels;
+      return formats::is_one_clock(part.channels.front(), channel) &&
+             part.channels.size() < most_channels;
     });
     if (own == parts.end()) own = parts.insert(parts.end(), head);
     own->channels.push_back(channel);
