@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "hal/formats/column_name.hpp"
+#include "hal/formats/printable.hpp"
 #include "hal/formats/read_recordings.hpp"
 #include "tests/hal/foreign_file_builder.hpp"
 
@@ -67,6 +68,12 @@ TEST_CASE("a column in SI, or in a unit that is not known, comes as it is", "[ha
   CHECK(recording.channels[0].info.unit == unit);
   CHECK(recording.channels[0].samples == Eigen::Vector3d(1, 3, 2));
   CHECK(recording.notes.empty());
+}
+
+TEST_CASE("what of a head cannot be shown is told", "[hal][formats]") {
+  const Recording recording = headed("a\x01 \xB2x");
+  CHECK(recording.channels[0].info.name == "a? ?x");
+  CHECK(recording.notes == std::vector<std::string>{formats::was_not_printable});
 }
 
 TEST_CASE("a head that names no unit has none", "[hal][formats]") {

@@ -149,6 +149,25 @@ TEST_CASE("several points and clocks go into files of their own where they must"
   CHECK(read_back(scratch / "w_2.flac")[0].channels.size() == 4);
 }
 
+TEST_CASE("text that would break a line is written as one, and told", "[hal][formats][export]") {
+  const ScratchFolder scratch;
+  Recording recording = exported();
+  recording.channels[0].info.name = "a\n    -1\nb";
+  recording.channels[1].info.name = std::string("c\0d\x7F", 4);
+  recording.channels[1].info.direction = "+\rY";
+  recording.status = "INVALID:\tcut\noff";
+  const auto key = GENERATE("hdf5", "tdms", "mat5", "mat73", "flac", "uff58", "uff58b", "csv");
+  CAPTURE(key);
+  const auto written = written_as(key, scratch / "a", {recording});
+  CHECK_THAT(all_of(written[0].warnings),
+             Contains("characters of names or other text that cannot be shown stand as ?"));
+  const Recording after = read_back(scratch / "a")[0];
+  CHECK(after.find("a?    -1?b") != nullptr);
+  REQUIRE(after.find("c?d?") != nullptr);
+  CHECK(after.find("c?d?")->samples.isApprox(recording.channels[1].samples, 1e-6));  // FLAC rounds
+  if (after.status != "ok") CHECK(after.status == "INVALID:?cut?off");
+}
+
 TEST_CASE("what cannot be written so is refused with words", "[hal][formats][export]") {
   const ScratchFolder scratch;
   Recording recording = exported();
