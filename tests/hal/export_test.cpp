@@ -136,6 +136,7 @@ TEST_CASE("several points and clocks go into files of their own where they must"
   const auto wav = written_as("wav", scratch / "p.wav", {first, second});
   REQUIRE(wav.size() == 3);
   CHECK(wav[0].file == scratch / "p_012.wav");
+  CHECK(wav[1].file == scratch / "p_013_1.wav");
   CHECK(wav[2].file == scratch / "p_013_2.wav");
   CHECK(read_back(scratch / "p_013_2.wav")[0].channels.at(0).rate_Hz == 1000);
 
