@@ -18,7 +18,8 @@ struct PointSource {
 };
 PointSource point_source(const Recording& recording);
 
-/// Makes a recording ready to be written: without the time column that its rate is of.
+/// Makes a recording ready to be written: without the time column that its rate is of, and with
+/// channels named without a unit that their values are no longer in, which a note tells.
 /// @return why it must not be: "<source>: <what>", where its times say that samples are missing
 std::optional<std::string> prepare_for_writing(Recording& recording);
 

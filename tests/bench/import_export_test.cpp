@@ -78,6 +78,32 @@ TEST_CASE("import makes a point of each recording, with its start from the times
   CHECK(hal::read_recordings(out).value().size() == 1);
 }
 
+TEST_CASE("what is written tells of its source what is true of the source alone",
+          "[bench][import][export]") {
+  const ScratchFolder scratch;
+  const std::string out = (scratch / "all.h5").string(), again = (scratch / "again.h5").string();
+  const std::string table =
+      table_in(scratch, "time_s;a_mm/s2;a [g];b_mm/s2\n0,0;1;1;1\n0,5;1000;1;2\n1,0;1;1;3\n");
+  const CommandAnswer answer = test::rvbench({"import", table, "--rate", "2", "--out", out});
+  INFO(answer.err);
+  REQUIRE(answer.code == 0);
+  CHECK_THAT(answer.err, Contains("a_mm/s2 is called a_2: its values are in m/s²") &&
+                             Contains("b_mm/s2 is called b: its values are in m/s²"));
+  REQUIRE(test::rvbench({"export", out, "--to", again}).code == 0);
+  for (const std::string& file : {out, again}) {
+    const Recording read = hal::read_recordings(file).value().at(0);
+    REQUIRE(read.channels.size() == 3);
+    CHECK(read.channels[0].info.name == "a_2");
+    CHECK(read.channels[0].samples[1] == 1);
+    CHECK(read.channels[2].info.name == "b");
+    REQUIRE_FALSE(read.notes.empty());
+    CHECK(read.notes[0] == "read from " + table + ": numbers have a decimal comma");
+    for (const std::string& note : read.notes) {
+      CHECK_THAT(note, Catch::StartsWith("read from " + table + ": "));
+    }
+  }
+}
+
 TEST_CASE("import asks for what it must not guess", "[bench][import]") {
   const ScratchFolder scratch;
   const std::string out = (scratch / "out.h5").string();
