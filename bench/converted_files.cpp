@@ -2,13 +2,41 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <system_error>
 
 #include "bench/commands/commands.hpp"
+#include "bench/rising_channels.hpp"
+#include "hal/formats/column_name.hpp"
+#include "hal/formats/time_column.hpp"
 
 namespace rvbench::bench {
+namespace {
+
+bool is_twice(const Recording& recording, const std::string& name) {
+  return std::ranges::count_if(recording.channels, [&name](const Channel& channel) {
+           return channel.info.name == name;
+         }) > 1;
+}
+
+// A unit in a name is the one in which values were read.
+void name_by_units(Recording& recording) {
+  for (Channel& channel : recording.channels) {
+    const std::string before = channel.info.name, unit = channel.info.unit;
+    const std::string name = hal::formats::name_in_unit(before, unit);
+    if (name == before) continue;
+    channel.info.name = name;
+    for (int n = 2; is_twice(recording, channel.info.name); ++n) {
+      channel.info.name = fmt::format("{}_{}", name, n);
+    }
+    recording.notes.push_back(
+        fmt::format("{} is called {}: its values are in {}", before, channel.info.name, unit));
+  }
+}
+
+}  // namespace
 
 PointSource point_source(const Recording& recording) {
   const std::string& source = recording.source;
@@ -16,6 +44,16 @@ PointSource point_source(const Recording& recording) {
   const std::size_t stroke = source.rfind('#');
   if (stroke == std::string::npos || std::filesystem::exists(source, unknown)) return {source, ""};
   return {source.substr(0, stroke), source.substr(stroke + 1)};
+}
+
+std::optional<std::string> prepare_for_writing(Recording& recording) {
+  if (const auto broken = what_breaks_the_clock(recording)) {
+    return fmt::format("{}: {}; part the file there, or name otherwise what is no time",
+                       recording.source, *broken);
+  }
+  hal::formats::drop_time_column(recording);
+  name_by_units(recording);
+  return std::nullopt;
 }
 
 void tell_notes_of(Console& console, const std::vector<Recording>& recordings) {

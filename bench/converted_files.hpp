@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,11 @@ struct PointSource {
   std::string file, point;
 };
 PointSource point_source(const Recording& recording);
+
+/// Makes a recording ready to be written: without the time column that its rate is of, and with
+/// channels named without a unit that their values are no longer in, which a note tells.
+/// @return why it must not be: "<source>: <what>", where its times say that samples are missing
+std::optional<std::string> prepare_for_writing(Recording& recording);
 
 /// Prints how files were read, each note of a file once, and which recordings are not to be
 /// trusted.

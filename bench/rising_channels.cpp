@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/quality.hpp"
+#include "analysis/statistics.hpp"
 #include "bench/lost_rows.hpp"
 #include "hal/formats/time_column.hpp"
 
@@ -17,7 +18,8 @@ constexpr Eigen::Index fewest_samples = 100;  // fewer may rise by chance
 // Of the whole rise: a clock's drift and the rounding of a printed time stay below, a lost block
 // of samples does not.
 constexpr double most_bend = 1e-3;
-constexpr double one_rate = 1e-3;  // relative: less is the same
+constexpr double one_rate = 1e-3;     // relative: less is the same
+constexpr double longest_step = 1.5;  // of the usual one, where rows are too few for more
 constexpr const char* other_way = "; if it is no time, name what to judge with --channel";
 
 bool is_even(const Eigen::VectorXd& x) {
@@ -34,6 +36,24 @@ std::string what_is_uneven(const Eigen::VectorXd& x) {
                        count > 1 ? "s are" : " is", lost->before, x[lost->before - 1]);
   }
   return is_even(x) ? "" : "samples are missing or of several rates";
+}
+
+std::string unevenly(const std::string& name, const std::string& uneven) {
+  return name + " only rises, as time does, but unevenly: " + uneven;
+}
+
+// Of a column that does not only rise.
+std::string not_rising(const Channel& column) {
+  const Eigen::VectorXd& x = column.samples;
+  Eigen::Index at = 1;
+  while (at + 1 < x.size() && x[at] >= x[at - 1]) ++at;
+  return fmt::format(
+      "{} is named as time but does not only rise: {:.6g} follows {:.6g} in sample {}",
+      column.info.name, x[at], x[at - 1], at + 1);
+}
+
+bool may_be_time(const Eigen::VectorXd& x) {
+  return x.size() >= fewest_samples && hal::formats::only_rises(x);
 }
 
 // "; in seconds it says 2000 Hz", and what is taken in place of that.
@@ -57,7 +77,52 @@ bool is_broken_clock(const Channel& column) {
          column.samples.size() >= fewest_samples && !hal::formats::only_rises(column.samples);
 }
 
+// Whether the channel tells when the rows of others were, by its name or as the first of a table
+// without names.
+bool is_clock_of_rows(const Channel& column, const Recording& record) {
+  const std::string& name = column.info.name;
+  const bool is_clock = hal::formats::time_unit_s(name) || hal::formats::seconds_per_unit(name) ||
+                        name == hal::formats::first_without_name;
+  return is_clock && std::ranges::any_of(record.channels, [&column](const Channel& other) {
+           return &other != &column && other.samples.size() == column.samples.size();
+         });
+}
+
+// Why the times of a column that is named as time are none of even samples, where rows are too few
+// for means: by its longest step.
+std::string what_is_uneven_in_few(const Channel& column) {
+  const Eigen::VectorXd& x = column.samples;
+  if (x.size() < 3 || !hal::formats::time_unit_s(column.info.name) || !hal::formats::only_rises(x))
+    return "";
+  const Eigen::VectorXd steps = x.tail(x.size() - 1) - x.head(x.size() - 1);
+  Eigen::Index at = 0;
+  const double longest = steps.maxCoeff(&at);
+  const double usual = analysis::median({steps.begin(), steps.end()});
+  if (!(usual > 0) || longest < longest_step * usual) return "";
+  return fmt::format("samples are missing behind its sample {} ({:.6g})", at + 1, x[at]);
+}
+
 }  // namespace
+
+std::optional<std::string> what_breaks_the_clock(Recording& record) {
+  for (const Channel& column : record.channels) {
+    if (is_of_shaft(column.info)) continue;
+    const Eigen::VectorXd& x = column.samples;
+    const std::string& name = column.info.name;
+    const bool is_clock = is_clock_of_rows(column, record);
+    if (is_clock && is_broken_clock(column)) return not_rising(column);
+    std::string uneven;
+    if (may_be_time(x)) {
+      uneven = what_is_uneven(x);
+    } else if (is_clock && x.size() < fewest_samples) {
+      uneven = what_is_uneven_in_few(column);
+    }
+    if (uneven.empty()) continue;
+    if (is_clock) return unevenly(name, uneven);
+    if (column.info.unit.empty()) record.notes.push_back(unevenly(name, uneven));
+  }
+  return std::nullopt;
+}
 
 std::optional<std::string> leave_out_rising_channels(const std::string& kept, Recording& record) {
   std::vector<std::string> rising;
@@ -65,15 +130,10 @@ std::optional<std::string> leave_out_rising_channels(const std::string& kept, Re
     const std::string& name = channel->info.name;
     const Eigen::VectorXd& x = channel->samples;
     if (name == kept) continue;
-    if (kept.empty() && is_broken_clock(*channel)) {
-      return fmt::format("{} is named as time but does not only rise{}", name, other_way);
-    }
-    if (x.size() < fewest_samples || !hal::formats::only_rises(x)) continue;
+    if (kept.empty() && is_broken_clock(*channel)) return not_rising(*channel) + other_way;
+    if (!may_be_time(x)) continue;
     const std::string uneven = what_is_uneven(x);
-    if (!uneven.empty() && kept.empty()) {
-      return fmt::format("{} only rises, as time does, but unevenly: {}{}", name, uneven,
-                         other_way);
-    }
+    if (!uneven.empty() && kept.empty()) return unevenly(name, uneven) + other_way;
     record.notes.push_back(
         fmt::format("{} only rises, as no vibration does, and is left out{}", name,
                     uneven.empty() ? stated_rate(*channel) : "; it rises unevenly: " + uneven));

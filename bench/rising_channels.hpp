@@ -15,4 +15,10 @@ namespace rvbench::bench {
 ///         to be judged a note tells of the former
 std::optional<std::string> leave_out_rising_channels(const std::string& kept, Recording& record);
 
+/// Why samples must not be written on as those of one even clock: a channel that is time, by its
+/// name or as the first of a table without names, rises unevenly or does not rise. Of a channel of
+/// another name and no unit that rises unevenly a note of the recording tells.
+/// @return nothing if they may
+std::optional<std::string> what_breaks_the_clock(Recording& record);
+
 }  // namespace rvbench::bench

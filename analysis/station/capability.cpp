@@ -7,6 +7,7 @@
 
 #include "analysis/station/distributions.hpp"
 #include "analysis/station/normality.hpp"
+#include "analysis/station/not_finite.hpp"
 #include "hal/types/require.hpp"
 
 namespace rvbench::analysis {
@@ -35,6 +36,10 @@ CapabilityIndex of_nearer(double distance, const Spread& spread, double confiden
   return {index, {index - reach, index + reach}};
 }
 
+bool is_finite(const CapabilityIndex& index) {
+  return are_finite({index.value, index.interval.low, index.interval.high});
+}
+
 // Degrees of freedom of the variance that scatters, relatively, as the mean range's σ does: ranges
 // of neighbours share a value, so that |x₁ - x₂| and |x₂ - x₃| are those of normals correlated by
 // -1/2.
@@ -48,10 +53,13 @@ double freedom_of_mean_range(double n) {
 
 }  // namespace
 
-Capability capability_of(const Eigen::Ref<const Eigen::VectorXd>& values,
-                         const SpecificationLimits& limits, double confidence) {
+std::variant<Capability, std::string> capability_of(const Eigen::Ref<const Eigen::VectorXd>& values,
+                                                    const SpecificationLimits& limits,
+                                                    double confidence) {
   constexpr Require require{"capability_of"};
-  const ChartBaseline baseline = baseline_of(values);
+  const auto made = baseline_of(values);
+  if (const auto* why = std::get_if<std::string>(&made)) return *why;
+  const auto& baseline = std::get<ChartBaseline>(made);
   require(baseline.sigma > 0, "all values are alike");
   require(limits.lower || limits.upper, "no limit");
   require(!limits.lower || !limits.upper || *limits.lower < *limits.upper,
@@ -59,6 +67,7 @@ Capability capability_of(const Eigen::Ref<const Eigen::VectorXd>& values,
   require(confidence > 0 && confidence < 1, "the confidence is a share between 0 and 1");
   const auto n = double(values.size());
   const double all = std::sqrt((values.array() - baseline.centre).square().sum() / (n - 1));
+  if (!are_finite({all})) return not_finite("the standard deviation");
   const Spread within{baseline.sigma, freedom_of_mean_range(n), n}, overall{all, n - 1, n};
 
   constexpr double none = std::numeric_limits<double>::infinity();
@@ -72,6 +81,10 @@ Capability capability_of(const Eigen::Ref<const Eigen::VectorXd>& values,
     capability.cp = of_width(width, within, confidence);
     capability.pp = of_width(width, overall, confidence);
   }
+  const bool are_told =
+      is_finite(capability.cpk) && is_finite(capability.ppk) &&
+      (!capability.cp || (is_finite(*capability.cp) && is_finite(*capability.pp)));
+  if (!are_told) return not_finite("an index");
   capability.normality_p = normality_p_value(values);
   return capability;
 }

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <string>
+#include <variant>
 
 #include "analysis/station/control_chart.hpp"
 #include "analysis/station/mls_interval.hpp"
@@ -40,13 +42,15 @@ inline constexpr double least_normality_p = 0.05;
 /// larger and neighbours share a value.
 ///
 /// Shape   least_baseline values or more, in the order of time
+/// @return why there is none otherwise: a standard deviation, or an index, is no finite number
 /// Errors  throws std::invalid_argument: fewer, one not finite or all alike, no limit, a lower one
 ///         not below the upper, confidence not within (0, 1)
 /// Limits  of a process that is not in control, or not normal, no index says what will come
 /// Source  Bissell, Appl. Stat. 39(3), 331-340 (1990), for Cpk; Montgomery, Introduction to
 ///         Statistical Quality Control, for Cp; ν of the mean range from E|xy| of correlated
 ///         normals
-Capability capability_of(const Eigen::Ref<const Eigen::VectorXd>& values,
-                         const SpecificationLimits& limits, double confidence = 0.95);
+std::variant<Capability, std::string> capability_of(const Eigen::Ref<const Eigen::VectorXd>& values,
+                                                    const SpecificationLimits& limits,
+                                                    double confidence = 0.95);
 
 }  // namespace rvbench::analysis

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include "analysis/station/not_finite.hpp"
 #include "hal/types/require.hpp"
 
 namespace rvbench::analysis {
@@ -27,7 +28,7 @@ double ChartBaseline::upper_range() const {
   return mean_range * (1 + 3 * deviation_per_sigma() / mean_per_sigma);
 }
 
-ChartBaseline baseline_of(const Eigen::Ref<const VectorXd>& values) {
+std::variant<ChartBaseline, std::string> baseline_of(const Eigen::Ref<const VectorXd>& values) {
   constexpr Require require{"baseline_of"};
   require(values.size() >= least_baseline, "too few values");
   require(values.allFinite(), "a value is not finite");
@@ -36,18 +37,25 @@ ChartBaseline baseline_of(const Eigen::Ref<const VectorXd>& values) {
   baseline.centre = values.mean();
   baseline.mean_range = steps(values).mean();
   baseline.sigma = baseline.mean_range / mean_per_sigma;
+  if (!are_finite({baseline.lower(), baseline.upper(), baseline.upper_range()})) {
+    return not_finite("a limit of the chart");
+  }
   return baseline;
 }
 
-ControlChart chart_of(const Eigen::Ref<const VectorXd>& values, const ChartBaseline& baseline,
-                      const std::vector<ControlRule>& rules) {
+std::variant<ControlChart, std::string> chart_of(const Eigen::Ref<const VectorXd>& values,
+                                                 const ChartBaseline& baseline,
+                                                 const std::vector<ControlRule>& rules) {
   constexpr Require require{"chart_of"};
   require(values.size() > 0 && values.allFinite(), "no values, or one that is not finite");
   require(baseline.sigma > 0, "the baseline has no scatter");
   ControlChart chart{baseline, values, VectorXd(values.size()), {}, {}};
   chart.ranges[0] = std::numeric_limits<double>::quiet_NaN();
   chart.ranges.tail(values.size() - 1) = steps(values);
-  chart.signals = rule_signals((values.array() - baseline.centre) / baseline.sigma, rules);
+  const VectorXd off = (values.array() - baseline.centre) / baseline.sigma;
+  if (!chart.ranges.tail(values.size() - 1).allFinite()) return not_finite("a range");
+  if (!off.allFinite()) return not_finite("a distance from the centre");
+  chart.signals = rule_signals(off, rules);
   for (Index i = 1; i < values.size(); ++i) {
     if (chart.ranges[i] > baseline.upper_range()) chart.wide_ranges.push_back(i);
   }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "analysis/station/control_rules.hpp"
@@ -28,11 +30,13 @@ inline constexpr Eigen::Index good_baseline = 20;
 /// The ranges of neighbours do not see what drifts or jumps once: their σ is that of chance alone.
 ///
 /// Shape   least_baseline values or more, in the order of time. Units  of the values
+/// @return why there is none otherwise: centre or limits are no finite numbers
 /// Errors  throws std::invalid_argument: fewer, or one not finite
 /// Limits  σ is 0 where all values are alike: no chart can be made of that
 /// Source  Shewhart (1931); constants from E|x - y| = 2σ/√π of normal values: NIST/SEMATECH
 ///         e-Handbook of Statistical Methods, sec. 6.3.2.2
-ChartBaseline baseline_of(const Eigen::Ref<const Eigen::VectorXd>& values);
+std::variant<ChartBaseline, std::string> baseline_of(
+    const Eigen::Ref<const Eigen::VectorXd>& values);
 
 /// Values against a baseline, which may be that of their first ones.
 struct ControlChart {
@@ -45,9 +49,11 @@ struct ControlChart {
   bool is_in_control() const { return signals.empty() && wide_ranges.empty(); }
 };
 
+/// @return why there is none otherwise: a range, or a distance from the centre, is no finite number
 /// @throws std::invalid_argument if a value is not finite or the baseline's σ is not above 0
 /// Source  of baseline_of() and the rules
-ControlChart chart_of(const Eigen::Ref<const Eigen::VectorXd>& values,
-                      const ChartBaseline& baseline, const std::vector<ControlRule>& rules);
+std::variant<ControlChart, std::string> chart_of(const Eigen::Ref<const Eigen::VectorXd>& values,
+                                                 const ChartBaseline& baseline,
+                                                 const std::vector<ControlRule>& rules);
 
 }  // namespace rvbench::analysis

@@ -2,12 +2,14 @@
 
 #include <cmath>
 
+#include "analysis/station/not_finite.hpp"
 #include "hal/types/require.hpp"
 
 namespace rvbench::analysis {
 
-EwmaChart ewma_of(const Eigen::Ref<const Eigen::VectorXd>& values, const ChartBaseline& baseline,
-                  const EwmaSettings& settings) {
+std::variant<EwmaChart, std::string> ewma_of(const Eigen::Ref<const Eigen::VectorXd>& values,
+                                             const ChartBaseline& baseline,
+                                             const EwmaSettings& settings) {
   constexpr Require require{"ewma_of"};
   require(values.size() > 0 && values.allFinite(), "no values, or one that is not finite");
   require(baseline.sigma > 0, "the baseline has no scatter");
@@ -28,6 +30,9 @@ EwmaChart ewma_of(const Eigen::Ref<const Eigen::VectorXd>& values, const ChartBa
     chart.lower[i] = baseline.centre - reach;
     chart.upper[i] = baseline.centre + reach;
     if (std::abs(mean - baseline.centre) > reach) chart.out.push_back(i);
+  }
+  if (!chart.means.allFinite() || !chart.lower.allFinite() || !chart.upper.allFinite()) {
+    return not_finite("a weighted mean or its limit");
   }
   return chart;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "analysis/station/control_chart.hpp"
@@ -29,9 +31,11 @@ struct EwmaChart {
 /// exact from the first point on, not those of a chart that has run for long.
 ///
 /// Shape   N values → N points. Units  of the values
+/// @return why there is none otherwise: a mean or a limit is no finite number
 /// Errors  throws std::invalid_argument: no values, one not finite, no σ, settings out of range
 /// Source  Roberts, Technometrics 1(3), 239-250 (1959); NIST/SEMATECH e-Handbook, sec. 6.3.2.4
-EwmaChart ewma_of(const Eigen::Ref<const Eigen::VectorXd>& values, const ChartBaseline& baseline,
-                  const EwmaSettings& settings = {});
+std::variant<EwmaChart, std::string> ewma_of(const Eigen::Ref<const Eigen::VectorXd>& values,
+                                             const ChartBaseline& baseline,
+                                             const EwmaSettings& settings = {});
 
 }  // namespace rvbench::analysis

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "analysis/station/gage_anova.hpp"
+#include "analysis/station/not_finite.hpp"
 #include "analysis/station/rising_root.hpp"
 #include "hal/types/require.hpp"
 
@@ -99,9 +100,34 @@ void check(const GageReadings& readings, double confidence) {
   require(confidence > 0 && confidence < 1, "the confidence is a share between 0 and 1");
 }
 
+// Intervals take products of two mean squares, which may neither overflow nor vanish.
+bool have_products(const GageAnova& anova) {
+  const auto has_product = [](const AnovaLine& line) {
+    const double product = line.mean_square() * line.mean_square();
+    return line.sum_of_squares == 0 || std::isnormal(product);
+  };
+  return has_product(anova.parts) && has_product(anova.operators) &&
+         has_product(anova.interaction) && has_product(anova.repeatability);
+}
+
+bool is_finite(const GageComponent& c) {
+  return are_finite({c.deviation, c.interval.low, c.interval.high});
+}
+
+bool is_finite(const GageStudy& study) {
+  const GageAnova& anova = study.anova;
+  return are_finite({anova.parts.f, anova.operators.f, anova.interaction.f, anova.parts.p_value,
+                     anova.operators.p_value, anova.interaction.p_value, study.total,
+                     study.gage_share, study.gage_share_interval.low,
+                     study.gage_share_interval.high, study.categories,
+                     study.categories_interval.low, study.categories_interval.high}) &&
+         is_finite(study.repeatability) && is_finite(study.operators) &&
+         is_finite(study.interaction) && is_finite(study.gage) && is_finite(study.parts);
+}
+
 }  // namespace
 
-int GageStudy::distinct_categories() const { return std::max(1, int(categories)); }
+int GageStudy::distinct_categories() const { return int(std::clamp(categories, 1.0, 1e9)); }
 
 double share_of_tolerance(const GageComponent& component, double tolerance) {
   constexpr Require require{"share_of_tolerance"};
@@ -113,9 +139,13 @@ std::variant<GageStudy, std::string> study_gage(const GageReadings& readings, do
   check(readings, confidence);
   GageStudy study;
   study.anova = anova_of(readings);
-  if (!(study.anova.repeatability.sum_of_squares > 0)) {
+  if (study.anova.repeatability.sum_of_squares == 0) {
     return "every operator reads every part alike each time: the readings are too coarse to tell "
            "the gage's error, or were copied";
+  }
+  if (!have_products(study.anova)) {
+    return "cannot tell: the readings are too large, too far apart or too near to each other for "
+           "products of their mean squares";
   }
   const Components components(readings, study.anova);
   study.repeatability = component(components.repeatability(), confidence);
@@ -136,6 +166,7 @@ std::variant<GageStudy, std::string> study_gage(const GageReadings& readings, do
   study.gage_share_interval = {share_of_ratio(ratios.high), share_of_ratio(ratios.low)};
   study.categories = categories_of_ratio(ratio);
   study.categories_interval = {categories_of_ratio(ratios.low), categories_of_ratio(ratios.high)};
+  if (!is_finite(study)) return not_finite("a result");
   return study;
 }
 

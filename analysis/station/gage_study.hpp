@@ -76,7 +76,9 @@ inline constexpr double pooling_p = 0.25;
 /// Estimates below 0 are 0.
 ///
 /// @param confidence  of the intervals
-/// @return why there is none otherwise: each operator reads each part alike every time
+/// @return why there is none otherwise: each operator reads each part alike every time, or a
+///         result is no finite number or the product of two mean squares not within what numbers
+///         hold
 /// @throws std::invalid_argument if sizes do not fit, are below 2, or a value is not finite
 /// Limits  intervals by mls_interval(), of %GRR and ndc by the λ for which PV² - λ·GRR² may be 0;
 ///         three operators say little of all operators: the interval of AV is wide, and honest

@@ -28,7 +28,9 @@ std::variant<GoldenCheck, std::string> check_golden(const Eigen::Ref<const Eigen
     return std::to_string(runs.size()) + " runs of the golden unit: its chart takes " +
            std::to_string(baseline_points) + ", and the one that is checked";
   }
-  const ChartBaseline baseline = baseline_of(runs.head(baseline_points));
+  const auto made = baseline_of(runs.head(baseline_points));
+  if (const auto* why = std::get_if<std::string>(&made)) return *why;
+  const auto& baseline = std::get<ChartBaseline>(made);
   if (!(baseline.sigma > 0)) {
     return "the first " + std::to_string(baseline_points) +
            " runs of the golden unit are all alike: too coarse for a chart";
@@ -36,8 +38,12 @@ std::variant<GoldenCheck, std::string> check_golden(const Eigen::Ref<const Eigen
   // The EWMA starts where the baseline ends: what came before has made the centre.
   const Eigen::VectorXd since = runs.tail(runs.size() - baseline_points);
   const Eigen::Index newest = runs.size() - 1;
-  const ControlChart chart = chart_of(runs, baseline, western_electric_rules());
-  const EwmaChart ewma = ewma_of(since, baseline);
+  const auto charted = chart_of(runs, baseline, western_electric_rules());
+  if (const auto* why = std::get_if<std::string>(&charted)) return *why;
+  const auto weighted = ewma_of(since, baseline);
+  if (const auto* why = std::get_if<std::string>(&weighted)) return *why;
+  const auto& chart = std::get<ControlChart>(charted);
+  const auto& ewma = std::get<EwmaChart>(weighted);
   GoldenCheck check{baseline, runs[newest], {}, false, false};
   for (const RuleSignal& signal : chart.signals) {
     if (signal.at == newest) check.fired.push_back(signal.rule);

@@ -19,7 +19,7 @@ struct GoldenCheck {
 
   bool is_in_control() const { return fired.empty() && !is_wide && !has_drifted; }
 
-  /// "in control"; or what fired: "out of control: nelson_1 (beyond 3 sigma), EWMA beyond ..."
+  /// "in control"; or what fired: "out of control: western_electric_1 (beyond 3 sigma), EWMA ..."
   std::string text() const;
 };
 
@@ -30,8 +30,8 @@ struct GoldenCheck {
 /// of the newest point alone, with those before it.
 ///
 /// @param runs  in the order of time, in one unit; the newest last
-/// @return why there is none otherwise: too few runs, with the number it takes, or a baseline
-///         without scatter
+/// @return why there is none otherwise: too few runs, with the number it takes, a baseline without
+///         scatter, or values whose chart is no finite numbers
 /// @throws std::invalid_argument if a value is not finite
 /// Source  Western Electric's four zone rules, chart_of(), ewma_of()
 std::variant<GoldenCheck, std::string> check_golden(const Eigen::Ref<const Eigen::VectorXd>& runs,

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "analysis/station/distributions.hpp"
+#include "analysis/station/not_finite.hpp"
 #include "analysis/statistics.hpp"
 #include "hal/types/require.hpp"
 
@@ -81,7 +82,9 @@ std::variant<RobustLimit, std::string> robust_limit(const std::vector<double>& v
   require(std::ranges::all_of(values, [](double v) { return std::isfinite(v); }),
           "a value is not finite");
   if (std::string few = too_few_units(values.size()); !few.empty()) return few;
-  const RobustSpread all = spread_of(values), alike = spread_of_the_alike(values);
+  const RobustSpread all = spread_of(values);
+  if (!are_finite({all.median, all.deviation()})) return not_finite("the spread of the units");
+  const RobustSpread alike = spread_of_the_alike(values);
   if (!(alike.mad > 0)) {
     return "half of the " + std::to_string(values.size()) +
            " units have one value: it is too coarse to learn a limit from";
@@ -95,6 +98,7 @@ std::variant<RobustLimit, std::string> robust_limit(const std::vector<double>& v
   learnt.mad = alike.mad;
   learnt.factor = factor;
   learnt.limit = alike.median + (side == LimitSide::max ? factor : -factor) * alike.deviation();
+  if (!are_finite({learnt.limit})) return not_finite("the limit");
   return learnt;
 }
 

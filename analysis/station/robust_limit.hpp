@@ -50,7 +50,8 @@ double robust_tolerance_factor(std::size_t units, const Coverage& coverage);
 ///         deviations off; that of mean + 4 sigma by 18, 26, 34, 43, 63 % and more. A single set's
 ///         limit scatters besides, as that of other 50 units would
 /// @param factor  of robust_tolerance_factor() for as many units
-/// @return why there is none otherwise: too few, with the number it takes, or half of them alike
+/// @return why there is none otherwise: too few, with the number it takes, half of them alike, or
+///         a limit that is no finite number
 /// @throws std::invalid_argument if a value is not finite
 /// Source  Hampel, J. Am. Stat. Assoc. 69(346), 383-393 (1974), for MAD and what it withstands
 std::variant<RobustLimit, std::string> robust_limit(const std::vector<double>& values,

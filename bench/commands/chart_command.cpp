@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <system_error>
 #include <utility>
+#include <variant>
 
 #include "bench/commands/commands.hpp"
 #include "bench/out_folder.hpp"
@@ -18,6 +19,14 @@ namespace {
 
 const std::vector<analysis::ControlRule>& rules_of(const std::string& name) {
   return name == "western_electric" ? analysis::western_electric_rules() : analysis::nelson_rules();
+}
+
+// Puts what could be told into its place. @return why it could not
+template <typename T>
+std::string take(std::variant<T, std::string> told, T& place) {
+  if (auto* why = std::get_if<std::string>(&told)) return std::move(*why);
+  place = std::get<T>(std::move(told));
+  return "";
 }
 
 class ChartCommand final : public Command {
@@ -57,6 +66,8 @@ class ChartCommand final : public Command {
 
  private:
   int check_options(Console& console, OutFolder& folder) const;
+  // By the first so many values. @return why there is none
+  std::string make_chart(Eigen::Index first, ChartAnswer& answer) const;
   // A folder that has chart.json has all.
   void write_out(const ChartAnswer& answer) const {
     const std::filesystem::path folder = out_;
@@ -86,6 +97,20 @@ int ChartCommand::check_options(Console& console, OutFolder& folder) const {
                      : refuse_usage(console, "chart: --out " + out_ + ": " + why);
 }
 
+std::string ChartCommand::make_chart(Eigen::Index first, ChartAnswer& answer) const {
+  const Eigen::VectorXd& values = answer.data.values;
+  analysis::ChartBaseline baseline;
+  std::string why = take(analysis::baseline_of(values.head(first)), baseline);
+  if (!why.empty()) return why;
+  if (!(baseline.sigma > 0)) {
+    return "the values of the baseline are all alike: too coarse for a chart";
+  }
+  why = take(analysis::chart_of(values, baseline, rules_of(rules_)), answer.chart);
+  if (why.empty()) why = take(analysis::ewma_of(values, baseline), answer.ewma);
+  if (!why.empty() || (!limits_.lower && !limits_.upper)) return why;
+  return take(analysis::capability_of(values, limits_), answer.capability.emplace());
+}
+
 int ChartCommand::run(Console& console) {
   OutFolder folder;
   if (const int refused = check_options(console, folder); refused != exit_codes::done) {
@@ -100,15 +125,9 @@ int ChartCommand::run(Console& console) {
     return refuse_data(console, fmt::format("chart: {}: {} values, and --baseline asks for {}",
                                             file_, values.size(), first));
   }
-  const analysis::ChartBaseline baseline = analysis::baseline_of(values.head(first));
-  if (!(baseline.sigma > 0)) {
-    return refuse_data(console, "chart: " + file_ +
-                                    ": the values of the baseline are all alike: too coarse for a "
-                                    "chart");
+  if (const std::string why = make_chart(first, answer); !why.empty()) {
+    return refuse_data(console, "chart: " + file_ + ": " + why);
   }
-  answer.chart = analysis::chart_of(values, baseline, rules_of(rules_));
-  answer.ewma = analysis::ewma_of(values, baseline);
-  if (limits_.lower || limits_.upper) answer.capability = analysis::capability_of(values, limits_);
   try {
     if (!out_.empty()) write_out(answer);
   } catch (const std::system_error& error) {

@@ -7,7 +7,6 @@
 #include "hal/did_you_mean.hpp"
 #include "hal/formats/choose_writer.hpp"
 #include "hal/formats/read_recordings.hpp"
-#include "hal/formats/time_column.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -99,7 +98,9 @@ int ExportCommand::run(Console& console) {
                                      (has_one_only ? ": it holds one recording only"
                                                    : "; it has " + hal::listed(names)));
   }
-  for (Recording& recording : points) hal::formats::drop_time_column(recording);
+  for (Recording& recording : points) {
+    if (const auto fault = prepare_for_writing(recording)) return refuse_data(console, *fault);
+  }
   const auto written = hal::write_recordings(points, to_, *writer, force_);
   if (!written) return refuse_writing(console, "export: --to", written.error());
   tell_notes_of(console, points);

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -48,6 +49,11 @@ class GageCommand final : public Command {
       return refuse_data(console, "gage: " + file_ + ": " + *why);
     }
     answer.study = std::get<0>(std::move(study));
+    if (tolerance_ &&
+        !std::isfinite(analysis::share_of_tolerance(answer.study.gage, *tolerance_))) {
+      return refuse_usage(console,
+                          "gage: --tolerance is too small to be held against the readings");
+    }
     try {
       if (!out_.empty()) write_out(answer);
     } catch (const std::system_error& error) {

@@ -4,7 +4,6 @@
 #include "bench/converted_files.hpp"
 #include "hal/formats/choose_writer.hpp"
 #include "hal/formats/read_recordings.hpp"
-#include "hal/formats/time_column.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -55,7 +54,7 @@ int ImportCommand::run(Console& console) {
                                             .speed_rpm = speed_rpm_.value_or(not_known)});
     if (!read) return refuse_data(console, read.error().where);
     for (Recording& recording : std::move(read).value()) {
-      hal::formats::drop_time_column(recording);
+      if (const auto fault = prepare_for_writing(recording)) return refuse_data(console, *fault);
       points.push_back(std::move(recording));
     }
   }

@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <compare>
+#include <optional>
 
 #include "analysis/station/control_chart.hpp"
+#include "bench/results/run_filter.hpp"
 #include "bench/station/station_table.hpp"
 #include "hal/formats/csv_cells.hpp"
 #include "hal/formats/foreign_file.hpp"
@@ -12,18 +16,63 @@
 namespace rvbench::bench {
 namespace {
 
-// The first row whose time lies before that of the row above; numbers by their value, dates from
-// year to second as text.
-std::optional<std::size_t> find_step_back(const std::vector<std::string>& times) {
-  std::vector<double> numbers;
-  hal::formats::CsvNumbers reader;
-  for (const std::string& time : times) {
-    const auto read = reader.read(time);
-    if (read.index() == 0) numbers.push_back(std::get<double>(read));
-  }
-  const bool are_numbers = numbers.size() == times.size();
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    if (are_numbers ? numbers[i] < numbers[i - 1] : times[i] < times[i - 1]) return i;
+// A moment; the later one is the larger.
+struct Moment {
+  std::string utc;  // "20260131T120000Z"; empty where times are numbers
+  double rest = 0;  // the number; else what stands behind the seconds
+
+  auto operator<=>(const Moment&) const = default;
+};
+
+std::optional<Moment> numbered(const std::string& text) {
+  const auto read = hal::formats::CsvNumbers().read(text);
+  const double* number = std::get_if<double>(&read);
+  if (!number || !std::isfinite(*number)) return std::nullopt;
+  return Moment{"", *number};
+}
+
+// Behind the seconds may be a fraction of one or, as runs are named, which one it is in that
+// second: "20261121T114559Z-2".
+std::optional<Moment> dated(const std::string& text) {
+  constexpr std::size_t digits_to_seconds = 14, most_digits = 15;  // that a double holds
+  const bool is_counted = text.find("Z-") != text.npos;
+  const std::size_t end = is_counted ? text.find("Z-") + 1 : text.find_first_of(".,");
+  const std::string date = text.substr(0, end);
+  const auto utc = utc_of_text(date, false);
+  if (!utc) return std::nullopt;
+  if (end == text.npos) return Moment{*utc, 0};
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  std::string rest = text.substr(end + 1);
+  if (!is_counted && rest.ends_with('Z')) rest.pop_back();
+  const bool is_exact = std::ranges::count_if(date, is_digit) == digits_to_seconds;
+  if (!is_exact || rest.empty() || rest.size() > most_digits) return std::nullopt;
+  if (!std::ranges::all_of(rest, is_digit)) return std::nullopt;
+  return Moment{*utc, std::stod(is_counted ? rest : "0." + rest)};
+}
+
+// What is wrong with the times: one that is none, or lies before that of the row above. They are
+// all numbers, or all dates.
+std::optional<IoError> find_fault_of_times(const StationTable& table, std::size_t column) {
+  const auto text_of = [column](const StationTable::Row& row) { return row.cells[column]; };
+  const bool are_numbers = std::ranges::all_of(
+      table.rows, [&](const StationTable::Row& row) { return numbered(text_of(row)).has_value(); });
+  std::optional<Moment> before;
+  std::string text_before;
+  for (const StationTable::Row& row : table.rows) {
+    const std::string& text = text_of(row);
+    const auto moment = are_numbers ? numbered(text) : dated(text);
+    if (!moment) {
+      return table.fault(row.line, "time \"" + text +
+                                       "\" is none: all are numbers, or dates as 2026-01-31 or "
+                                       "2026-01-31T08:00:00; a column \"run\" takes any words");
+    }
+    if (before && *moment < *before) {
+      return table.fault(row.line, fmt::format("time {} is before {} in the row above: a chart "
+                                               "takes values in the order of time",
+                                               text, text_before));
+    }
+    before = moment;
+    text_before = text;
   }
   return std::nullopt;
 }
@@ -44,12 +93,8 @@ Result<ChartFile> read_chart_file(const std::filesystem::path& file) {
   ChartFile chart;
   chart.unit = table.heads[value_column].unit;
   for (const StationTable::Row& row : table.rows) chart.labels.push_back(row.cells[*label]);
-  const auto back = time ? find_step_back(chart.labels) : std::nullopt;
-  if (back) {
-    return table.fault(table.rows[*back].line,
-                       fmt::format("time {} is before {} in the row above: a chart takes values "
-                                   "in the order of time",
-                                   chart.labels[*back], chart.labels[*back - 1]));
+  if (time) {
+    if (const auto fault = find_fault_of_times(table, *time)) return *fault;
   }
   const std::vector<double>& numbers = values.value();
   if (Eigen::Index(numbers.size()) < analysis::least_baseline) {

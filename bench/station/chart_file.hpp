@@ -16,11 +16,11 @@ struct ChartFile {
   std::string unit;                 ///< of the values; empty if none is stated
 };
 
-/// Reads a CSV file of the columns value and run or time, in the order of time. Times that are all
-/// numbers, or dates written as 2026-01-31 or 20260131T120000Z, must not go back.
+/// Reads a CSV file of the columns value and run or time, in the order of time. Times are all
+/// numbers, or all dates, as 2026-01-31, 2026-01-31 08:00 or 20260131T120000Z, and do not go back.
 ///
 /// Errors  bad_data, with file and line: of read_station_table(), a value that is no number, a time
-///         that goes back, fewer values than a chart takes
+///         that is none or goes back, fewer values than a chart takes
 Result<ChartFile> read_chart_file(const std::filesystem::path& file);
 
 }  // namespace rvbench::bench

@@ -54,4 +54,15 @@ ColumnName column_name(std::string_view head) {
   return {std::string(name), std::string(unit)};
 }
 
+std::string name_in_unit(const std::string& name, std::string_view symbol) {
+  const ColumnName head = column_name(name);
+  const std::optional<SiUnit> si = si_unit(head.unit);
+  if (!si || si->symbol != symbol || si->factor == 1) return name;
+  if (head.name != name) return head.name;
+  if (!name.ends_with(head.unit)) return name;
+  const std::string_view whole = name;
+  const std::string_view rest = said_in(whole.substr(0, whole.size() - head.unit.size() - 1));
+  return rest.empty() ? name : std::string(rest);
+}
+
 }  // namespace rvbench::hal::formats

@@ -20,4 +20,8 @@ struct ColumnName {
 ///     a_mm/s, T degC what is known and no word: "a_g", "accel_in" and "a_rad" name none
 ColumnName column_name(std::string_view head);
 
+/// The name of a signal that is in `symbol` by now, without another unit of the same kind at its
+/// end: "a" of "a_mm/s2" in m/s². As it is, if nothing is left without, or it names no other unit.
+std::string name_in_unit(const std::string& name, std::string_view symbol);
+
 }  // namespace rvbench::hal::formats

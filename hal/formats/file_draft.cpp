@@ -1,8 +1,10 @@
 #include "hal/formats/file_draft.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -32,6 +34,12 @@ int give_name(const std::filesystem::path& draft, const std::filesystem::path& f
   return std::rename(draft.c_str(), file.c_str()) == 0 ? 0 : errno;
 }
 
+// Of this process, and of this draft in it.
+std::filesystem::path draft_of(const std::filesystem::path& file) {
+  static std::atomic<unsigned> drafts = 0;
+  return file.string() + fmt::format(".{}-{}.part", ::getpid(), ++drafts);
+}
+
 }  // namespace
 
 Status check_place(const std::filesystem::path& file, bool overwrite) {
@@ -44,7 +52,7 @@ Status check_place(const std::filesystem::path& file, bool overwrite) {
 }
 
 FileDraft::FileDraft(std::filesystem::path file, bool overwrite)
-    : file_(std::move(file)), draft_(file_.string() + ".part"), overwrite_(overwrite) {}
+    : file_(std::move(file)), overwrite_(overwrite) {}
 
 FileDraft::~FileDraft() {
   if (descriptor_ >= 0) ::close(descriptor_);
@@ -55,8 +63,13 @@ Status FileDraft::failed(int error) const { return refused(file_, std::strerror(
 
 Status FileDraft::begin() {
   if (Status place = check_place(file_, overwrite_); !place) return place;
-  descriptor_ = ::open(draft_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (descriptor_ < 0) return failed(errno);
+  // What has the name already is somebody else's, and may be a link to what is not to be touched.
+  constexpr int most_tries = 100;
+  for (int tries = 0; descriptor_ < 0; ++tries) {
+    draft_ = draft_of(file_);
+    descriptor_ = ::open(draft_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+    if (descriptor_ < 0 && (errno != EEXIST || tries == most_tries)) return failed(errno);
+  }
   is_made_ = true;
   return Done{};
 }

@@ -7,8 +7,9 @@
 
 namespace rvbench::hal::formats {
 
-/// A file that appears whole or not at all: it is written beside its place as "<file>.part", and
-/// gets its name when it is on the disk. What was not finished is gone with this object.
+/// A file that appears whole or not at all: it is written beside its place under a name that
+/// nobody else has, "<file>.4711-1.part", and gets its own when it is on the disk. What was not
+/// finished is gone with this object.
 ///
 /// Order    begin() → write()* or a library that writes to path() → finish()
 /// Errors   IoError "<file>: <reason>", of a full disk and of a folder that may not be written, too
@@ -20,7 +21,7 @@ class FileDraft {
   FileDraft(const FileDraft&) = delete;
   FileDraft& operator=(const FileDraft&) = delete;
 
-  Status begin();                      ///< makes it, empty
+  Status begin();                      ///< makes it, empty; path() is known from here on
   Status write(std::string_view all);  ///< appends
   /// Writes over the first bytes: of a file that a library left room in for a head.
   Status write_first(std::string_view head);

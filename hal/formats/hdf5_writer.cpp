@@ -29,10 +29,6 @@ std::string kind_of(const Channel& channel) {
   return channel.info.unit == "m/s²" ? "acceleration" : "signals";
 }
 
-bool is_one_clock(const Channel& a, const Channel& b) {
-  return a.rate_Hz == b.rate_Hz && a.start_s == b.start_s && a.samples.size() == b.samples.size();
-}
-
 std::vector<Group> groups_of(const Recording& recording) {
   std::vector<Group> groups;
   for (const Channel& channel : recording.channels) {
@@ -80,6 +76,13 @@ void write_group(const Handle& point, const Group& group) {
   write_array(own_group, "data", rows, as_float);
 }
 
+// How a file was read is told of that file, for this is another.
+std::string note_of(const std::string& source, const std::string& note) {
+  constexpr std::string_view told = "read from ";
+  if (source.empty() || note.starts_with(told)) return note;
+  return fmt::format("{}{}: {}", told, source, note);
+}
+
 void write_point(const Handle& file, int number, const Recording& recording) {
   const Handle point = make_group(file, point_path(number));
   write_number(point, "speed_rpm", recording.planned_speed_rpm);
@@ -93,6 +96,7 @@ void write_point(const Handle& file, int number, const Recording& recording) {
   if (!start.empty()) write_text(point, "start_time", start);
   std::vector<std::string> notes = recording.notes;
   std::erase_if(notes, [](const std::string& note) { return is_start_note(note); });
+  for (std::string& note : notes) note = note_of(recording.source, note);
   if (!notes.empty()) write_texts(point, "notes", notes);
   for (const Group& group : groups_of(recording)) write_group(point, group);
 }

@@ -103,6 +103,10 @@ std::vector<std::string> losses(const std::vector<Recording>& recordings, const 
   return lost;
 }
 
+bool is_one_clock(const Channel& a, const Channel& b) {
+  return a.rate_Hz == b.rate_Hz && a.start_s == b.start_s && a.samples.size() == b.samples.size();
+}
+
 bool are_single(const Eigen::VectorXd& samples) {
   return std::all_of(samples.begin(), samples.end(), [](double sample) {
     return std::isnan(sample) || static_cast<double>(static_cast<float>(sample)) == sample;

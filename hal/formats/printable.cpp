@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "hal/types/utf8.hpp"
 
@@ -9,6 +10,13 @@ namespace rvbench::hal::formats {
 namespace {
 
 bool is_control(char c) { return (c >= 0 && c < 0x20) || c == 0x7F; }
+
+bool make_printable(std::string& text) {
+  std::string shown = printable(text);
+  const bool was_not = shown != text;
+  text = std::move(shown);
+  return was_not;
+}
 
 }  // namespace
 
@@ -21,6 +29,17 @@ std::string printable(std::string_view text) {
     at += std::max<std::size_t>(bytes, 1);
   }
   return out;
+}
+
+bool make_printable(Recording& recording) {
+  bool was_not = make_printable(recording.status);
+  for (Channel& channel : recording.channels) {
+    for (std::string* text : {&channel.info.name, &channel.info.unit, &channel.info.direction}) {
+      was_not = make_printable(*text) || was_not;
+    }
+  }
+  for (std::string& note : recording.notes) was_not = make_printable(note) || was_not;
+  return was_not;
 }
 
 }  // namespace rvbench::hal::formats

@@ -60,17 +60,6 @@ void apply_speed(double speed_rpm, Recording& recording) {
   recording.speed_rpm = speed_rpm;
 }
 
-// Foreign text goes into reports and JSON.
-void make_printable(Recording& recording) {
-  for (Channel& channel : recording.channels) {
-    channel.info.name = formats::printable(channel.info.name);
-    channel.info.unit = formats::printable(channel.info.unit);
-    channel.info.direction = formats::printable(channel.info.direction);
-  }
-  for (std::string& note : recording.notes) note = formats::printable(note);
-  recording.status = formats::printable(recording.status);
-}
-
 void check_hint(const char* name, double value) {
   if (std::isnan(value) || (value > 0 && std::isfinite(value))) return;
   throw std::invalid_argument(fmt::format("read_recordings: {} {} is not above 0", name, value));
@@ -97,7 +86,10 @@ Result<std::vector<Recording>> read_recordings(const std::filesystem::path& file
   std::erase_if(recordings, [](const Recording& recording) { return !has_samples(recording); });
   if (recordings.empty()) return bad_file(file, "holds no samples");
   for (Recording& recording : recordings) {
-    make_printable(recording);
+    // Foreign text goes into reports and JSON.
+    if (formats::make_printable(recording)) {
+      recording.notes.emplace_back(formats::was_not_printable);
+    }
     if (!std::isnan(hints.rate_Hz)) apply_rate(hints.rate_Hz, recording);
     if (std::isnan(hints.speed_rpm)) continue;
     const std::string against = contradiction(hints.speed_rpm, recording);

@@ -9,6 +9,9 @@
 
 namespace rvbench::hal::formats {
 
+/// What the first column of a table without names is called.
+inline constexpr std::string_view first_without_name = "column_1";
+
 /// Gives all channels of a table the rate that its time column says; the column stays.
 ///
 /// A time column is one named so (time_unit_s) or, in a table without names, a first one that rises

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hal/formats/losses.hpp"
+#include "hal/formats/printable.hpp"
 #include "hal/types/require.hpp"
 
 namespace rvbench::hal {
@@ -17,11 +18,8 @@ using formats::Writer;
 struct Part {
   std::filesystem::path file;
   std::vector<Recording> recordings;
+  bool was_printable = true;
 };
-
-bool is_one_clock(const Channel& a, const Channel& b) {
-  return a.rate_Hz == b.rate_Hz && a.start_s == b.start_s && a.samples.size() == b.samples.size();
-}
 
 // Recordings that each have one clock, and no more channels than may be.
 std::vector<Recording> by_clock(const Recording& whole, std::size_t most_channels) {
@@ -30,7 +28,8 @@ std::vector<Recording> by_clock(const Recording& whole, std::size_t most_channel
   std::vector<Recording> parts;
   for (const Channel& channel : whole.channels) {
     auto own = std::ranges::find_if(parts, [&](const Recording& part) {
-      return is_one_clock(part.channels.front(), channel) && part.channels.size() < most_channels;
+      return formats::is_one_clock(part.channels.front(), channel) &&
+             part.channels.size() < most_channels;
     });
     if (own == parts.end()) own = parts.insert(parts.end(), head);
     own->channels.push_back(channel);
@@ -92,9 +91,13 @@ Result<std::vector<WrittenFile>> write_recordings(const std::vector<Recording>& 
                                                   const std::filesystem::path& file,
                                                   const Writer& writer, bool overwrite) {
   require_samples(recordings);
-  const std::vector<Part> parts = parts_of(recordings, file, writer.holds);
-  for (const Part& part : parts) {
+  std::vector<Part> parts = parts_of(recordings, file, writer.holds);
+  for (Part& part : parts) {
     if (Status place = formats::check_place(part.file, overwrite); !place) return place.error();
+    // In formats that are text a line break in a name would end a line.
+    for (Recording& recording : part.recordings) {
+      if (formats::make_printable(recording)) part.was_printable = false;
+    }
   }
   for (const Recording& recording : recordings) {
     if (const auto fault = formats::unwritable(recording, writer)) {
@@ -107,6 +110,8 @@ Result<std::vector<WrittenFile>> write_recordings(const std::vector<Recording>& 
     std::size_t channels = 0;
     for (const Recording& recording : part.recordings) channels += recording.channels.size();
     written.push_back({part.file, channels, formats::losses(part.recordings, writer)});
+    if (!part.was_printable && writer.holds.names)
+      written.back().warnings.emplace_back(formats::was_not_printable);
   }
   return written;
 }

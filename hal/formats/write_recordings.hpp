@@ -16,8 +16,10 @@ struct WrittenFile {
 };
 
 /// Writes recordings in a format: into `file`, if that can hold them all, else into files beside it
-/// that are named after it: "a_012.wav" of point 12, "a_012_2.wav" of its second sample
-/// clock. Each appears whole or not at all; none is begun if the name of one is taken.
+/// that are named after it: "a_012.wav" of point 12 or, where it has several sample clocks,
+/// "a_012_1.wav" and "a_012_2.wav"; "a_1.wav" of the only point. Each appears whole or not at all;
+/// none is begun if the name of one is taken. Control characters in names and other text are
+/// written as ?, with a warning.
 ///
 /// Errors  "<file>: <what>": a name is taken and `overwrite` is false, the folder may not be
 ///         written, the disk is full (refused); "<source>: <what>": a channel has no rate, the

@@ -52,6 +52,9 @@ Writer uff58_writer();
 Writer uff58b_writer();
 Writer wav_writer();
 
+/// Whether two channels were sampled together: of one rate, start and length.
+bool is_one_clock(const Channel& a, const Channel& b);
+
 /// Whether each sample is a float: single precision holds them without rounding.
 bool are_single(const Eigen::VectorXd& samples);
 

@@ -122,9 +122,42 @@ TEST_CASE("a table that makes no chart is refused, with the place", "[bench][sta
   CHECK_THAT(refusal("time,value\n2026-01-02,2\n2026-01-01,3\n"),
              Contains("chart.csv:3: time 2026-01-01 is before 2026-01-02 in the row above"));
   CHECK_THAT(refusal("time,value\n9,2\n10,3\n7,3\n"), Contains("chart.csv:4: time 7 is before 10"));
+  CHECK_THAT(refusal("time,value\n10,2\n9.5,3\n"), Contains("chart.csv:3: time 9.5 is before"));
+  CHECK_THAT(refusal("time,value\n2026-01-31 08:00:00.25,2\n20260131T080000.125Z,3\n"),
+             Contains("chart.csv:3: time 20260131T080000.125Z is before"));
+  CHECK_THAT(refusal("time,value\n20260131T080000Z-10,2\n20260131T080000Z-9,3\n"),
+             Contains("chart.csv:3: time 20260131T080000Z-9 is before"));
   std::string alike = "run,value\n";
   for (int i = 0; i < 10; ++i) alike += fmt::format("{},1\n", i);
   CHECK_THAT(refusal(alike), Contains("all alike: too coarse"));
+}
+
+TEST_CASE("a time that is none is refused at its line", "[bench][station]") {
+  const std::string none = GENERATE(
+      as<std::string>(), "2026-02-30", "hello0", "2026-01-31T24:01", "31.01.2026", "nan", "7",
+      "2026-01-31.5", "2026-01-31T08:00:00.x", "20260131T080000Z-" + std::string(400, '9'), "\"\"");
+  CAPTURE(none);
+  CHECK_THAT(refusal("time,value\n2026-01-02,2\n" + none + ",3\n2026-03-01T08:00,3\n"),
+             Contains("chart.csv:3: time \"") && Contains("\" is none: all are numbers, or dates"));
+}
+
+TEST_CASE("values that overflow are no chart and no index", "[bench][station]") {
+  const ScratchFolder scratch;
+  const auto asked = [&](double large, double small, std::vector<std::string> more) {
+    Eigen::VectorXd values(10);
+    for (Eigen::Index i = 0; i < 10; ++i) values[i] = i % 2 == 0 ? large : small;
+    more.insert(more.begin(), {"chart", file_of(scratch, values)});
+    return rvbench(more);
+  };
+  const CommandAnswer chart = asked(1e308, -1e308, {});
+  CHECK(chart.code == 20);
+  CHECK(chart.out.empty());
+  CHECK_THAT(chart.err, Contains("chart.csv: cannot tell: a limit of the chart is no finite"));
+  // The chart of these can be made, but not their squares.
+  const CommandAnswer index = asked(1e200, -1e200, {"--upper", "2e200"});
+  CHECK(index.code == 20);
+  CHECK_THAT(index.err, Contains("cannot tell: the standard deviation is no finite number"));
+  CHECK(asked(1e200, -1e200, {}).code == 0);
 }
 
 TEST_CASE("limits and baselines that make no sense are refused", "[bench][station]") {

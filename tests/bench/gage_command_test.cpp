@@ -152,6 +152,17 @@ TEST_CASE("a study that is not whole is refused, with the place", "[bench][stati
              Contains("too coarse to tell the gage's error"));
 }
 
+TEST_CASE("readings whose squares overflow, or vanish, are no study", "[bench][station]") {
+  const std::string power = GENERATE("e200", "e100", "e-100");
+  CAPTURE(power);
+  std::string rows;
+  for (const char* row :
+       {"x,A,1,1", "x,A,2,2", "x,B,1,3", "x,B,2,1", "y,A,1,5", "y,A,2,6", "y,B,1,6", "y,B,2,8"}) {
+    rows += row + power + "\n";
+  }
+  CHECK_THAT(refusal(head + rows), Contains("study.csv: cannot tell: the readings are too large"));
+}
+
 TEST_CASE("a file that is not there, and a tolerance of nothing, are refused", "[bench][station]") {
   CHECK(rvbench({"gage", "/nowhere.csv"}).code == 20);
   const CommandAnswer answer = rvbench({"gage", "/nowhere.csv", "--tolerance", "0"});

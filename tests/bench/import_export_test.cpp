@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <fstream>
 
@@ -36,6 +38,16 @@ std::string table_in(const ScratchFolder& scratch, const std::string& text) {
   return file.string();
 }
 
+// Samples at 2000 Hz under this head, `lost` of them missing in the middle.
+std::string timed_in(const ScratchFolder& scratch, const std::string& head, int rows, int lost) {
+  std::string text = head;
+  for (int i = 0; i < rows + lost; ++i) {
+    const bool is_there = i < rows / 2 || i >= rows / 2 + lost;
+    if (is_there) text += fmt::format("{},{}\n", i / 2000.0, i % 7);
+  }
+  return table_in(scratch, text);
+}
+
 }  // namespace
 
 TEST_CASE("import makes a point of each recording, with its start from the times",
@@ -66,6 +78,32 @@ TEST_CASE("import makes a point of each recording, with its start from the times
   CHECK(hal::read_recordings(out).value().size() == 1);
 }
 
+TEST_CASE("what is written tells of its source what is true of the source alone",
+          "[bench][import][export]") {
+  const ScratchFolder scratch;
+  const std::string out = (scratch / "all.h5").string(), again = (scratch / "again.h5").string();
+  const std::string table =
+      table_in(scratch, "time_s;a_mm/s2;a [g];b_mm/s2\n0,0;1;1;1\n0,5;1000;1;2\n1,0;1;1;3\n");
+  const CommandAnswer answer = test::rvbench({"import", table, "--rate", "2", "--out", out});
+  INFO(answer.err);
+  REQUIRE(answer.code == 0);
+  CHECK_THAT(answer.err, Contains("a_mm/s2 is called a_2: its values are in m/s²") &&
+                             Contains("b_mm/s2 is called b: its values are in m/s²"));
+  REQUIRE(test::rvbench({"export", out, "--to", again}).code == 0);
+  for (const std::string& file : {out, again}) {
+    const Recording read = hal::read_recordings(file).value().at(0);
+    REQUIRE(read.channels.size() == 3);
+    CHECK(read.channels[0].info.name == "a_2");
+    CHECK(read.channels[0].samples[1] == 1);
+    CHECK(read.channels[2].info.name == "b");
+    REQUIRE_FALSE(read.notes.empty());
+    CHECK(read.notes[0] == "read from " + table + ": numbers have a decimal comma");
+    for (const std::string& note : read.notes) {
+      CHECK_THAT(note, Catch::StartsWith("read from " + table + ": "));
+    }
+  }
+}
+
 TEST_CASE("import asks for what it must not guess", "[bench][import]") {
   const ScratchFolder scratch;
   const std::string out = (scratch / "out.h5").string();
@@ -86,6 +124,66 @@ TEST_CASE("import asks for what it must not guess", "[bench][import]") {
       {"import", table, "--rate", "1000", "--out", (scratch / "none/out.h5").string()});
   CHECK(nowhere.code == 2);
   CHECK_THAT(nowhere.err, Contains("none/out.h5: No such file or directory"));
+}
+
+TEST_CASE("rows that miss in a time are not written on as one record, whatever rate is given",
+          "[bench][import][export]") {
+  const ScratchFolder scratch;
+  const auto [head, name] = GENERATE(table<std::string, std::string>(
+      {{"time [s],a\n", "time [s]"}, {"t_s,a\n", "t_s"}, {"", "column_1"}}));
+  CAPTURE(name);
+  const std::string file = timed_in(scratch, head, 800, 20);
+  for (const auto& words :
+       {std::vector<std::string>{"import", file, "--out", (scratch / "a.h5").string()},
+        {"export", file, "--to", (scratch / "a.wav").string()}}) {
+    std::vector<std::string> rated = words;
+    rated.insert(rated.end(), {"--rate", "2000"});
+    for (const auto& asked : {words, rated}) {
+      const CommandAnswer answer = test::rvbench(asked);
+      CHECK(answer.code == 20);
+      CHECK_THAT(answer.err, Contains("table.csv: " + name +
+                                      " only rises, as time does, but unevenly: about 20 samples "
+                                      "are missing behind its sample 400 (0.1995); part the file"));
+    }
+  }
+  CHECK_FALSE(std::filesystem::exists(scratch / "a.h5"));
+  CHECK_FALSE(std::filesystem::exists(scratch / "a.wav"));
+}
+
+TEST_CASE("a gap in a time of few rows is one as well", "[bench][import]") {
+  const ScratchFolder scratch;
+  const std::string out = (scratch / "a.h5").string();
+  const auto import = [&](int lost) {
+    return test::rvbench({"import", timed_in(scratch, "time [s],a\n", 20, lost), "--rate", "2000",
+                          "--out", out, "--force"});
+  };
+  CHECK_THAT(import(1).err, Contains("samples are missing behind its sample 10 (0.0045)"));
+  CHECK(import(0).code == 0);
+  CHECK(hal::read_recordings(out).value()[0].channels.size() == 1);
+  // Few numbers without a name may rise by chance.
+  const std::string nameless = table_in(scratch, "1,2\n2,5\n3,4\n9,1\n");
+  CHECK(test::rvbench({"import", nameless, "--rate", "9", "--out", out, "--force"}).code == 0);
+}
+
+TEST_CASE("a time that falls is refused at the place", "[bench][export]") {
+  const ScratchFolder scratch;
+  std::string text = "time [s],a\n";
+  for (int i = 0; i < 800; ++i) text += fmt::format("{},{}\n", i % 500, i % 7);
+  const CommandAnswer answer = test::rvbench(
+      {"export", table_in(scratch, text), "--rate", "1", "--to", (scratch / "a.wav").string()});
+  CHECK(answer.code == 20);
+  CHECK_THAT(answer.err, Contains("does not only rise: 0 follows 499 in sample 501; part the"));
+}
+
+TEST_CASE("what rises unevenly and is no time is written, and told", "[bench][import]") {
+  const ScratchFolder scratch;
+  const std::string out = (scratch / "a.h5").string();
+  const CommandAnswer answer = test::rvbench(
+      {"import", timed_in(scratch, "count,a\n", 800, 20), "--rate", "2000", "--out", out});
+  CHECK(answer.code == 0);
+  CHECK_THAT(answer.err, Contains("note: ") && Contains("count only rises, as time does, but") &&
+                             Contains("about 20 samples are missing behind its sample 400"));
+  CHECK(hal::read_recordings(out).value()[0].channels.size() == 2);
 }
 
 TEST_CASE("export writes all points, or those that are asked for", "[bench][export]") {

@@ -123,7 +123,9 @@ TEST_CASE("what is named as time and does not rise is refused", "[bench]") {
   });
   const CommandAnswer answer = judge(file, {"--rate", "2000"});
   CHECK(answer.code == 20);
-  CHECK_THAT(answer.err, Contains("Time (s) is named as time but does not only rise"));
+  CHECK_THAT(answer.err,
+             Contains("Time (s) is named as time but does not only rise: 0 follows 1.9995 in "
+                      "sample 4001; if it is no time"));
   CHECK(judge(file, {"--rate", "2000", "--channel", "a"}).code == 0);
 }
 

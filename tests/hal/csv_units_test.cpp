@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "hal/formats/column_name.hpp"
+#include "hal/formats/printable.hpp"
 #include "hal/formats/read_recordings.hpp"
 #include "tests/hal/foreign_file_builder.hpp"
 
@@ -67,6 +68,26 @@ TEST_CASE("a column in SI, or in a unit that is not known, comes as it is", "[ha
   CHECK(recording.channels[0].info.unit == unit);
   CHECK(recording.channels[0].samples == Eigen::Vector3d(1, 3, 2));
   CHECK(recording.notes.empty());
+}
+
+TEST_CASE("what of a head cannot be shown is told", "[hal][formats]") {
+  const Recording recording = headed("a\x01 \xB2x");
+  CHECK(recording.channels[0].info.name == "a? ?x");
+  CHECK(recording.notes == std::vector<std::string>{formats::was_not_printable});
+}
+
+TEST_CASE("a name drops the unit that its values are no longer in", "[hal][formats]") {
+  using formats::name_in_unit;
+  CHECK(name_in_unit("a_mm/s2", "m/s²") == "a");
+  CHECK(name_in_unit("v mm/s", "m/s") == "v");
+  CHECK(name_in_unit("n_rpm", "rad/s") == "n");
+  CHECK(name_in_unit("a [g]", "m/s²") == "a");  // a head that another column has as well
+  CHECK(name_in_unit("a_m/s2", "m/s²") == "a_m/s2");
+  CHECK(name_in_unit("a_mm/s2", "") == "a_mm/s2");  // of values that nobody has converted
+  CHECK(name_in_unit("a_mm/s2", "V") == "a_mm/s2");
+  CHECK(name_in_unit("_mm/s2", "m/s²") == "_mm/s2");
+  CHECK(name_in_unit("[g]", "m/s²") == "[g]");
+  CHECK(name_in_unit("accel_1x", "m/s²") == "accel_1x");
 }
 
 TEST_CASE("a head that names no unit has none", "[hal][formats]") {

@@ -6,11 +6,13 @@
 #include "analysis/station/normality.hpp"
 #include "tests/analysis/null_rates.hpp"
 #include "tests/support/signals.hpp"
+#include "tests/support/told.hpp"
 
 using namespace rvbench;
 using analysis::Capability;
 using analysis::capability_of;
 using analysis::normality_p_value;
+using test::told;
 
 namespace {
 
@@ -30,14 +32,14 @@ bool holds(const analysis::CapabilityIndex& index, double value) {
 TEST_CASE("the textbook's interval of Cp", "[analysis][station][literature]") {
   // Montgomery, Introduction to Statistical Quality Control: limits 38 and 62, n = 20, s = 1.75:
   // 2.29, and 1.57 to 3.01 at 95 %, by chi-square of two digits.
-  const Capability capability = capability_of(of_mean_and_s(20, 50, 1.75), {38, 62});
+  const Capability capability = told(capability_of(of_mean_and_s(20, 50, 1.75), {38, 62}));
   CHECK(capability.pp->value == Approx(2.29).margin(0.005));
   CHECK(capability.pp->interval.low == Approx(1.57).margin(0.01));
   CHECK(capability.pp->interval.high == Approx(3.01).margin(0.01));
 }
 
 TEST_CASE("the nearer limit makes Ppk, with Bissell's interval", "[analysis][station]") {
-  const Capability capability = capability_of(of_mean_and_s(20, 54, 2), {38, 62});
+  const Capability capability = told(capability_of(of_mean_and_s(20, 54, 2), {38, 62}));
   const double ppk = 8.0 / 6;
   CHECK(capability.ppk.value == Approx(ppk));
   const double reach = 1.959964 * std::sqrt(1.0 / 180 + ppk * ppk / 38);
@@ -47,18 +49,18 @@ TEST_CASE("the nearer limit makes Ppk, with Bissell's interval", "[analysis][sta
 }
 
 TEST_CASE("one limit makes no Cp, and a mean beyond it a Cpk below 0", "[analysis][station]") {
-  const Capability upper = capability_of(of_mean_and_s(30, 65, 2), {{}, 62});
+  const Capability upper = told(capability_of(of_mean_and_s(30, 65, 2), {{}, 62}));
   CHECK_FALSE(upper.cp);
   CHECK_FALSE(upper.pp);
   CHECK(upper.ppk.value == Approx(-0.5));
   CHECK(upper.cpk.value < 0);
-  const Capability lower = capability_of(of_mean_and_s(30, 65, 2), {59, {}});
+  const Capability lower = told(capability_of(of_mean_and_s(30, 65, 2), {59, {}}));
   CHECK(lower.ppk.value == Approx(1));
 }
 
 TEST_CASE("a drift is in Ppk, not in Cpk", "[analysis][station]") {
   const Eigen::VectorXd drift = test::white_noise(100, 3) + Eigen::VectorXd::LinSpaced(100, -3, 3);
-  const Capability capability = capability_of(drift, {-9, 9});
+  const Capability capability = told(capability_of(drift, {-9, 9}));
   CHECK(capability.cpk.value > 1.5 * capability.ppk.value);
 }
 
@@ -67,7 +69,7 @@ TEST_CASE("intervals hold the truth as often as they say", "[analysis][station]"
   int of_cp = 0, of_cpk = 0, of_pp = 0, of_ppk = 0;
   for (unsigned draw = 0; draw < draws; ++draw) {
     // Limits 4 σ below and 5 σ above the mean: Cp = 1.5, Cpk = 4/3.
-    const Capability c = capability_of(test::white_noise(40, 50 + draw), {-4, 5});
+    const Capability c = told(capability_of(test::white_noise(40, 50 + draw), {-4, 5}));
     of_cp += holds(*c.cp, 1.5) ? 1 : 0;
     of_cpk += holds(c.cpk, 4.0 / 3) ? 1 : 0;
     of_pp += holds(*c.pp, 1.5) ? 1 : 0;
@@ -82,7 +84,7 @@ TEST_CASE("intervals hold the truth as often as they say", "[analysis][station]"
 
 TEST_CASE("values that are not normal are told", "[analysis][station]") {
   const Eigen::VectorXd skewed = test::white_noise(60, 9).array().exp();
-  CHECK(capability_of(skewed, {{}, 20}).normality_p < 1e-3);
+  CHECK(told(capability_of(skewed, {{}, 20})).normality_p < 1e-3);
   const Eigen::VectorXd even = Eigen::VectorXd::LinSpaced(200, 0, 1);
   CHECK(normality_p_value(even) < 0.01);
   CHECK(normality_p_value(Eigen::VectorXd::Constant(20, 1)) == 0);
@@ -108,4 +110,13 @@ TEST_CASE("capability without limits, or between none, does not exist", "[analys
   CHECK_THROWS_AS(capability_of(values, {2, 2}), std::invalid_argument);
   CHECK_THROWS_AS(capability_of(Eigen::VectorXd::Constant(20, 1), {0, 2}), std::invalid_argument);
   CHECK_THROWS_AS(capability_of(values.head(7), {0, 2}), std::invalid_argument);
+}
+
+TEST_CASE("an index of what overflows does not exist", "[analysis][station]") {
+  const auto why = [](const Eigen::VectorXd& values, double upper) {
+    return std::get<std::string>(capability_of(values, {{}, upper}));
+  };
+  const Eigen::VectorXd values = test::white_noise(20, 1);
+  CHECK_THAT(why(1e305 * values, 1), Catch::Contains("cannot tell: the standard deviation is no"));
+  CHECK_THAT(why(1e-100 * values, 1e300), Catch::Contains("cannot tell: an index is no finite"));
 }

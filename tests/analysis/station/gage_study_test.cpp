@@ -135,6 +135,18 @@ TEST_CASE("parts that are all alike make one category", "[analysis][station]") {
   CHECK(study.gage_share_interval.high == Approx(1).margin(0.01));
 }
 
+TEST_CASE("a study whose numbers overflow or vanish says nothing", "[analysis][station]") {
+  const double factor = GENERATE(1e300, 1e100, 1e-100);
+  GageReadings readings = aiag_study();
+  for (double& value : readings.values) value *= factor;
+  CHECK_THAT(std::get<std::string>(study_gage(readings)), Contains("cannot tell"));
+}
+
+TEST_CASE("parts may be farther apart than categories are counted", "[analysis][station]") {
+  GageReadings readings{2, 2, 2, {1, 1 + 1e-15, 1, 1, 1e30, 1e30, 1e30, 1e30}};
+  CHECK(studied(readings).distinct_categories() == 1'000'000'000);
+}
+
 TEST_CASE("readings that never differ say nothing of the gage", "[analysis][station]") {
   GageReadings readings{2, 2, 2, {1, 1, 1, 1, 2, 2, 2, 2}};
   CHECK_THAT(std::get<std::string>(study_gage(readings)), Contains("too coarse"));

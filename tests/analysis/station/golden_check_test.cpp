@@ -70,6 +70,7 @@ TEST_CASE("no chart of the golden unit without enough runs", "[analysis][station
   CHECK(refusal(runs(0)) ==
         "20 runs of the golden unit: its chart takes 20, and the one that is checked");
   CHECK_THAT(refusal(Eigen::VectorXd::Constant(21, 2)), Contains("all alike"));
+  CHECK_THAT(refusal(8e307 * runs(1)), Contains("cannot tell"));
   CHECK_THROWS_AS(check_golden(runs(1), 5), std::invalid_argument);
   CHECK_THROWS_AS(check_golden(Eigen::VectorXd::Constant(30, NAN)), std::invalid_argument);
 }

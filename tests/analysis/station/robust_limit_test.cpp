@@ -138,6 +138,11 @@ TEST_CASE("what cannot teach a limit says why", "[analysis][station]") {
   CHECK(refusal({}) == "0 units, and a limit takes 20");
   CHECK_THAT(refusal(std::vector<double>(30, 0.5)),
              Contains("half of the 30 units have one value"));
+  std::vector<double> wide(50);
+  for (std::size_t i = 0; i < wide.size(); ++i) wide[i] = i % 2 == 0 ? 1.7e308 : -1.7e308;
+  CHECK_THAT(refusal(wide), Contains("cannot tell: the spread of the units is no finite"));
+  for (double& value : wide) value *= 0.4;
+  CHECK_THAT(refusal(wide), Contains("cannot tell: the limit is no finite number"));
   CHECK_THROWS_AS(robust_limit({std::nan("")}, LimitSide::max, 4), std::invalid_argument);
   CHECK_THROWS_WITH(robust_tolerance_factor(19, {}), Contains("19 units, and a limit takes 20"));
   CHECK_THROWS_AS(robust_tolerance_factor(20, {0.4, 0.95}), std::invalid_argument);
