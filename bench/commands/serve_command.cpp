@@ -177,6 +177,7 @@ int ServeCommand::serve(Console& console, StationFile file) {
     std::this_thread::sleep_for(tick_every);
   }
   hub.close();
+  api->end();
   server.stop();
   serving.join();
   if (station.is_running()) {

@@ -4,10 +4,11 @@
 
 namespace rvbench::bench {
 
-bool FailedAttempts::are_too_many(const std::string& who) {
+bool FailedAttempts::must_wait(const std::string& who) {
   forget();
   const auto found = failed_s_.find(who);
-  return found != failed_s_.end() && found->second.size() >= most_;
+  return found != failed_s_.end() && found->second.size() >= most_ &&
+         now_s_() - found->second.back() < apart_s;
 }
 
 void FailedAttempts::add(const std::string& who) {

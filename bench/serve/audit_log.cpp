@@ -74,8 +74,22 @@ AuditLog::AuditLog(std::filesystem::path file) : file_(std::move(file)), previou
   descriptor_ = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0640);
   if (!there) return;
   previous_ = there->last_hash;
-  // What was cut short stays, and the next line begins below it.
-  if (there->ends_within_a_line && descriptor_ >= 0) (void)::write(descriptor_, "\n", 1);
+  if (!there->cut_short.empty() && descriptor_ >= 0) take_out(there->cut_short);
+}
+
+// Where the disk refuses, it stays, and the next line begins below it.
+void AuditLog::take_out(const std::string& cut_short) {
+  struct stat now {};
+  const bool is_out =
+      ::fstat(descriptor_, &now) == 0 &&
+      ::ftruncate(descriptor_, now.st_size - static_cast<off_t>(cut_short.size())) == 0;
+  if (!is_out) {
+    (void)::write(descriptor_, "\n", 1);
+    return;
+  }
+  const nlohmann::json told{{"text", cut_short}};
+  (void)add({"", "", "cut short",
+             told.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace)});
 }
 
 AuditLog::~AuditLog() {
@@ -123,13 +137,15 @@ std::optional<AuditCheck> check_audit(const std::filesystem::path& file) {
   AuditCheck check{.last_hash = first_previous};
   for (std::string line; std::getline(in, line);) {
     ++check.lines;
-    check.ends_within_a_line = in.eof();
+    if (in.eof()) check.cut_short = line;
     const std::string fault = fault_of(line, check.last_hash);
     if (fault.empty()) {
       check.last_hash = hash_of_line(line);
     } else if (check.broken_line == 0) {
       check.broken_line = check.lines;
-      check.fault = check.ends_within_a_line ? "was cut short" : fault;
+      check.fault = in.eof() ? "was cut short, as by a power failure: the station puts that right "
+                               "when it is served again"
+                             : fault;
     }
   }
   return check;

@@ -166,11 +166,12 @@ std::optional<HttpAnswer> refused_form(const httplib::Request& request, const Ht
   for (const char* name : {"Host", "Content-Length", "Content-Type", "Cookie", "Origin"}) {
     if (request.get_header_value_count(name) > 1) return refusal(400, "header_twice");
   }
-  if (request.method != "POST") return std::nullopt;
-  if (request.has_header("Transfer-Encoding") || !request.has_header("Content-Length")) {
+  const bool is_post = request.method == "POST";
+  const bool has_length = request.has_header("Content-Length");
+  if (is_post && (request.has_header("Transfer-Encoding") || !has_length)) {
     return refusal(411, "length_required");
   }
-  const std::string length = request.get_header_value("Content-Length");
+  const std::string length = has_length ? request.get_header_value("Content-Length") : "0";
   std::size_t bytes = 0;
   const auto [stop, error] = std::from_chars(length.data(), length.data() + length.size(), bytes);
   if (error == std::errc::result_out_of_range || bytes > limits.body_bytes) {
@@ -179,6 +180,7 @@ std::optional<HttpAnswer> refused_form(const httplib::Request& request, const Ht
   if (error != std::errc() || stop != length.data() + length.size()) {
     return refusal(400, "content_length");
   }
+  if (!is_post) return std::nullopt;
   const std::string type = request.get_header_value("Content-Type");
   if (request.has_header("Content-Encoding") ||
       lower(type.substr(0, type.find(';'))) != "application/json") {

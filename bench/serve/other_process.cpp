@@ -9,9 +9,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <chrono>
 #include <cstring>
 #include <utility>
 
@@ -20,6 +22,8 @@
 
 namespace rvbench::bench {
 namespace {
+
+constexpr std::chrono::milliseconds between_looks{100};  // at whether somebody said stop
 
 struct Descriptor {
   explicit Descriptor(int opened) : number(opened) {}
@@ -73,11 +77,26 @@ std::string text_in(int descriptor) {
   }
 }
 
+// Within that time, and before a stop.
+bool has_ended(int process, double longest_s, const std::stop_token& stop) {
+  using namespace std::chrono;
+  const auto until = steady_clock::now() + duration_cast<steady_clock::duration>(
+                                               duration<double>(longest_s));
+  while (!stop.stop_requested()) {
+    const auto left = duration_cast<milliseconds>(until - steady_clock::now());
+    if (left.count() <= 0) return false;
+    pollfd ended{process, POLLIN, 0};
+    if (::poll(&ended, 1, static_cast<int>(std::min(left, between_looks).count())) > 0) return true;
+  }
+  return false;
+}
+
 int code_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : -1; }
 
 }  // namespace
 
-ProgramAnswer ask_program(const std::vector<std::string>& words, double longest_s) {
+ProgramAnswer ask_program(const std::vector<std::string>& words, double longest_s,
+                          const std::stop_token& stop) {
   // Far from the numbers that they are copied to.
   const Descriptor nothing(::open("/dev/null", O_RDWR | O_CLOEXEC));
   const Descriptor out(::memfd_create("out", MFD_CLOEXEC));
@@ -89,8 +108,7 @@ ProgramAnswer ask_program(const std::vector<std::string>& words, double longest_
     return answer;
   }
   const Descriptor watched(open_process(process));
-  pollfd ended{watched.number, POLLIN, 0};
-  const bool in_time = ::poll(&ended, 1, static_cast<int>(longest_s * 1000)) > 0;
+  const bool in_time = has_ended(watched.number, longest_s, stop);
   if (!in_time) ::kill(process, SIGKILL);
   int status = 0;
   while (::waitpid(process, &status, 0) < 0 && errno == EINTR) continue;

@@ -3,6 +3,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -15,9 +16,11 @@ struct ProgramAnswer {
   std::string err;
 };
 
-/// Asks a program and waits for its answer; one that takes longer is killed.
+/// Asks a program and waits for its answer; one that takes longer is killed, and so is one whose
+/// answer nobody waits for any more.
 /// @param words  the program's path and its arguments; no shell sees them
-ProgramAnswer ask_program(const std::vector<std::string>& words, double longest_s = 20);
+ProgramAnswer ask_program(const std::vector<std::string>& words, double longest_s = 20,
+                          const std::stop_token& stop = {});
 
 /// A run in a process of its own, which goes on whatever becomes of who started it: in a session of
 /// its own, its output in files, and a lock that the kernel holds for as long as it lives. Whoever

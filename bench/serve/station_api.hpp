@@ -4,6 +4,8 @@
 #include <functional>
 #include <mutex>
 #include <nlohmann/json_fwd.hpp>
+#include <stop_token>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,8 @@ class StationApi {
              std::string program);
 
   HttpAnswer answer(const HttpRequest& request);
+  /// Answers what waits for other programs at once: the station ends.
+  void end() { ending_.request_stop(); }
 
  private:
   struct Call {
@@ -80,8 +84,10 @@ class StationApi {
 
   std::mutex login_mutex_;  // one at a time: each takes 64 MiB
   FailedAttempts of_user_{5}, of_address_{30};
+  std::set<std::string> right_tokens_;  // that somebody logged in with, by their SHA-256
   std::atomic<std::size_t> listeners_ = 0;
   mutable std::atomic<int> long_jobs_ = 0;
+  std::stop_source ending_;
 };
 
 /// Whether a request comes from another computer, itself or through a proxy on this one.

@@ -104,7 +104,8 @@ HttpAnswer StationApi::run_file(const HttpRequest& request) const {
 // only what comes without the document that was asked for is a refusal.
 HttpAnswer StationApi::ask(std::vector<std::string> words, double longest_s) const {
   words.insert(words.begin(), program_);
-  const ProgramAnswer answer = ask_program(words, longest_s);
+  const ProgramAnswer answer = ask_program(words, longest_s, ending_.get_token());
+  if (answer.code < 0 && ending_.stop_requested()) return refusal(503, "ending");
   if (answer.code < 0) return refusal(504, "no_answer");
   const bool is_answer = answer.code == 0 || is_verdict(answer.code);
   if (is_answer && nlohmann::json::accept(answer.out)) return {.body = answer.out};

@@ -163,6 +163,15 @@ TEST_CASE("readings whose squares overflow, or vanish, are no study", "[bench][s
   CHECK_THAT(refusal(head + rows), Contains("study.csv: cannot tell: the readings are too large"));
 }
 
+TEST_CASE("a tolerance by which a share overflows is refused", "[bench][station]") {
+  const ScratchFolder scratch;
+  const std::string file = file_of(scratch, head + rows_of(aiag_study()));
+  const CommandAnswer answer = rvbench({"gage", file, "--tolerance", "1e-308"});
+  CHECK(answer.code == 2);
+  CHECK_THAT(answer.err, Contains("--tolerance is too small"));
+  CHECK(rvbench({"gage", file, "--tolerance", "1e-300"}).code == 0);
+}
+
 TEST_CASE("a file that is not there, and a tolerance of nothing, are refused", "[bench][station]") {
   CHECK(rvbench({"gage", "/nowhere.csv"}).code == 20);
   const CommandAnswer answer = rvbench({"gage", "/nowhere.csv", "--tolerance", "0"});

@@ -112,20 +112,39 @@ TEST_CASE("whatever is done to a line of an audit log, check names the first tha
              Contains("audit.jsonl:" + std::to_string(broken) + ":") && Contains(fault));
 }
 
-TEST_CASE("a line that a power failure cut short is told, and the next begins below it",
+TEST_CASE("a line that a power failure cut short is told, and taken out when the log goes on",
           "[bench][serve]") {
   const rvbench::test::ScratchFolder scratch;
   const auto file = scratch / "audit.jsonl";
   add_five(file);
   const std::string text = read_file(file).value();
-  write_file(file, text.substr(0, text.size() - 30));
+  const std::string whole = text.substr(0, text.rfind('\n', text.size() - 2) + 1);
+  const std::string half = text.substr(whole.size(), 30);
+  write_file(file, whole + half);
   CHECK(check_audit(file)->broken_line == 5);
-  CHECK(check_audit(file)->fault == "was cut short");
+  CHECK_THAT(check_audit(file)->fault, Contains("was cut short, as by a power failure"));
+  CHECK(test::rvbench({"check", file.string()}).code == 3);
   add_five(file);
-  CHECK(check_audit(file)->lines == 10);
-  CHECK(check_audit(file)->broken_line == 5);
-  CHECK(nlohmann::json::parse(lines_of(file)[5])["previous"] ==
-        nlohmann::json::parse(lines_of(file)[3])["hash"]);
+  CHECK(check_audit(file)->lines == 10);  // four, what was cut short, and five
+  CHECK(check_audit(file)->broken_line == 0);
+  const auto told = nlohmann::json::parse(lines_of(file)[4]);
+  CHECK(told.at("action") == "cut short");
+  CHECK(told.at("detail").at("text") == half);
+  CHECK(told.at("previous") == nlohmann::json::parse(lines_of(file)[3]).at("hash"));
+  CHECK(test::rvbench({"check", file.string()}).code == 0);
+}
+
+TEST_CASE("what was changed before a cut line stays told when the log goes on",
+          "[bench][serve]") {
+  const rvbench::test::ScratchFolder scratch;
+  const auto file = scratch / "audit.jsonl";
+  add_five(file);
+  std::string text = read_file(file).value();
+  text.replace(text.find("A2"), 2, "B2");
+  write_file(file, text + R"({"half)");
+  add_five(file);
+  CHECK(check_audit(file)->broken_line == 3);
+  CHECK_THAT(check_audit(file)->fault, Contains("was changed"));
 }
 
 TEST_CASE("no audit log is none, and one that cannot be written says so", "[bench][serve]") {
