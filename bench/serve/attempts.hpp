@@ -15,7 +15,7 @@ namespace rvbench::bench {
 class FailedAttempts {
  public:
   static constexpr double remembered_s = 300;
-  static constexpr double apart_s = 1;  ///< of those beyond the most
+  static constexpr double apart_s = 1;             ///< of those beyond the most
   static constexpr std::size_t most_known = 1000;  ///< names; beyond, the oldest is forgotten
 
   /// @param most  of one name in that time, as fast as they come

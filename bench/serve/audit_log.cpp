@@ -88,8 +88,8 @@ void AuditLog::take_out(const std::string& cut_short) {
     return;
   }
   const nlohmann::json told{{"text", cut_short}};
-  (void)add({"", "", "cut short",
-             told.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace)});
+  (void)add(
+      {"", "", "cut short", told.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace)});
 }
 
 AuditLog::~AuditLog() {

@@ -21,10 +21,10 @@ struct AuditEntry {
 /// What a look at an audit log comes to.
 struct AuditCheck {
   std::size_t lines = 0;
-  std::string last_hash;            ///< of the last sound line before the first broken one
-  std::size_t broken_line = 0;      ///< the first, from 1; 0 if none is
-  std::string fault = {};           ///< what is wrong with it
-  std::string cut_short = {};  ///< what follows the last line's end, as a power failure leaves it
+  std::string last_hash;        ///< of the last sound line before the first broken one
+  std::size_t broken_line = 0;  ///< the first, from 1; 0 if none is
+  std::string fault = {};       ///< what is wrong with it
+  std::string cut_short = {};   ///< what follows the last line's end, as a power failure leaves it
 };
 
 /// Who did what, one JSON object a line. Each line carries the hash of the line before and its own:
@@ -35,8 +35,8 @@ struct AuditCheck {
 ///      "detail":{...},"previous":"<64 hex digits>","hash":"<64 hex digits>"}
 ///
 /// hash is the SHA-256 of the line up to, and without, `,"hash":`. What a power failure left of a
-/// last line is taken out of the chain when the log is opened again, and told whole in a line of its
-/// own ("cut short"): the act was logged by nobody, and was not done.
+/// last line is taken out of the chain when the log is opened again, and told whole in a line of
+/// its own ("cut short"): the act was logged by nobody, and was not done.
 ///
 /// Threads  any
 class AuditLog {

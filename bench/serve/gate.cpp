@@ -1,24 +1,11 @@
 #include "bench/serve/gate.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 namespace rvbench::bench {
 namespace {
 
 constexpr int port_of_http = 80;
-
-std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
-// "[::1]" has colons, but no port.
-bool has_port(const std::string& host) {
-  const std::size_t colon = host.rfind(':');
-  return colon != std::string::npos && host.find(']', colon) == std::string::npos;
-}
 
 bool is_of_api(const HttpRequest& request) { return request.path.starts_with("/api/"); }
 
@@ -41,7 +28,8 @@ Gate::Gate(std::vector<std::string> hosts, int port, Sessions& sessions)
     : hosts_(std::move(hosts)), sessions_(sessions) {
   for (std::string& host : hosts_) {
     host = lower(host);
-    if (!has_port(host) && port != port_of_http) host += ":" + std::to_string(port);
+    if (host_and_port(host).port.empty() && port != port_of_http)
+      host += ":" + std::to_string(port);
   }
 }
 

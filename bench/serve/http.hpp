@@ -43,6 +43,16 @@ struct HttpAnswer {
 /// {"error": word}
 HttpAnswer refusal(int status, const std::string& word);
 
+/// Of ASCII alone, as names of headers, hosts and types are.
+std::string lower(std::string text);
+
+struct HostAndPort {
+  std::string host;  ///< "localhost", "::1"
+  std::string port;  ///< empty: none is stated
+};
+/// Of "localhost:8080", "[::1]:8080", "[::1]".
+HostAndPort host_and_port(const std::string& text);
+
 /// Asked before the body is read; an answer there is the last word.
 using HttpGate = std::function<std::optional<HttpAnswer>(const HttpRequest&)>;
 using HttpHandler = std::function<HttpAnswer(const HttpRequest&)>;

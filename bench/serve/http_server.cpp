@@ -1,120 +1,21 @@
 #include "bench/serve/http_server.hpp"
 
 #include <httplib.h>
-#include <poll.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 
 #include <algorithm>
 #include <atomic>
 #include <charconv>
-#include <chrono>
 #include <thread>
+
+#include "bench/serve/timed_stream.hpp"
 
 namespace rvbench::bench {
 namespace {
 
-using Steady = std::chrono::steady_clock;
-
 constexpr std::size_t longest_target = 1024;
 constexpr int low_priority = 10;
-constexpr double farewell_s = 1;
-constexpr std::size_t longest_farewell = 4 * 1024 * 1024;
-
-Steady::time_point in_seconds(double seconds) {
-  return Steady::now() +
-         std::chrono::duration_cast<Steady::duration>(std::chrono::duration<double>(seconds));
-}
-
-bool is_ready(int socket, short what, Steady::time_point until) {
-  const auto left =
-      std::chrono::duration_cast<std::chrono::milliseconds>(until - Steady::now()).count();
-  pollfd wanted{socket, what, 0};
-  return left > 0 && ::poll(&wanted, 1, static_cast<int>(left)) > 0;
-}
-
-// A connection whose request must be there in time, and whose client must take what is sent.
-class TimedStream final : public httplib::Stream {
- public:
-  TimedStream(int socket, const HttpLimits& limits)
-      : socket_(socket),
-        write_s_(limits.write_s),
-        left_(limits.head_bytes + limits.body_bytes),
-        until_(in_seconds(limits.request_s)) {}
-
-  bool is_readable() const override { return is_ready(socket_, POLLIN, until_); }
-  bool is_writable() const override { return is_ready(socket_, POLLOUT, in_seconds(write_s_)); }
-  ssize_t read(char* to, size_t size) override {
-    if (at_ == end_ && !fill()) return -1;
-    const std::size_t count = std::min(size, end_ - at_);
-    std::copy_n(buffer_.data() + at_, count, to);
-    at_ += count;
-    return static_cast<ssize_t>(count);
-  }
-  ssize_t write(const char* from, size_t size) override {
-    const Steady::time_point until = in_seconds(write_s_);
-    for (std::size_t sent = 0; sent < size;) {
-      const ssize_t more = ::send(socket_, from + sent, size - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
-      if (more > 0) sent += static_cast<std::size_t>(more);
-      if (more > 0 || (more < 0 && errno == EINTR)) continue;
-      if (errno != EAGAIN || !is_ready(socket_, POLLOUT, until)) return -1;
-    }
-    return static_cast<ssize_t>(size);
-  }
-  void get_remote_ip_and_port(std::string& ip, int& port) const override {
-    tell(&::getpeername, ip, port);
-  }
-  void get_local_ip_and_port(std::string& ip, int& port) const override {
-    tell(&::getsockname, ip, port);
-  }
-  socket_t socket() const override { return socket_; }
-
- private:
-  bool fill() {
-    if (left_ == 0 || !is_readable()) return false;
-    const ssize_t got = ::recv(socket_, buffer_.data(), std::min(buffer_.size(), left_), 0);
-    if (got <= 0) return false;
-    at_ = 0;
-    end_ = static_cast<std::size_t>(got);
-    left_ -= end_;
-    return true;
-  }
-  template <typename Ask>
-  void tell(Ask ask, std::string& ip, int& port) const {
-    sockaddr_storage address{};
-    socklen_t size = sizeof address;
-    if (ask(socket_, reinterpret_cast<sockaddr*>(&address), &size) != 0) return;
-    std::array<char, NI_MAXHOST> host{};
-    std::array<char, NI_MAXSERV> service{};
-    if (::getnameinfo(reinterpret_cast<const sockaddr*>(&address), size, host.data(), host.size(),
-                      service.data(), service.size(), NI_NUMERICHOST | NI_NUMERICSERV) != 0) {
-      return;
-    }
-    ip = host.data();
-    port = std::atoi(service.data());
-  }
-
-  const int socket_;
-  const double write_s_;
-  std::size_t left_;  // bytes that may still be read
-  const Steady::time_point until_;
-  std::array<char, 4096> buffer_{};
-  std::size_t at_ = 0, end_ = 0;
-};
-
-// A socket closed with bytes unread resets the connection, and the client may lose the answer.
-void close_gently(int socket) {
-  ::shutdown(socket, SHUT_WR);
-  const Steady::time_point until = in_seconds(farewell_s);
-  std::array<char, 4096> unread{};
-  std::size_t bytes = 0;
-  while (bytes < longest_farewell && is_ready(socket, POLLIN, until)) {
-    const ssize_t got = ::recv(socket, unread.data(), unread.size(), MSG_DONTWAIT);
-    if (got <= 0) break;
-    bytes += static_cast<std::size_t>(got);
-  }
-  ::close(socket);
-}
 
 thread_local bool is_worker = false;
 
@@ -140,12 +41,6 @@ class Workers final : public httplib::TaskQueue {
   std::atomic<std::size_t> busy_ = 0;
   httplib::ThreadPool pool_;
 };
-
-std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 HttpRequest plain(const httplib::Request& from) {
   HttpRequest request{from.method, from.path};
@@ -278,10 +173,6 @@ class HttpServer::Impl final : public httplib::Server {
   const HttpGate gate_;
   const HttpHandler handler_;
 };
-
-HttpAnswer refusal(int status, const std::string& word) {
-  return {.status = status, .body = "{\"error\":\"" + word + "\"}\n"};
-}
 
 HttpServer::HttpServer(HttpLimits limits, HttpGate gate, HttpHandler handler)
     : impl_(std::make_unique<Impl>(limits, std::move(gate), std::move(handler))) {}

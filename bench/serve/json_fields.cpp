@@ -3,6 +3,27 @@
 #include <nlohmann/json.hpp>
 
 namespace rvbench::bench {
+namespace {
+
+bool is_of(FieldKind kind, const nlohmann::json& value) {
+  switch (kind) {
+    case FieldKind::text: return value.is_string();
+    case FieldKind::truth: return value.is_boolean();
+    case FieldKind::object: return value.is_object();
+    case FieldKind::version: return value.is_string() || value.is_number_integer();
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string misplaced_field(const nlohmann::json& body, const Fields& fields) {
+  for (const auto& [key, value] : body.items()) {
+    const auto field = fields.find(key);
+    if (field == fields.end() || !is_of(field->second, value)) return key;
+  }
+  return "";
+}
 
 std::string text_at(const nlohmann::json& json, const char* key) {
   const auto found = json.find(key);

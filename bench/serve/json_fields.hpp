@@ -1,9 +1,18 @@
 #pragma once
 
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace rvbench::bench {
+
+/// What may stand under a key of a request's body.
+enum class FieldKind { text, truth, object, version };  ///< a version is a text or a whole number
+
+using Fields = std::map<std::string, FieldKind>;
+
+/// The first key that is none of these, or holds something else; "" if there is none.
+std::string misplaced_field(const nlohmann::json& body, const Fields& fields);
 
 /// The text under a key of a JSON object from outside; empty where there is none.
 std::string text_at(const nlohmann::json& json, const char* key);

@@ -57,6 +57,7 @@ HttpAnswer StationApi::propose_limits(const Call& call) {
   const std::string plan = named.empty() ? station_.file().plan : named;
   const std::string version = version_at(call.body, "version");
   const bool learns = !call.body.contains("limits");
+  if (!learns && call.body.size() > 1) return refusal(400, "limits_alone");
   if (learns && !named.empty() && !is_word(named)) return refusal(400, "plan");
   if (learns && !is_word(version)) return refusal(400, "version");
   return logged(call, "limits propose", [&] {

@@ -16,10 +16,6 @@ constexpr std::chrono::milliseconds strip_every{200};
 constexpr int strips_per_spectrum = 5;
 constexpr double quietest_g = 1e-6;  // -120 dB: below what any of these sensors tells from nothing
 
-nlohmann::json number(double value) {
-  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
-}
-
 std::string text_of(const nlohmann::json& json) {
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
@@ -152,7 +148,7 @@ void LiveFeed::send_state() {
                         {"stage", stage_},
                         {"text", text_},
                         {"done", std::clamp(std::isfinite(done_) ? done_ : 0.0, 0.0, 1.0)},
-                        {"left_s", number(left_s_)},
+                        {"left_s", left_s_},
                         {"points", points_}}));
 }
 
@@ -165,14 +161,13 @@ void LiveFeed::send_strip(const Values& values) {
   }
   const double speed_rad_s =
       (values.last_rad - values.first_rad) / (values.last_s - values.first_s);
-  socket_.send(
-      text_of({{"kind", "strip"},
-               {"t_s", number(values.newest_s)},
-               {"torque_Nm", values.torques > 0 ? number(values.torque_sum_Nm / values.torques)
-                                                : number(not_known)},
-               {"speed_rpm", number(units::rpm_from_rad_s(speed_rad_s))},
-               {"temperature_C", number(values.temperature_degC)},
-               {"vibration_g", number(vibration_g)}}));
+  socket_.send(text_of(
+      {{"kind", "strip"},
+       {"t_s", values.newest_s},
+       {"torque_Nm", values.torques > 0 ? values.torque_sum_Nm / values.torques : not_known},
+       {"speed_rpm", units::rpm_from_rad_s(speed_rad_s)},
+       {"temperature_C", values.temperature_degC},
+       {"vibration_g", vibration_g}}));
 }
 
 void LiveFeed::send_spectrum(const Eigen::VectorXd& samples, double rate_Hz,

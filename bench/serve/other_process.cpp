@@ -80,8 +80,8 @@ std::string text_in(int descriptor) {
 // Within that time, and before a stop.
 bool has_ended(int process, double longest_s, const std::stop_token& stop) {
   using namespace std::chrono;
-  const auto until = steady_clock::now() + duration_cast<steady_clock::duration>(
-                                               duration<double>(longest_s));
+  const auto until =
+      steady_clock::now() + duration_cast<steady_clock::duration>(duration<double>(longest_s));
   while (!stop.stop_requested()) {
     const auto left = duration_cast<milliseconds>(until - steady_clock::now());
     if (left.count() <= 0) return false;

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/serve/event_stream.hpp"
-#include "bench/serve/json_fields.hpp"
 #include "bench/serve/page_file.hpp"
 #include "bench/sha256.hpp"
 
@@ -41,10 +40,7 @@ bool is_from_afar(const HttpRequest& request) {
     if (request.headers.contains(name)) return true;
   }
   // A proxy need not say that it is one, but it is not called by this computer's own name.
-  const std::string host = request.header("host");
-  const std::string name =
-      host.starts_with("[") ? host.substr(1, host.find(']') - 1) : host.substr(0, host.find(':'));
-  return !is_loopback(request.address) || !is_loopback(name);
+  return !is_loopback(request.address) || !is_loopback(host_and_port(request.header("host")).host);
 }
 
 StationApi::StationApi(Station& station, EventHub& hub, Sessions& sessions, const Gate& gate,
@@ -62,17 +58,40 @@ const std::vector<StationApi::Route>& StationApi::routes() {
       {"POST", "/api/logout", Role::viewer, &StationApi::log_out},
       {"GET", "/api/session", Role::viewer, &StationApi::session},
       {"GET", "/api/events", Role::viewer, &StationApi::events},
-      {"POST", "/api/scan", Role::operating, &StationApi::scan},
-      {"POST", "/api/start", Role::operating, &StationApi::start},
+      {"POST", "/api/scan", Role::operating, &StationApi::scan, {{"text", FieldKind::text}}},
+      {"POST",
+       "/api/start",
+       Role::operating,
+       &StationApi::start,
+       {{"serial", FieldKind::text}, {"retest", FieldKind::truth}}},
       {"POST", "/api/stop", Role::operating, &StationApi::stop},
       {"POST", "/api/clear", Role::operating, &StationApi::clear},
       {"GET", "/api/history", Role::viewer, &StationApi::history},
       {"GET", "/api/trend", Role::viewer, &StationApi::trend},
-      {"POST", "/api/rejudge", Role::engineer, &StationApi::rejudge},
+      {"POST",
+       "/api/rejudge",
+       Role::engineer,
+       &StationApi::rejudge,
+       {{"run", FieldKind::text}, {"limits", FieldKind::version}}},
       {"GET", "/api/limits", Role::viewer, &StationApi::limits},
-      {"POST", "/api/limits/propose", Role::engineer, &StationApi::propose_limits},
-      {"POST", "/api/limits/approve", Role::engineer, &StationApi::approve_limits},
-      {"POST", "/api/limits/activate", Role::engineer, &StationApi::activate_limits},
+      {"POST",
+       "/api/limits/propose",
+       Role::engineer,
+       &StationApi::propose_limits,
+       {{"limits", FieldKind::object},
+        {"version", FieldKind::version},
+        {"plan", FieldKind::text},
+        {"per_point", FieldKind::truth}}},
+      {"POST",
+       "/api/limits/approve",
+       Role::engineer,
+       &StationApi::approve_limits,
+       {{"version", FieldKind::version}}},
+      {"POST",
+       "/api/limits/activate",
+       Role::engineer,
+       &StationApi::activate_limits,
+       {{"version", FieldKind::version}}},
       {"GET", "/api/audit", Role::engineer, &StationApi::audit}};
   return all;
 }
@@ -100,6 +119,9 @@ HttpAnswer StationApi::answer(const HttpRequest& request) {
       (void)log(request, session->user, "refused " + request.path.substr(5), R"("role")");
     }
     return refusal(403, "role");
+  }
+  if (const std::string field = misplaced_field(body, route->fields); !field.empty()) {
+    return json_answer(400, {{"error", "field"}, {"field", field}});
   }
   return (this->*route->handle)({request, *session, body});
 }

@@ -4,8 +4,8 @@
 #include <functional>
 #include <mutex>
 #include <nlohmann/json_fwd.hpp>
-#include <stop_token>
 #include <set>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -13,6 +13,7 @@
 #include "bench/serve/audit_log.hpp"
 #include "bench/serve/gate.hpp"
 #include "bench/serve/http.hpp"
+#include "bench/serve/json_fields.hpp"
 #include "bench/serve/station.hpp"
 
 namespace rvbench::bench {
@@ -43,6 +44,7 @@ class StationApi {
     std::string method, path;
     Role least;
     HttpAnswer (StationApi::*handle)(const Call&);
+    Fields fields = {};  ///< of the body
   };
   static const std::vector<Route>& routes();
 

@@ -11,10 +11,6 @@
 namespace rvbench::bench {
 namespace {
 
-nlohmann::json number(double value) {
-  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
-}
-
 const char* word_of(char state) {
   switch (state) {
     case 'm': return "measuring";
@@ -61,8 +57,8 @@ nlohmann::json matrix_of(const std::vector<hal::PlannedPoint>& points, const std
     if (std::isfinite(point.speed_rpm)) speeds_rpm.insert(point.speed_rpm);
     if (std::isfinite(point.load_pct)) loads_pct.insert(point.load_pct);
     repeats = std::max(repeats, point.repeat);
-    cells.push_back({{"speed_rpm", number(point.speed_rpm)},
-                     {"load_pct", number(point.load_pct)},
+    cells.push_back({{"speed_rpm", point.speed_rpm},
+                     {"load_pct", point.load_pct},
                      {"repeat", point.repeat},
                      {"status", word_of(i < states.size() ? states[i] : 'o')}});
   }
@@ -114,7 +110,7 @@ std::string Station::state(const StationViewer& viewer) const {
         {{"phase", progress_.stage},
          {"text", progress_.text},
          {"done", progress_.done},
-         {"left_s", number(progress_.left_s)}}},
+         {"left_s", progress_.left_s}}},
        {"matrix", matrix_of(points_, point_states_)},
        {"verdict", nlohmann::json::parse(verdict_)},
        {"next_action", next_action(viewer)}});

@@ -134,8 +134,7 @@ TEST_CASE("a line that a power failure cut short is told, and taken out when the
   CHECK(test::rvbench({"check", file.string()}).code == 0);
 }
 
-TEST_CASE("what was changed before a cut line stays told when the log goes on",
-          "[bench][serve]") {
+TEST_CASE("what was changed before a cut line stays told when the log goes on", "[bench][serve]") {
   const rvbench::test::ScratchFolder scratch;
   const auto file = scratch / "audit.jsonl";
   add_five(file);

@@ -117,6 +117,17 @@ TEST_CASE("who fails too often waits, and nobody else does", "[bench][serve]") {
   CHECK_FALSE(attempts.must_wait("anna"));
 }
 
+TEST_CASE("a host is told from its port, also where it is an address with colons",
+          "[bench][serve]") {
+  CHECK(host_and_port("localhost:8080").host == "localhost");
+  CHECK(host_and_port("localhost:8080").port == "8080");
+  CHECK(host_and_port("bench").port.empty());
+  CHECK(host_and_port("[::1]:8080").host == "::1");
+  CHECK(host_and_port("[::1]:8080").port == "8080");
+  CHECK(host_and_port("[::1]").host == "::1");
+  CHECK(host_and_port("[::1]").port.empty());
+}
+
 TEST_CASE("a cookie is found among others, whole or not at all", "[bench][serve]") {
   CHECK(cookie_in("a=1; b=2", "b") == "2");
   CHECK(cookie_in("a=1;b=2;", "b") == "2");

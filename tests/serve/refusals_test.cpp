@@ -123,8 +123,23 @@ TEST_CASE("a station refuses who is not logged in, asks from elsewhere, or asks 
       CAPTURE(body.substr(0, 20));
       CHECK(word_of(station.post("/api/scan", body)) == "400 malformed");
     }
-    CHECK(word_of(station.post("/api/scan", R"({"text":{"a":[1]}})")) == "422 empty");
+    CHECK(word_of(station.post("/api/scan", R"({"text":{"a":[1]}})")) == "400 field");
     CHECK(station.get("/api/session").status == 200);
+  }
+  SECTION("fields that a call does not know, or that hold something else, are named") {
+    REQUIRE(station.log_in("anna").status == 200);
+    const auto refused = [&](const char* call, const char* body) {
+      const HttpReply reply = station.post(call, body);
+      CHECK(reply.status == 400);
+      return nlohmann::json::parse(reply.body).value("field", "");
+    };
+    CHECK(refused("/api/start", R"({"serial":"A17","retest":"yes"})") == "retest");
+    CHECK(refused("/api/stop", R"({"now":true})") == "now");
+    CHECK(refused("/api/limits/propose", R"({"version":"1","per_point":"yes"})") == "per_point");
+    CHECK(refused("/api/limits/approve", R"({"version":true})") == "version");
+    CHECK(refused("/api/rejudge", R"({"run":"A17/1","version":"1"})") == "version");
+    CHECK(word_of(station.post("/api/limits/propose", R"({"version":"1","limits":{}})")) ==
+          "400 limits_alone");
   }
   SECTION("a second station on the same runs") {
     const auto second = test::rvbench(scratch.path(), {"serve", "--station", "station.json"});
