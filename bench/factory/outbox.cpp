@@ -1,16 +1,11 @@
 #include "bench/factory/outbox.hpp"
 
-#include <fmt/format.h>
-#include <sqlite3.h>
-
 #include <utility>
 
 #include "bench/run_folder.hpp"
 
 namespace rvbench::bench {
 namespace {
-
-constexpr int busy_timeout_ms = 2000;
 
 // FULL syncs the log at each commit: a step that was told is on the disk.
 constexpr const char* schema = R"sql(
@@ -46,61 +41,25 @@ constexpr const char* put_packet =
     "INSERT OR REPLACE INTO packets (key, packet, result_id) VALUES (?1, CAST(?2 AS BLOB), ?3)";
 constexpr const char* drop_packet = "DELETE FROM packets WHERE key = ?1";
 
-struct Finalize {
-  void operator()(sqlite3_stmt* statement) const noexcept { sqlite3_finalize(statement); }
-};
-using Statement = std::unique_ptr<sqlite3_stmt, Finalize>;
-
-Statement prepare(sqlite3* database, const char* sql, const std::vector<std::string>& values) {
-  sqlite3_stmt* made = nullptr;
-  sqlite3_prepare_v2(database, sql, -1, &made, nullptr);
-  Statement statement(made);
-  int at = 0;
-  for (const std::string& value : values) {
-    sqlite3_bind_text(made, ++at, value.data(), static_cast<int>(value.size()), SQLITE_TRANSIENT);
-  }
-  return statement;
-}
-
-// Also of a blob, whatever bytes it holds.
-std::string bytes_of(const Statement& statement, int column) {
-  const auto* bytes = static_cast<const char*>(sqlite3_column_blob(statement.get(), column));
-  const int count = sqlite3_column_bytes(statement.get(), column);
-  return bytes == nullptr ? "" : std::string(bytes, static_cast<std::size_t>(count));
-}
-
 }  // namespace
 
-void Outbox::Close::operator()(sqlite3* database) const noexcept { sqlite3_close(database); }
-
-Outbox::Outbox(std::filesystem::path file, std::unique_ptr<sqlite3, Close> database)
-    : file_(std::move(file)), database_(std::move(database)) {}
+Outbox::Outbox(SqliteFile file) : file_(std::move(file)) {}
 
 Result<Outbox> Outbox::open(const std::filesystem::path& root) {
-  const std::filesystem::path file = root / outbox_name;
-  sqlite3* opened = nullptr;
-  const int code =
-      sqlite3_open_v2(file.c_str(), &opened, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
-  Outbox outbox(file, std::unique_ptr<sqlite3, Close>(opened));
-  if (code != SQLITE_OK) return outbox.failure("cannot be opened");
-  sqlite3_busy_timeout(opened, busy_timeout_ms);
-  if (sqlite3_exec(opened, schema, nullptr, nullptr, nullptr) != SQLITE_OK) {
-    return outbox.failure("cannot be used");
-  }
+  auto opened = SqliteFile::open(root / outbox_name, root / outbox_name);
+  if (!opened) return opened.error();
+  Outbox outbox(std::move(opened).value());
+  if (const Status made = outbox.file_.execute(schema); !made) return made.error();
   return outbox;
 }
 
 Result<bool> Outbox::holds(const std::string& result_id) const {
-  const auto found = rows("SELECT 1 FROM results WHERE result_id = ?1", {result_id});
-  if (!found) return found.error();
-  return !found.value().empty();
+  return has_any("SELECT 1 FROM results WHERE result_id = ?1", result_id);
 }
 
 Result<bool> Outbox::is_acknowledged(const std::string& result_id) const {
-  const auto found =
-      rows("SELECT 1 FROM results WHERE result_id = ?1 AND state = 'acknowledged'", {result_id});
-  if (!found) return found.error();
-  return !found.value().empty();
+  return has_any("SELECT 1 FROM results WHERE result_id = ?1 AND state = 'acknowledged'",
+                 result_id);
 }
 
 Status Outbox::enter(const OutboxEntry& due) {
@@ -116,11 +75,7 @@ Result<std::optional<OutboxEntry>> Outbox::find(const std::string& result_id) co
 }
 
 Result<std::vector<std::string>> Outbox::ids_of(const std::string& state) const {
-  const auto found = rows("SELECT result_id FROM results WHERE state = ?1 ORDER BY place", {state});
-  if (!found) return found.error();
-  std::vector<std::string> ids;
-  for (const auto& row : found.value()) ids.push_back(row.front());
-  return ids;
+  return texts("SELECT result_id FROM results WHERE state = ?1 ORDER BY place", {state});
 }
 
 Status Outbox::note_sent(const std::string& result_id, int message_id,
@@ -147,71 +102,63 @@ Status Outbox::keep_packet(const std::string& key, const std::string& packet) {
 Status Outbox::forget_packet(const std::string& key) { return execute(drop_packet, {key}); }
 
 std::optional<std::string> Outbox::packet(const std::string& key) const {
-  const auto found = rows("SELECT packet FROM packets WHERE key = ?1", {key});
+  const auto found = texts("SELECT packet FROM packets WHERE key = ?1", {key});
   if (!found || found.value().empty()) return std::nullopt;
-  return found.value().front().front();
+  return found.value().front();
 }
 
 std::vector<std::string> Outbox::packet_keys() const {
-  std::vector<std::string> keys;
-  const auto found = rows("SELECT key FROM packets ORDER BY key", {});
-  if (!found) return keys;
-  for (const auto& row : found.value()) keys.push_back(row.front());
-  return keys;
+  auto found = texts("SELECT key FROM packets ORDER BY key", {});
+  return found ? std::move(found).value() : std::vector<std::string>();
 }
 
 Result<std::optional<OutboxEntry>> Outbox::entry(const char* sql, const std::string& value) const {
-  const auto found = rows(sql, {value});
-  if (!found) return found.error();
-  if (found.value().empty()) return std::optional<OutboxEntry>();
-  const auto& row = found.value().front();
-  return std::optional(OutboxEntry{.result_id = row[0],
-                                   .folder = row[1],
-                                   .payload = row[2],
-                                   .state = row[3],
-                                   .sends = std::stoi(row[4]),
-                                   .message_id = std::stoi(row[5]),
-                                   .payload_sha256 = row[6]});
+  SqlStatement query(file_, sql);
+  query.bind(value);
+  if (!query.next()) {
+    if (!query.is_done()) return file_.failure("cannot be read");
+    return std::optional<OutboxEntry>();
+  }
+  return std::optional(OutboxEntry{.result_id = query.text(0),
+                                   .folder = query.text(1),
+                                   .payload = query.text(2),
+                                   .state = query.text(3),
+                                   .sends = static_cast<int>(query.integer(4)),
+                                   .message_id = static_cast<int>(query.integer(5)),
+                                   .payload_sha256 = query.text(6)});
 }
 
 Status Outbox::execute(const char* sql, const std::vector<std::string>& values) const {
-  const Statement statement = prepare(database_.get(), sql, values);
-  if (sqlite3_step(statement.get()) != SQLITE_DONE) return failure("cannot be written");
+  SqlStatement statement(file_, sql);
+  statement.bind_all(values);
+  if (!statement.run()) return file_.failure("cannot be written");
   return Done{};
 }
 
 Status Outbox::in_one_step(
     const std::vector<std::pair<const char*, std::vector<std::string>>>& work) {
-  if (const Status begun = execute("BEGIN IMMEDIATE", {}); !begun) return begun;
+  SqlTransaction transaction(file_);
+  if (!transaction.begun()) return transaction.begun();
   for (const auto& [sql, values] : work) {
-    if (const Status done = execute(sql, values); !done) {
-      (void)execute("ROLLBACK", {});
-      return done;
-    }
+    if (const Status done = execute(sql, values); !done) return done;
   }
-  const Status kept = execute("COMMIT", {});
-  if (!kept) (void)execute("ROLLBACK", {});
-  return kept;
+  return transaction.commit();
 }
 
-Result<std::vector<std::vector<std::string>>> Outbox::rows(
-    const char* sql, const std::vector<std::string>& values) const {
-  const Statement statement = prepare(database_.get(), sql, values);
-  std::vector<std::vector<std::string>> found;
-  int code = SQLITE_ERROR;
-  while (statement && (code = sqlite3_step(statement.get())) == SQLITE_ROW) {
-    auto& row = found.emplace_back();
-    for (int column = 0; column < sqlite3_column_count(statement.get()); ++column) {
-      row.push_back(bytes_of(statement, column));
-    }
-  }
-  if (code != SQLITE_DONE) return failure("cannot be read");
+Result<bool> Outbox::has_any(const char* sql, const std::string& value) const {
+  const auto found = texts(sql, {value});
+  if (!found) return found.error();
+  return !found.value().empty();
+}
+
+Result<std::vector<std::string>> Outbox::texts(const char* sql,
+                                               const std::vector<std::string>& values) const {
+  SqlStatement query(file_, sql);
+  query.bind_all(values);
+  std::vector<std::string> found;
+  while (query.next()) found.push_back(query.text(0));
+  if (!query.is_done()) return file_.failure("cannot be read");
   return found;
-}
-
-IoError Outbox::failure(const std::string& what) const {
-  return {IoErrc::refused,
-          fmt::format("{} {}: {}", file_.string(), what, sqlite3_errmsg(database_.get()))};
 }
 
 }  // namespace rvbench::bench

@@ -1,14 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "bench/results/sqlite.hpp"
 #include "hal/types/result.hpp"
-
-struct sqlite3;
 
 namespace rvbench::bench {
 
@@ -63,20 +62,17 @@ class Outbox {
   std::vector<std::string> packet_keys() const;
 
  private:
-  struct Close {
-    void operator()(sqlite3* database) const noexcept;
-  };
-  Outbox(std::filesystem::path file, std::unique_ptr<sqlite3, Close> database);
+  explicit Outbox(SqliteFile file);
 
   Status execute(const char* sql, const std::vector<std::string>& values) const;
   Status in_one_step(const std::vector<std::pair<const char*, std::vector<std::string>>>& work);
-  Result<std::vector<std::vector<std::string>>> rows(const char* sql,
-                                                     const std::vector<std::string>& values) const;
+  /// The first column of each row.
+  Result<std::vector<std::string>> texts(const char* sql,
+                                         const std::vector<std::string>& values) const;
+  Result<bool> has_any(const char* sql, const std::string& value) const;
   Result<std::optional<OutboxEntry>> entry(const char* sql, const std::string& value) const;
-  IoError failure(const std::string& what) const;
 
-  std::filesystem::path file_;
-  std::unique_ptr<sqlite3, Close> database_;
+  SqliteFile file_;
 };
 
 }  // namespace rvbench::bench

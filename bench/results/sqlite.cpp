@@ -68,6 +68,12 @@ void SqlStatement::put(int at, std::int64_t value) {
   sqlite3_bind_int64(statement_.get(), at, value);
 }
 
+void SqlStatement::bind_all(const std::vector<std::string>& values) {
+  restart();
+  int at = 0;
+  for (const std::string& value : values) put(++at, value);
+}
+
 bool SqlStatement::next() {
   if (!statement_ || done_) return false;
   const int code = sqlite3_step(statement_.get());
@@ -82,8 +88,9 @@ bool SqlStatement::run() {
 }
 
 std::string SqlStatement::text(int column) const {
-  const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
-  return text == nullptr ? "" : text;
+  const auto* bytes = static_cast<const char*>(sqlite3_column_blob(statement_.get(), column));
+  const int count = sqlite3_column_bytes(statement_.get(), column);
+  return bytes == nullptr ? "" : std::string(bytes, static_cast<std::size_t>(count));
 }
 
 double SqlStatement::number(int column) const {

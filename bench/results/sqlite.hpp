@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "hal/types/result.hpp"
 
@@ -50,12 +51,14 @@ class SqlStatement {
     (put(++at, values), ...);
   }
 
+  void bind_all(const std::vector<std::string>& values);
+
   bool next();                            ///< a further row; false at the end, and on error
   bool is_done() const { return done_; }  ///< the end was reached without an error
   bool run();                             ///< one that answers no row. @return is_done()
 
-  std::string text(int column) const;
-  double number(int column) const;  ///< NaN of NULL
+  std::string text(int column) const;  ///< or the bytes of a blob, whatever they are
+  double number(int column) const;     ///< NaN of NULL
   std::int64_t integer(int column) const;
 
  private:
