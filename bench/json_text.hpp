@@ -9,4 +9,7 @@ namespace rvbench::bench {
 /// out of foreign files need not be UTF-8: what is not is replaced, not thrown.
 std::string json_text(const nlohmann::ordered_json& json);
 
+/// Of an empty text, null: there is none.
+nlohmann::ordered_json json_or_null(const std::string& text);
+
 }  // namespace rvbench::bench

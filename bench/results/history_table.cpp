@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "bench/json_text.hpp"
 #include "bench/limit_checks.hpp"
 #include "bench/results/run_filter.hpp"
 
@@ -14,10 +15,6 @@ namespace {
 constexpr int widest_name = 32;
 constexpr int longest_reason = 500;
 constexpr const char* later_plan = "  re-judged";  // in place of the plan
-
-nlohmann::ordered_json json_or_null(const std::string& text) {
-  return text.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(text);
-}
 
 nlohmann::ordered_json later_json(const History& history, const std::string& folder) {
   auto list = nlohmann::ordered_json::array();
