@@ -9,17 +9,21 @@ namespace {
 
 using Eigen::Index;
 
-// Mean over the trials: parts x operators.
+// Mean over the trials: parts x operators. By what they differ from the first, so that of readings
+// that are all alike it is exactly theirs.
 Eigen::ArrayXXd cell_means(const GageReadings& readings) {
-  Eigen::ArrayXXd means = Eigen::ArrayXXd::Zero(Index(readings.parts), Index(readings.operators));
+  Eigen::ArrayXXd means(Index(readings.parts), Index(readings.operators));
   for (std::size_t part = 0; part < readings.parts; ++part) {
     for (std::size_t op = 0; op < readings.operators; ++op) {
-      for (std::size_t trial = 0; trial < readings.trials; ++trial) {
-        means(Index(part), Index(op)) += readings.at(part, op, trial);
+      const double first = readings.at(part, op, 0);
+      double off = 0;
+      for (std::size_t trial = 1; trial < readings.trials; ++trial) {
+        off += readings.at(part, op, trial) - first;
       }
+      means(Index(part), Index(op)) = first + off / double(readings.trials);
     }
   }
-  return means / double(readings.trials);
+  return means;
 }
 
 double squares_within_cells(const GageReadings& readings, const Eigen::ArrayXXd& means) {

@@ -131,7 +131,7 @@ Status MqttLink::begin_session(bool is_old) {
   if (!under_way) return under_way.error();
   if (is_old || under_way.value().empty()) {
     paho_->say_status(broker_, online);
-    return Done{};
+    return outbox_.note_sent_again();
   }
   // The broker knows nothing of them any more: the second half of a packet's way would be answered
   // as if all were well. They are due again, and nothing is under way in the next session.

@@ -95,6 +95,16 @@ Status Outbox::recall() {
       {{"DELETE FROM packets", {}}, {"UPDATE results SET state = 'due' WHERE state = 'sent'", {}}});
 }
 
+Status Outbox::note_sent_again() {
+  return execute("UPDATE results SET sends = sends + 1 WHERE state = 'sent'", {});
+}
+
+Status Outbox::put_last(const std::string& result_id) {
+  return execute(
+      "UPDATE results SET place = (SELECT MAX(place) + 1 FROM results) WHERE result_id = ?1",
+      {result_id});
+}
+
 Status Outbox::keep_packet(const std::string& key, const std::string& packet) {
   return execute(put_packet, {key, packet, ""});
 }

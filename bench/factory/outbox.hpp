@@ -55,6 +55,10 @@ class Outbox {
   Status acknowledge(const std::string& packet_key);
   /// Whatever is under way is given up, and due again.
   Status recall();
+  /// What is under way goes out once more, by the broker's memory of it.
+  Status note_sent_again();
+  /// After all others that are due.
+  Status put_last(const std::string& result_id);
 
   Status keep_packet(const std::string& key, const std::string& packet);
   Status forget_packet(const std::string& key);

@@ -13,6 +13,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds first_back_off{1}, longest_back_off{60};
 constexpr std::chrono::seconds between_looks{1};
+constexpr int most_sends = 3;  // of a result that the link is lost with each time, before others go
 constexpr std::chrono::milliseconds slice{100};  // within which a stop is heard
 
 }  // namespace
@@ -33,7 +34,11 @@ Status Publisher::publish(const std::stop_token& stop) {
   if (due.value().empty() && under_way.value().empty()) return Done{};
   const Status connected = connect(stop);
   const Status sent = connected ? send_all(stop) : connected;
-  link_.reset();
+  if (sent || stop.stop_requested()) {
+    link_.reset();
+  } else {
+    give_up_link();
+  }
   return sent;
 }
 
@@ -84,7 +89,7 @@ Status Publisher::connect(const std::stop_token& stop) {
   if (const Status connected = link_->connect(); !connected) return connected;
   told_.link("connected to the MQTT broker at " + broker_.address());
   last_fault_.clear();
-  back_off_ = first_back_off;
+  is_connected_ = true;
   const auto under_way = outbox_.ids_of("sent");
   if (!under_way) return under_way.error();
   if (const Status finished = link_->finish(under_way.value(), stop); !finished) return finished;
@@ -105,15 +110,34 @@ Status Publisher::send_all(const std::stop_token& stop) {
   return Done{};
 }
 
-Status Publisher::tell_acknowledged(const std::string& result_id) const {
+Status Publisher::tell_acknowledged(const std::string& result_id) {
   const auto entry = outbox_.find(result_id);
   if (!entry) return entry.error();
   if (entry.value()) told_.acknowledged(*entry.value());
+  back_off_ = first_back_off;
   return Done{};
 }
 
-void Publisher::lose(const IoError& why) {
+// A broker that does not take a result, for its size, say, only hangs up: others may pass it then.
+// Where the library has given the packet up already, the result is the first that is due.
+void Publisher::give_up_link() {
+  const auto under_way = outbox_.ids_of("sent");
   link_.reset();
+  const bool was_connected = std::exchange(is_connected_, false);
+  if (!was_connected || !under_way) return;
+  const auto entry =
+      under_way.value().empty() ? outbox_.next_due() : outbox_.find(under_way.value().front());
+  if (!entry || !entry.value() || entry.value()->sends < most_sends) return;
+  const OutboxEntry& refused = *entry.value();
+  if (!outbox_.recall() || !outbox_.put_last(refused.result_id)) return;
+  told_.skipped({refused.folder,
+                 fmt::format("{} times the link was lost while it was on its way ({} bytes): does "
+                             "the broker take so much? It goes after the others from now on",
+                             refused.sends, refused.payload.size())});
+}
+
+void Publisher::lose(const IoError& why) {
+  give_up_link();
   tell_fault(why);
   next_try_ = Clock::now() + back_off_;
   back_off_ = std::min(2 * back_off_, longest_back_off);

@@ -43,7 +43,8 @@ class Publisher {
   Status go_on(const std::stop_token& stop);
   Status connect(const std::stop_token& stop);
   Status send_all(const std::stop_token& stop);
-  Status tell_acknowledged(const std::string& result_id) const;
+  Status tell_acknowledged(const std::string& result_id);
+  void give_up_link();
   void lose(const IoError& why);
   void tell_fault(const IoError& why);
 
@@ -57,6 +58,7 @@ class Publisher {
   std::chrono::seconds back_off_{1};
   std::chrono::steady_clock::time_point next_try_{};
   std::string last_fault_;
+  bool is_connected_ = false;  // once, with this link: what is lost since was on its way
 };
 
 }  // namespace rvbench::bench

@@ -212,6 +212,9 @@ std::string SvgPlot::svg() const {
 }
 
 std::vector<double> round_ticks(double min, double max, int count) {
+  // Nearer to each other than a double can count in steps: values that differ by rounding alone.
+  const double finest = 1e-12 * std::fmax(std::abs(min), std::abs(max));
+  if (!(max - min > finest) || !std::isfinite(max - min)) return {min};
   const double rough = (max - min) / count;
   const double decade = std::pow(10.0, std::floor(std::log10(rough)));
   const double lead = rough / decade;

@@ -26,6 +26,9 @@ TEST_CASE("ticks are round and lie on the axis", "[bench]") {
   };
   near(round_ticks(0, 10, 5), {0, 2, 4, 6, 8, 10});
   near(round_ticks(-0.13, 0.11, 5), {-0.1, -0.05, 0, 0.05, 0.1});
+  // Of values that differ in their last digit no steps can be counted.
+  near(round_ticks(0.3, std::nextafter(0.3, 1), 5), {0.3});
+  near(round_ticks(7, 7, 5), {7});
   near(round_ticks(990, 1040, 5), {990, 1000, 1010, 1020, 1030, 1040});
 }
 

@@ -13,6 +13,7 @@ namespace rvbench::test {
 namespace {
 
 using Catch::Contains;
+using test::failed_run;
 using test::passed_run;
 
 constexpr const char* topic = "rvbench/b3/result";
@@ -123,6 +124,27 @@ TEST_CASE("who follows outlives the broker and ends in order", "[factory][lost]"
   CHECK_THAT(ended.out, Contains("acknowledged: A17/") && Contains("acknowledged: A18/"));
   Subscriber factory(mosquitto.port(), "rvbench/b3/status");
   CHECK(factory.messages(1).front().payload == "offline");
+}
+
+TEST_CASE("a result that the broker does not take holds up no other", "[factory][lost]") {
+  for (const char* qos : {"", R"(, "qos": 2)"}) {
+    CAPTURE(qos);
+    const Mosquitto mosquitto("allow_anonymous true\nmax_packet_size 20000");
+    const ScratchFolder root, place;
+    bench::Judgement large = failed_run();
+    large.ending.reason = std::string(30'000, 'x');
+    const auto folder = judged_run(root.path(), large, "A17");
+    judged_run(root.path(), passed_run(), "A18", "20260102T030406Z");
+    const std::string broker = broker_file(place.path(), mosquitto.port(), qos);
+    Answer answer;
+    for (int i = 0; i < 3; ++i) answer = publish(root.path(), broker);
+    CHECK(answer.code == 30);
+    CHECK_THAT(answer.err, Contains("A17/") && Contains("goes after the others"));
+    answer = publish(root.path(), broker);
+    CHECK(answer.code == 30);  // the first one still waits
+    CHECK_THAT(answer.out, Contains("acknowledged: A18/"));
+    CHECK(count_of(root, "acknowledged") == 1);
+  }
 }
 
 TEST_CASE("of a follower that is killed its will tells the factory", "[factory][lost]") {

@@ -150,6 +150,14 @@ TEST_CASE("parts may be farther apart than categories are counted", "[analysis][
 TEST_CASE("readings that never differ say nothing of the gage", "[analysis][station]") {
   GageReadings readings{2, 2, 2, {1, 1, 1, 1, 2, 2, 2, 2}};
   CHECK_THAT(std::get<std::string>(study_gage(readings)), Contains("too coarse"));
+  // Nor where the mean of equal readings would be off by its last digit.
+  for (const std::size_t trials : {6U, 7U, 10U}) {
+    GageReadings copied{2, 2, trials, {}};
+    for (const double value : {0.1, 0.3, 0.7, 1.1}) {
+      copied.values.insert(copied.values.end(), trials, value);
+    }
+    CHECK_THAT(std::get<std::string>(study_gage(copied)), Contains("too coarse"));
+  }
   readings.values.pop_back();
   CHECK_THROWS_AS(study_gage(readings), std::invalid_argument);
   CHECK_THROWS_AS(study_gage({1, 2, 2, {1, 2, 3, 4}}), std::invalid_argument);
