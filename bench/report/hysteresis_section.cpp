@@ -29,9 +29,19 @@ PlotAxis torsion_axis(const std::vector<HysteresisLoop>& loops) {
   return {"torsion at the output [arcmin]", -1.05 * most, 1.05 * most};
 }
 
+// Of all branches of all loops: what an axis leaves out is drawn at its edge.
+Eigen::VectorXd torques_Nm(const std::vector<HysteresisLoop>& loops) {
+  std::vector<double> all;
+  for (const HysteresisLoop& loop : loops) {
+    all.insert(all.end(), loop.rising_Nm.begin(), loop.rising_Nm.end());
+    all.insert(all.end(), loop.falling_Nm.begin(), loop.falling_Nm.end());
+  }
+  return Eigen::VectorXd::Map(all.data(), static_cast<Eigen::Index>(all.size()));
+}
+
 std::string loop_figure(const std::string& caption, const std::vector<HysteresisLoop>& loops) {
   SvgPlot plot("Hysteresis: " + caption, torsion_axis(loops),
-               axis_around("torque at the output [N·m]", loops.front().rising_Nm), 540, 380);
+               axis_around("torque at the output [N·m]", torques_Nm(loops)), 540, 380);
   for (const HysteresisLoop& loop : loops) {
     const double first = from_middle_arcmin(loop, loop.first_rad);
     const double step = arcmin_from_rad(loop.step_rad);
