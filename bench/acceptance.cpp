@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "bench/judging.hpp"
+#include "bench/run_folder.hpp"
 #include "bench/run_log.hpp"
 #include "bench/run_recordings.hpp"
 #include "bench/run_results.hpp"
@@ -191,6 +192,7 @@ void conclude_run(Judgement& judgement, const Acceptance& acceptance, RunLog& lo
     judgement.diagnosis.quality.push_back({"recording.h5", acceptance.lost_points, false});
   }
   if (!log_hung) judgement.facts.events = log.events();
+  judgement.facts.judged_utc = utc_now();
   bar.show("report", 0, "writing");
   tell_in_files(judgement, [&](const Judgement& told) {
     return write_results(acceptance.folder, told, acceptance.kinematics, acceptance.with_report);

@@ -44,6 +44,7 @@ struct LimitCheck {
 struct RunFacts {
   std::string serial;
   std::string started_utc;
+  std::string judged_utc = {};  ///< when its verdict was known; empty: by an older rvbench
   std::string plan;
   std::string limits_version = {};  ///< in place of the plan's own limits; empty: those
   std::string rig;

@@ -37,6 +37,7 @@ nlohmann::ordered_json to_json(const RunFacts& facts) {
     events.push_back({{"time_s", time_s}, {"event", text}});
   nlohmann::ordered_json json = {{"serial", facts.serial},
                                  {"started_utc", facts.started_utc},
+                                 {"judged_utc", text_or_null(facts.judged_utc)},
                                  {"plan", facts.plan},
                                  {"limits_version", text_or_null(facts.limits_version)},
                                  {"rig", facts.rig},
@@ -55,8 +56,9 @@ RunFacts facts_from_json(const nlohmann::ordered_json& json) {
   RunFacts facts;
   json.at("serial").get_to(facts.serial);
   json.at("started_utc").get_to(facts.started_utc);
+  facts.judged_utc = text_or_empty(json, "judged_utc");  // of an older rvbench absent
   json.at("plan").get_to(facts.plan);
-  facts.limits_version = text_or_empty(json, "limits_version");  // of an older rvbench absent
+  facts.limits_version = text_or_empty(json, "limits_version");
   json.at("rig").get_to(facts.rig);
   json.at("preset").get_to(facts.preset);
   facts.duration_s = number_or_nan(json.at("duration_s"));

@@ -1,7 +1,6 @@
 #include "bench/factory/result_message.hpp"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 #include <ctime>
@@ -48,16 +47,6 @@ std::string iso_utc(const std::string& utc) {
                      utc.substr(9, 2), utc.substr(11, 2), utc.substr(13, 2));
 }
 
-std::string written_utc(const std::filesystem::path& file) {
-  struct stat status {};
-  std::tm utc{};
-  if (::stat(file.c_str(), &status) != 0 || gmtime_r(&status.st_mtim.tv_sec, &utc) == nullptr) {
-    return "";
-  }
-  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}Z", utc.tm_year + 1900, utc.tm_mon + 1,
-                     utc.tm_mday, utc.tm_hour, utc.tm_min, utc.tm_sec);
-}
-
 // Of verdict.json, out of the list of hashes, which is small; "" if it is not there.
 std::string sum_of_verdict(const std::filesystem::path& folder) {
   std::istringstream lines(read_file(folder / "SHA256SUMS").value_or(""));
@@ -92,15 +81,15 @@ Json uris_of(const std::filesystem::path& folder) {
   return uris;
 }
 
-Json processing_times(const std::string& started, const std::string& written) {
-  if (started.empty() || written.empty()) return nullptr;
-  return {{"StartTime", started}, {"EndTime", written}};
+Json processing_times(const std::string& started, const std::string& judged) {
+  if (started.empty() || judged.empty()) return nullptr;
+  return {{"StartTime", started}, {"EndTime", judged}};
 }
 
 Json meta_data(const std::filesystem::path& folder, const std::string& job,
                const Judgement& judgement, const std::string& step) {
   const Ending& ending = judgement.ending;
-  const std::string written = written_utc(folder / "verdict.json");
+  const std::string judged = iso_utc(judgement.facts.judged_utc);
   Json meta = {{"ResultId", ""},  // the caller's
                {"HasTransferableDataOnFile", false},
                {"IsPartial", false},
@@ -113,8 +102,8 @@ Json meta_data(const std::filesystem::path& folder, const std::string& job,
                {"ProductId", text_or_null(judgement.machine)},
                {"InternalConfigurationId", id_of_file(folder / "rig.json")},
                {"JobId", job},
-               {"CreationTime", text_or_null(written)},
-               {"ProcessingTimes", processing_times(iso_utc(judgement.facts.started_utc), written)},
+               {"CreationTime", text_or_null(judged)},
+               {"ProcessingTimes", processing_times(iso_utc(judgement.facts.started_utc), judged)},
                {"ResultUri", uris_of(folder)},
                {"ResultEvaluation", evaluation_of(ending.outcome)},
                {"ResultEvaluationCode", exit_code(ending)},

@@ -86,6 +86,7 @@ inline bench::Judgement failed_run() {
   judgement.machine = "RV-20E";
   judgement.facts.serial = "A-17 <&\"'>";
   judgement.facts.started_utc = "20260102T030405Z";
+  judgement.facts.judged_utc = "20260102T030611Z";
   judgement.facts.plan = "quick";
   judgement.facts.rig = "sim";
   judgement.facts.preset = "input_shaft";
