@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -9,10 +10,12 @@
 #include <chrono>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <system_error>
 #include <thread>
 #include <utility>
 
+#include "bench/hash_chain.hpp"
 #include "bench/on_disk.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/sha256.hpp"
@@ -24,11 +27,15 @@ namespace {
 constexpr std::chrono::seconds longest_wait{5};  // a file is kept in far less
 constexpr std::chrono::milliseconds between_looks{10};
 
-std::string text_of(const LedgerLine& line) {
-  const nlohmann::ordered_json json{{"number", line.number}, {"utc", line.utc},
-                                    {"kind", line.kind},     {"of", line.of},
-                                    {"file", line.file},     {"sha256", line.sha256}};
-  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+std::string text_of(const LedgerLine& line, const std::string& previous) {
+  return chained_line({{"number", line.number},
+                       {"utc", line.utc},
+                       {"kind", line.kind},
+                       {"of", line.of},
+                       {"file", line.file},
+                       {"sha256", line.sha256}},
+                      previous) +
+         "\n";
 }
 
 LedgerLine line_from(const std::string& text) {
@@ -41,10 +48,23 @@ LedgerLine line_from(const std::string& text) {
           json.at("sha256")};
 }
 
-// The finished lines: what a power failure cut short ends without a line's end.
-std::string whole_lines_of(std::string text) {
-  text.resize(text.rfind('\n') + 1);
-  return text;
+// The finished lines, and how many bytes they take. A last one that lacks only its end is one.
+struct WholeLines {
+  std::vector<std::string> lines;
+  std::size_t bytes = 0;
+};
+
+WholeLines whole_lines_of(const std::string& text) {
+  WholeLines whole;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    std::string line = text.substr(at, end - at);
+    if (end == text.size() && hash_of_line(line).empty()) break;
+    whole.lines.push_back(std::move(line));
+    at = end + 1;
+    whole.bytes = std::min(at, text.size());
+  }
+  return whole;
 }
 
 FileLock lock_of(const std::filesystem::path& root) {
@@ -59,13 +79,16 @@ FileLock lock_of(const std::filesystem::path& root) {
 }
 
 // After the finished lines, in place of what is left of another.
-void append(const std::filesystem::path& file, const std::string& text) {
-  const auto whole = static_cast<off_t>(whole_lines_of(read_file(file).value_or("")).size());
+void append(const std::filesystem::path& file, std::string text) {
+  const std::string there = read_file(file).value_or("");
+  const std::size_t whole = whole_lines_of(there).bytes;
+  if (whole > 0 && there[whole - 1] != '\n') text.insert(0, "\n");
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
   if (descriptor < 0) throw_error(errno, file);
   int error = errno = 0;
-  if (::ftruncate(descriptor, whole) != 0 ||
-      ::pwrite(descriptor, text.data(), text.size(), whole) != static_cast<ssize_t>(text.size()) ||
+  if (::ftruncate(descriptor, static_cast<off_t>(whole)) != 0 ||
+      ::pwrite(descriptor, text.data(), text.size(), static_cast<off_t>(whole)) !=
+          static_cast<ssize_t>(text.size()) ||
       ::fsync(descriptor) != 0) {
     error = errno != 0 ? errno : ENOSPC;
   }
@@ -84,29 +107,26 @@ const LedgerLine* Ledger::last_of(const std::string& file) const {
 
 Ledger read_ledger(const std::filesystem::path& root) {
   Ledger ledger;
+  ledger.end_hash = chain_begin;
   const std::filesystem::path file = root / ledger_name;
   const auto text = read_file(file);
   std::error_code unknown;
   if (!text && std::filesystem::exists(std::filesystem::symlink_status(file, unknown))) {
     ledger.fault = file.string() + " cannot be read";
   }
-  const std::string whole = whole_lines_of(text.value_or(""));
-  for (std::size_t at = 0; at < whole.size();) {
-    const std::size_t end = whole.find('\n', at);
-    const int number = static_cast<int>(ledger.lines.size()) + 1;
+  for (const std::string& line : whole_lines_of(text.value_or("")).lines) {
+    std::string fault = chain_fault(line, ledger.end_hash);
     try {
-      ledger.lines.push_back(line_from(whole.substr(at, end - at)));
-      if (ledger.lines.back().number == number) {
-        at = end + 1;
-        continue;
-      }
-      ledger.lines.pop_back();
-      ledger.fault = fmt::format("{}:{}: is not line {}: one was taken out, put in or moved",
-                                 file.string(), number, number);
+      if (fault.empty()) ledger.lines.push_back(line_from(line));
     } catch (const nlohmann::json::exception&) {
-      ledger.fault = fmt::format("{}:{}: is no line of a ledger", file.string(), number);
+      fault = "is no line of a ledger";
     }
-    break;
+    if (!fault.empty()) {
+      ledger.fault = fmt::format("{}:{}: {}", file.string(), ledger.lines.size() + 1, fault);
+      ledger.lines.clear();  // what stood before it may not be all
+      break;
+    }
+    ledger.end_hash = hash_of_line(line);
   }
   return ledger;
 }
@@ -119,16 +139,41 @@ std::string fault_of(const std::filesystem::path& root, const LedgerLine& line) 
 }
 
 std::vector<std::string> ledger_faults(const std::filesystem::path& root) {
+  const LedgerReading reading(root);
   const Ledger ledger = read_ledger(root);
+  if (!ledger.fault.empty()) return {ledger.fault};
   std::map<std::string, const LedgerLine*> last_by_file;
   for (const LedgerLine& line : ledger.lines) last_by_file[line.file] = &line;
   std::vector<std::string> faults;
-  if (!ledger.fault.empty()) faults.push_back(ledger.fault);
+  std::set<std::filesystem::path> folders;
   for (const auto& [file, line] : last_by_file) {
     const std::string fault = fault_of(root, *line);
     if (!fault.empty()) faults.push_back(fault);
+    folders.insert(std::filesystem::path(file).parent_path());
+  }
+  for (const std::filesystem::path& folder : folders) {
+    std::error_code error;  // what cannot be looked into holds none
+    using Entries = std::filesystem::directory_iterator;
+    for (Entries entry(root / folder, error), end; !error && entry != end; entry.increment(error)) {
+      const std::string file = (folder / entry->path().filename()).string();
+      if (entry->path().extension() != ".json" || last_by_file.contains(file)) continue;
+      faults.push_back(entry->path().string() + in_no_line);
+    }
   }
   return faults;
+}
+
+LedgerReading::LedgerReading(const std::filesystem::path& root)
+    : descriptor_(::open((root / ledger_name).c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
+  const auto end = std::chrono::steady_clock::now() + longest_wait;
+  while (descriptor_ >= 0 && ::flock(descriptor_, LOCK_SH | LOCK_NB) != 0 &&
+         std::chrono::steady_clock::now() < end) {
+    std::this_thread::sleep_for(between_looks);
+  }
+}
+
+LedgerReading::~LedgerReading() {
+  if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 LedgerPen::LedgerPen(std::filesystem::path root) : root_(std::move(root)), lock_(lock_of(root_)) {}
@@ -144,7 +189,8 @@ void LedgerPen::keep(const std::string& kind, const std::string& of, const std::
   put_folder_on_disk(path.parent_path());
   write_file(path, text);
   const int number = static_cast<int>(ledger.lines.size()) + 1;
-  append(root_ / ledger_name, text_of({number, utc_now(), kind, of, file, sha256_of_text(text)}));
+  append(root_ / ledger_name,
+         text_of({number, utc_now(), kind, of, file, sha256_of_text(text)}, ledger.end_hash));
 }
 
 }  // namespace rvbench::bench

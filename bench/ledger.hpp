@@ -7,18 +7,23 @@
 
 #include "bench/file_lock.hpp"
 
-/// What was kept beside the runs, and in which order: <root>/ledger.jsonl, one JSON object a line.
+/// What was kept beside the runs, and in which order: <root>/ledger.jsonl, a chain of lines
+/// (bench/hash_chain.hpp).
 ///
 ///     {"number":7,"utc":"20261127T080000Z","kind":"limits activated","of":"quick",
-///      "file":"limits/2026-11.json","sha256":"<64 hex digits>"}
+///      "file":"limits/2026-11.json","sha256":"...","previous":"...","hash":"..."}
 ///
 /// Which record is the newest is told by its number, as clocks may be set; a file that is missing,
-/// that was changed or that nobody kept is told by the hash. Like the sums of a run it shows what
-/// happened by accident, or by a hand that did not think of it; it is no seal against somebody who
-/// writes a new ledger.
+/// that was changed or that nobody kept is told by the hash. It shows what happened by accident, or
+/// by a hand that did not think of it; it is no seal against somebody who writes a new ledger.
 namespace rvbench::bench {
 
 inline constexpr const char* ledger_name = "ledger.jsonl";
+/// What to say of a file that is not in it.
+inline constexpr const char* in_no_line =
+    " is in no line of ledger.jsonl: it was put there by hand, or its keeping was cut short: take "
+    "it "
+    "away, and keep it anew if it is wanted";
 
 /// One line: a file as somebody kept it then.
 struct LedgerLine {
@@ -32,23 +37,39 @@ struct LedgerLine {
 
 struct Ledger {
   std::vector<LedgerLine> lines;  ///< by number
-  /// "runs/ledger.jsonl:3: ..." if it cannot be trusted from there on; empty: it can. What a power
-  /// failure left of a line that was not finished is none.
+  /// "runs/ledger.jsonl:3: ..." if it cannot be trusted; empty: it can. What a power failure left
+  /// of a line that was not finished is none.
   std::string fault;
+
+  std::string end_hash;  ///< of the last line
 
   /// The last of that file; null if it was never kept.
   const LedgerLine* last_of(const std::string& file) const;
 };
 
-/// Without lines where there is none yet.
+/// Without lines where there is none yet, or where it has a fault.
 Ledger read_ledger(const std::filesystem::path& root);
 
 /// What is wrong with the file of a line that is the last of it: "runs/limits/a.json is missing",
 /// "... was changed since rvbench kept it"; empty: nothing.
 std::string fault_of(const std::filesystem::path& root, const LedgerLine& line);
 
-/// All that is wrong with a ledger and the files it lists, each by its last line.
+/// All that is wrong with a ledger, with the files it lists, each by its last line, and with what
+/// lies beside those and is in no line.
 std::vector<std::string> ledger_faults(const std::filesystem::path& root);
+
+/// Nothing is kept meanwhile: whoever reads a ledger and then its files finds both alike. In a root
+/// without a ledger it holds nothing. Gives up waiting after seconds.
+class LedgerReading {
+ public:
+  explicit LedgerReading(const std::filesystem::path& root);
+  ~LedgerReading();
+  LedgerReading(const LedgerReading&) = delete;
+  LedgerReading& operator=(const LedgerReading&) = delete;
+
+ private:
+  int descriptor_ = -1;
+};
 
 /// Who may keep files in a root: one at a time, so that what was looked at stays so until it is
 /// written.

@@ -99,6 +99,7 @@ Runs runs_of(std::vector<RunRow> rows, const LearningTask& task) {
     if (row.verdict != "PASS" && row.verdict != "FAIL") continue;
     if (!is_as_entered(task.root, row)) {
       runs.changed.push_back(row.folder);
+      newest.erase(row.serial);  // it may have been a FAIL
       continue;
     }
     runs.judged[row.folder] = row.serial;
@@ -209,12 +210,14 @@ Result<LearntLimits> learn_limits(const ResultDatabase& database, const Learning
 }
 
 Result<std::set<std::string>> rig_kinds_of(const ResultDatabase& database,
+                                           const std::filesystem::path& root,
                                            const std::string& plan) {
   const auto rows = database.runs();
   if (!rows) return rows.error();
   std::set<std::string> kinds;
   for (const RunRow& row : rows.value()) {
-    if (row.plan == plan && row.verdict == "PASS") kinds.insert(row.rig_kind);
+    const bool teaches = row.plan == plan && row.verdict == "PASS" && !row.rig_kind.empty();
+    if (teaches && is_as_entered(root, row)) kinds.insert(row.rig_kind);
   }
   return kinds;
 }

@@ -49,9 +49,11 @@ struct LearntLimits {
 Result<LearntLimits> learn_limits(const ResultDatabase& database, const LearningTask& task,
                                   const std::string& utc);
 
-/// The kinds of rig on which units passed the plan: "bench", "sim", "replay", or empty where nobody
-/// knows.
-Result<std::set<std::string>> rig_kinds_of(const ResultDatabase& database, const std::string& plan);
+/// The kinds of rig on which units passed the plan, by runs that are as they were entered: "bench",
+/// "replay", "sim".
+Result<std::set<std::string>> rig_kinds_of(const ResultDatabase& database,
+                                           const std::filesystem::path& root,
+                                           const std::string& plan);
 
 /// A table, a row each, with what is refused and why.
 std::string learnt_text(const LearntLimits& learnt);

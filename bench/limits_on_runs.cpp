@@ -1,7 +1,7 @@
 #include "bench/limits_on_runs.hpp"
 
-#include <algorithm>
 #include <functional>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -22,12 +22,13 @@ std::optional<TestPlan> if_named(const std::string& name, std::variant<TestPlan,
   return std::get<0>(std::move(plan));
 }
 
+// Of the latest run that tells it.
 std::optional<TestPlan> plan_of_runs(const std::filesystem::path& root, const std::string& name) {
-  std::vector<std::filesystem::path> runs = run_folders(root);
-  std::erase_if(runs, [&](const auto& run) { return plan_name_in(run) != name; });
-  std::ranges::sort(runs, std::greater(),
-                    [](const auto& run) { return read_run_begin(run).started_utc; });
-  for (const std::filesystem::path& run : runs) {
+  std::map<std::string, std::filesystem::path, std::greater<>> runs;  // by when they began
+  for (const std::filesystem::path& run : run_folders(root)) {
+    if (plan_name_in(run) == name) runs[read_run_begin(run).started_utc] = run;
+  }
+  for (const auto& [began, run] : runs) {
     if (auto plan = if_named(name, sequences::read_plan(run / "plan.json"))) return plan;
   }
   return if_named(name, find_plan(name));
@@ -38,13 +39,13 @@ std::optional<TestPlan> plan_of_runs(const std::filesystem::path& root, const st
 std::variant<Faults, std::string> faults_on_runs(const LimitsFile& limits,
                                                  const std::filesystem::path& root,
                                                  const std::string& plan_file) {
-  const auto plan = plan_file.empty() ? plan_of_runs(root, limits.plan)
-                                      : if_named(limits.plan, find_plan(plan_file));
+  std::optional<TestPlan> plan;
+  if (!plan_file.empty()) plan = if_named(limits.plan, find_plan(plan_file));
+  if (!plan) plan = plan_of_runs(root, limits.plan);
   if (!plan) {
-    return limits.version + " is for plan " + hal::in_quotes(limits.plan) + ", which is neither " +
-           (plan_file.empty() ? "that of a run in " + root.string() + " nor built in"
-                              : "in " + plan_file + " nor its name") +
-           ": give its file with --plan";
+    return limits.version + " is for plan " + hal::in_quotes(limits.plan) +
+           ", which is neither that of a run in " + root.string() + " nor built in" +
+           (plan_file.empty() ? "" : ", nor in " + plan_file) + ": give its file with --plan";
   }
   const auto kinematics = read_kinematics(plan->specimen.kinematics);
   if (kinematics.index() == 1) {

@@ -14,7 +14,7 @@ namespace rvbench::bench {
 /// where nobody knows their plan.
 /// @param root       folder of runs, of which the latest of the plan tells what it is; else it is
 ///                   the built-in one
-/// @param plan_file  in place of that; may be empty
+/// @param plan_file  in place of that where it is of this name; may be empty
 std::variant<std::vector<hal::ConfigFault>, std::string> faults_on_runs(
     const LimitsFile& limits, const std::filesystem::path& root, const std::string& plan_file);
 

@@ -48,22 +48,25 @@ std::string status_by_steps(const LimitsFile& file) {
 std::string fault_in(const Ledger& ledger, const std::filesystem::path& root,
                      const std::string& version) {
   const LedgerLine* line = ledger.last_of(below_root(version));
-  if (line != nullptr) return fault_of(root, *line);
-  return limits_path(root, version).string() + " is in no line of " + ledger_name +
-         ": it was put there by hand";
+  return line != nullptr ? fault_of(root, *line) : limits_path(root, version).string() + in_no_line;
 }
 
-// Of files that the ledger does not have, one that says it is active: a ledger may be gone.
-std::string unlisted_active(const Ledger& ledger, const std::filesystem::path& root,
-                            const std::string& plan) {
+// Of all files but that in force one that is not as it was kept, and may be what is in force: a
+// ledger may be gone, or lack its newest lines.
+std::string doubtful_active(const Ledger& ledger, const std::filesystem::path& root,
+                            const std::string& plan, const std::string& in_force) {
   for (const std::string& version : versions_in(root)) {
-    if (ledger.last_of(below_root(version)) != nullptr) continue;
+    const std::string fault = fault_in(ledger, root, version);
+    if (fault.empty() || below_root(version) == in_force) continue;
     const auto read = read_limits_file(limits_path(root, version));
-    if (read.index() == 1) continue;  // limits list tells of it
+    if (read.index() == 1) {
+      if (ledger.last_of(below_root(version)) == nullptr) return fault;
+      continue;  // its lines tell what it was
+    }
     const LimitsFile& file = std::get<0>(read);
-    if (file.plan != plan || last_step(file, "activated") == nullptr) continue;
-    return fault_in(ledger, root, version) +
-           ", and says that it is active: approve and activate it, or take it away";
+    if (file.plan == plan && last_step(file, "activated") != nullptr) {
+      return fault + "; it says that it is active for plan " + plan;
+    }
   }
   return "";
 }
@@ -108,6 +111,7 @@ const LimitsStep* last_step(const LimitsFile& file, const std::string& step) {
 }
 
 std::vector<LimitsVersion> limits_versions(const std::filesystem::path& root) {
+  const LedgerReading reading(root);
   const Ledger ledger = read_ledger(root);
   const std::vector<std::string> names = versions_in(root);
   std::vector<LimitsVersion> versions;
@@ -131,25 +135,32 @@ std::string status_of(const LimitsFile& file, const std::filesystem::path& root)
 
 std::variant<std::optional<LimitsFile>, std::string> active_limits(
     const std::filesystem::path& root, const std::string& plan) {
+  const LedgerReading reading(root);
   const Ledger ledger = read_ledger(root);
-  if (!ledger.fault.empty()) return ledger.fault;
-  if (std::string unlisted = unlisted_active(ledger, root, plan); !unlisted.empty()) {
-    return unlisted;
-  }
+  if (!ledger.fault.empty()) return ledger.fault + ": put back a copy";
   const auto in_force = files_in_force(ledger);
   const auto found = in_force.find(plan);
-  if (found == in_force.end()) return std::optional<LimitsFile>();
-  const std::string& name = found->second;
+  const std::string name = found == in_force.end() ? "" : found->second;
+  if (std::string doubt = doubtful_active(ledger, root, plan, name); !doubt.empty()) return doubt;
+  if (name.empty()) return std::optional<LimitsFile>();
   const std::string fault = fault_of(root, *ledger.last_of(name));
   const std::string remedy = ": put back a copy, or approve and activate limits again";
   if (!fault.empty()) return "of the limits in force for plan " + plan + ", " + fault + remedy;
   auto read = read_limits_file(root / name);
   if (read.index() == 1) return (root / name).string() + " cannot be read" + remedy;
   LimitsFile& file = std::get<0>(read);
+  if (file.plan != plan) {
+    return "limits " + file.version + " were in force for plan " + plan + ", and are now of plan " +
+           file.plan + remedy;
+  }
   if (status_by_steps(file) != "activated") {
     return "limits " + file.version + " were changed since they were approved" + remedy;
   }
   return std::optional<LimitsFile>(std::move(file));
+}
+
+bool was_kept(const std::filesystem::path& root, const std::string& version) {
+  return read_ledger(root).last_of(below_root(version)) != nullptr;
 }
 
 void keep_limits(LedgerPen& pen, const LimitsFile& file) {

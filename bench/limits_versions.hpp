@@ -44,6 +44,9 @@ std::string status_of(const LimitsFile& file, const std::filesystem::path& root)
 std::variant<std::optional<LimitsFile>, std::string> active_limits(
     const std::filesystem::path& root, const std::string& plan);
 
+/// Whether there was ever a version of that name, be its file there or not.
+bool was_kept(const std::filesystem::path& root, const std::string& version);
+
 /// Keeps the version with a further step, which the caller has put at the end of its steps.
 /// @throws std::system_error
 void keep_limits(LedgerPen& pen, const LimitsFile& file);

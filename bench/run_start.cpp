@@ -26,7 +26,10 @@ bool is_at_work(const std::filesystem::path& folder) {
 }
 
 std::optional<FileLock> lock_run(const std::filesystem::path& folder) {
-  return FileLock::take(folder / "verdict.json");  // is there, and is never written again
+  // The lock that runs hold, where there is that file; no other is made in a run's folder.
+  std::error_code unknown;
+  const bool has_log = std::filesystem::exists(log_of(folder), unknown);
+  return FileLock::take(has_log ? log_of(folder) : folder / "verdict.json");
 }
 
 RunPlace begin_run(const std::filesystem::path& root, const std::string& serial,

@@ -138,11 +138,11 @@ int check_audit_log(Console& console, const std::string& file) {
 
 // Of the files that it lists those that are not as they were kept.
 int check_ledger(Console& console, const std::filesystem::path& file) {
+  if (is_absent(file)) return refuse_file(console, file, {{0, "", "there is none"}});
   const std::vector<std::string> faults = ledger_faults(file.parent_path());
   for (const std::string& fault : faults) complain(console, "rvbench: " + fault);
   if (!faults.empty()) return exit_codes::bad_file;
-  console.out << file.string() << ": ledger, "
-              << read_ledger(file.parent_path()).lines.size()
+  console.out << file.string() << ": ledger, " << read_ledger(file.parent_path()).lines.size()
               << " lines, every file is as it was kept\n";
   return exit_codes::done;
 }

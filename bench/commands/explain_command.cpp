@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <iterator>
 #include <mutex>
+#include <optional>
 #include <system_error>
 
 #include "bench/campaign_points.hpp"
@@ -11,11 +13,13 @@
 #include "bench/explanation_json.hpp"
 #include "bench/explanation_text.hpp"
 #include "bench/file_kind.hpp"
+#include "bench/on_disk.hpp"
 #include "bench/out_folder.hpp"
 #include "bench/planned_inputs.hpp"
 #include "bench/progress_bar.hpp"
 #include "bench/report/explanation_page.hpp"
 #include "bench/rig_file.hpp"
+#include "bench/run_start.hpp"
 #include "bench/sha256.hpp"
 #include "bench/software_version.hpp"
 #include "bench/stop_on_signal.hpp"
@@ -105,11 +109,14 @@ void ExplainCommand::write_out(const Twin& twin, const analysis::Explanation& ex
     plant = sim::write_plant(twin.plant_with(fit.effects, fit.values));
   }
   const std::string page = make_explanation_page(explanation, facts, comparisons);
+  std::error_code apart;
+  const bool is_of_run = !run_.empty() && std::filesystem::equivalent(folder, run_, apart);
+  std::optional<FileLock> alone;
+  if (is_of_run && !(alone = lock_run(folder))) throw_error(EBUSY, folder);
   if (!facts.plant_updated.empty()) write_file(facts.plant_updated, plant);
   write_file(folder / "explain.html", page);
   write_file(folder / "explain.json", explanation_to_json(explanation, facts));
-  std::error_code apart;
-  if (run_.empty() || !std::filesystem::equivalent(folder, run_, apart)) return;
+  if (!is_of_run) return;
   std::vector<std::string> names = {"explain.html", "explain.json"};
   if (!plant.empty()) names.emplace_back("plant_updated.json");
   renew_sums(folder, names);

@@ -85,6 +85,9 @@ class LimitsCommand final : public Command {
     if (step_ == "learn") return learn(console);
     const std::filesystem::path path = limits_path(out_, version_);
     if (!is_limits_version(version_) || !std::filesystem::exists(path)) {
+      if (was_kept(out_, version_)) {
+        return refuse_usage(console, "limits: " + path.string() + " is missing: put back a copy");
+      }
       return refuse_usage(console, "limits: no version " + hal::in_quotes(version_) + " in " +
                                        out_ + hal::what_there_is(version_, names()));
     }
@@ -149,7 +152,9 @@ void print(Console& console, const nlohmann::ordered_json& json) {
 
 std::vector<std::string> LimitsCommand::names() const {
   std::vector<std::string> names;
-  for (const LimitsVersion& one : limits_versions(out_)) names.push_back(one.version);
+  for (const LimitsVersion& one : limits_versions(out_)) {
+    if (one.status != "missing") names.push_back(one.version);
+  }
   return names;
 }
 
@@ -217,7 +222,7 @@ int LimitsCommand::learn(Console& console) const {
   if (task.index() == 1) return std::get<1>(task);
   const auto database = caught_up(ResultDatabase::open(out_));
   if (!database) return refuse_data(console, "limits: " + describe(database.error()));
-  const auto kinds = rig_kinds_of(database.value(), std::get<0>(task).plan.name);
+  const auto kinds = rig_kinds_of(database.value(), out_, std::get<0>(task).plan.name);
   if (!kinds) return refuse_data(console, "limits: " + describe(kinds.error()));
   std::get<0>(task).rig_kind = rig_kind_.empty() ? kind_to_learn_from(kinds.value()) : rig_kind_;
   auto learnt = learn_limits(database.value(), std::get<0>(task), utc_now());
@@ -290,10 +295,11 @@ int LimitsCommand::record(Console& console, LimitsFile file, const std::string& 
   try {
     LedgerPen pen(out_);
     // Another may have been at it while this one looked.
-    if (sha256_of_file(limits_path(out_, file.version)) != read_sha256_) {
+    const bool is_taken = step == "proposed" && was_kept(out_, file.version);
+    if (is_taken || sha256_of_file(limits_path(out_, file.version)) != read_sha256_) {
       return refuse_usage(console, step == "proposed"
-                                       ? "limits: there is a version " + file.version + " in " +
-                                             out_ + " already: give the new one another name"
+                                       ? "limits: there was a version " + file.version + " in " +
+                                             out_ + " before: give the new one another name"
                                        : "limits: " + file.version +
                                              " has just been changed: look "
                                              "at it again");

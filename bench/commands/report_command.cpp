@@ -8,8 +8,10 @@
 #include "bench/commands/commands.hpp"
 #include "bench/file_kind.hpp"
 #include "bench/judging.hpp"
+#include "bench/ledger.hpp"
 #include "bench/report/pdf/pdf_report.hpp"
 #include "bench/report/report.hpp"
+#include "bench/run_folder.hpp"
 #include "bench/run_results.hpp"
 #include "bench/run_start.hpp"
 #include "bench/sha256.hpp"
@@ -101,6 +103,10 @@ class ReportCommand final : public Command {
     const std::filesystem::path place = std::filesystem::absolute(out_).parent_path();
     if (!is_absent(place / "plan.json")) {
       return out_ + ": " + place.string() + " is a run folder, which holds report.pdf itself";
+    }
+    for (const char* name : {result_database_name, ledger_name}) {
+      if (is_absent(place / name) && is_absent(place.parent_path() / name)) continue;
+      return out_ + ": " + place.string() + " is a folder of runs";
     }
     const Status free = hal::formats::check_place(out_, force_);
     return free ? "" : free.error().where;

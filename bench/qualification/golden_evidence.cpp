@@ -13,6 +13,7 @@
 #include "analysis/station/golden_check.hpp"
 #include "bench/qualification/ages.hpp"
 #include "bench/results/run_filter.hpp"
+#include "bench/run_folder.hpp"
 #include "hal/types/measure.hpp"
 
 namespace rvbench::bench {
@@ -88,6 +89,13 @@ GoldenEvidence golden_evidence(const Result<ResultDatabase>& database,
       evidence.changed.push_back(run.folder);
     }
   }
+  for (const RunRow& run : damaged_runs(root, runs.value())) {
+    const RigOfRun rig = rig_of(root / run.folder);
+    const bool is_here = rig.station == section.station && rig.kind == section.rig_kind;
+    if (is_here && run.serial == demand.serial && run.plan == demand.plan) {
+      evidence.changed.push_back(run.folder);
+    }
+  }
   std::ranges::stable_sort(evidence.runs, {}, &RunRow::number);  // clocks may have been set
   if (evidence.runs.empty()) return evidence;
   std::vector<SetPoint> points = demand.points;
@@ -110,9 +118,7 @@ std::vector<std::string> golden_reasons(const GoldenEvidence& evidence,
     return {unit + "its runs cannot be read: " + evidence.unreadable};
   std::vector<std::string> reasons;
   for (const std::string& folder : evidence.changed) {
-    reasons.push_back(unit + folder +
-                      " is gone, or its verdict.json was changed: put back a copy, "
-                      "or let results.db be made anew");
+    reasons.push_back(unit + folder + " is gone, or its verdict.json was changed: put back a copy");
   }
   if (evidence.runs.empty()) {
     reasons.push_back(unit + "it has no run of plan " + demand.plan + " on this station");

@@ -12,7 +12,7 @@ namespace rvbench::bench {
 /// One indicator of the golden unit, run after run.
 struct GoldenChart {
   std::string name;            ///< "acceleration_rms at 1210 rpm, 50 %"
-  std::vector<double> values;  ///< of the runs that have it, in the order of time
+  std::vector<double> values;  ///< of the runs that have it, in their order
   bool has_newest = false;     ///< the newest run is among them
 };
 

@@ -183,9 +183,9 @@ Qualification qualification_of(const QualificationSection& section,
   const StationRecords& records = evidence.records;
   for (const DamagedRecord& damaged : records.damaged) {
     if (!damaged.station.empty() && damaged.station != section.station) continue;
-    const char* remedy = damaged.station.empty() ? ": put back a copy, or take it away"
-                                                 : ": put back a copy, or qualify anew";
-    all.push_back(state_of("records", "failed", damaged.sentence + remedy));
+    const bool is_of_another_rig = damaged.kind.starts_with(self_test_kind("")) &&
+                                   damaged.kind != self_test_kind(section.rig_kind);
+    if (!is_of_another_rig) all.push_back(state_of("records", "failed", damaged.sentence));
   }
   if (section.self_test) all.push_back(self_test_state(section, records.self_tests, now_utc));
   if (section.calibration) {

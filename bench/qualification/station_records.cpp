@@ -143,34 +143,45 @@ std::filesystem::path qualification_folder(const std::filesystem::path& root) {
 }
 
 StationRecords read_station_records(const std::filesystem::path& root) {
+  const LedgerReading reading(root);
   StationRecords records;
   const Ledger ledger = read_ledger(root);
-  if (!ledger.fault.empty()) records.damaged.push_back({"", ledger.fault});
-  // By kind and station: what was kept later tells what the damaged one told.
+  if (!ledger.fault.empty()) {
+    records.damaged.push_back({"", "", ledger.fault + ": put back a copy"});
+    return records;
+  }
+  // By kind and station: only what tells the same takes the place of what is damaged.
   std::map<std::pair<std::string, std::string>, DamagedRecord> damaged;
   for (const LedgerLine& line : ledger.lines) {
     if (!line.file.starts_with(below_root(""))) continue;
     std::string why = fault_of(root, line);
     if (why.empty()) why = take(records, root / line.file);
     damaged.erase({line.kind, line.of});
-    if (!why.empty()) damaged[{line.kind, line.of}] = {line.of, why};
+    if (why.empty()) continue;
+    why += line.kind.starts_with(self_test) ? ": put back a copy, or test anew"
+                                            : ": put back a copy, or enter that certificate again";
+    damaged[{line.kind, line.of}] = {line.of, line.kind, why};
   }
   for (auto& [kind, record] : damaged) records.damaged.push_back(std::move(record));
   for (const std::filesystem::path& file : files_in(qualification_folder(root))) {
     if (ledger.last_of(below_root(file.filename().string())) != nullptr) continue;
-    records.damaged.push_back({"", file.string() + " is in no line of " + ledger_name +
-                                       ": it was put there by hand, or its keeping was cut short"});
+    records.damaged.push_back({"", "", file.string() + in_no_line});
   }
   return records;
 }
 
+std::string self_test_kind(const std::string& rig_kind) {
+  return std::string(self_test) + " of a rig of kind " + rig_kind;
+}
+
 std::string keep_record(const std::filesystem::path& root, const CalibrationRecord& record) {
-  return keep(root, calibration, "calibration of " + record.channel, record.station,
-              record.entered_utc, to_json(record));
+  return keep(root, calibration, "calibration of " + record.channel + " by " + record.certificate,
+              record.station, record.entered_utc, to_json(record));
 }
 
 std::string keep_record(const std::filesystem::path& root, const SelfTestRecord& record) {
-  return keep(root, self_test, self_test, record.station, record.utc, to_json(record));
+  return keep(root, self_test, self_test_kind(record.rig_kind), record.station, record.utc,
+              to_json(record));
 }
 
 }  // namespace rvbench::bench

@@ -41,8 +41,9 @@ struct SelfTestRecord {
 
 /// A record that may be the newest of its kind and says nothing any more, or one that nobody kept.
 struct DamagedRecord {
-  std::string station;  ///< empty: nobody can tell
-  std::string sentence;
+  std::string station;   ///< empty: nobody can tell
+  std::string kind;      ///< of its line in the ledger
+  std::string sentence;  ///< with what is to be done
 };
 
 struct StationRecords {
@@ -50,6 +51,9 @@ struct StationRecords {
   std::vector<SelfTestRecord> self_tests;       ///< in the order they were made
   std::vector<DamagedRecord> damaged;
 };
+
+/// The kind of a self-test's line in the ledger.
+std::string self_test_kind(const std::string& rig_kind);
 
 /// Where they lie.
 std::filesystem::path qualification_folder(const std::filesystem::path& root);

@@ -3,7 +3,7 @@
 namespace rvbench::bench::report {
 namespace {
 
-constexpr const char* style =
+constexpr const char* page_style =
     R"(:root { --ink: #1c2530; --faint: #5b6876; --line: #d3dae1; --good: #1b7f3b; --bad: #b3261e;
   --warn: #9a6700; --trace: #1f5fa8; --mark: #b3261e;
   --before: #e08a2e; }
@@ -69,6 +69,6 @@ details summary { cursor: pointer; color: var(--trace); margin: 6px 0; }
 
 }  // namespace
 
-std::string style_sheet() { return style + plot_style_sheet(); }
+std::string style_sheet() { return page_style + plot_style_sheet(); }
 
 }  // namespace rvbench::bench::report

@@ -1,7 +1,6 @@
 #include "bench/serve/audit_log.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -12,43 +11,16 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
 #include <system_error>
+#include <utility>
 
+#include "bench/hash_chain.hpp"
 #include "bench/run_folder.hpp"
-#include "bench/sha256.hpp"
 
 namespace rvbench::bench {
 namespace {
 
-constexpr std::string_view hash_key = ",\"hash\":\"";
-constexpr std::size_t hash_digits = 64;
-const std::string first_previous(hash_digits, '0');
-
-std::string hash_of_line(const std::string& line) {
-  const std::size_t tail = hash_key.size() + hash_digits + 2;  // "}
-  if (line.size() < tail || line.compare(line.size() - tail, hash_key.size(), hash_key) != 0 ||
-      !line.ends_with("\"}")) {
-    return "";
-  }
-  return line.substr(line.size() - 2 - hash_digits, hash_digits);
-}
-
-std::string fault_of(const std::string& line, const std::string& previous) {
-  const auto json = nlohmann::json::parse(line, nullptr, false);
-  if (!json.is_object() || !json.contains("previous")) return "is no line of an audit log";
-  const std::string hash = hash_of_line(line);
-  if (hash.empty()) return "has no hash at its end";
-  if (sha256_of_text(line.substr(0, line.size() - hash_key.size() - hash_digits - 2)) != hash) {
-    return "was changed: it does not match its hash";
-  }
-  if (json["previous"] != previous) {
-    return "does not follow the line before: one was taken out, put in or moved";
-  }
-  return "";
-}
-
-std::string text_of_entry(const AuditEntry& entry, const std::string& previous) {
+std::string line_of_entry(const AuditEntry& entry, const std::string& previous) {
   nlohmann::ordered_json json{{"time_utc", utc_now()},
                               {"user", entry.user},
                               {"address", entry.address},
@@ -57,10 +29,7 @@ std::string text_of_entry(const AuditEntry& entry, const std::string& previous) 
     json["detail"] = nlohmann::ordered_json::parse(entry.detail, nullptr, false);
     if (json["detail"].is_discarded()) json["detail"] = entry.detail;
   }
-  json["previous"] = previous;
-  std::string text = json.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-  text.pop_back();  // its }
-  return text;
+  return chained_line(std::move(json), previous);
 }
 
 IoError failure(const std::filesystem::path& file) {
@@ -69,27 +38,29 @@ IoError failure(const std::filesystem::path& file) {
 
 }  // namespace
 
-AuditLog::AuditLog(std::filesystem::path file) : file_(std::move(file)), previous_(first_previous) {
+AuditLog::AuditLog(std::filesystem::path file) : file_(std::move(file)), previous_(chain_begin) {
   const auto there = check_audit(file_);
   descriptor_ = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0640);
   if (!there) return;
   previous_ = there->last_hash;
-  if (!there->cut_short.empty() && descriptor_ >= 0) take_out(there->cut_short);
+  if (!there->cut_short.empty() && descriptor_ >= 0) mend_end(*there);
 }
 
-// Where the disk refuses, it stays, and the next line begins below it.
-void AuditLog::take_out(const std::string& cut_short) {
+// Where the disk refuses, it stays, and the next line begins below it. A line that lacks only its
+// end is a line.
+void AuditLog::mend_end(const AuditCheck& there) {
   struct stat now {};
+  const std::string& cut_short = there.cut_short;
   const bool is_out =
-      ::fstat(descriptor_, &now) == 0 &&
+      !there.is_last_sound && ::fstat(descriptor_, &now) == 0 &&
       ::ftruncate(descriptor_, now.st_size - static_cast<off_t>(cut_short.size())) == 0;
-  if (!is_out) {
-    (void)::write(descriptor_, "\n", 1);
+  const nlohmann::json told{{"text", cut_short}};
+  if (is_out && add({"", "", "cut short",
+                     told.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace)})) {
     return;
   }
-  const nlohmann::json told{{"text", cut_short}};
-  (void)add(
-      {"", "", "cut short", told.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace)});
+  if (is_out) (void)::write(descriptor_, cut_short.data(), cut_short.size());
+  (void)::write(descriptor_, "\n", 1);
 }
 
 AuditLog::~AuditLog() {
@@ -98,9 +69,7 @@ AuditLog::~AuditLog() {
 
 Status AuditLog::add(const AuditEntry& entry) {
   const std::lock_guard lock(mutex_);
-  const std::string text = text_of_entry(entry, previous_);
-  const std::string hash = sha256_of_text(text);
-  const std::string line = fmt::format("{}{}{}\"}}\n", text, hash_key, hash);
+  const std::string line = line_of_entry(entry, previous_) + "\n";
   struct stat before {};
   if (::fstat(descriptor_, &before) != 0) return failure(file_);
   errno = 0;
@@ -111,7 +80,7 @@ Status AuditLog::add(const AuditEntry& entry) {
     [[maybe_unused]] const int cut = ::ftruncate(descriptor_, before.st_size);
     return why;
   }
-  previous_ = hash;
+  previous_ = hash_of_line(line.substr(0, line.size() - 1));
   return Done{};
 }
 
@@ -134,11 +103,12 @@ std::string AuditLog::last(std::size_t lines) {
 std::optional<AuditCheck> check_audit(const std::filesystem::path& file) {
   std::ifstream in(file);
   if (!in) return std::nullopt;
-  AuditCheck check{.last_hash = first_previous};
+  AuditCheck check{.last_hash = chain_begin};
   for (std::string line; std::getline(in, line);) {
     ++check.lines;
     if (in.eof()) check.cut_short = line;
-    const std::string fault = fault_of(line, check.last_hash);
+    const std::string fault = chain_fault(line, check.last_hash);
+    check.is_last_sound = fault.empty();
     if (fault.empty()) {
       check.last_hash = hash_of_line(line);
     } else if (check.broken_line == 0) {

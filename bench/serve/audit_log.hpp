@@ -25,6 +25,7 @@ struct AuditCheck {
   std::size_t broken_line = 0;  ///< the first, from 1; 0 if none is
   std::string fault = {};       ///< what is wrong with it
   std::string cut_short = {};   ///< what follows the last line's end, as a power failure leaves it
+  bool is_last_sound = false;   ///< the last one that there is, whole or cut short
 };
 
 /// Who did what, one JSON object a line. Each line carries the hash of the line before and its own:
@@ -34,7 +35,7 @@ struct AuditCheck {
 ///     {"time_utc":"20261126T101112Z","user":"anna","address":"127.0.0.1","action":"start",
 ///      "detail":{...},"previous":"<64 hex digits>","hash":"<64 hex digits>"}
 ///
-/// hash is the SHA-256 of the line up to, and without, `,"hash":`. What a power failure left of a
+/// See bench/hash_chain.hpp. What a power failure left of a
 /// last line is taken out of the chain when the log is opened again, and told whole in a line of
 /// its own ("cut short"): the act was logged by nobody, and was not done.
 ///
@@ -54,7 +55,7 @@ class AuditLog {
   std::string last(std::size_t lines);
 
  private:
-  void take_out(const std::string& cut_short);
+  void mend_end(const AuditCheck& there);
 
   std::filesystem::path file_;
   std::mutex mutex_;

@@ -77,7 +77,7 @@ HttpAnswer StationApi::propose_limits(const Call& call) {
     write_file(file, call.body["limits"].dump() + "\n");
     HttpAnswer answer =
         ask({"limits", "propose", "--from=" + file.string(), "--by=" + call.session.user,
-             "--out=" + station_.file().runs.string()});
+             "--plan=" + station_.file().plan, "--out=" + station_.file().runs.string()});
     std::error_code ignored;
     std::filesystem::remove(file, ignored);
     return answer;
@@ -92,7 +92,11 @@ HttpAnswer StationApi::limits_step(const Call& call, const std::string& step) {
   const std::string version = version_at(call.body, "version");
   if (!is_word(version)) return refusal(400, "version");
   return logged(call, "limits " + step, [&] {
-    std::vector<std::string> words{"limits", step, version, "--by=" + call.session.user,
+    std::vector<std::string> words{"limits",
+                                   step,
+                                   version,
+                                   "--by=" + call.session.user,
+                                   "--plan=" + station_.file().plan,
                                    "--out=" + station_.file().runs.string()};
     if (step == "approve") words.emplace_back("--yes");
     return ask_long(std::move(words));

@@ -53,6 +53,7 @@ class GoldenRuns {
     write_file(newest_ / "rig.json",
                fmt::format(R"({{"rig": "{}", "qualification": {{"station": "{}"}}}})",
                            place_.rig_kind, place_.station));
+    write_file(newest_ / "plan.json", R"({"name": ")" + judgement.facts.plan + "\"}");
     write_file(newest_ / "verdict.json", judgement_to_json(judgement));
     write_sums(newest_);
   }
@@ -118,7 +119,8 @@ TEST_CASE("a golden unit that moves is told with indicator, rule, centre and lim
 TEST_CASE("without enough runs of the golden unit there is no chart, and without any no unit",
           "[bench][station]") {
   GoldenRuns runs;
-  CHECK(only(runs.reasons(demand())) == "golden unit GOLD: it has no run of plan quick on this station");
+  CHECK(only(runs.reasons(demand())) ==
+        "golden unit GOLD: it has no run of plan quick on this station");
   runs.enter_sound(9);
   CHECK_THAT(only(runs.reasons(demand())),
              Contains("9 runs of the golden unit: its chart takes 20"));
@@ -189,6 +191,14 @@ TEST_CASE("a station does not go by golden runs that are gone or were changed",
     std::filesystem::remove_all(runs.newest().parent_path());
     const auto reasons = runs.reasons(demand());
     CHECK(reasons.back() == "golden unit GOLD: it has no run of plan quick on this station");
+  }
+  SECTION("one that failed, its verdict changed before anybody entered it") {
+    runs.enter(9, [](Judgement& judgement) { judgement.ending.outcome = Outcome::fail; });
+    const auto path = runs.newest() / "verdict.json";
+    write_file(path, read_file(path).value() + "\n");
+    const auto reasons = runs.reasons(demand());
+    REQUIRE_FALSE(reasons.empty());
+    CHECK_THAT(reasons[0], Contains("GOLD/20260122T120000Z is gone, or its verdict.json was"));
   }
   SECTION("the newest made better") {
     const auto path = runs.newest() / "verdict.json";

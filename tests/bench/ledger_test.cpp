@@ -63,6 +63,18 @@ TEST_CASE("a file that was changed or taken away is told by its ledger", "[bench
   CHECK_THAT(checked.err, Contains("a.json was changed") && Contains("b.json is missing"));
 }
 
+TEST_CASE("what lies beside kept files and nobody kept is told, and no ledger is none",
+          "[bench][ledger]") {
+  const ScratchFolder root;
+  keep(root, "a/0.json", "0");
+  write_file(root / "a" / "by_hand.json", "{}");
+  const auto faults = ledger_faults(root.path());
+  REQUIRE(faults.size() == 1);
+  CHECK_THAT(faults[0], Contains("by_hand.json is in no line of ledger.jsonl"));
+  const ScratchFolder empty;
+  CHECK(test::rvbench({"check", (empty / ledger_name).string()}).code == 3);
+}
+
 TEST_CASE("half a line that a power failure left is none, and the next one takes its place",
           "[bench][ledger]") {
   const ScratchFolder root;
@@ -89,14 +101,42 @@ TEST_CASE("a ledger that was tampered with is trusted up to there, and nothing i
   SECTION("a line was taken out") {
     const std::size_t begin = text.find('\n') + 1;
     text.erase(begin, text.find('\n', begin) + 1 - begin);
-    CHECK_THAT(fault_with(text), Contains("ledger.jsonl:2: is not line 2"));
-    CHECK(read_ledger(root.path()).lines.size() == 1);
+    CHECK_THAT(fault_with(text), Contains("ledger.jsonl:2: does not follow the line before"));
+    CHECK(read_ledger(root.path()).lines.empty());  // what stood before may not be all
+  }
+  SECTION("a line was changed") {
+    text.replace(text.find("EOL 3"), 5, "EOL 4");
+    CHECK_THAT(fault_with(text), Contains("ledger.jsonl:1: was changed"));
   }
   SECTION("a line is none") {
-    CHECK_THAT(fault_with("hello\n" + text), Contains("ledger.jsonl:1: is no line of a ledger"));
+    CHECK_THAT(fault_with("hello\n" + text), Contains("ledger.jsonl:1: is no line of such a log"));
   }
   CHECK_THROWS_AS(keep(root, "d", "d"), std::system_error);
   CHECK_FALSE(std::filesystem::exists(root / "d"));
+}
+
+TEST_CASE("a line that lacks only its end is one, and what is kept next begins below it",
+          "[bench][ledger]") {
+  const ScratchFolder root;
+  keep(root, "a.json", "1");
+  keep(root, "b.json", "2");
+  std::string text = read_file(root / ledger_name).value();
+  text.pop_back();
+  write_file(root / ledger_name, text);
+  CHECK(read_ledger(root.path()).lines.size() == 2);
+  keep(root, "c.json", "3");
+  CHECK(read_ledger(root.path()).lines.size() == 3);
+  CHECK(ledger_faults(root.path()).empty());
+}
+
+TEST_CASE("who reads a ledger with its files finds both alike, whoever keeps something",
+          "[bench][ledger]") {
+  const ScratchFolder root;
+  keep(root, "a/0.json", "0");
+  std::jthread other([&](const std::stop_token& stop) {
+    for (int i = 1; !stop.stop_requested(); ++i) keep(root, "a/" + std::to_string(i) + ".json", "");
+  });
+  for (int i = 0; i < 50; ++i) CHECK(ledger_faults(root.path()).empty());
 }
 
 TEST_CASE("of many who keep something at once none is lost", "[bench][ledger]") {

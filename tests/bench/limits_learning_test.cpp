@@ -109,8 +109,10 @@ TEST_CASE("simulated units teach no limit where real ones do", "[bench][limits]"
 
 TEST_CASE("a run whose verdict is gone or was changed teaches nothing", "[bench][limits]") {
   const ScratchFolder root;
-  enter(root, good_peaks(22));
+  enter(root, good_peaks(23));
   std::filesystem::remove_all(root / "U03");
+  enter(root, {1}, Outcome::fail, "20260103T030405Z");  // U00 fails, and it is hidden
+  std::filesystem::remove_all(root / "U00/20260103T030405Z");
   const auto changed = root / "U05/20260102T030405Z/verdict.json";
   write_file(changed, read_file(changed).value() + "\n");
   const test::CommandAnswer learnt = limits(root, {"learn", "v1", "--plan", "quick"});

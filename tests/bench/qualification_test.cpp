@@ -224,10 +224,17 @@ TEST_CASE("a record that was changed, taken away or put there by hand is believe
     better.replace(better.find("20261126T"), 9, "20361126T");
     write_file(path, better);
     CHECK_THAT(state(), Contains(kept + " was changed since rvbench kept it") &&
-                            Contains("has no record of it") && Contains("or qualify anew"));
-    SECTION("what was entered since takes its place") {
+                            Contains("has no record of it") &&
+                            Contains("or enter that certificate again"));
+    SECTION("the same certificate entered again takes its place") {
       keep_record(root.path(), certified("20271127T235959Z"));
       CHECK(state().empty());
+    }
+    SECTION("another one does not: who knows what this one told") {
+      CalibrationRecord older = certified("20271127T235959Z");
+      older.certificate = "K-4000";
+      keep_record(root.path(), older);
+      CHECK_THAT(state(), Contains("was changed"));
     }
     SECTION("a copy put back is as good as it was") {
       write_file(path, text);
@@ -245,6 +252,23 @@ TEST_CASE("a record that was changed, taken away or put there by hand is believe
   SECTION("without the ledger nothing is known") {
     std::filesystem::remove(root / ledger_name);
     CHECK_THAT(state(), Contains("is in no line of ledger.jsonl"));
+  }
+  SECTION("a self-test that failed is not forgotten with its file, nor by one of another rig") {
+    const auto told = [&] {
+      const auto evidence = gather_evidence(root.path(), asks_for_self_test());
+      return qualification_of(asks_for_self_test(), channels, evidence, now).reasons();
+    };
+    keep_record(root.path(), tested("20261127T080000Z"));
+    const auto failed = keep_record(root.path(), tested("20261127T090000Z", false));
+    REQUIRE(told().size() == 1);
+    std::filesystem::remove(qualification_folder(root.path()) / failed);
+    CHECK_THAT(told().front(), Contains(failed + " is missing"));
+    SelfTestRecord simulated = tested("20261127T100000Z");
+    simulated.rig_kind = "sim";
+    keep_record(root.path(), simulated);
+    CHECK_THAT(told().front(), Contains(failed + " is missing"));
+    keep_record(root.path(), tested("20261127T100000Z"));
+    CHECK(told().empty());
   }
   SECTION("another station's record is nothing to this one") {
     CalibrationRecord other = certified("20271127T235959Z");

@@ -137,7 +137,7 @@ TEST_CASE("limits go from draft to approved to active, their effect being shown 
   CHECK(limits({"propose", "--from", from}).code == 2);  // nobody's
   CHECK(limits({"propose", "--from", from, "--by", "J. Weber"}).code == 0);
   CHECK_THAT(limits({"propose", "--from", from, "--by", "J. Weber"}).err,
-             Contains("there is a version v1"));
+             Contains("there was a version v1"));
   CHECK_THAT(limits({"list"}).out, Contains("v1  draft") && Contains("proposed by J. Weber"));
 
   const CommandAnswer too_soon = limits({"activate", "v1", "--by", "A. Sato"});
@@ -210,12 +210,31 @@ TEST_CASE("limits go from draft to approved to active, their effect being shown 
     CHECK(limits({"activate", "v1", "--by", "A. Sato"}).code == 0);  // somebody's decision
     CHECK(std::get<0>(active_limits(runs, "quick"))->version == "v1");
   }
-  SECTION("a file that somebody put there is told, and is nothing") {
+  SECTION("limits of another plan under the name of those in force are none of this plan") {
+    std::filesystem::remove(limits_path(runs, "v1"));
+    std::string other = read_file(from).value();
+    other.replace(other.find("quick"), 5, "other");
+    write_file(from, other);
+    const CommandAnswer taken = limits({"propose", "--from", from, "--by", "J. Weber"});
+    CHECK(taken.code == 2);
+    CHECK_THAT(limits({"activate", "v1", "--by", "A. Sato"}).err, Contains("v1.json is missing"));
+  }
+  SECTION("older limits do not come back with the ledger's last line") {
+    const auto ledger = scratch / "runs" / ledger_name;
+    std::string text = read_file(ledger).value();
+    text.pop_back();  // an editor's doing: the line is whole all the same
+    write_file(ledger, text);
+    CHECK(std::get<0>(active_limits(runs, "quick"))->version == "v1");
+    text.erase(text.rfind('\n') + 1);
+    write_file(ledger, text);
+    CHECK_THAT(std::get<1>(active_limits(runs, "quick")), Contains("says that it is active"));
+  }
+  SECTION("a file that somebody put there is told, and nobody runs before it is gone") {
     write_file(limits_path(runs, "by_hand"), "{");
     const CommandAnswer told = limits({"list"});
     CHECK(told.code == 0);
     CHECK_THAT(told.out, Contains("by_hand  damaged") && Contains("cannot be read"));
-    CHECK(std::get<0>(active_limits(runs, "quick"))->version == "v1");
+    CHECK_THAT(std::get<1>(active_limits(runs, "quick")), Contains("take it away"));
   }
   SECTION("without the ledger nobody knows whether they are in force") {
     std::filesystem::remove(scratch / "runs" / ledger_name);

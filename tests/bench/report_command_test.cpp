@@ -125,6 +125,14 @@ TEST_CASE("no copy of a report takes the place of a file of a run", "[bench][pdf
   }
   CHECK(read_file(other / "verdict.json").value() == verdict);
   CHECK_FALSE(std::filesystem::exists(other / "new.pdf"));
+  const ScratchFolder runs;
+  write_file(runs / "ledger.jsonl", "");
+  for (const auto& place : {runs / "ledger.jsonl", runs / "limits" / "new.json"}) {
+    const CommandAnswer answer =
+        rvbench({"report", folder.string(), "--pdf", "--out", place.string(), "--force"});
+    CHECK(answer.code == 2);
+    CHECK_THAT(answer.err, Contains("is a folder of runs"));
+  }
   CHECK(rvbench({"report", folder.string(), "--pdf", "--out", "/dev/null", "--force"}).code == 2);
   CHECK(std::filesystem::is_character_file("/dev/null"));
 }

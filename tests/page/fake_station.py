@@ -46,7 +46,7 @@ class Station:
                      enumerate([("PASS", ""), ("FAIL", "input_shaft: misalignment"), ("PASS", ""),
                                 ("INVALID", "channel 3 clipped"), ("PASS", ""), ("ERROR", "torque sensor silent")])]
         self.runs.append(run_json("A16", "20261126T071500Z", "PASS"))
-        self.versions = [{"limits_version": "1", "plan": "rv20e_acceptance", "status": "activated",
+        self.versions = [{"limits_version": "1", "plan": "rv20e_acceptance", "status": "activated", "in_force": True,
                           "limits": self.limits(0.25),
                           "steps": [{"step": step, "utc": "20261101T080000Z", "by": "enzo"}
                                     for step in ("proposed", "approved", "activated")]}]
@@ -188,6 +188,9 @@ class Station:
         if not version or version["status"] != before:
             return 422, {"error": "refused", "exit_code": 2, "reason": f"limits: version {wanted} is not {before}"}
         version["status"] = after
+        if after == "activated":
+            for other in self.versions:
+                other["in_force"] = other is version
         version["steps"].append({"step": after, "utc": "20261126T090500Z", "by": by})
         self.changed()
         return 200, version

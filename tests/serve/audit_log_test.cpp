@@ -103,7 +103,7 @@ TEST_CASE("whatever is done to a line of an audit log, check names the first tha
   SECTION("something else") {
     lines[4] = "{}";
     broken = 5;
-    fault = "is no line of an audit log";
+    fault = "is no line of such a log";
   }
   write_lines(file, lines);
   const auto answer = test::rvbench({"check", file.string()});
@@ -132,6 +132,18 @@ TEST_CASE("a line that a power failure cut short is told, and taken out when the
   CHECK(told.at("detail").at("text") == half);
   CHECK(told.at("previous") == nlohmann::json::parse(lines_of(file)[3]).at("hash"));
   CHECK(test::rvbench({"check", file.string()}).code == 0);
+}
+
+TEST_CASE("a last line that lacks only its end is a line", "[bench][serve]") {
+  const rvbench::test::ScratchFolder scratch;
+  const auto file = scratch / "audit.jsonl";
+  add_five(file);
+  const std::string text = read_file(file).value();
+  write_file(file, text.substr(0, text.size() - 1));
+  CHECK(check_audit(file)->broken_line == 0);
+  add_five(file);
+  CHECK(check_audit(file)->lines == 10);
+  CHECK(check_audit(file)->broken_line == 0);
 }
 
 TEST_CASE("what was changed before a cut line stays told when the log goes on", "[bench][serve]") {

@@ -73,10 +73,11 @@ function open_version(version) {
   ask_effect();
 }
 
-function row_of(version, versions) {
-  const standing = standing_of(version, versions);
+function row_of(version) {
+  const standing = standing_of(version);
   const word = `limits.${step_of[version.status] ?? "show"}`;
-  return [name_of(version), say_or(`limits.${standing}`, standing), version.plan ?? "",
+  const told = [say_or(`limits.${standing}`, standing), version.fault].filter(Boolean).join(": ");
+  return [name_of(version), told, version.plan ?? "",
     say_time(last_step(version, "proposed")?.utc), last_step(version, "approved")?.by ?? "",
     [row_button(word, name_of(version), () => open_version(version))]];
 }
@@ -87,7 +88,7 @@ export async function show_limits() {
     const versions = ((await ask("limits")).versions ?? []).slice().reverse();
     fill_table(by_id("limits"),
       ["limits.version", "limits.status", "limits.plan", "limits.proposed", "limits.approved_by", ""],
-      versions.map((version) => row_of(version, versions)));
+      versions.map(row_of));
     return versions.length ? "" : say("limits.none");
   });
 }

@@ -23,7 +23,7 @@ async function limits_in_force() {
   const versions = (await ask("limits").catch(() => ({}))).versions ?? [];
   const names = [...new Set(versions.flatMap(({ limits = [] }) => limits.map(({ measure }) => measure)))].sort();
   by_id("indicators").replaceChildren(...names.map((name) => make("option", { value: name })));
-  const in_force = versions.filter((version) => standing_of(version, versions) === "activated");
+  const in_force = versions.filter((version) => standing_of(version) === "activated");
   return in_force.flatMap(({ limits = [] }) => limits);
 }
 
