@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hal/formats/start_time.hpp"
 
@@ -42,6 +43,14 @@ Fault fault_of(const Channel& channel, const Writer& writer) {
         "{}: {} takes a rate of whole Hz only, and this is {:.10g} Hz: write HDF5, "
         "TDMS or MAT instead",
         name, writer.name, channel.rate_Hz);
+  }
+  constexpr double most = std::numeric_limits<float>::max();
+  const double peak =
+      channel.samples.array().isFinite().select(channel.samples, 0).cwiseAbs().maxCoeff();
+  if (!writer.holds.doubles && peak > most) {
+    return fmt::format(
+        "{}: a sample of {:.6g} is beyond single precision: write HDF5, TDMS or MAT instead", name,
+        peak);
   }
   if (!writer.holds.lost_samples && !channel.samples.allFinite()) {
     const Eigen::Index lost = channel.samples.size() - channel.samples.array().isFinite().count();

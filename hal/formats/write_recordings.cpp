@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -102,6 +103,24 @@ void tidy_names(Part& part) {
   }
 }
 
+// A rate of whole Hz that an interval was rounded from.
+void snap_rates(Part& part) {
+  constexpr double rounding = 1e-6;  // of an interval of six digits and more
+  for (Recording& recording : part.recordings) {
+    for (Channel& channel : recording.channels) {
+      const double stated_Hz = channel.rate_Hz, whole_Hz = std::round(stated_Hz);
+      const double off = std::abs(stated_Hz / whole_Hz - 1);
+      if (!(off > 0 && off <= rounding)) continue;
+      channel.rate_Hz = whole_Hz;
+      const std::string told =
+          fmt::format("a rate of {:.10g} Hz is written as {:.10g} Hz, which it is but for rounding",
+                      stated_Hz, whole_Hz);
+      const bool is_told = std::ranges::find(part.warnings, told) != part.warnings.end();
+      if (!is_told && off > 1e-12) part.warnings.push_back(told);
+    }
+  }
+}
+
 Status write_part(const Part& part, const Writer& writer, bool overwrite) {
   formats::FileDraft draft(part.file, overwrite);
   if (Status begun = draft.begin(); !begun) return begun;
@@ -119,6 +138,7 @@ Result<std::vector<WrittenFile>> write_recordings(const std::vector<Recording>& 
   for (Part& part : parts) {
     if (Status place = formats::check_place(part.file, overwrite); !place) return place.error();
     if (writer.holds.names) tidy_names(part);
+    if (!writer.holds.any_rate) snap_rates(part);
   }
   for (const Part& part : parts) {
     for (const Recording& recording : part.recordings) {

@@ -4,6 +4,7 @@
 namespace rvbench::hal {
 namespace {
 
+using Catch::Contains;
 using test::exported;
 using test::read_back;
 using test::ScratchFolder;
@@ -52,6 +53,31 @@ TEST_CASE("no two points of a file are written to one", "[hal][formats][export]"
   CHECK(written[0].file == scratch / "p_000.mat");
   CHECK(written[1].file == scratch / "p_001.mat");
   CHECK(read_back(scratch / "p_001.mat")[0].channels.at(0).samples[0] == 7);
+}
+
+TEST_CASE("a rate that is whole Hz but for the rounding of an interval is written so, and told",
+          "[hal][formats][export]") {
+  const ScratchFolder scratch;
+  Recording recording = exported();
+  for (Channel& channel : recording.channels) channel.rate_Hz = 25599.98399;
+  const auto key = GENERATE("wav", "flac");
+  const auto written = written_as(key, scratch / "a", {recording});
+  CHECK(read_back(scratch / "a")[0].channels.at(0).rate_Hz == 25600);
+  CHECK_THAT(written[0].warnings.back(), Contains("a rate of 25599.98399 Hz is written as 25600"));
+  for (Channel& channel : recording.channels) channel.rate_Hz = 25599.9;
+  CHECK_FALSE(write_recordings({recording}, scratch / "b", test::writer_of(key), false));
+}
+
+TEST_CASE("a sample beyond single precision is refused where there is no other",
+          "[hal][formats][export]") {
+  const ScratchFolder scratch;
+  Recording recording = exported();
+  recording.channels[1].samples[2] = -1e39;
+  const auto refused = write_recordings({recording}, scratch / "a", test::writer_of("wav"), false);
+  REQUIRE_FALSE(refused);
+  CHECK_THAT(refused.error().where, Contains("input_torque: a sample of 1e+39 is beyond single"));
+  written_as("tdms", scratch / "a", {recording});
+  CHECK(read_back(scratch / "a")[0].find("input_torque")->samples[2] == -1e39);
 }
 
 }  // namespace rvbench::hal
