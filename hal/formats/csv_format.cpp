@@ -19,6 +19,16 @@ using Fault = std::optional<std::string>;
 
 bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\r") == line.npos; }
 
+// Two quotes in a row are one.
+std::string head_in(std::string_view cell) {
+  std::string head;
+  for (std::size_t i = 0; i < cell.size(); ++i) {
+    head += cell[i];
+    if (cell.substr(i).starts_with("\"\"")) ++i;
+  }
+  return head;
+}
+
 // Samples column by column, as they are gathered line by line.
 class Table {
  public:
@@ -62,7 +72,7 @@ Fault Table::begin(const Cells& cells) {
   has_names = !std::ranges::all_of(
       cells, [](std::string_view cell) { return CsvNumbers().read(cell).index() == 0; });
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::string name = has_names ? std::string(cells[i]) : fmt::format("column_{}", i + 1);
+    const std::string name = has_names ? head_in(cells[i]) : fmt::format("column_{}", i + 1);
     if (name.empty()) return fmt::format("1:{}: a channel without name", i + 1);
     if (std::ranges::find(names, name) != names.end()) {
       return fmt::format("1:{}: channel \"{}\" is there twice", i + 1, name);

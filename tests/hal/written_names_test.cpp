@@ -10,6 +10,12 @@ using test::read_back;
 using test::ScratchFolder;
 using test::written_as;
 
+std::vector<std::string> names_in(const Recording& recording) {
+  std::vector<std::string> names;
+  for (const Channel& channel : recording.channels) names.push_back(channel.info.name);
+  return names;
+}
+
 }  // namespace
 
 TEST_CASE("channels of one name, or of none, are written under names of their own, and told",
@@ -78,6 +84,16 @@ TEST_CASE("a sample beyond single precision is refused where there is no other",
   CHECK_THAT(refused.error().where, Contains("input_torque: a sample of 1e+39 is beyond single"));
   written_as("tdms", scratch / "a", {recording});
   CHECK(read_back(scratch / "a")[0].find("input_torque")->samples[2] == -1e39);
+}
+
+TEST_CASE("CSV: names with quotes read back as they were written", "[hal][formats][export]") {
+  const ScratchFolder scratch;
+  Recording recording = exported();
+  recording.channels[0].info.name = "a, \"b\"";
+  recording.channels[1].info.name = "\"";
+  written_as("csv", scratch / "a.csv", {recording});
+  const Recording after = read_back(scratch / "a.csv")[0];
+  CHECK(names_in(after) == std::vector<std::string>{"time_s", "a, \"b\"", "\""});
 }
 
 }  // namespace rvbench::hal
