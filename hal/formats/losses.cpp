@@ -26,6 +26,13 @@ bool has_facts(const Recording& recording) {
          recording.repeat > 0 || recording.status != "ok";
 }
 
+bool is_along_axis(std::string_view direction) {
+  if (!direction.starts_with('+') && !direction.starts_with('-')) return false;
+  direction.remove_prefix(1);
+  if (direction.starts_with('R')) direction.remove_prefix(1);
+  return direction == "X" || direction == "Y" || direction == "Z";
+}
+
 bool has_start(const Recording& recording) { return std::isfinite(noted_start_s(recording)); }
 
 bool is_rounded(double value, int digits) {
@@ -84,6 +91,10 @@ std::vector<std::string> losses(const std::vector<Recording>& recordings, const 
   tell(holds.units, any([](const Channel& c) { return !c.info.unit.empty(); }), "units");
   tell(holds.directions, any([](const Channel& c) { return !c.info.direction.empty(); }),
        "directions");
+  tell(!holds.directions || holds.any_direction, any([](const Channel& c) {
+    return !c.info.direction.empty() && !is_along_axis(c.info.direction);
+  }),
+       "directions other than along or about an axis");
   tell(holds.sensitivities, any([](const Channel& c) { return !std::isnan(c.info.sensitivity); }),
        "sensitivities of sensors");
   tell(holds.channel_start, any([](const Channel& c) { return c.start_s != 0; }),
