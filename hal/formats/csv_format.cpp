@@ -172,7 +172,7 @@ Result<std::vector<Recording>> read(const std::filesystem::path& file) {
   }
   set_rate_by_time_column(table.has_names, recording);
   if (table.has_names) state_units(recording);
-  return std::vector<Recording>{std::move(recording)};
+  return alone(std::move(recording));
 }
 
 }  // namespace

@@ -270,7 +270,7 @@ Result<std::vector<Recording>> read(const std::filesystem::path& file) {
   for (std::size_t i = 0; i < decoded.channels.size(); ++i) {
     recording.channels.push_back(channel_of(decoded, i, recording.notes));
   }
-  return std::vector<Recording>{std::move(recording)};
+  return alone(std::move(recording));
 }
 
 }  // namespace
