@@ -72,6 +72,7 @@ struct Decoded {
   std::optional<std::uint64_t> last_end;  // of the last frame, in the file
   std::size_t last_block = 0;
   bool last_is_lost = false;
+  std::uint64_t left_out = 0;  // samples that nothing stands in for
   std::string fault;
 
   FLAC__StreamDecoderWriteStatus stop(const std::string& why) {
@@ -108,10 +109,11 @@ struct Decoded {
     const std::size_t found = channels[0].size(), block = frame.header.blocksize;
     const bool is_by_sample = frame.header.number_type == FLAC__FRAME_NUMBER_TYPE_SAMPLE_NUMBER;
     if (!begin) begin = frame.header.number.sample_number;
-    const std::uint64_t at = frame.header.number.sample_number - *begin;
-    const std::uint64_t expected = found + left_out();
-    if (is_by_sample && frame.header.number.sample_number > *begin && at > expected) {
-      lost.push_back({found, static_cast<std::size_t>(at - expected), false});
+    const std::uint64_t number = frame.header.number.sample_number;
+    const std::uint64_t expected = *begin + found + left_out;
+    if (is_by_sample && number > expected) {
+      lost.push_back({found, static_cast<std::size_t>(number - expected), false});
+      left_out += number - expected;
     }
     FLAC__uint64 end = 0;
     if (!FLAC__stream_decoder_get_decode_position(decoder, &end)) return;
@@ -130,13 +132,6 @@ struct Decoded {
       }
     }
     return true;
-  }
-
-  // Samples that nothing stands in for.
-  std::uint64_t left_out() const {
-    std::uint64_t samples = 0;
-    for (const LostBlock& block : lost) samples += block.is_filled ? 0 : block.samples;
-    return samples;
   }
 
   void take(const FLAC__StreamMetadata& block) {

@@ -76,7 +76,8 @@ void drop_infinities(Recording& recording) {
   }
   if (dropped == 0) return;
   recording.notes.push_back(
-      fmt::format("{} samples are infinite, as nothing measured is: taken as lost", dropped));
+      fmt::format("{} infinite, as nothing measured is: taken as lost",
+                  dropped == 1 ? "1 sample is" : fmt::format("{} samples are", dropped)));
 }
 
 // What a file claims may be more than there is memory for.
