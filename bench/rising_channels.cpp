@@ -77,23 +77,27 @@ bool is_broken_clock(const Channel& column) {
          column.samples.size() >= fewest_samples && !hal::formats::only_rises(column.samples);
 }
 
-// Whether the channel tells when the rows of others were, by its name or as the first of a table
-// without names.
+bool rises_in_seconds(const Channel& column) {
+  return column.info.unit == "s" && hal::formats::only_rises(column.samples);
+}
+
+// Whether the channel tells when the rows of others were: by its name, as the first of a table
+// without names, or for it rises in seconds.
 bool is_clock_of_rows(const Channel& column, const Recording& record) {
   const std::string& name = column.info.name;
   const bool is_clock = hal::formats::time_unit_s(name) || hal::formats::seconds_per_unit(name) ||
-                        name == hal::formats::first_without_name;
+                        name == hal::formats::first_without_name || rises_in_seconds(column);
   return is_clock && std::ranges::any_of(record.channels, [&column](const Channel& other) {
            return &other != &column && other.samples.size() == column.samples.size();
          });
 }
 
-// Why the times of a column that is named as time are none of even samples, where rows are too few
+// Why the times of a column that is surely time are none of even samples, where rows are too few
 // for means: by its longest step.
 std::string what_is_uneven_in_few(const Channel& column) {
   const Eigen::VectorXd& x = column.samples;
-  if (x.size() < 3 || !hal::formats::time_unit_s(column.info.name) || !hal::formats::only_rises(x))
-    return "";
+  const bool is_time = hal::formats::time_unit_s(column.info.name) || column.info.unit == "s";
+  if (x.size() < 3 || !is_time || !hal::formats::only_rises(x)) return "";
   const Eigen::VectorXd steps = x.tail(x.size() - 1) - x.head(x.size() - 1);
   Eigen::Index at = 0;
   const double longest = steps.maxCoeff(&at);
@@ -119,7 +123,7 @@ std::optional<std::string> what_breaks_the_clock(Recording& record) {
     }
     if (uneven.empty()) continue;
     if (is_clock) return unevenly(name, uneven);
-    if (column.info.unit.empty()) record.notes.push_back(unevenly(name, uneven));
+    record.notes.push_back(unevenly(name, uneven));
   }
   return std::nullopt;
 }

@@ -16,8 +16,8 @@ namespace rvbench::bench {
 std::optional<std::string> leave_out_rising_channels(const std::string& kept, Recording& record);
 
 /// Why samples must not be written on as those of one even clock: a channel that is time, by its
-/// name or as the first of a table without names, rises unevenly or does not rise. Of a channel of
-/// another name and no unit that rises unevenly a note of the recording tells.
+/// name, as the first of a table without names or for it rises in seconds, rises unevenly or does
+/// not rise. Of another that rises unevenly a note of the recording tells, but of none of a shaft.
 /// @return nothing if they may
 std::optional<std::string> what_breaks_the_clock(Recording& record);
 

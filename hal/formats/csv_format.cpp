@@ -19,6 +19,16 @@ using Fault = std::optional<std::string>;
 
 bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\r") == line.npos; }
 
+// Two quotes in a row are one.
+std::string head_in(std::string_view cell) {
+  std::string head;
+  for (std::size_t i = 0; i < cell.size(); ++i) {
+    head += cell[i];
+    if (cell.substr(i).starts_with("\"\"")) ++i;
+  }
+  return head;
+}
+
 // Samples column by column, as they are gathered line by line.
 class Table {
  public:
@@ -27,6 +37,11 @@ class Table {
 
   std::vector<std::string> names;
   bool has_names = true;  // of its own
+  // Two columns of whole numbers without names may be one of numbers with a decimal comma.
+  bool may_be_halves() const {
+    return !has_names && separator_ == ',' && numbers.decimal == '\0' && columns.size() == 2;
+  }
+  std::size_t half_line = 0;  // the first where a second cell begins as no whole number does: "05"
   std::vector<std::vector<double>> columns;
   CsvNumbers numbers;
 
@@ -62,7 +77,7 @@ Fault Table::begin(const Cells& cells) {
   has_names = !std::ranges::all_of(
       cells, [](std::string_view cell) { return CsvNumbers().read(cell).index() == 0; });
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::string name = has_names ? std::string(cells[i]) : fmt::format("column_{}", i + 1);
+    const std::string name = has_names ? head_in(cells[i]) : fmt::format("column_{}", i + 1);
     if (name.empty()) return fmt::format("1:{}: a channel without name", i + 1);
     if (std::ranges::find(names, name) != names.end()) {
       return fmt::format("1:{}: channel \"{}\" is there twice", i + 1, name);
@@ -85,6 +100,8 @@ Fault Table::add_numbers(const Cells& cells) {
       return fmt::format("{}:{}: {}", line_, i + 1, *fault);
     }
     columns[i].push_back(std::get<double>(read));
+    const bool is_half = i == 1 && cells[i].size() > 1 && cells[i][0] == '0';
+    if (is_half && half_line == 0) half_line = line_;
   }
   return std::nullopt;
 }
@@ -131,9 +148,19 @@ Result<std::vector<Recording>> read(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   Table table;
   if (const Fault fault = fill(stream, table)) return bad_file(file, *fault);
+  if (table.may_be_halves() && table.half_line > 0) {
+    return bad_file(file,
+                    fmt::format("{}:2: begins with 0: if numbers have a decimal comma, put \"\" "
+                                "around them; if not, give the columns names",
+                                table.half_line));
+  }
   Recording recording;
   recording.source = file.string();
   recording.status = "ok";
+  if (table.may_be_halves()) {
+    recording.notes.emplace_back(
+        "taken as two columns of whole numbers, not as one with a decimal comma");
+  }
   if (table.numbers.decimal == ',') recording.notes.push_back("numbers have a decimal comma");
   for (std::size_t i = 0; i < table.names.size(); ++i) {
     const std::vector<double>& column = table.columns[i];
@@ -145,7 +172,7 @@ Result<std::vector<Recording>> read(const std::filesystem::path& file) {
   }
   set_rate_by_time_column(table.has_names, recording);
   if (table.has_names) state_units(recording);
-  return std::vector<Recording>{std::move(recording)};
+  return alone(std::move(recording));
 }
 
 }  // namespace

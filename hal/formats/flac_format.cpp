@@ -1,6 +1,7 @@
 #include <FLAC/stream_decoder.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -14,8 +15,19 @@
 namespace rvbench::hal::formats {
 namespace {
 
-// A damaged file of some kilobytes may claim silence without end.
-constexpr std::size_t most_values = std::size_t{1} << 28U;
+// A damaged file of some kilobytes may claim silence without end: an encoder's blocks of 4096
+// samples of silence in eight channels are 800 values per byte.
+std::size_t most_values_in(std::size_t bytes) {
+  constexpr std::size_t of_any = std::size_t{1} << 22U, per_byte = 1024;
+  constexpr std::size_t most = std::size_t{1} << 28U;
+  return std::min(most, of_any + per_byte * bytes);
+}
+
+// Samples that are not there: libFLAC stands silence in for some of them.
+struct LostBlock {
+  std::size_t first = 0, samples = 0;
+  bool is_filled = false;
+};
 
 // The file's comments, those of channel n (name_<n>) apart.
 struct Comments {
@@ -55,6 +67,12 @@ struct Decoded {
   std::vector<std::vector<FLAC__int32>> channels;
   Comments comments;
   int damaged = 0;  // frames
+  std::vector<LostBlock> lost;
+  std::optional<std::uint64_t> begin;     // the first sample's number
+  std::optional<std::uint64_t> last_end;  // of the last frame, in the file
+  std::size_t last_block = 0;
+  bool last_is_lost = false;
+  std::uint64_t left_out = 0;  // samples that nothing stands in for
   std::string fault;
 
   FLAC__StreamDecoderWriteStatus stop(const std::string& why) {
@@ -62,7 +80,8 @@ struct Decoded {
     return FLAC__STREAM_DECODER_WRITE_STATUS_ABORT;
   }
 
-  FLAC__StreamDecoderWriteStatus take(const FLAC__Frame& frame, const FLAC__int32* const* samples) {
+  FLAC__StreamDecoderWriteStatus take(const FLAC__StreamDecoder* decoder, const FLAC__Frame& frame,
+                                      const FLAC__int32* const* samples) {
     if (channels.empty()) {
       channels.resize(frame.header.channels);
       rate_Hz = frame.header.sample_rate;
@@ -72,13 +91,47 @@ struct Decoded {
         frame.header.sample_rate != rate_Hz) {
       return stop("channels, bits or rate change on the way");
     }
+    const std::size_t most_values = most_values_in(bytes.size());
     if ((channels[0].size() + frame.header.blocksize) * channels.size() > most_values) {
       return stop(fmt::format("more than {} samples", most_values));
     }
+    note_lost(decoder, frame, samples);
     for (std::size_t i = 0; i < channels.size(); ++i) {
       channels[i].insert(channels[i].end(), samples[i], samples[i] + frame.header.blocksize);
     }
     return FLAC__STREAM_DECODER_WRITE_STATUS_CONTINUE;
+  }
+
+  // Frames count their samples. What libFLAC stands in for lost ones ends where the next frame
+  // does, and that one's own samples may be silenced with it (1.4.2).
+  void note_lost(const FLAC__StreamDecoder* decoder, const FLAC__Frame& frame,
+                 const FLAC__int32* const* samples) {
+    const std::size_t found = channels[0].size(), block = frame.header.blocksize;
+    const bool is_by_sample = frame.header.number_type == FLAC__FRAME_NUMBER_TYPE_SAMPLE_NUMBER;
+    if (!begin) begin = frame.header.number.sample_number;
+    const std::uint64_t number = frame.header.number.sample_number;
+    const std::uint64_t expected = *begin + found + left_out;
+    if (is_by_sample && number > expected) {
+      lost.push_back({found, static_cast<std::size_t>(number - expected), false});
+      left_out += number - expected;
+    }
+    FLAC__uint64 end = 0;
+    if (!FLAC__stream_decoder_get_decode_position(decoder, &end)) return;
+    const bool goes_on = last_end == end;
+    if (goes_on && !last_is_lost) lost.push_back({found - last_block, last_block, true});
+    last_is_lost = goes_on && is_silent(samples, block);
+    if (last_is_lost) lost.push_back({found, block, true});
+    last_end = end;
+    last_block = block;
+  }
+
+  bool is_silent(const FLAC__int32* const* samples, std::size_t block) const {
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+      if (!std::all_of(samples[i], samples[i] + block, [](FLAC__int32 s) { return s == 0; })) {
+        return false;
+      }
+    }
+    return true;
   }
 
   void take(const FLAC__StreamMetadata& block) {
@@ -101,9 +154,15 @@ struct Decoded {
     file.at += *size;
     return FLAC__STREAM_DECODER_READ_STATUS_CONTINUE;
   }
-  static FLAC__StreamDecoderWriteStatus write(const FLAC__StreamDecoder*, const FLAC__Frame* frame,
+  static FLAC__StreamDecoderTellStatus tell(const FLAC__StreamDecoder*, FLAC__uint64* at,
+                                            void* self) {
+    *at = of(self).at;
+    return FLAC__STREAM_DECODER_TELL_STATUS_OK;
+  }
+  static FLAC__StreamDecoderWriteStatus write(const FLAC__StreamDecoder* decoder,
+                                              const FLAC__Frame* frame,
                                               const FLAC__int32* const samples[], void* self) {
-    return of(self).take(*frame, samples);
+    return of(self).take(decoder, *frame, samples);
   }
   static void metadata(const FLAC__StreamDecoder*, const FLAC__StreamMetadata* block, void* self) {
     of(self).take(*block);
@@ -122,9 +181,9 @@ bool decode(Decoded& file) {
   const std::unique_ptr<FLAC__StreamDecoder, Delete> decoder(FLAC__stream_decoder_new());
   FLAC__stream_decoder_set_md5_checking(decoder.get(), true);
   FLAC__stream_decoder_set_metadata_respond(decoder.get(), FLAC__METADATA_TYPE_VORBIS_COMMENT);
-  const auto begun = FLAC__stream_decoder_init_stream(decoder.get(), Decoded::read, nullptr,
-                                                      nullptr, nullptr, nullptr, Decoded::write,
-                                                      Decoded::metadata, Decoded::error, &file);
+  const auto begun = FLAC__stream_decoder_init_stream(
+      decoder.get(), Decoded::read, nullptr, Decoded::tell, nullptr, nullptr, Decoded::write,
+      Decoded::metadata, Decoded::error, &file);
   if (begun != FLAC__STREAM_DECODER_INIT_STATUS_OK) {
     file.fault = FLAC__StreamDecoderInitStatusString[begun];
     return false;
@@ -137,6 +196,12 @@ std::string status_of(const Decoded& file, bool checksum_is_right) {
   const std::size_t found = file.channels.front().size();
   if (file.declared > 0 && file.declared != found) {
     return fmt::format("INVALID: {} samples per channel declared, {} found", file.declared, found);
+  }
+  if (!file.lost.empty()) {
+    std::size_t samples = 0;
+    for (const LostBlock& block : file.lost) samples += block.samples;
+    return fmt::format("INVALID: {} samples are missing behind sample {}", samples,
+                       file.lost.front().first);
   }
   if (file.damaged > 0) return fmt::format("INVALID: {} frames are damaged", file.damaged);
   if (!checksum_is_right) return "INVALID: the samples' checksum is another";
@@ -161,6 +226,12 @@ Channel channel_of(const Decoded& file, std::size_t index, std::vector<std::stri
   channel.samples = Eigen::Map<const Eigen::Matrix<FLAC__int32, Eigen::Dynamic, 1>>(
                         steps.data(), static_cast<Eigen::Index>(steps.size()))
                         .cast<double>();
+  for (const LostBlock& block : file.lost) {
+    if (!block.is_filled) continue;
+    channel.samples
+        .segment(static_cast<Eigen::Index>(block.first), static_cast<Eigen::Index>(block.samples))
+        .setConstant(not_known);
+  }
   const auto text = [&facts](const char* name) {
     const auto found = facts.texts.find(name);
     return found != facts.texts.end() ? found->second : std::string();
@@ -194,7 +265,7 @@ Result<std::vector<Recording>> read(const std::filesystem::path& file) {
   for (std::size_t i = 0; i < decoded.channels.size(); ++i) {
     recording.channels.push_back(channel_of(decoded, i, recording.notes));
   }
-  return std::vector<Recording>{std::move(recording)};
+  return alone(std::move(recording));
 }
 
 }  // namespace

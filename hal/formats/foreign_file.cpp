@@ -43,6 +43,12 @@ std::string bytes_of(const std::filesystem::path& file) {
   return bytes;
 }
 
+std::vector<Recording> alone(Recording&& recording) {
+  std::vector<Recording> recordings;
+  recordings.push_back(std::move(recording));
+  return recordings;
+}
+
 IoError bad_file(const std::filesystem::path& file, const std::string& what) {
   return IoError{IoErrc::bad_data, file.string() + ": " + what};
 }

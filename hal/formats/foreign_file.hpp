@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "hal/types/recording.hpp"
 #include "hal/types/result.hpp"
 
 namespace rvbench::hal::formats {
@@ -16,6 +18,9 @@ std::string head_of(const std::filesystem::path& file);
 
 /// All bytes of a file.
 std::string bytes_of(const std::filesystem::path& file);
+
+/// What a file of one recording holds, moved: braces would copy its samples.
+std::vector<Recording> alone(Recording&& recording);
 
 /// "<file>: <what>", as bad_data
 IoError bad_file(const std::filesystem::path& file, const std::string& what);

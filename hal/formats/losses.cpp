@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hal/formats/start_time.hpp"
 
@@ -25,6 +26,13 @@ bool has_facts(const Recording& recording) {
          recording.repeat > 0 || recording.status != "ok";
 }
 
+bool is_along_axis(std::string_view direction) {
+  if (!direction.starts_with('+') && !direction.starts_with('-')) return false;
+  direction.remove_prefix(1);
+  if (direction.starts_with('R')) direction.remove_prefix(1);
+  return direction == "X" || direction == "Y" || direction == "Z";
+}
+
 bool has_start(const Recording& recording) { return std::isfinite(noted_start_s(recording)); }
 
 bool is_rounded(double value, int digits) {
@@ -42,6 +50,14 @@ Fault fault_of(const Channel& channel, const Writer& writer) {
         "{}: {} takes a rate of whole Hz only, and this is {:.10g} Hz: write HDF5, "
         "TDMS or MAT instead",
         name, writer.name, channel.rate_Hz);
+  }
+  constexpr double most = std::numeric_limits<float>::max();
+  const double peak =
+      channel.samples.array().isFinite().select(channel.samples, 0).cwiseAbs().maxCoeff();
+  if (!writer.holds.doubles && peak > most) {
+    return fmt::format(
+        "{}: a sample of {:.6g} is beyond single precision: write HDF5, TDMS or MAT instead", name,
+        peak);
   }
   if (!writer.holds.lost_samples && !channel.samples.allFinite()) {
     const Eigen::Index lost = channel.samples.size() - channel.samples.array().isFinite().count();
@@ -75,6 +91,10 @@ std::vector<std::string> losses(const std::vector<Recording>& recordings, const 
   tell(holds.units, any([](const Channel& c) { return !c.info.unit.empty(); }), "units");
   tell(holds.directions, any([](const Channel& c) { return !c.info.direction.empty(); }),
        "directions");
+  tell(!holds.directions || holds.any_direction, any([](const Channel& c) {
+    return !c.info.direction.empty() && !is_along_axis(c.info.direction);
+  }),
+       "directions other than along or about an axis");
   tell(holds.sensitivities, any([](const Channel& c) { return !std::isnan(c.info.sensitivity); }),
        "sensitivities of sensors");
   tell(holds.channel_start, any([](const Channel& c) { return c.start_s != 0; }),

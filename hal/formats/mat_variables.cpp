@@ -130,7 +130,7 @@ Result<std::vector<Recording>> MatVariables::finish(const std::filesystem::path&
   for (const NamedArray& array : arrays_) {
     add_channels(array.name, array.values, rate_Hz_.value_or(0), recording.channels);
   }
-  return std::vector<Recording>{std::move(recording)};
+  return alone(std::move(recording));
 }
 
 }  // namespace rvbench::hal::formats

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <optional>
+#include <stdexcept>
 
 #include "hal/formats/choose_format.hpp"
 #include "hal/formats/foreign_file.hpp"
@@ -65,6 +67,32 @@ void check_hint(const char* name, double value) {
   throw std::invalid_argument(fmt::format("read_recordings: {} {} is not above 0", name, value));
 }
 
+// An infinity is no measured value: the sample is lost.
+void drop_infinities(Recording& recording) {
+  Eigen::Index dropped = 0;
+  for (Channel& channel : recording.channels) {
+    dropped += channel.samples.array().isInf().count();
+    channel.samples = channel.samples.array().isFinite().select(channel.samples, not_known);
+  }
+  if (dropped == 0) return;
+  recording.notes.push_back(
+      fmt::format("{} infinite, as nothing measured is: taken as lost",
+                  dropped == 1 ? "1 sample is" : fmt::format("{} samples are", dropped)));
+}
+
+// What a file claims may be more than there is memory for.
+Result<std::vector<Recording>> read_within_memory(const Format& format,
+                                                  const std::filesystem::path& file) {
+  constexpr const char* too_much = "holds more samples than there is memory for";
+  try {
+    return format.read(file);
+  } catch (const std::bad_alloc&) {
+    return bad_file(file, too_much);
+  } catch (const std::length_error&) {
+    return bad_file(file, too_much);
+  }
+}
+
 bool has_samples(const Recording& recording) {
   return std::any_of(recording.channels.begin(), recording.channels.end(),
                      [](const Channel& channel) { return channel.samples.size() > 0; });
@@ -79,13 +107,14 @@ Result<std::vector<Recording>> read_recordings(const std::filesystem::path& file
   if (const auto obstacle = formats::find_obstacle(file)) return *obstacle;
   const std::optional<Format> format = formats::choose_format(file);
   if (!format) return bad_file(file, "no known format (HDF5, MAT, TDMS, WAV, FLAC, UFF, CSV)");
-  Result<std::vector<Recording>> read = format->read(file);
+  Result<std::vector<Recording>> read = read_within_memory(*format, file);
   if (!read) return IoError{read.error().code, formats::printable(read.error().where)};
 
   std::vector<Recording> recordings = std::move(read).value();
   std::erase_if(recordings, [](const Recording& recording) { return !has_samples(recording); });
   if (recordings.empty()) return bad_file(file, "holds no samples");
   for (Recording& recording : recordings) {
+    drop_infinities(recording);
     // Foreign text goes into reports and JSON.
     if (formats::make_printable(recording)) {
       recording.notes.emplace_back(formats::was_not_printable);

@@ -26,7 +26,7 @@ struct RecordingHints {
 /// Rate     of channels is 0 if neither file nor hints give it: it is never guessed, ask the user
 /// Units    SI where they are known, with a note of what values were multiplied by; else as the
 ///          file says, "" if it says none
-/// Samples  NaN where the file says so: a lost sample
+/// Samples  NaN where the file says so, or an infinity: a lost sample
 /// Status   "ok"; "INVALID: ..." where the file holds other counts than it declares
 /// Errors   "<file>: <variable or line:column>: <what>"; at least one recording with samples
 ///          otherwise. @throws std::invalid_argument if a hint is not above 0

@@ -94,10 +94,11 @@ double utc_of_text(std::string_view text) {
 }
 
 std::string uff_date(double utc_s) {
-  const auto date = date_of(std::floor(utc_s));
+  const auto date = date_of(utc_s);
   if (!date) return "";
+  const int decimals = date->of_day_s == std::floor(date->of_day_s) ? 0 : 6;
   return fmt::format("{:02}-{}-{:02} {}", date->day, months[date->month - 1], date->year % 100,
-                     clock_text(date->of_day_s, 0));
+                     clock_text(date->of_day_s, decimals));
 }
 
 double utc_of_uff_date(std::string_view text) {

@@ -23,7 +23,8 @@ std::string utc_text(double utc_s);
 /// The inverse, also with fewer decimals or none; NaN if it is no such text.
 double utc_of_text(std::string_view text);
 
-/// "14-Oct-16 10:51:17", as universal files have it. Years of two digits are 1970 to 2069.
+/// "14-Oct-16 10:51:17", as universal files have it, with decimals where there are any. Years of
+/// two digits are 1970 to 2069.
 std::string uff_date(double utc_s);
 double utc_of_uff_date(std::string_view text);  ///< NaN if it is none
 

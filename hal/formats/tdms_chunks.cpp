@@ -1,6 +1,7 @@
 #include "hal/formats/tdms_chunks.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 namespace rvbench::hal::formats {
@@ -177,6 +178,10 @@ void take_daqmx(std::string_view chunk, std::endian order, const std::vector<Tdm
   }
 }
 
+bool is_empty(const TdmsPlace& place) {
+  return place.index.count == 0 && place.index.text_bytes == 0;
+}
+
 Fault find_fault(const TdmsStorage& storage, const std::vector<TdmsPlace>& layout) {
   if (!storage.is_interleaved) return std::nullopt;
   for (const TdmsPlace& place : layout) {
@@ -196,6 +201,12 @@ std::optional<std::string> take_tdms_chunks(std::string_view bytes, const TdmsSt
   if (bytes.empty() || chunk.bytes == 0) return std::nullopt;
   if (!chunk.is_daqmx) {
     if (auto fault = find_fault(storage, layout)) return fault;
+  }
+  if (std::ranges::any_of(layout, is_empty)) {
+    // Each chunk of a byte would ask all of them.
+    std::vector<TdmsPlace> filled;
+    std::ranges::remove_copy_if(layout, std::back_inserter(filled), is_empty);
+    return take_tdms_chunks(bytes, storage, filled, file);
   }
   while (!bytes.empty()) {
     const std::string_view now = bytes.substr(0, chunk.bytes);

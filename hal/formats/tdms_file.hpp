@@ -24,6 +24,7 @@ struct TdmsChannel {
   bool is_time = false;                              ///< timestamps, in s since the first one
   std::optional<std::int64_t> start_s;               ///< whole seconds of that, since 1904
   std::uint64_t declared = 0;                        ///< values, by the segments' indices
+  std::string gap;  ///< where a segment's values are not the next ones; empty if they all are
 };
 
 struct TdmsFile {

@@ -85,6 +85,9 @@ std::uint64_t found_in(const TdmsChannel& channel) {
 
 // A last chunk may be short in a sound file; one that was cut off cannot be trusted.
 void describe(const TdmsFile& tdms, const TdmsChannel& channel, Recording& recording) {
+  if (!channel.gap.empty() && recording.status == "ok") {
+    recording.status = fmt::format("INVALID: {}: {}", channel.name, channel.gap);
+  }
   const std::uint64_t found = found_in(channel);
   if (channel.raw.empty() || channel.declared == found) return;
   const std::string counts =

@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
 
 #include "hal/formats/apply_units.hpp"
+#include "hal/formats/facts.hpp"
+#include "hal/formats/fixed_columns.hpp"
 #include "hal/formats/foreign_file.hpp"
 #include "hal/formats/format.hpp"
 #include "hal/formats/start_time.hpp"
@@ -79,6 +82,43 @@ bool belongs_to(const std::vector<Sensor>& others, const Sensor& sensor) {
          });
 }
 
+// What a file of rvbench says in a line of text: "speed_rpm=604.5 load_pct=50",
+// "rvbench_status=ok". Nothing if it says anything else.
+std::optional<Facts> facts_in(std::string_view line) {
+  constexpr std::array<std::string_view, 5> numbers = {"speed_rpm", "planned_speed_rpm", "load_pct",
+                                                       "torque_Nm", "repeat"};
+  constexpr std::string_view status = "rvbench_status=";
+  Facts facts;
+  while (!line.empty()) {
+    if (line.starts_with(status)) {
+      facts.texts["rvbench_status"] = line.substr(status.size());
+      return facts;
+    }
+    const std::string_view word = line.substr(0, line.find(' '));
+    line.remove_prefix(std::min(word.size() + 1, line.size()));
+    const std::size_t equals = word.find('=');
+    if (equals == word.npos || equals + 1 == word.size()) return std::nullopt;
+    const std::string_view name = word.substr(0, equals);
+    const auto number = Columns(word.substr(equals + 1)).number();
+    if (std::ranges::find(numbers, name) == numbers.end() || !number) return std::nullopt;
+    facts.numbers[std::string(name)] = *number;
+  }
+  return facts;
+}
+
+// Those of all lines, which are blank behind that: a note would tell them once more.
+Facts take_facts(UffFunction& function) {
+  Facts all;
+  for (std::string& line : function.id_lines) {
+    std::optional<Facts> facts = facts_in(line);
+    if (!facts) continue;
+    all.numbers.merge(facts->numbers);
+    all.texts.merge(facts->texts);
+    line.clear();
+  }
+  return all;
+}
+
 std::string status_of(const UffFunction& function) {
   if (function.is_whole()) return "ok";
   return fmt::format("INVALID: {}: {} values declared, {} found", place_of(function),
@@ -89,16 +129,20 @@ std::string status_of(const UffFunction& function) {
 struct Gathered {
   std::vector<Recording> recordings;
   std::vector<Sensor> sensors;  // of the last one
+  Facts facts;                  // of it
+  bool is_whole = true;
 
-  void add(const UffFunction& function, const std::optional<UffUnits>& units) {
+  void add(UffFunction function, const std::optional<UffUnits>& units) {
     std::vector<std::string> notes;
+    const Facts said = take_facts(function);
     Sensor sensor{channel_of(function, units, notes), function.id_lines[2]};
     const std::string status = status_of(function);
-    const bool goes_on = !recordings.empty() && recordings.back().status == "ok" &&
-                         status == "ok" && belongs_to(sensors, sensor);
-    if (!goes_on) start(status);
-    if (const std::string said = id_note(function); !said.empty()) {
-      notes.push_back(sensor.channel.info.name + ": " + said);
+    const bool goes_on = !recordings.empty() && is_whole && status == "ok" &&
+                         said.numbers == facts.numbers && said.texts == facts.texts &&
+                         belongs_to(sensors, sensor);
+    if (!goes_on) start(status, said);
+    if (const std::string note = id_note(function); !note.empty()) {
+      notes.push_back(sensor.channel.info.name + ": " + note);
     }
     Recording& recording = recordings.back();
     if (std::isnan(noted_start_s(recording))) note_start(utc_of_uff_date(sensor.date), recording);
@@ -108,8 +152,11 @@ struct Gathered {
   }
 
  private:
-  void start(const std::string& status) {
+  void start(const std::string& status, const Facts& said) {
     recordings.emplace_back().status = status;
+    apply(said, recordings.back());
+    facts = said;
+    is_whole = status == "ok";
     sensors.clear();
   }
 };
@@ -146,14 +193,14 @@ Result<std::vector<Recording>> read(const std::filesystem::path& file) {
   std::set<int> other_types;
   for (const UffDataset& dataset : datasets) {
     if (dataset.number != 58) continue;
-    const Result<UffFunction> function = read_uff_function(file, dataset);
+    Result<UffFunction> function = read_uff_function(file, dataset);
     if (!function) return function.error();
     if (!function.value().is(UffFunctionType::time_response)) {
       other_types.insert(function.value().type);
     } else if (const auto fault = find_fault(function.value())) {
       return bad_file(file, place_of(function.value()) + ": " + *fault);
     } else {
-      gathered.add(function.value(), units.value());
+      gathered.add(std::move(function).value(), units.value());
     }
   }
   std::vector<Recording>& recordings = gathered.recordings;

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -50,34 +51,42 @@ int code_of(const std::string& direction) {
   return 0;
 }
 
+// Columns count bytes, not characters.
+std::string padded(std::string text, std::size_t bytes) {
+  text.resize(std::max(text.size(), bytes), ' ');
+  return text;
+}
+
 std::string axis_line(int code, int length, int force, std::string_view label,
                       std::string_view unit) {
-  return fmt::format("{:10}{:5}{:5}{:5} {:20} {:20}\n", code, length, force, 0, label, unit);
+  return fmt::format("{:10}{:5}{:5}{:5} {} {}\n", code, length, force, 0,
+                     padded(std::string(label), most_in_axis),
+                     padded(std::string(unit), most_in_axis));
 }
 
-// What a line of text holds; one line must stay one.
+// What a line of text holds; one line must stay one, and a character whole.
 std::string id_line(const std::string& text) {
-  return (text.empty() ? "NONE" : text.substr(0, most_in_line)) + '\n';
+  std::size_t end = std::min(text.size(), most_in_line);
+  while (end > 0 && end < text.size() && (text[end] & '\xC0') == '\x80') --end;
+  return (end == 0 ? "NONE" : text.substr(0, end)) + '\n';
 }
 
-void add(std::string& line, const char* what, double value) {
-  if (std::isfinite(value)) line += fmt::format("{}{}={:g}", line.empty() ? "" : " ", what, value);
-}
-
-// What is known of all, as text.
-std::string facts_line(const Recording& recording) {
-  std::string line;
-  add(line, "speed_rpm", recording.speed_rpm);
-  add(line, "load_pct", recording.load_pct);
-  add(line, "torque_Nm", recording.torque_Nm);
-  if (recording.repeat > 0) add(line, "repeat", recording.repeat);
-  return line;
-}
-
-std::string status_line(const Recording& recording) {
-  std::string line;
-  add(line, "planned_speed_rpm", recording.planned_speed_rpm);
-  return line + (line.empty() ? "" : " ") + "status=" + recording.status;
+// What is known of all, as text of two lines: the second has what the first has no room for.
+std::array<std::string, 2> facts_lines(const Recording& recording) {
+  std::array<std::string, 2> lines;
+  const auto add = [&lines](const char* what, double value) {
+    if (!std::isfinite(value)) return;
+    const std::string text = fmt::format("{}={}", what, value);
+    const bool has_room = lines[0].size() + 1 + text.size() <= most_in_line;
+    std::string& line = has_room && lines[1].empty() ? lines[0] : lines[1];
+    line += (line.empty() ? "" : " ") + text;
+  };
+  add("speed_rpm", recording.speed_rpm);
+  add("load_pct", recording.load_pct);
+  add("torque_Nm", recording.torque_Nm);
+  if (recording.repeat > 0) add("repeat", recording.repeat);
+  add("planned_speed_rpm", recording.planned_speed_rpm);
+  return lines;
 }
 
 // The first ten bytes of the name tell the place; the first line of text tells all of it.
@@ -85,10 +94,11 @@ std::string header_of(const Recording& recording, const Channel& channel) {
   const std::string& name = channel.info.name;
   const Quantity quantity = quantity_of(channel.info.unit);
   const double start_utc_s = noted_start_s(recording);
-  std::string lines = id_line(name) + id_line("") + id_line(uff_date(start_utc_s)) +
-                      id_line(facts_line(recording)) + id_line(status_line(recording));
-  lines += fmt::format("{:5}{:10}{:5}{:10} {:10}{:10}{:4} {:10}{:10}{:4}\n", time_response, 0, 0, 0,
-                       name.size() <= most_in_place ? name : "NONE", 0,
+  const auto [facts, more_facts] = facts_lines(recording);
+  std::string lines = id_line(name) + id_line(more_facts) + id_line(uff_date(start_utc_s)) +
+                      id_line(facts) + id_line("rvbench_status=" + recording.status);
+  lines += fmt::format("{:5}{:10}{:5}{:10} {}{:10}{:4} {:10}{:10}{:4}\n", time_response, 0, 0, 0,
+                       padded(name.size() <= most_in_place ? name : "NONE", most_in_place), 0,
                        code_of(channel.info.direction), "NONE", 0, 0);
   lines += fmt::format("{:10}{:10}{:10}{:13.6E}{:13.6E}{:13.6E}\n", real_double,
                        channel.samples.size(), even, channel.start_s, 1 / channel.rate_Hz, 0.0);
@@ -154,7 +164,8 @@ Status write_sets(const std::vector<Recording>& recordings, FileDraft& draft, bo
   return Done{};
 }
 
-constexpr Holds holds{.clocks = true, .sensitivities = false, .time_digits = 7};
+constexpr Holds holds{
+    .clocks = true, .any_direction = false, .sensitivities = false, .time_digits = 7};
 
 }  // namespace
 

@@ -148,7 +148,7 @@ Result<std::vector<Recording>> read(const std::filesystem::path& file) {
     recording.channels.push_back(channel_of(chunks, i));
   }
   describe(chunks, recording);
-  return std::vector<Recording>{std::move(recording)};
+  return alone(std::move(recording));
 }
 
 }  // namespace

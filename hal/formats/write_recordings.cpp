@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 #include <utility>
 
+#include "hal/formats/distinct_names.hpp"
 #include "hal/formats/losses.hpp"
 #include "hal/formats/printable.hpp"
 #include "hal/types/require.hpp"
@@ -18,7 +21,7 @@ using formats::Writer;
 struct Part {
   std::filesystem::path file;
   std::vector<Recording> recordings;
-  bool was_printable = true;
+  std::vector<std::string> warnings;
 };
 
 // Recordings that each have one clock, and no more channels than may be.
@@ -51,17 +54,30 @@ std::string point_of(const Recording& recording, std::size_t place) {
   return is_number ? own : fmt::format("{:03}", place);
 }
 
+// What tells the points apart in their files' names: their numbers, else, where two would be one,
+// their places.
+std::vector<std::string> points_of(const std::vector<Recording>& recordings) {
+  std::vector<std::string> points, places;
+  for (std::size_t i = 0; i < recordings.size(); ++i) {
+    points.push_back(point_of(recordings[i], i));
+    places.push_back(fmt::format("{:03}", i));
+  }
+  const std::set<std::string> distinct(points.begin(), points.end());
+  return distinct.size() == points.size() ? points : places;
+}
+
 std::vector<Part> parts_of(const std::vector<Recording>& recordings,
                            const std::filesystem::path& file, const Holds& holds) {
-  if (holds.recordings && holds.clocks) return {{file, recordings}};
+  if (holds.recordings && holds.clocks) return {{file, recordings, {}}};
+  const std::vector<std::string> points = points_of(recordings);
   std::vector<Part> parts;
   for (std::size_t i = 0; i < recordings.size(); ++i) {
-    const std::string point = recordings.size() > 1 ? "_" + point_of(recordings[i], i) : "";
+    const std::string point = recordings.size() > 1 ? "_" + points[i] : "";
     const std::vector<Recording> split =
         holds.clocks ? std::vector{recordings[i]} : by_clock(recordings[i], holds.channels);
     for (std::size_t k = 0; k < split.size(); ++k) {
       const std::string suffix = point + (split.size() > 1 ? fmt::format("_{}", k + 1) : "");
-      parts.push_back({suffix.empty() ? file : named_after(file, suffix), {split[k]}});
+      parts.push_back({suffix.empty() ? file : named_after(file, suffix), {split[k]}, {}});
     }
   }
   return parts;
@@ -74,6 +90,33 @@ void require_samples(const std::vector<Recording>& recordings) {
     require(!recording.channels.empty(), "a recording without channels");
     for (const Channel& channel : recording.channels) {
       require(channel.samples.size() > 0, "a channel without samples");
+    }
+  }
+}
+
+// In formats that are text a line break in a name would end a line.
+void tidy_names(Part& part) {
+  for (Recording& recording : part.recordings) {
+    if (formats::make_printable(recording)) part.warnings.emplace_back(formats::was_not_printable);
+    const std::vector<std::string> told = formats::make_names_distinct(recording);
+    part.warnings.insert(part.warnings.end(), told.begin(), told.end());
+  }
+}
+
+// A rate of whole Hz that an interval was rounded from.
+void snap_rates(Part& part) {
+  constexpr double rounding = 1e-6;  // of an interval of six digits and more
+  for (Recording& recording : part.recordings) {
+    for (Channel& channel : recording.channels) {
+      const double stated_Hz = channel.rate_Hz, whole_Hz = std::round(stated_Hz);
+      const double off = std::abs(stated_Hz / whole_Hz - 1);
+      if (!(off > 0 && off <= rounding)) continue;
+      channel.rate_Hz = whole_Hz;
+      const std::string told =
+          fmt::format("a rate of {:.10g} Hz is written as {:.10g} Hz, which it is but for rounding",
+                      stated_Hz, whole_Hz);
+      const bool is_told = std::ranges::find(part.warnings, told) != part.warnings.end();
+      if (!is_told && off > 1e-12) part.warnings.push_back(told);
     }
   }
 }
@@ -94,14 +137,14 @@ Result<std::vector<WrittenFile>> write_recordings(const std::vector<Recording>& 
   std::vector<Part> parts = parts_of(recordings, file, writer.holds);
   for (Part& part : parts) {
     if (Status place = formats::check_place(part.file, overwrite); !place) return place.error();
-    // In formats that are text a line break in a name would end a line.
-    for (Recording& recording : part.recordings) {
-      if (formats::make_printable(recording)) part.was_printable = false;
-    }
+    if (writer.holds.names) tidy_names(part);
+    if (!writer.holds.any_rate) snap_rates(part);
   }
-  for (const Recording& recording : recordings) {
-    if (const auto fault = formats::unwritable(recording, writer)) {
-      return IoError{IoErrc::bad_data, recording.source + ": " + *fault};
+  for (const Part& part : parts) {
+    for (const Recording& recording : part.recordings) {
+      if (const auto fault = formats::unwritable(recording, writer)) {
+        return IoError{IoErrc::bad_data, recording.source + ": " + *fault};
+      }
     }
   }
   std::vector<WrittenFile> written;
@@ -110,8 +153,8 @@ Result<std::vector<WrittenFile>> write_recordings(const std::vector<Recording>& 
     std::size_t channels = 0;
     for (const Recording& recording : part.recordings) channels += recording.channels.size();
     written.push_back({part.file, channels, formats::losses(part.recordings, writer)});
-    if (!part.was_printable && writer.holds.names)
-      written.back().warnings.emplace_back(formats::was_not_printable);
+    std::vector<std::string>& warnings = written.back().warnings;
+    warnings.insert(warnings.end(), part.warnings.begin(), part.warnings.end());
   }
   return written;
 }

@@ -19,6 +19,7 @@ struct Holds {
   bool names = true;             ///< of channels
   bool units = true;
   bool directions = true;
+  bool any_direction = true;  ///< not +X, -RZ ... only
   bool sensitivities = true;
   bool channel_start = true;  ///< when the first sample was, on the recording's clock
   bool start_time = true;     ///< when the recording began, in UTC

@@ -4,7 +4,9 @@
 #include <fstream>
 
 #include "bench/simulated_recording.hpp"
+#include "hal/formats/choose_writer.hpp"
 #include "hal/formats/read_recordings.hpp"
+#include "hal/formats/write_recordings.hpp"
 #include "tests/bench/answers.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -184,6 +186,28 @@ TEST_CASE("what rises unevenly and is no time is written, and told", "[bench][im
   CHECK_THAT(answer.err, Contains("note: ") && Contains("count only rises, as time does, but") &&
                              Contains("about 20 samples are missing behind its sample 400"));
   CHECK(hal::read_recordings(out).value()[0].channels.size() == 2);
+}
+
+TEST_CASE("what rises in seconds is time under any name, and what rises in radians is told",
+          "[bench][import][export]") {
+  const ScratchFolder scratch;
+  const auto file = scratch / "gap.h5";
+  const auto [name, unit, rows] = GENERATE(table<std::string, std::string, int>(
+      {{"Timestamp", "s", 400}, {"Zeit", "s", 20}, {"shaft_angle", "rad", 400}}));
+  CAPTURE(name, rows);
+  Recording recording;
+  recording.status = "ok";
+  Eigen::VectorXd rising = Eigen::VectorXd::LinSpaced(rows, 0, (rows - 1) / 2000.0);
+  rising.tail(rows / 2).array() += 0.01;
+  recording.channels = {
+      {{"accel_1x", "m/s²", "", not_known}, 2000, 0, Eigen::VectorXd::Random(rows)},
+      {{name, unit, "", not_known}, 2000, 0, rising}};
+  REQUIRE(hal::write_recordings({recording}, file, *hal::formats::choose_writer(file), false));
+  const CommandAnswer answer =
+      test::rvbench({"export", file.string(), "--to", (scratch / "a.csv").string()});
+  CHECK(answer.code == (unit == "s" ? 20 : 0));
+  CHECK_THAT(answer.err, Contains(fmt::format("missing behind its sample {}", rows / 2)) &&
+                             Contains(unit == "s" ? "gap.h5" : "note: "));
 }
 
 TEST_CASE("export writes all points, or those that are asked for", "[bench][export]") {

@@ -57,6 +57,17 @@ TEST_CASE("numbers with a comma that may be anything are refused, with the place
   CHECK_THAT(complaint("a,b\n1,2,3\n"), Contains("2: 3 values, not 2") && !Contains("decimal"));
 }
 
+TEST_CASE("whole numbers without names that may be halves of others are told, or refused",
+          "[hal][formats]") {
+  const std::string note = "taken as two columns of whole numbers, not as one with a decimal comma";
+  CHECK(read_csv("0,123\n0,456\n").notes == std::vector<std::string>{note});
+  CHECK_THAT(complaint("0,123\n0,050\n"), Contains("a.csv: 2:2: begins with 0: if numbers have"));
+  CHECK(read_csv("a,b\n0,123\n0,050\n").notes.empty());
+  CHECK(read_csv("0.5,123\n0.25,050\n").notes.empty());
+  CHECK(read_csv("1,2,3\n4,5,6\n").notes.empty());
+  CHECK(read_csv("\"0,123\"\n\"0,050\"\n").channels.at(0).samples == Eigen::Vector2d(0.123, 0.05));
+}
+
 TEST_CASE("names and numbers in quotes are those within", "[hal][formats]") {
   const Recording recording = read_csv("\"a, left\" , \"b \"\n\"1\",2\n 3 , \"4\" \n");
   REQUIRE(recording.channels.size() == 2);

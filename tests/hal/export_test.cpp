@@ -58,7 +58,7 @@ TEST_CASE("what a format has a place for comes back from it", "[hal][formats][ex
   REQUIRE(read.size() == 1);
   const Recording& after = read[0];
   CHECK(after.status == "ok");
-  if (holds.facts && holds.sensitivities) {  // UFF has them as text alone
+  if (holds.facts) {
     CHECK(after.speed_rpm == before.speed_rpm);
     CHECK(after.planned_speed_rpm == before.planned_speed_rpm);
     CHECK(after.load_pct == before.load_pct);

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdlib>
 
 #include "tests/hal/export_fixture.hpp"
@@ -29,6 +30,30 @@ std::string flac_of(const ScratchFolder& scratch, Eigen::Index samples) {
   }
   written_as("flac", scratch / "whole.flac", {recording});
   return test::bytes_in(scratch / "whole.flac");
+}
+
+// The remainder of a division in binary, as RFC 9639 has it.
+std::string crc_of(const std::string& bytes, unsigned width, unsigned polynomial) {
+  unsigned crc = 0;
+  for (const char byte : bytes) {
+    crc ^= static_cast<unsigned>(static_cast<unsigned char>(byte)) << (width - 8);
+    for (int bit = 0; bit < 8; ++bit) {
+      crc = (crc >> (width - 1) & 1U) != 0 ? crc << 1U ^ polynomial : crc << 1U;
+    }
+    crc &= (1U << width) - 1;
+  }
+  std::string code;
+  for (unsigned shift = width; shift > 0; shift -= 8) {
+    code += static_cast<char>(crc >> (shift - 8) & 0xFFU);
+  }
+  return code;
+}
+
+// 65 535 zeros of 16 bits at 48 kHz, in 14 bytes.
+std::string silent_frame(char number) {
+  std::string bytes = std::string("\xFF\xF8\x7A\x08") + number + "\xFF\xFE";
+  bytes += crc_of(bytes, 8, 0x07) + std::string(3, '\0');
+  return bytes + crc_of(bytes, 16, 0x8005);
 }
 
 }  // namespace
@@ -70,6 +95,46 @@ TEST_CASE("FLAC: what is damaged or cut off is INVALID, and says so", "[hal][for
   const auto flipped = read_bytes(scratch / "flipped.flac", damaged);
   REQUIRE(flipped);
   CHECK_THAT(flipped.value()[0].status, Catch::StartsWith("INVALID: "));
+}
+
+TEST_CASE("FLAC: frames that are not there are lost samples, not silence", "[hal][formats]") {
+  const ScratchFolder scratch;
+  const std::string whole = flac_of(scratch, 20000);
+  // Frames of 4096 samples begin so: of varying size or not, then their number.
+  const auto frame = [&whole](char number) {
+    const std::size_t at = whole.find(std::string("\xFF\xF8"));
+    REQUIRE(at != whole.npos);
+    const std::string code = whole.substr(at, 4);
+    const std::size_t found = whole.find(code + number, at);
+    REQUIRE(found != whole.npos);
+    return found;
+  };
+  std::string gapped = whole.substr(0, frame(1)) + whole.substr(frame(3));
+  const auto read = read_bytes(scratch / "gap.flac", gapped);
+  REQUIRE(read);
+  const Recording& recording = read.value()[0];
+  CHECK_THAT(recording.status,
+             Catch::StartsWith("INVALID: ") && Contains(" samples are missing behind sample 4096"));
+  const Eigen::VectorXd& samples = recording.channels[0].samples;
+  REQUIRE(samples.size() == 20000);
+  CHECK(samples.segment(4096, 8192).array().isNaN().all());
+  const Eigen::VectorXd signal = Eigen::VectorXd::LinSpaced(20000, 0, 100).array().sin();
+  for (Eigen::Index i = 0; i < 20000; ++i) {
+    if (!std::isnan(samples[i])) REQUIRE(samples[i] == Approx(signal[i]).margin(1e-6));
+  }
+  CHECK_FALSE(std::isnan(samples[0]));
+  CHECK_FALSE(std::isnan(samples[19999]));
+}
+
+TEST_CASE("FLAC: a file of some kilobytes claims no gigabytes", "[hal][formats]") {
+  const ScratchFolder scratch;
+  std::string bytes = "fLaC" + std::string("\x80\0\0\x22\xFF\xFF\xFF\xFF", 8) +
+                      std::string(6, '\0') + std::string("\x0B\xB8\x00\xF0", 4) +
+                      std::string(20, '\0');
+  for (int i = 0; i < 100; ++i) bytes += silent_frame(static_cast<char>(i));
+  const auto read = read_bytes(scratch / "silence.flac", bytes);
+  REQUIRE_FALSE(read);
+  CHECK_THAT(read.error().where, Contains("silence.flac: more than 5") && Contains(" samples"));
 }
 
 TEST_CASE("FLAC: what holds no samples is refused with words", "[hal][formats]") {

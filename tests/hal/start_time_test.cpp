@@ -31,7 +31,9 @@ TEST_CASE("what is no time is none", "[hal][formats]") {
 }
 
 TEST_CASE("universal files have years of two digits", "[hal][formats]") {
-  CHECK(uff_date(1476442277.9) == "14-Oct-16 10:51:17");
+  CHECK(uff_date(1476442277) == "14-Oct-16 10:51:17");
+  CHECK(uff_date(1476442277.9) == "14-Oct-16 10:51:17.900000");
+  CHECK(utc_of_uff_date("14-Oct-16 10:51:17.900000") == 1476442277.9);
   CHECK(utc_of_uff_date("14-Oct-16 10:51:17") == 1476442277);
   CHECK(uff_date(utc_of_uff_date("08-Jan-99 00:00:00")) == "08-Jan-99 00:00:00");
   CHECK(uff_date(not_known).empty());

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "hal/formats/read_recordings.hpp"
+#include "tests/hal/export_fixture.hpp"
 #include "tests/hal/foreign_file_builder.hpp"
 
 namespace rvbench::hal {
@@ -150,6 +151,53 @@ TEST_CASE("a universal file of one line without end is no worse than refused", "
   CHECK_THAT(complaint(bytes), Contains("holds no samples"));  // one number, cut off
   bytes = "    -1\n    58\n" + std::string(1 << 20, 'x');
   CHECK_FALSE(complaint(bytes).empty());
+}
+
+TEST_CASE("UFF: what is known of a recording, and that it is none to trust, comes back",
+          "[hal][formats][export]") {
+  const test::ScratchFolder scratch;
+  Recording before = test::exported();
+  before.speed_rpm = 604.51234567890123;
+  before.planned_speed_rpm = 604.98765432109876;
+  before.torque_Nm = -1.2345678901234567;
+  before.status = "INVALID: accel_1x: 2.5 s are missing";
+  before.notes.clear();
+  formats::note_start(test::start_utc_s + 0.9, before);
+  const auto key = GENERATE("uff58", "uff58b");
+  test::written_as(key, scratch / "a.uff", {before});
+  const auto read = test::read_back(scratch / "a.uff");
+  REQUIRE(read.size() == 1);
+  const Recording& after = read[0];
+  CHECK(after.status == before.status);
+  CHECK(after.speed_rpm == before.speed_rpm);
+  CHECK(after.planned_speed_rpm == before.planned_speed_rpm);
+  CHECK(after.load_pct == before.load_pct);
+  CHECK(after.torque_Nm == before.torque_Nm);
+  CHECK(after.repeat == before.repeat);
+  CHECK(formats::noted_start_s(after) == test::start_utc_s + 0.9);
+  for (const std::string& note : after.notes) CHECK_THAT(note, !Catch::Contains("_rpm="));
+}
+
+TEST_CASE("UFF: fields count bytes, and a direction that has no code is told",
+          "[hal][formats][export]") {
+  const test::ScratchFolder scratch;
+  Recording before = test::exported();
+  before.channels[0].info.name = "Lager_ä";
+  before.channels[0].info.unit = "µε/s";
+  before.channels[1].info.direction = "+RZ";
+  CHECK_THAT(test::written_as("uff58", scratch / "a.uff", {before})[0].warnings.back(),
+             !Catch::Contains("directions"));
+  const Recording after = test::read_back(scratch / "a.uff")[0];
+  REQUIRE(after.find("Lager_ä") != nullptr);
+  CHECK(after.find("Lager_ä")->info.direction == "-Y");
+  CHECK(after.find("Lager_ä")->info.unit == "µε/s");
+  CHECK(after.find("input_torque")->info.direction == "+RZ");
+
+  before.channels[0].info.direction = "radial";
+  const auto warnings = test::written_as("uff58", scratch / "b.uff", {before})[0].warnings;
+  CHECK(std::count(warnings.begin(), warnings.end(),
+                   "UFF 58 has no place for directions other than along or about an axis: left "
+                   "out") == 1);
 }
 
 }  // namespace rvbench::hal

@@ -1,7 +1,14 @@
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
 
 #include "hal/formats/read_recordings.hpp"
 #include "tests/hal/foreign_file_builder.hpp"
+#include "tests/support/under_sanitizer.hpp"
 
 namespace rvbench::hal {
 namespace {
@@ -116,6 +123,41 @@ TEST_CASE("WAV: cut off at any byte it is no worse than refused", "[hal][formats
     if (recordings && recordings.value()[0].status != "ok") ++invalid;
   }
   CHECK(invalid == 2);  // one of two samples is there
+}
+
+TEST_CASE("an infinity is a lost sample, and counted", "[hal][formats]") {
+  const float infinity = std::numeric_limits<float>::infinity();
+  const Recording recording = read(
+      wav(format(3, 1, 32), packed(1.5F) + packed(infinity) + packed(-infinity) + packed(-2.0F)));
+  const Eigen::VectorXd& samples = recording.channels[0].samples;
+  REQUIRE(samples.size() == 4);
+  CHECK(samples[0] == 1.5);
+  CHECK(std::isnan(samples[1]));
+  CHECK(std::isnan(samples[2]));
+  CHECK(samples[3] == -2);
+  CHECK(recording.status == "ok");
+  CHECK(recording.notes.back() == "2 samples are infinite, as nothing measured is: taken as lost");
+}
+
+TEST_CASE("a file of more samples than there is memory for is refused by name", "[hal][formats]") {
+  if (test::under_sanitizer) return;  // they end a program that asks for too much
+  const ScratchFolder scratch;
+  const auto file = written(scratch, "huge.wav", wav(format(1, 1, 8), "", 0));
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 29U);  // takes no room on the disk
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const rlimit limit{1U << 29U, 1U << 29U};
+    ::setrlimit(RLIMIT_AS, &limit);
+    const auto read = read_recordings(file);
+    const bool is_refused =
+        !read && read.error().code == IoErrc::bad_data &&
+        read.error().where == file.string() + ": holds more samples than there is memory for";
+    ::_exit(is_refused ? 0 : 1);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  REQUIRE(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 0);
 }
 
 }  // namespace rvbench::hal
