@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstdlib>
 
@@ -47,6 +49,12 @@ std::string crc_of(const std::string& bytes, unsigned width, unsigned polynomial
     code += static_cast<char>(crc >> (shift - 8) & 0xFFU);
   }
   return code;
+}
+
+// Blocks of 65 535 samples of 16 bits, at 48 kHz; how many in all is not stated.
+std::string silent_head() {
+  return "fLaC" + std::string("\x80\0\0\x22\xFF\xFF\xFF\xFF", 8) + std::string(6, '\0') +
+         std::string("\x0B\xB8\x00\xF0", 4) + std::string(20, '\0');
 }
 
 // 65 535 zeros of 16 bits at 48 kHz, in 14 bytes.
@@ -126,11 +134,20 @@ TEST_CASE("FLAC: frames that are not there are lost samples, not silence", "[hal
   CHECK_FALSE(std::isnan(samples[19999]));
 }
 
+TEST_CASE("FLAC: a gap too long to be filled is INVALID, too", "[hal][formats]") {
+  const ScratchFolder scratch;
+  const auto read =
+      read_bytes(scratch / "gap.flac", silent_head() + silent_frame(0) + silent_frame(1) +
+                                           silent_frame(100) + silent_frame(101));
+  REQUIRE(read);
+  const Recording& recording = read.value()[0];
+  CHECK(recording.status ==
+        fmt::format("INVALID: {} samples are missing behind sample {}", 99 * 65535, 2 * 65535));
+}
+
 TEST_CASE("FLAC: a file of some kilobytes claims no gigabytes", "[hal][formats]") {
   const ScratchFolder scratch;
-  std::string bytes = "fLaC" + std::string("\x80\0\0\x22\xFF\xFF\xFF\xFF", 8) +
-                      std::string(6, '\0') + std::string("\x0B\xB8\x00\xF0", 4) +
-                      std::string(20, '\0');
+  std::string bytes = silent_head();
   for (int i = 0; i < 100; ++i) bytes += silent_frame(static_cast<char>(i));
   const auto read = read_bytes(scratch / "silence.flac", bytes);
   REQUIRE_FALSE(read);
