@@ -2,11 +2,18 @@
 
 #include <algorithm>
 #include <cctype>
+#include <nlohmann/json.hpp>
 
 namespace rvbench::bench {
 
 HttpAnswer refusal(int status, const std::string& word) {
   return {.status = status, .body = "{\"error\":\"" + word + "\"}\n"};
+}
+
+HttpAnswer wrong_field(const std::string& name) {
+  const nlohmann::json json{{"error", "field"}, {"field", name}};
+  return {.status = 400,
+          .body = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"};
 }
 
 std::string lower(std::string text) {

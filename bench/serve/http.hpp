@@ -42,6 +42,8 @@ struct HttpAnswer {
 
 /// {"error": word}
 HttpAnswer refusal(int status, const std::string& word);
+/// {"error": "field", "field": name}, 400: it is none of the call's, or holds something else.
+HttpAnswer wrong_field(const std::string& name);
 
 /// Of ASCII alone, as names of headers, hosts and types are.
 std::string lower(std::string text);

@@ -28,8 +28,8 @@ bool is_word(const std::string& text) {
 HttpAnswer StationApi::rejudge(const Call& call) {
   const std::string run = text_at(call.body, "run");
   const std::string version = version_at(call.body, "limits");
-  if (!is_word(run)) return refusal(400, "run");
-  if (!version.empty() && !is_word(version)) return refusal(400, "limits");
+  if (!is_word(run)) return wrong_field("run");
+  if (!version.empty() && !is_word(version)) return wrong_field("limits");
   return logged(call, "rejudge", [&] {
     std::vector<std::string> words{"rejudge", (station_.file().runs / run).string(), "--json"};
     if (!version.empty()) {
@@ -44,7 +44,7 @@ HttpAnswer StationApi::rejudge(const Call& call) {
 HttpAnswer StationApi::limits(const Call& call) {
   const std::string version = call.request.parameter("version");
   if (!version.empty()) {
-    if (!is_word(version)) return refusal(400, "version");
+    if (!is_word(version)) return wrong_field("version");
     return ask_long(
         {"limits", "effect", version, "--json", "--out=" + station_.file().runs.string()});
   }
@@ -57,9 +57,11 @@ HttpAnswer StationApi::propose_limits(const Call& call) {
   const std::string plan = named.empty() ? station_.file().plan : named;
   const std::string version = version_at(call.body, "version");
   const bool learns = !call.body.contains("limits");
-  if (!learns && call.body.size() > 1) return refusal(400, "limits_alone");
-  if (learns && !named.empty() && !is_word(named)) return refusal(400, "plan");
-  if (learns && !is_word(version)) return refusal(400, "version");
+  for (const auto& [key, value] : call.body.items()) {
+    if (!learns && key != "limits") return wrong_field(key);  // the limits file says all
+  }
+  if (learns && !named.empty() && !is_word(named)) return wrong_field("plan");
+  if (learns && !is_word(version)) return wrong_field("version");
   return logged(call, "limits propose", [&] {
     if (learns) {
       std::vector<std::string> words{"limits",
@@ -90,7 +92,7 @@ HttpAnswer StationApi::activate_limits(const Call& call) { return limits_step(ca
 // The page shows the effect before it offers the step; who calls by another program asks for it.
 HttpAnswer StationApi::limits_step(const Call& call, const std::string& step) {
   const std::string version = version_at(call.body, "version");
-  if (!is_word(version)) return refusal(400, "version");
+  if (!is_word(version)) return wrong_field("version");
   return logged(call, "limits " + step, [&] {
     std::vector<std::string> words{"limits",
                                    step,

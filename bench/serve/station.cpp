@@ -108,7 +108,7 @@ std::string Station::stop() {
   if (phase_ != Phase::running) return "not_running";
   if (is_due_) {
     is_due_ = false;
-    fail("stopped before it began", Outcome::aborted);
+    fail("stopped_before", "stopped before it began", Outcome::aborted);
     return "";
   }
   return process_.stop() ? "" : "not_running";

@@ -76,7 +76,8 @@ class Station {
   void hear();
   void hear(const nlohmann::json& letter);
   void conclude();
-  void fail(const std::string& reason, Outcome outcome = Outcome::error);
+  /// @param code  what the page has a sentence for
+  void fail(const std::string& code, const std::string& reason, Outcome outcome = Outcome::error);
   void tell_change();
   std::string why_not(bool is_retest, const StationViewer& viewer) const;
   std::string next_action(const StationViewer& viewer) const;

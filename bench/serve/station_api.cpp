@@ -121,7 +121,7 @@ HttpAnswer StationApi::answer(const HttpRequest& request) {
     return refusal(403, "role");
   }
   if (const std::string field = misplaced_field(body, route->fields); !field.empty()) {
-    return json_answer(400, {{"error", "field"}, {"field", field}});
+    return wrong_field(field);
   }
   return (this->*route->handle)({request, *session, body});
 }

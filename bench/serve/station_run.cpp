@@ -61,12 +61,12 @@ void Station::spawn() {
     std::filesystem::remove(process_.answer_file());  // that of the unit before
     keep_unit();
   } catch (const std::system_error& error) {
-    return fail(reason_of(error));
+    return fail("not_started", reason_of(error));
   }
   const std::string failed = process_.start(
       {program_.string(), "run", file_.plan, "--rig=" + file_.rig, "--serial=" + serial_,
        "--out=" + file_.runs.string(), "--live=" + (keep_ / live_name).string(), "--json"});
-  if (!failed.empty()) fail(failed);
+  if (!failed.empty()) fail("not_started", failed);
 }
 
 void Station::hear() {
@@ -107,30 +107,33 @@ void Station::conclude() {
   const auto answer =
       nlohmann::json::parse(read_file(process_.answer_file()).value_or(""), nullptr, false);
   if (!answer.is_object()) {
-    return fail("the run ended without an answer (see " + process_.log_file().string() +
-                "); if the shaft turned, the drive's watchdog has stopped it");
+    return fail("no_answer", "the run ended without an answer (see " +
+                                 process_.log_file().string() +
+                                 "); if the shaft turned, the drive's watchdog has stopped it");
   }
   // Where power failed between two runs, the answer is the other's.
   if (const auto run = answer.find("run"); run != answer.end() && run->is_object()) {
     const std::string serial = text_at(*run, "serial"), started = text_at(*run, "started_utc");
     const std::string folder = std::filesystem::path(run_).filename().string();
     if (serial != serial_ || !folder.starts_with(started)) {
-      return fail("the answer that was left is of another run, of " + serial + " at " + started);
+      return fail("other_run",
+                  "the answer that was left is of another run, of " + serial + " at " + started);
     }
   }
   phase_ = Phase::ended;
   try {
     verdict_ = verdict_of_answer(answer, run_, file_.runs);
   } catch (const nlohmann::json::exception& error) {
-    fail(std::string("the run's answer is none: ") + error.what());
+    fail("no_answer", std::string("the run's answer is none: ") + error.what());
   }
 }
 
-void Station::fail(const std::string& reason, Outcome outcome) {
+void Station::fail(const std::string& code, const std::string& reason, Outcome outcome) {
   phase_ = Phase::ended;
   const Ending ending{outcome, ErrorKind::device_lost, reason};
   verdict_ = verdict_of_answer({{"verdict", rvbench::to_string(outcome)},
                                 {"exit_code", rvbench::exit_code(ending)},
+                                {"code", code},
                                 {"reason", reason}},
                                run_, file_.runs);
 }

@@ -42,6 +42,7 @@ std::string verdict_of_answer(const nlohmann::json& answer, const std::string& r
       !run.empty() && std::filesystem::exists(runs / run / "report.html", unknown);
   return line_of({{"word", has_word ? answer["verdict"] : nlohmann::json("ERROR")},
                   {"exit_code", answer.value("exit_code", -1)},
+                  {"code", answer.value("code", answer.value("error_kind", "none"))},
                   {"reason", answer.value("reason", "")},
                   {"findings", findings},
                   {"run", run},

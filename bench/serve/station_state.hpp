@@ -9,8 +9,9 @@
 
 namespace rvbench::bench {
 
-/// What the page is told of a run's answer, as JSON: word, exit_code, reason, findings, run,
-/// report. An answer without a verdict is that of a run that was refused: an ERROR.
+/// What the page is told of a run's answer, as JSON: word, exit_code, code, reason, findings,
+/// run, report. The code is one word for the reason, "none" where it is about the unit. An answer
+/// without a verdict is that of a run that was refused: an ERROR.
 /// @param answer  what rvbench run --json prints
 /// @param run     below `runs`; "" if there is none
 std::string verdict_of_answer(const nlohmann::json& answer, const std::string& run,

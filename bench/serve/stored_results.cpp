@@ -133,7 +133,7 @@ HttpAnswer StationApi::history(const Call& call) {
 
 HttpAnswer StationApi::trend(const Call& call) {
   const std::string indicator = call.request.parameter("indicator");
-  if (!is_plain_name(indicator)) return refusal(400, "indicator");
+  if (!is_plain_name(indicator)) return wrong_field("indicator");
   std::vector<std::string> words{"trend", indicator, "--json",
                                  "--runs=" + station_.file().runs.string()};
   add_options(words, call.request, {"point", "channel", "serial"});

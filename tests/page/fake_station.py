@@ -82,7 +82,7 @@ class Station:
                 self.conclude()
 
     def conclude(self):
-        word, code, findings, reason = "PASS", 0, [], ""
+        word, code, findings, reason, why = "PASS", 0, [], "", "none"
         if self.stopped:
             word, code, reason = "ABORTED", 50, "stopped by the operator"
         elif self.serial.endswith("7"):
@@ -90,11 +90,12 @@ class Station:
             findings = [{"component": "input_shaft", "mechanism": "misalignment", "advice": ADVICE},
                         {"component": "sun_gear", "mechanism": "profile_error", "advice": "Replace the sun gear."}]
         elif self.serial.endswith("9"):
-            word, code, reason = "ERROR", 30, "inverter: read speed: no reply within 100 ms; check its cable"
+            word, code, why = "ERROR", 30, "device_lost"
+            reason = "inverter: read speed: no reply within 100 ms; check its cable"
         utc = time.strftime("%Y%m%dT%H%M%SZ", time.gmtime(self.begun_s))
         self.runs.append(run_json(self.serial, utc, word, reason))
         run = f"{self.serial}/{utc}"
-        self.verdict = {"word": word, "exit_code": code, "reason": reason, "findings": findings,
+        self.verdict = {"word": word, "exit_code": code, "code": why, "reason": reason, "findings": findings,
                         "run": run, "report": f"/api/runs/{run}/report"}
         self.phase = "ended"
         self.changed()
@@ -250,6 +251,8 @@ class Handler(http.server.BaseHTTPRequestHandler):
             runs = [r for r in self.station.runs if query.get("serial", r["serial"]) == r["serial"]
                     and query.get("verdict", r["verdict"]) == r["verdict"]]
             return self.answer(200, {"runs": runs})
+        if url.path == "/api/trend" and query.get("indicator") == "none":
+            return self.answer(422, {"error": "refused", "exit_code": 2, "reason": "trend: no indicator none\n"})
         if url.path == "/api/trend":
             values = [{"serial": r["serial"], "started_utc": r["started_utc"], "verdict": r["verdict"],
                        "point": "1815 rpm, 100 %", "value": 0.17 + 0.03 * math.sin(2.1 * i) + (0.12 if r["verdict"] == "FAIL" else 0)}

@@ -19,6 +19,9 @@ from stations import FakeStation, RealStation
 
 OPTIONS = argparse.Namespace()
 LANGUAGES = ("en", "zh", "ja")
+# Words of refusals that the page never meets, for it asks in due form.
+FOR_PROGRAMS = {"host", "origin", "method", "malformed", "bad_request", "target_too_long", "ranges", "header_twice",
+                "length_required", "content_length", "body_too_large", "expected_json"}
 
 
 def words_of(language):
@@ -53,6 +56,17 @@ class Words(unittest.TestCase):
             asked |= set(re.findall(r'\bsay\("([^"]+)"', module.read_text()))
         self.assertGreater(len(asked), 60)  # the patterns above still find them
         self.assertEqual(set(), asked - set(words_of("en")))
+
+    def test_there_is_a_sentence_for_each_word_of_the_server(self):
+        text = {source.name: source.read_text() for source in OPTIONS.page.parent.glob("*.cpp")}
+        asked = set(re.findall(r'refusal\(\d+, "(\w+)"\)', "".join(text.values()))) - FOR_PROGRAMS
+        for source in ("station.cpp", "serial_rule.cpp"):
+            asked |= set(re.findall(r'return "(\w+)";', text[source]))
+        reasons = set(re.findall(r'\bfail\("(\w+)"', "".join(text.values())))
+        self.assertGreater(len(asked), 15)  # the patterns above still find them
+        self.assertGreater(len(reasons), 3)
+        keys = {f"error.{word}" for word in asked} | {f"reason.{word}" for word in reasons}
+        self.assertEqual(set(), keys - set(words_of("en")))
 
 
 class Source(unittest.TestCase):
@@ -99,9 +113,9 @@ class PageTest(unittest.TestCase):
     def scan(self, text):
         self.browser.type(text, Keys.ENTER)
 
-    def start(self, serial):
+    def start(self, serial, say=None):
         self.scan(serial)
-        self.browser.wait_word("READY")
+        self.browser.wait_word(say["state.ready"] if say else "READY")
         self.browser.tab_to("start")
         self.browser.type(Keys.ENTER)
 
@@ -225,6 +239,44 @@ class WholeWay(PageTest):
 
     def test_in_english(self):
         self.go("en")
+
+    def test_in_chinese(self):
+        self.go("zh")
+
+    def test_in_japanese(self):
+        self.go("ja")
+
+
+class Refusals(PageTest):
+    """Each in the reader's language; what is only there in English stands beneath it, and says so."""
+    run_s = 1
+
+    def detail(self, element):
+        return self.browser.text(f"{element} .detail:lang(en)")
+
+    def go(self, language):
+        page = self.browser
+        self.enter("operator-token", language)
+        say = self.words
+        for text, key in (("B7", "error.serial_rule"), ("A30", "error.check_digit")):
+            self.scan(text)
+            page.wait(key, lambda t=text, k=key: page.text("#scan_fault") == say[k].replace("{text}", t))
+        self.start("A29", say)
+        page.wait_word(say["state.ERROR"])
+        self.assertTrue(page.text("#reason").startswith(say["reason.device_lost"]))
+        self.assertIn("no reply within 100 ms", self.detail("#reason"))
+        self.look(f"{language}_bench_error")
+        page.script("document.querySelector('#trend_filter [name=indicator]').value = 'none'")
+        page.tab_to("tab_station")
+        page.type(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT)
+        page.wait("a refusal", lambda: page.text("#trend_told").startswith(say["error.refused"]))
+        self.assertEqual("trend: no indicator none", self.detail("#trend_told"))
+        self.look(f"{language}_refused")
+        page.tab_to("logout")
+        page.type(Keys.ENTER)
+        page.wait_word(say["state.login"])
+        page.type("wrong-token", Keys.ENTER)
+        page.wait("an unknown token", lambda: page.text("#login_fault") == say["error.bad_token"])
 
     def test_in_chinese(self):
         self.go("zh")
@@ -527,6 +579,8 @@ class AgainstReal(unittest.TestCase):
 
     def see_duplicate(self, say, language):
         page = self.browser
+        page.type("B1", Keys.ENTER)
+        page.wait("the refusal", lambda: page.text("#scan_fault") == say["error.serial_rule"].replace("{text}", "B1"))
         page.type("A18", Keys.ENTER)
         page.wait("the safe answer has the focus", lambda: page.focused() == "another")
         self.look(f"real_{language}_duplicate")
@@ -543,7 +597,8 @@ def main():
     parser.add_argument("--against", choices=("fake", "real"), default="fake")
     parser.add_argument("--program", type=pathlib.Path)
     _, rest = parser.parse_known_args(namespace=OPTIONS)
-    every = [AgainstReal] if OPTIONS.against == "real" else [Words, Source, WholeWay, Scanning, Watching, Loss, PlainPlots]
+    with_fake = [Words, Source, WholeWay, Refusals, Scanning, Watching, Loss, PlainPlots]
+    every = [AgainstReal] if OPTIONS.against == "real" else with_fake
     names = [name for name in rest if not name.startswith("-")] or [c.__name__ for c in every]
     unittest.main(argv=sys.argv[:1] + [r for r in rest if r.startswith("-")] + names)
 

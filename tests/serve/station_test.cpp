@@ -224,6 +224,7 @@ TEST_CASE("an answer that another unit's run left is no verdict of this one",
   CHECK(state.at("serial") == "A17");
   CHECK(state.at("verdict").at("word") == "ERROR");
   CHECK(state.at("verdict").at("exit_code") == 30);
+  CHECK(state.at("verdict").at("code") == "other_run");
   CHECK_THAT(state.at("verdict").at("reason").get<std::string>(), Contains("of A16"));
 }
 
@@ -252,6 +253,7 @@ TEST_CASE("SIGTERM ends the page and not the test, a test that is killed is an E
     return state.at("phase") == "ended";
   }));
   CHECK(state.at("verdict").at("word") == "ERROR");
+  CHECK(state.at("verdict").at("code") == "no_answer");
   CHECK_THAT(state.at("verdict").at("reason").get<std::string>(),
              Contains("ended without an answer") && Contains("watchdog"));
 }

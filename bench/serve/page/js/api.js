@@ -5,6 +5,7 @@ export class Refusal extends Error {
     super(answer.error ?? `http_${status}`);
     this.word = answer.error ?? `http_${status}`;
     this.reason = answer.reason ?? "";
+    this.field = answer.field ?? "";
     this.status = status;
   }
 }

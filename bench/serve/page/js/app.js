@@ -10,9 +10,9 @@ import { begin_live_plots, show_no_spectrum, show_spectrum, show_strip, show_str
 import { ask_for_token, begin_login } from "./login.js";
 import { show_matrix } from "./matrix.js";
 import { begin_rejudge } from "./rejudge.js";
-import { begin_scan, focus_scan, show_scan_fault } from "./scan.js";
+import { begin_scan, focus_scan } from "./scan.js";
 import { make_tabs } from "./tabs.js";
-import { words_of } from "./told.js";
+import { tell_refusal } from "./told.js";
 import { begin_trend, show_trend } from "./trend.js";
 import { begin_unit, show_unit } from "./unit.js";
 import { begin_words, say } from "./words.js";
@@ -83,11 +83,11 @@ function logged_out() {
 
 // Does a call of the operator's and says why it was refused.
 async function attempt(call, values) {
-  show_scan_fault("");
+  tell(by_id("scan_fault"), "");
   try {
     await call();
   } catch (refusal) {
-    tell(by_id("scan_fault"), words_of(refusal, values));
+    tell_refusal(by_id("scan_fault"), refusal, values);
   }
 }
 

@@ -1,7 +1,7 @@
 // Who is at the station. A token may be scanned, as serials are.
 import { act, log_in } from "./api.js";
 import { by_id, tell } from "./dom.js";
-import { words_of } from "./told.js";
+import { tell_refusal } from "./told.js";
 
 export function ask_for_token() {
   document.body.dataset.view = "login";
@@ -21,7 +21,7 @@ export function begin_login(on) {
       tell(by_id("login_fault"), "");
       on.logged_in(session);
     } catch (refusal) {
-      tell(by_id("login_fault"), words_of(refusal));
+      tell_refusal(by_id("login_fault"), refusal);
     }
   });
   by_id("logout").addEventListener("click", async () => {

@@ -3,7 +3,6 @@
 // start a motor.
 import { act } from "./api.js";
 import { by_id, tell } from "./dom.js";
-import { say } from "./words.js";
 
 const field = by_id("scan_text");
 
@@ -41,8 +40,4 @@ export function begin_scan(page, attempt, go_station) {
     if (text) await attempt(() => act("scan", { text }), { text });
   });
   field.addEventListener("input", () => tell(by_id("scan_fault"), ""));
-}
-
-export function show_scan_fault(word, values) {
-  tell(by_id("scan_fault"), word ? say(`error.${word}`, values) : "");
 }

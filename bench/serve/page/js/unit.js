@@ -1,6 +1,7 @@
 // The unit at the station: its buttons, how its run goes, what came of it.
 import { act } from "./api.js";
 import { by_id, make, tell } from "./dom.js";
+import { tell_with_detail } from "./told.js";
 import { say, say_or } from "./words.js";
 
 function clock(left_s) {
@@ -30,7 +31,8 @@ function show_findings(findings) {
 
 function show_answer(verdict) {
   const none = verdict.word === "PASS" && !verdict.findings?.length ? say("findings.none") : "";
-  tell(by_id("reason"), verdict.reason || none);
+  const sentence = say_or(`reason.${verdict.code}`, "");
+  tell_with_detail(by_id("reason"), sentence || verdict.reason || none, sentence && verdict.reason);
   show_findings(verdict.findings ?? []);
   by_id("report").hidden = !verdict.report?.startsWith("/api/runs/");
   if (verdict.report) by_id("report").setAttribute("href", verdict.report);
@@ -56,7 +58,7 @@ export function show_unit(page) {
   if (state.phase === "running") show_course(state.progress);
   if (state.phase === "ended" && state.verdict) show_answer(state.verdict);
   by_id("reasons").hidden = state.station.qualified;
-  by_id("reasons").replaceChildren(...state.station.reasons.map((reason) => make("li", {}, reason)));
+  by_id("reasons").replaceChildren(...state.station.reasons.map((reason) => make("li", { lang: "en" }, reason)));
   tell(by_id("station_name"), state.station.name);
 }
 
