@@ -135,7 +135,9 @@ std::string fault_of(const std::filesystem::path& root, const LedgerLine& line) 
   const std::filesystem::path file = root / line.file;
   const auto hash = sha256_of_file(file);
   if (!hash) return file.string() + " is missing, or cannot be read";
-  return *hash == line.sha256 ? "" : file.string() + " was changed since rvbench kept it";
+  return *hash == line.sha256
+             ? ""
+             : file.string() + " was changed since rvbench kept it, or its keeping was cut short";
 }
 
 std::vector<std::string> ledger_faults(const std::filesystem::path& root) {
