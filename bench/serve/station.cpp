@@ -15,7 +15,6 @@
 namespace rvbench::bench {
 namespace {
 
-constexpr const char* live_name = "live.sock";
 constexpr std::chrono::seconds judge_again{1};
 constexpr std::chrono::seconds gather_again{60};  // a run that somebody began elsewhere has ended
 
@@ -39,7 +38,7 @@ Station::Station(StationFile file, std::filesystem::path program, EventHub& hub)
       keep_(made(keep_of(file_.runs))),
       hub_(hub),
       process_(keep_),
-      live_(LiveSocket::open(keep_ / live_name)) {
+      live_(LiveSocket::open(live_file())) {
   read_plan();
   find_run();
   gather();

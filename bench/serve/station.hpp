@@ -70,6 +70,7 @@ class Station {
   void hold_against_time();
   void forget_unit();
   void forget_run();
+  std::filesystem::path live_file() const { return keep_ / "live.sock"; }
   void find_run();
   void keep_unit() const;
   void spawn();

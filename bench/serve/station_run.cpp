@@ -65,7 +65,7 @@ void Station::spawn() {
   }
   const std::string failed = process_.start(
       {program_.string(), "run", file_.plan, "--rig=" + file_.rig, "--serial=" + serial_,
-       "--out=" + file_.runs.string(), "--live=" + (keep_ / live_name).string(), "--json"});
+       "--out=" + file_.runs.string(), "--live=" + live_file().string(), "--json"});
   if (!failed.empty()) fail("not_started", failed);
 }
 
