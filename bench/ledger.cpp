@@ -10,6 +10,7 @@
 #include <chrono>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <system_error>
 #include <thread>
@@ -67,15 +68,24 @@ WholeLines whole_lines_of(const std::string& text) {
   return whole;
 }
 
-FileLock lock_of(const std::filesystem::path& root) {
-  std::filesystem::create_directories(root);
+// Whether it was taken before a file could have been kept several times over.
+template <typename Take>
+bool is_taken_in_time(Take take) {
   const auto end = std::chrono::steady_clock::now() + longest_wait;
-  for (;;) {
-    auto lock = FileLock::take(root / ledger_name);
-    if (lock) return std::move(*lock);
-    if (std::chrono::steady_clock::now() > end) throw_error(EWOULDBLOCK, root / ledger_name);
+  while (!take()) {
+    if (std::chrono::steady_clock::now() > end) return false;
     std::this_thread::sleep_for(between_looks);
   }
+  return true;
+}
+
+FileLock lock_of(const std::filesystem::path& root) {
+  std::filesystem::create_directories(root);
+  const std::filesystem::path file = root / ledger_name;
+  std::optional<FileLock> lock;
+  const auto take = [&] { return (lock = FileLock::take(file)).has_value(); };
+  if (!is_taken_in_time(take)) throw_error(EWOULDBLOCK, file);
+  return std::move(*lock);
 }
 
 // After the finished lines, in place of what is left of another.
@@ -95,6 +105,22 @@ void append(const std::filesystem::path& file, std::string text) {
   ::close(descriptor);
   if (error != 0) throw_error(error, file);
   put_folder_on_disk(file);
+}
+
+// @throws std::system_error
+Ledger trusted_ledger(const std::filesystem::path& root) {
+  Ledger ledger = read_ledger(root);
+  if (!ledger.fault.empty()) {
+    throw std::system_error(EPERM, std::generic_category(), ledger.fault);
+  }
+  return ledger;
+}
+
+// With the number and the time of now.
+void add_line(const std::filesystem::path& root, const Ledger& ledger, LedgerLine line) {
+  line.number = static_cast<int>(ledger.lines.size()) + 1;
+  line.utc = utc_now();
+  append(root / ledger_name, text_of(line, ledger.end_hash));
 }
 
 }  // namespace
@@ -151,15 +177,13 @@ std::vector<std::string> ledger_faults(const std::filesystem::path& root) {
   for (const auto& [file, line] : last_by_file) {
     const std::string fault = fault_of(root, *line);
     if (!fault.empty()) faults.push_back(fault);
-    folders.insert(std::filesystem::path(file).parent_path());
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    if (!folder.has_parent_path()) folders.insert(folder);  // a run's own has other files
   }
   for (const std::filesystem::path& folder : folders) {
-    std::error_code error;  // what cannot be looked into holds none
-    using Entries = std::filesystem::directory_iterator;
-    for (Entries entry(root / folder, error), end; !error && entry != end; entry.increment(error)) {
-      const std::string file = (folder / entry->path().filename()).string();
-      if (entry->path().extension() != ".json" || last_by_file.contains(file)) continue;
-      faults.push_back(entry->path().string() + in_no_line);
+    for (const std::filesystem::path& file : json_files_in(root / folder)) {
+      if (last_by_file.contains((folder / file.filename()).string())) continue;
+      faults.push_back(file.string() + in_no_line);
     }
   }
   return faults;
@@ -167,11 +191,8 @@ std::vector<std::string> ledger_faults(const std::filesystem::path& root) {
 
 LedgerReading::LedgerReading(const std::filesystem::path& root)
     : descriptor_(::open((root / ledger_name).c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
-  const auto end = std::chrono::steady_clock::now() + longest_wait;
-  while (descriptor_ >= 0 && ::flock(descriptor_, LOCK_SH | LOCK_NB) != 0 &&
-         std::chrono::steady_clock::now() < end) {
-    std::this_thread::sleep_for(between_looks);
-  }
+  const auto take = [&] { return descriptor_ < 0 || ::flock(descriptor_, LOCK_SH | LOCK_NB) == 0; };
+  (void)is_taken_in_time(take);
 }
 
 LedgerReading::~LedgerReading() {
@@ -182,17 +203,19 @@ LedgerPen::LedgerPen(std::filesystem::path root) : root_(std::move(root)), lock_
 
 void LedgerPen::keep(const std::string& kind, const std::string& of, const std::string& file,
                      const std::string& text) {
-  const Ledger ledger = read_ledger(root_);
-  if (!ledger.fault.empty()) {
-    throw std::system_error(EUCLEAN, std::generic_category(), ledger.fault);
-  }
+  const Ledger ledger = trusted_ledger(root_);
   const std::filesystem::path path = root_ / file;
   std::filesystem::create_directories(path.parent_path());
   put_folder_on_disk(path.parent_path());
   write_file(path, text);
-  const int number = static_cast<int>(ledger.lines.size()) + 1;
-  append(root_ / ledger_name,
-         text_of({number, utc_now(), kind, of, file, sha256_of_text(text)}, ledger.end_hash));
+  add_line(root_, ledger, {0, "", kind, of, file, sha256_of_text(text)});
+}
+
+void LedgerPen::enter(const std::string& kind, const std::string& of, const std::string& file) {
+  const Ledger ledger = trusted_ledger(root_);
+  const auto hash = sha256_of_file(root_ / file);
+  if (!hash) throw_error(errno != 0 ? errno : EIO, root_ / file);
+  add_line(root_, ledger, {0, "", kind, of, file, *hash});
 }
 
 }  // namespace rvbench::bench

@@ -21,9 +21,9 @@ namespace rvbench::bench {
 inline constexpr const char* ledger_name = "ledger.jsonl";
 /// What to say of a file that is not in it.
 inline constexpr const char* in_no_line =
-    " is in no line of ledger.jsonl: it was put there by hand, or its keeping was cut short: take "
-    "it "
-    "away, and keep it anew if it is wanted";
+    " is in no line of ledger.jsonl, so nobody goes by it: it was put there by hand, or its "
+    "keeping "
+    "was cut short";
 
 /// One line: a file as somebody kept it then.
 struct LedgerLine {
@@ -84,6 +84,9 @@ class LedgerPen {
   /// @throws std::system_error, also if the ledger cannot be trusted
   void keep(const std::string& kind, const std::string& of, const std::string& file,
             const std::string& text);
+
+  /// Enters a file that is there, on the disk when this returns. @throws as keep()
+  void enter(const std::string& kind, const std::string& of, const std::string& file);
 
  private:
   std::filesystem::path root_;

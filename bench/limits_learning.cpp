@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 
 #include "bench/limit_checks.hpp"
@@ -90,14 +91,15 @@ struct Runs {
   std::vector<std::string> changed;
 };
 
-Runs runs_of(std::vector<RunRow> rows, const LearningTask& task) {
+Runs runs_of(std::vector<RunRow> rows, const std::filesystem::path& root,
+             const LearningTask& task) {
   std::ranges::stable_sort(rows, {}, &RunRow::number);  // of a serial: clocks may have been set
   std::map<std::string, std::string> newest;            // folder by serial
   Runs runs;
   for (const RunRow& row : rows) {
     if (row.plan != task.plan.name || row.rig_kind != task.rig_kind) continue;
     if (row.verdict != "PASS" && row.verdict != "FAIL") continue;
-    if (!is_as_entered(task.root, row)) {
+    if (!is_as_entered(root, row)) {
       runs.changed.push_back(row.folder);
       newest.erase(row.serial);  // it may have been a FAIL
       continue;
@@ -187,7 +189,7 @@ Result<LearntLimits> learn_limits(const ResultDatabase& database, const Learning
                                   const std::string& utc) {
   const auto rows = database.runs();
   if (!rows) return rows.error();
-  const Runs runs = runs_of(rows.value(), task);
+  const Runs runs = runs_of(rows.value(), database.root(), task);
   std::vector<Limit> limits = limits_to_learn(task);
   if (task.per_point) limits = at_each_point(limits, task.plan);
   std::vector<Taught> all_taught;
@@ -210,14 +212,14 @@ Result<LearntLimits> learn_limits(const ResultDatabase& database, const Learning
 }
 
 Result<std::set<std::string>> rig_kinds_of(const ResultDatabase& database,
-                                           const std::filesystem::path& root,
                                            const std::string& plan) {
   const auto rows = database.runs();
   if (!rows) return rows.error();
   std::set<std::string> kinds;
   for (const RunRow& row : rows.value()) {
-    const bool teaches = row.plan == plan && row.verdict == "PASS" && !row.rig_kind.empty();
-    if (teaches && is_as_entered(root, row)) kinds.insert(row.rig_kind);
+    const bool tells_more = !row.rig_kind.empty() && !kinds.contains(row.rig_kind);
+    const bool teaches = tells_more && row.plan == plan && row.verdict == "PASS";
+    if (teaches && is_as_entered(database.root(), row)) kinds.insert(row.rig_kind);
   }
   return kinds;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <set>
 #include <string>
 #include <variant>
@@ -17,7 +16,6 @@ struct LearningTask {
   std::string version;
   sequences::TestPlan plan;  ///< with the limits in force: what is not learnt stays as it is
   std::vector<std::string> measures;  ///< to learn; empty: those that are limited
-  std::filesystem::path root = {};    ///< of the folders, which vouch for what was entered
   std::string rig_kind = {};          ///< on which they ran: kinds are never mixed
   bool per_point = false;         ///< a limit for each point of the matrix, in place of one for all
   std::set<std::string> serials;  ///< good units; empty: all that passed
@@ -51,9 +49,7 @@ Result<LearntLimits> learn_limits(const ResultDatabase& database, const Learning
 
 /// The kinds of rig on which units passed the plan, by runs that are as they were entered: "bench",
 /// "replay", "sim".
-Result<std::set<std::string>> rig_kinds_of(const ResultDatabase& database,
-                                           const std::filesystem::path& root,
-                                           const std::string& plan);
+Result<std::set<std::string>> rig_kinds_of(const ResultDatabase& database, const std::string& plan);
 
 /// A table, a row each, with what is refused and why.
 std::string learnt_text(const LearntLimits& learnt);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <system_error>
 #include <utility>
 
 #include "bench/run_folder.hpp"
@@ -17,19 +16,15 @@ std::string below_root(const std::string& version) {
   return std::string(folder_name) + "/" + version + suffix;
 }
 
+constexpr const char* remedy = ": put back a copy, or approve and activate limits again";
+
 std::string kind_of(const std::string& step) { return "limits " + step; }
 
 std::vector<std::string> versions_in(const std::filesystem::path& root) {
   std::vector<std::string> versions;
-  std::error_code error;  // what cannot be looked into holds none
-  using Entries = std::filesystem::directory_iterator;
-  for (Entries entry(root / folder_name, error), end; !error && entry != end;
-       entry.increment(error)) {
-    std::error_code unknown;
-    const bool is_one = entry->path().extension() == suffix && entry->is_regular_file(unknown);
-    if (is_one) versions.push_back(entry->path().stem().string());
+  for (const std::filesystem::path& file : json_files_in(root / folder_name)) {
+    versions.push_back(file.stem().string());
   }
-  std::ranges::sort(versions);
   return versions;
 }
 
@@ -60,12 +55,12 @@ std::string doubtful_active(const Ledger& ledger, const std::filesystem::path& r
     if (fault.empty() || below_root(version) == in_force) continue;
     const auto read = read_limits_file(limits_path(root, version));
     if (read.index() == 1) {
-      if (ledger.last_of(below_root(version)) == nullptr) return fault;
+      if (ledger.last_of(below_root(version)) == nullptr) return fault + ": take it away";
       continue;  // its lines tell what it was
     }
     const LimitsFile& file = std::get<0>(read);
     if (file.plan == plan && last_step(file, "activated") != nullptr) {
-      return fault + "; it says that it is active for plan " + plan;
+      return fault + "; it says that it is active for plan " + plan + remedy;
     }
   }
   return "";
@@ -144,7 +139,6 @@ std::variant<std::optional<LimitsFile>, std::string> active_limits(
   if (std::string doubt = doubtful_active(ledger, root, plan, name); !doubt.empty()) return doubt;
   if (name.empty()) return std::optional<LimitsFile>();
   const std::string fault = fault_of(root, *ledger.last_of(name));
-  const std::string remedy = ": put back a copy, or approve and activate limits again";
   if (!fault.empty()) return "of the limits in force for plan " + plan + ", " + fault + remedy;
   auto read = read_limits_file(root / name);
   if (read.index() == 1) return (root / name).string() + " cannot be read" + remedy;

@@ -81,6 +81,9 @@ class ResultDatabase {
   /// Folders of the runs that have a finding above its limit on that part.
   Result<std::set<std::string>> runs_with_finding(const std::string& component) const;
 
+  /// The folder of the runs that it tells of.
+  const std::filesystem::path& root() const { return root_; }
+
   /// As read_series().
   Result<std::vector<RunValue>> series(const SeriesOf& asked) const;
 

@@ -40,6 +40,10 @@ std::string text_in(const nlohmann::json& json, const char* key) {
   return is_there ? json[key].get<std::string>() : "";
 }
 
+nlohmann::json object_in(const nlohmann::json& json, const char* key) {
+  return json.is_object() ? json.value(key, nlohmann::json()) : nlohmann::json();
+}
+
 // With those above it, each on the disk before the next.
 void make_folders(const std::filesystem::path& folder) {
   if (folder.empty() || std::filesystem::exists(folder)) return;
@@ -69,6 +73,19 @@ std::vector<std::filesystem::path> folders_in(const std::filesystem::path& paren
   return folders;
 }
 
+std::vector<std::filesystem::path> json_files_in(const std::filesystem::path& parent) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  using Entries = std::filesystem::directory_iterator;
+  for (Entries entry(parent, error), end; !error && entry != end; entry.increment(error)) {
+    std::error_code unknown;
+    const bool is_one = entry->path().extension() == ".json" && entry->is_regular_file(unknown);
+    if (is_one) files.push_back(entry->path());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
 std::vector<std::filesystem::path> run_folders(const std::filesystem::path& root) {
   std::vector<std::filesystem::path> runs;
   for (const std::filesystem::path& serial : folders_in(root)) {
@@ -83,9 +100,9 @@ std::string plan_name_in(const std::filesystem::path& run) {
 
 RigOfRun rig_of(const std::filesystem::path& run) {
   const nlohmann::json rig = json_in(run / "rig.json");
-  const nlohmann::json asked =
-      rig.is_object() ? rig.value("qualification", nlohmann::json()) : nlohmann::json();
-  return {text_in(rig, "rig"), text_in(asked, "station")};
+  const nlohmann::json asked = object_in(rig, "qualification");
+  return {text_in(rig, "rig"), text_in(asked, "station"),
+          text_in(object_in(asked, "golden_unit"), "serial")};
 }
 
 std::string folder_name_of(const std::string& serial) {

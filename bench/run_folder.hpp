@@ -19,6 +19,9 @@ std::string folder_name_of(const std::string& serial);
 /// The folders in it, in no order; none in what cannot be looked into.
 std::vector<std::filesystem::path> folders_in(const std::filesystem::path& parent);
 
+/// The regular files in it whose names end in ".json", by name.
+std::vector<std::filesystem::path> json_files_in(const std::filesystem::path& parent);
+
 /// The folders two levels below the folder of runs: <serial>/<time>, in no order.
 std::vector<std::filesystem::path> run_folders(const std::filesystem::path& root);
 
@@ -27,8 +30,9 @@ std::string plan_name_in(const std::filesystem::path& run);
 
 /// On what a run was made, of its rig.json.
 struct RigOfRun {
-  std::string kind;     ///< "bench", "sim", "replay"; empty: it states none
-  std::string station;  ///< that the file's "qualification" names; empty: none
+  std::string kind;           ///< "bench", "sim", "replay"; empty: it states none
+  std::string station;        ///< that the file's "qualification" names; empty: none
+  std::string golden_serial;  ///< of the golden unit that it names; empty: none
 };
 RigOfRun rig_of(const std::filesystem::path& run);
 

@@ -189,7 +189,6 @@ std::variant<LearningTask, int> LimitsCommand::learning_task(Console& console) c
   }
   LearningTask task;
   task.version = version_;
-  task.root = out_;
   task.measures = measures_;
   task.per_point = per_point_;
   task.coverage = {content_.value_or(task.coverage.content),
@@ -222,7 +221,7 @@ int LimitsCommand::learn(Console& console) const {
   if (task.index() == 1) return std::get<1>(task);
   const auto database = caught_up(ResultDatabase::open(out_));
   if (!database) return refuse_data(console, "limits: " + describe(database.error()));
-  const auto kinds = rig_kinds_of(database.value(), out_, std::get<0>(task).plan.name);
+  const auto kinds = rig_kinds_of(database.value(), std::get<0>(task).plan.name);
   if (!kinds) return refuse_data(console, "limits: " + describe(kinds.error()));
   std::get<0>(task).rig_kind = rig_kind_.empty() ? kind_to_learn_from(kinds.value()) : rig_kind_;
   auto learnt = learn_limits(database.value(), std::get<0>(task), utc_now());

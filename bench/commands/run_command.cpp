@@ -16,6 +16,7 @@
 #include "bench/limits_in_force.hpp"
 #include "bench/plan_files.hpp"
 #include "bench/progress_bar.hpp"
+#include "bench/qualification/golden_runs.hpp"
 #include "bench/qualification/qualification.hpp"
 #include "bench/result_database.hpp"
 #include "bench/rig_factory.hpp"
@@ -80,6 +81,7 @@ class RunCommand final : public Command {
               const std::vector<hal::ConfigFault>& warnings);
   void tell_live(const sequences::TestPlan& plan, hal::Rig& rig, Acceptance& acceptance,
                  ProgressBar& bar) const;
+  std::string enter_golden(const sequences::TestPlan& plan, bool begins) const;
   std::string enter_result(const Judgement& judgement) const;
   void tell(Console& console, const Judgement& judgement, const analysis::Kinematics& kinematics,
             const std::string& not_entered) const;
@@ -215,10 +217,15 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
     console.err << "rvbench: warning: " << warning << '\n';
     acceptance.warnings.push_back(warning);
   }
+  const std::string unknown = acceptance.refusal ? "" : enter_golden(plan, true);
+  if (!unknown.empty()) {
+    console.err << unknown;
+    return exit_codes::usage;
+  }
   if (!live_.empty()) tell_live(plan, rig, acceptance, bar);
   const Judgement judgement = run_acceptance(std::move(acceptance), rig, bar, signals.token());
   std::string not_entered;
-  const auto enter = [&] { not_entered = enter_result(judgement); };
+  const auto enter = [&] { not_entered = enter_golden(plan, false) + enter_result(judgement); };
   if (judgement.facts.must_exit) {
     // With a thread in a call that never returns, no destructor of the rig may run.
     const bool answers = try_for(longest_entry, enter);  // else it may still write the text
@@ -260,6 +267,19 @@ void RunCommand::tell(Console& console, const Judgement& judgement,
   console.out.flush();
   print_unwritten(console, judgement);
   console.err << not_entered << std::flush;
+}
+
+// So that a run of the golden unit is known where its folder is gone.
+// @return what to say if that cannot be; "" of any other unit's run
+std::string RunCommand::enter_golden(const sequences::TestPlan& plan, bool begins) const {
+  const QualificationSection* section = qualification_in(file_);
+  if (section == nullptr || !is_golden_run(*section, serial_, plan.name)) return "";
+  try {
+    (begins ? enter_golden_begin : enter_golden_end)(out_, *section, place_.folder);
+    return "";
+  } catch (const std::system_error& error) {
+    return "rvbench: run: the golden unit's run cannot be entered: " + reason_of(error) + "\n";
+  }
 }
 
 // The folder is the result; an entry that fails now is made up for by the next run.

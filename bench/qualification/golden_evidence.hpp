@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -16,19 +15,20 @@ struct GoldenChart {
   bool has_newest = false;     ///< the newest run is among them
 };
 
-/// What the result database tells of the golden unit.
+/// What ledger, folders and result database tell of the golden unit.
 struct GoldenEvidence {
   std::string unreadable;  ///< why nothing can be told; empty: it can
   /// Of the plan, on this station, that were judged (no ERROR, no ABORTED), in their order.
   std::vector<RunRow> runs;
-  std::vector<std::string> changed;  ///< folders of those that are not as they were entered
+  std::string newest_without_verdict;  ///< what it came to; empty: the newest one was judged
+  std::vector<std::string> doubts;     ///< of those that are not as they were kept, a sentence each
   std::vector<GoldenChart> charts;
 };
 
-/// @param database  that holds every run there is below `root`, or why there is none
-/// @param section   with a golden unit: runs on another station or kind of rig do not count
+/// @param database  that holds every run there is, or why there is none
+/// @param section   with a golden unit: runs on another station or kind of rig do not count, nor
+///                  those on a rig whose file did not name that unit
 GoldenEvidence golden_evidence(const Result<ResultDatabase>& database,
-                               const std::filesystem::path& root,
                                const QualificationSection& section);
 
 /// What its runs say against the station, a sentence each; empty: it is as ever.

@@ -144,10 +144,10 @@ StationEvidence gather_evidence(const std::filesystem::path& root,
   if (!section.golden_unit) return evidence;
   std::error_code unknown;
   if (!std::filesystem::is_directory(root, unknown)) return evidence;  // no run yet
-  evidence.golden = golden_evidence(caught_up(ResultDatabase::open(root)), root, section);
+  evidence.golden = golden_evidence(caught_up(ResultDatabase::open(root)), section);
   if (evidence.golden.unreadable.empty()) return evidence;
   // The folders are the truth, and the database may be locked or of a newer rvbench.
-  evidence.golden = golden_evidence(caught_up(ResultDatabase::in_memory(root)), root, section);
+  evidence.golden = golden_evidence(caught_up(ResultDatabase::in_memory(root)), section);
   return evidence;
 }
 

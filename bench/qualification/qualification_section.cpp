@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/station/control_chart.hpp"
+#include "bench/results/run_filter.hpp"
 #include "hal/did_you_mean.hpp"
 #include "hal/types/measure.hpp"
 
@@ -87,6 +88,11 @@ GoldenUnitDemand read_golden_unit(hal::ConfigReader& section) {
   demand.max_age_h = section.number("max_age_h", {0.1, longest_age_h}, demand.max_age_h);
   demand.baseline_runs = section.integer("baseline_runs", {double(analysis::least_baseline), 1000},
                                          demand.baseline_runs);
+  if (const std::string since = section.text("since", ""); !since.empty()) {
+    const auto utc = utc_of_text(since, false);
+    if (!utc) section.fault("since", hal::in_quotes(since) + " is no time as 2026-11-02 14:00");
+    demand.since_utc = utc.value_or("");
+  }
   std::vector<ChartedIndicator> indicators;
   for (hal::ConfigReader& json : section.objects("indicators", false)) {
     indicators.push_back(read_indicator(json));
@@ -115,9 +121,13 @@ nlohmann::ordered_json to_json(const GoldenUnitDemand& demand) {
   for (const SetPoint& point : demand.points) {
     points.push_back({{"speed_rpm", *point.speed_rpm}, {"load_pct", *point.load_pct}});
   }
-  return {{"serial", demand.serial},       {"plan", demand.plan},
-          {"max_age_h", demand.max_age_h}, {"baseline_runs", demand.baseline_runs},
-          {"indicators", indicators},      {"points", points}};
+  return {{"serial", demand.serial},
+          {"plan", demand.plan},
+          {"max_age_h", demand.max_age_h},
+          {"baseline_runs", demand.baseline_runs},
+          {"since", demand.since_utc},
+          {"indicators", indicators},
+          {"points", points}};
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ struct GoldenUnitDemand {
   std::string serial;
   std::string plan;  ///< whose runs count
   double max_age_h = 168;
-  int baseline_runs = 20;  ///< the first ones make the chart
+  int baseline_runs = 20;      ///< the first ones that passed make the chart
+  std::string since_utc = {};  ///< runs before count for nothing: the chart begins anew; "": all do
   std::vector<ChartedIndicator> indicators = {{"acceleration_rms"}};
   std::vector<SetPoint> points = {};  ///< each has charts of its own; empty: the worst of all
 };
@@ -41,15 +42,16 @@ struct GoldenUnitDemand {
 ///       "self_test": {"max_age_h": 24, "tap": true, "noise_m_s2": 0.1, ...},
 ///       "calibration": {"channels": ["accel_1x", "input_torque"], "warn_days": 14},
 ///       "golden_unit": {"serial": "GOLDEN", "plan": "quick", "max_age_h": 168,
-///                       "baseline_runs": 20, "indicators": [{"measure": "acceleration_rms"}],
+///                       "baseline_runs": 20, "since": "2026-11-02 14:00",
+///                       "indicators": [{"measure": "acceleration_rms"}],
 ///                       "points": [{"speed_rpm": 1210, "load_pct": 50}]}}
 ///
 /// What is not there is not asked for. `station` is whose records count, as several benches may
 /// keep theirs beside the same runs.
 struct QualificationSection {
   std::string station;
-  std::string
-      rig_kind;  ///< of its rig file: what a simulated station shows says nothing of a bench
+  /// Of its rig file: what a simulated station shows says nothing of a bench.
+  std::string rig_kind;
   std::optional<SelfTestSpec> self_test;
   std::optional<CalibrationDemand> calibration;
   std::optional<GoldenUnitDemand> golden_unit;

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <system_error>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "bench/examination_json.hpp"
@@ -11,6 +12,7 @@
 #include "bench/ledger.hpp"
 #include "bench/qualification/self_test_json.hpp"
 #include "bench/results/run_filter.hpp"
+#include "bench/run_folder.hpp"
 #include "bench/text_file.hpp"
 
 namespace rvbench::bench {
@@ -40,6 +42,10 @@ Json to_json(const SelfTestRecord& record) {
   return {{"record", self_test},     {"station", record.station},     {"rig", record.rig_kind},
           {"utc", record.utc},       {"software", record.software},   {"passed", record.passed},
           {"reason", record.reason}, {"steps", json_of(record.steps)}};
+}
+
+std::string calibration_kind(const CalibrationRecord& record) {
+  return "calibration of " + record.channel + " by " + record.certificate;
 }
 
 CalibrationRecord calibration_from(const Json& json) {
@@ -110,6 +116,39 @@ std::string take(StationRecords& records, const std::filesystem::path& file) {
   return why.empty() ? "" : file.string() + " is damaged: " + why;
 }
 
+bool tells_the_same(const SelfTestRecord& a, const SelfTestRecord& b) {
+  return a.station == b.station && a.rig_kind == b.rig_kind;
+}
+
+bool tells_the_same(const CalibrationRecord& a, const CalibrationRecord& b) {
+  return a.station == b.station && a.channel == b.channel && a.certificate == b.certificate;
+}
+
+// Of a file that is in no line. The ledger may have lost its newest lines: without it an older
+// record would count again, until the same is told anew. @return nothing if it was
+std::optional<DamagedRecord> unknown_record(const StationRecords& records,
+                                            const std::filesystem::path& file) {
+  const std::string sentence = file.string() + in_no_line;
+  StationRecords one;
+  if (!take(one, file).empty()) return DamagedRecord{"", "", sentence + ": take it away"};
+  const auto is_told_anew = [](const auto& record, const auto& kept, auto time) {
+    return std::ranges::any_of(kept, [&](const auto& other) {
+      return tells_the_same(record, other) && other.*time > record.*time;
+    });
+  };
+  if (!one.self_tests.empty()) {
+    const SelfTestRecord& record = one.self_tests[0];
+    if (is_told_anew(record, records.self_tests, &SelfTestRecord::utc)) return std::nullopt;
+    return DamagedRecord{record.station, self_test_kind(record.rig_kind), sentence + ": test anew"};
+  }
+  const CalibrationRecord& record = one.calibrations[0];
+  if (is_told_anew(record, records.calibrations, &CalibrationRecord::entered_utc)) {
+    return std::nullopt;
+  }
+  return DamagedRecord{record.station, calibration_kind(record),
+                       sentence + ": enter that certificate again"};
+}
+
 // A file of the folder, as the ledger and the records name it.
 std::string below_root(const std::string& name) { return std::string(folder_name) + "/" + name; }
 
@@ -123,17 +162,6 @@ std::string keep(const std::filesystem::path& root, const char* prefix, const st
   }
   pen.keep(kind, station, below_root(name), json_text(json));
   return name;
-}
-
-std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
-  std::error_code error;  // what cannot be looked into holds none
-  using Entries = std::filesystem::directory_iterator;
-  for (Entries entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    if (entry->path().extension() == suffix) files.push_back(entry->path());
-  }
-  std::ranges::sort(files);
-  return files;
 }
 
 }  // namespace
@@ -163,9 +191,10 @@ StationRecords read_station_records(const std::filesystem::path& root) {
     damaged[{line.kind, line.of}] = {line.of, line.kind, why};
   }
   for (auto& [kind, record] : damaged) records.damaged.push_back(std::move(record));
-  for (const std::filesystem::path& file : files_in(qualification_folder(root))) {
+  for (const std::filesystem::path& file : json_files_in(qualification_folder(root))) {
     if (ledger.last_of(below_root(file.filename().string())) != nullptr) continue;
-    records.damaged.push_back({"", "", file.string() + in_no_line});
+    const auto unknown = unknown_record(records, file);
+    if (unknown) records.damaged.push_back(*unknown);
   }
   return records;
 }
@@ -175,8 +204,8 @@ std::string self_test_kind(const std::string& rig_kind) {
 }
 
 std::string keep_record(const std::filesystem::path& root, const CalibrationRecord& record) {
-  return keep(root, calibration, "calibration of " + record.channel + " by " + record.certificate,
-              record.station, record.entered_utc, to_json(record));
+  return keep(root, calibration, calibration_kind(record), record.station, record.entered_utc,
+              to_json(record));
 }
 
 std::string keep_record(const std::filesystem::path& root, const SelfTestRecord& record) {

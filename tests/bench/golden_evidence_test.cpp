@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <functional>
 
+#include "bench/ledger.hpp"
+#include "bench/qualification/golden_runs.hpp"
 #include "bench/qualification/qualification.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/sha256.hpp"
@@ -31,6 +33,21 @@ GoldenUnitDemand demand() {
   return demand;
 }
 
+GoldenUnitDemand of_a_week() {
+  GoldenUnitDemand asked = demand();
+  asked.max_age_h = 24 * 7;
+  return asked;
+}
+
+// Of the station that is asked.
+QualificationSection section(const GoldenUnitDemand& asked) {
+  QualificationSection section;
+  section.station = "EOL 3";
+  section.rig_kind = "bench";
+  section.golden_unit = asked;
+  return section;
+}
+
 // Where its runs were made.
 struct Place {
   std::string rig_kind = "bench";
@@ -42,20 +59,37 @@ class GoldenRuns {
  public:
   void enter(
       double kurtosis, const std::function<void(Judgement&)>& change = [](auto&) {}) {
+    Judgement judgement = of_today(kurtosis);
+    change(judgement);
+    begin(judgement.facts);
+    end(judgement);
+  }
+
+  Judgement of_today(double kurtosis) const {
     Judgement judgement = test::passed_run();
     judgement.facts.serial = "GOLD";
-    judgement.facts.started_utc = fmt::format("202601{:02}T120000Z", ++day_);
+    judgement.facts.started_utc = fmt::format("202601{:02}T120000Z", day_ + 1);
     judgement.points[0].examination.channels[0].indicators[0].value = kurtosis;
-    change(judgement);
-    newest_ = create_run_folder(root_.path(), "GOLD", judgement.facts.started_utc);
+    return judgement;
+  }
+
+  void begin(const RunFacts& facts) {
+    newest_ = create_run_folder(root_.path(), facts.serial, facts.started_utc);
     write_file(newest_ / "start.json",
-               run_begin_to_json({"GOLD", judgement.facts.started_utc, day_}));
+               run_begin_to_json({facts.serial, facts.started_utc, ++day_}));
     write_file(newest_ / "rig.json",
-               fmt::format(R"({{"rig": "{}", "qualification": {{"station": "{}"}}}})",
-                           place_.rig_kind, place_.station));
-    write_file(newest_ / "plan.json", R"({"name": ")" + judgement.facts.plan + "\"}");
+               fmt::format(R"({{"rig": "{}", "qualification": {{"station": "{}", "golden_unit": )"
+                           R"({{"serial": "{}"}}}}}})",
+                           place_.rig_kind, place_.station, facts.serial));
+    write_file(newest_ / "plan.json", R"({"name": ")" + facts.plan + "\"}");
+    write_file(newest_ / "recording.h5", "");
+    enter_golden_begin(root_.path(), section_of(facts), newest_);
+  }
+
+  void end(const Judgement& judgement) {
     write_file(newest_ / "verdict.json", judgement_to_json(judgement));
     write_sums(newest_);
+    enter_golden_end(root_.path(), section_of(judgement.facts), newest_);
   }
 
   void move_to(const Place& place) { place_ = place; }
@@ -70,14 +104,22 @@ class GoldenRuns {
   std::vector<std::string> reasons(const GoldenUnitDemand& asked, double hours_later = 1) const {
     const int hours = 12 + static_cast<int>(hours_later);
     const std::string now = fmt::format("202601{:02}T{:02}0000Z", day_ + hours / 24, hours % 24);
-    QualificationSection section;
-    section.station = "EOL 3";
-    section.rig_kind = "bench";
-    section.golden_unit = asked;
-    return golden_reasons(gather_evidence(root_.path(), section).golden, asked, now);
+    return golden_reasons(gather_evidence(root_.path(), section(asked)).golden, asked, now);
   }
 
+  const std::filesystem::path& root() const { return root_.path(); }
+
  private:
+  // Of where they are made.
+  QualificationSection section_of(const RunFacts& facts) const {
+    QualificationSection here = section(demand());
+    here.rig_kind = place_.rig_kind;
+    here.station = place_.station;
+    here.golden_unit->serial = facts.serial;
+    here.golden_unit->plan = facts.plan;
+    return here;
+  }
+
   ScratchFolder root_;
   Place place_;
   std::filesystem::path newest_;
@@ -141,19 +183,13 @@ TEST_CASE("a golden run counts for its hours, and must have passed", "[bench][st
   CHECK_THAT(only(runs.reasons(demand())), Contains("ended FAIL: input_shaft: misalignment"));
 }
 
-TEST_CASE("runs that were cut short, of another plan or another unit are not the golden unit's",
-          "[bench][station]") {
+TEST_CASE("runs of another plan or another unit are not the golden unit's", "[bench][station]") {
   GoldenRuns runs;
   runs.enter_sound(20);
   runs.enter(3.02);
-  runs.enter(9, [](Judgement& judgement) {
-    judgement.ending = {Outcome::error, ErrorKind::device_lost, "a device"};
-  });
   runs.enter(9, [](Judgement& judgement) { judgement.facts.plan = "another"; });
   runs.enter(9, [](Judgement& judgement) { judgement.facts.serial = "A17"; });
-  GoldenUnitDemand of_days = demand();
-  of_days.max_age_h = 24 * 7;
-  CHECK(runs.reasons(of_days).empty());
+  CHECK(runs.reasons(of_a_week()).empty());
 }
 
 TEST_CASE("a charted indicator that the newest run lacks is missing, not in control",
@@ -169,16 +205,55 @@ TEST_CASE("a charted indicator that the newest run lacks is missing, not in cont
 
 TEST_CASE("what the golden unit showed elsewhere is nothing to this station", "[bench][station]") {
   GoldenRuns runs;
-  GoldenUnitDemand of_days = demand();
-  of_days.max_age_h = 24 * 7;
   runs.enter_sound(20);
   runs.enter(3.02);
   for (const Place& elsewhere : {Place{"sim", "EOL 3"}, Place{"bench", "EOL 4"}}) {
     runs.move_to(elsewhere);
     runs.enter(9);  // far off, and not of this station
-    CHECK(runs.reasons(of_days).empty());
+    CHECK(runs.reasons(of_a_week()).empty());
   }
   CHECK_THAT(only(runs.reasons(demand())), Contains("its newest run is of 2026-01-21"));
+}
+
+TEST_CASE("a golden run that came to no verdict is to be repeated", "[bench][station]") {
+  GoldenRuns runs;
+  runs.enter_sound(20);
+  runs.enter(3.02);
+  SECTION("as a device was lost") {
+    runs.enter(9, [](Judgement& judgement) {
+      judgement.ending = {Outcome::error, ErrorKind::device_lost, "a device"};
+    });
+    CHECK_THAT(only(runs.reasons(of_a_week())),
+               Contains("its newest run (2026-01-22 12:00:00) ended ERROR: a device: repeat it"));
+  }
+  SECTION("as its process was killed") {
+    runs.begin(runs.of_today(3.02).facts);
+    CHECK_THAT(only(runs.reasons(of_a_week())), Contains("came to no verdict: repeat it"));
+  }
+  SECTION("and was gone on with") {
+    Judgement judgement = runs.of_today(3.02);
+    runs.begin(judgement.facts);
+    judgement.ending = {Outcome::aborted, ErrorKind::none, "stopped"};
+    runs.end(judgement);
+    CHECK_THAT(only(runs.reasons(of_a_week())), Contains("ended ABORTED: stopped"));
+    judgement.ending = {Outcome::pass, ErrorKind::none, "all within limits"};
+    runs.end(judgement);
+    CHECK(runs.reasons(demand()).empty());
+    return;
+  }
+  runs.enter(3.02);
+  CHECK(runs.reasons(demand()).empty());
+}
+
+TEST_CASE("runs that did not pass make no baseline", "[bench][station]") {
+  GoldenRuns runs;
+  for (int run = 0; run < 5; ++run) {
+    runs.enter(9, [](Judgement& judgement) { judgement.ending.outcome = Outcome::fail; });
+  }
+  runs.enter_sound(20);
+  CHECK_THAT(only(runs.reasons(demand())), Contains("20 runs of the golden unit: its chart takes"));
+  runs.enter(3.02);
+  CHECK(runs.reasons(demand()).empty());
 }
 
 TEST_CASE("a station does not go by golden runs that are gone or were changed",
@@ -187,29 +262,74 @@ TEST_CASE("a station does not go by golden runs that are gone or were changed",
   runs.enter_sound(20);
   runs.enter(3.02);
   REQUIRE(runs.reasons(demand()).empty());
+  const auto fail = [&] {
+    runs.enter(9, [](Judgement& judgement) { judgement.ending.outcome = Outcome::fail; });
+  };
+  const auto forget_results = [&] { std::filesystem::remove(runs.root() / result_database_name); };
+  const auto told = [&](const GoldenUnitDemand& asked) {
+    return fmt::format("{}", fmt::join(runs.reasons(asked), "\n"));
+  };
+  const std::string remedy = ": put back a copy, or begin its chart anew, by \"since\"";
   SECTION("all of them gone") {
     std::filesystem::remove_all(runs.newest().parent_path());
     const auto reasons = runs.reasons(demand());
     CHECK(reasons.back() == "golden unit GOLD: it has no run of plan quick on this station");
   }
   SECTION("one that failed, its verdict changed before anybody entered it") {
-    runs.enter(9, [](Judgement& judgement) { judgement.ending.outcome = Outcome::fail; });
+    fail();
     const auto path = runs.newest() / "verdict.json";
     write_file(path, read_file(path).value() + "\n");
-    const auto reasons = runs.reasons(demand());
-    REQUIRE_FALSE(reasons.empty());
-    CHECK_THAT(reasons[0], Contains("GOLD/20260122T120000Z is gone, or its verdict.json was"));
+    CHECK_THAT(told(demand()),
+               Contains("20260122T120000Z/verdict.json was changed") && Contains(remedy));
+  }
+  SECTION("one that failed, with the folder and the results gone") {
+    fail();
+    std::filesystem::remove_all(runs.newest());
+    forget_results();
+    CHECK_THAT(told(demand()), Contains("20260122T120000Z/start.json is missing"));
+  }
+  SECTION("one that failed, with its sums and the results gone") {
+    fail();
+    std::filesystem::remove(runs.newest() / "SHA256SUMS");
+    forget_results();
+    CHECK_THAT(told(demand()), Contains("20260122T120000Z was changed: rvbench check tells what"));
+  }
+  SECTION("one that failed, with the ledger's newest lines gone") {
+    const auto before = read_file(runs.root() / ledger_name).value();
+    fail();
+    write_file(runs.root() / ledger_name, before);
+    CHECK_THAT(told(demand()), Contains("20260122T120000Z is in no line of ledger.jsonl"));
+  }
+  SECTION("its number changed") {
+    write_file(runs.newest() / "start.json", run_begin_to_json({"GOLD", "20260121T120000Z", 1}));
+    CHECK_THAT(told(demand()), Contains("20260121T120000Z/start.json was changed"));
   }
   SECTION("the newest made better") {
     const auto path = runs.newest() / "verdict.json";
     write_file(path, read_file(path).value() + "\n");
-    const auto reasons = runs.reasons(demand());
-    REQUIRE_FALSE(reasons.empty());
-    CHECK_THAT(reasons[0], Contains("GOLD/20260121T120000Z is gone, or its verdict.json was"));
+    CHECK_THAT(told(demand()), Contains("20260121T120000Z/verdict.json was changed"));
+  }
+  SECTION("and a chart that is begun anew asks for none of them") {
+    std::filesystem::remove_all(runs.newest());
+    GoldenUnitDemand anew = demand();
+    anew.since_utc = "20990101T000000Z";
+    CHECK(told(anew) == "golden unit GOLD: it has no run of plan quick on this station");
   }
 }
 
-TEST_CASE("the newest golden run is told by its number where a clock was set back",
+TEST_CASE("runs on a rig that did not name the golden unit are none of it", "[bench][station]") {
+  GoldenRuns runs;
+  runs.enter_sound(20);
+  runs.enter(3.02);
+  const auto before = read_file(runs.root() / ledger_name).value();
+  runs.begin(runs.of_today(3.02).facts);
+  write_file(runs.root() / ledger_name, before);
+  write_file(runs.newest() / "rig.json",
+             R"({"rig": "bench", "qualification": {"station": "EOL 3"}})");
+  CHECK(runs.reasons(of_a_week()).empty());
+}
+
+TEST_CASE("the newest golden run is the one that began last, where a clock was set back, too",
           "[bench][station]") {
   GoldenRuns runs;
   runs.enter_sound(20);

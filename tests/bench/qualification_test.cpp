@@ -247,11 +247,25 @@ TEST_CASE("a record that was changed, taken away or put there by hand is believe
   }
   SECTION("put there by hand") {
     write_file(qualification_folder(root.path()) / "calibration-x.json", text);
-    CHECK_THAT(state(), Contains("calibration-x.json is in no line of ledger.jsonl"));
+    CHECK_THAT(state(), Contains("calibration-x.json is in no line of ledger.jsonl") &&
+                            Contains("enter that certificate again"));
   }
   SECTION("without the ledger nothing is known") {
     std::filesystem::remove(root / ledger_name);
     CHECK_THAT(state(), Contains("is in no line of ledger.jsonl"));
+  }
+  SECTION("a self-test that failed is not forgotten with its line, until there is a newer one") {
+    const auto told = [&] {
+      const auto evidence = gather_evidence(root.path(), asks_for_self_test());
+      return qualification_of(asks_for_self_test(), channels, evidence, now).reasons();
+    };
+    keep_record(root.path(), tested("20261127T080000Z"));
+    const auto lines = read_file(root / ledger_name).value();
+    const auto failed = keep_record(root.path(), tested("20261127T090000Z", false));
+    write_file(root / ledger_name, lines);
+    CHECK_THAT(told().front(), Contains(failed + " is in no line") && Contains(": test anew"));
+    keep_record(root.path(), tested("20261127T100000Z"));
+    CHECK(told().empty());
   }
   SECTION("a self-test that failed is not forgotten with its file, nor by one of another rig") {
     const auto told = [&] {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -185,6 +186,14 @@ TEST_CASE("once the golden unit is in control others can pass, until it moves", 
   const Answer refused = run_as("A19", 100);
   CHECK(refused.code == 60);
   CHECK_THAT(refused.out, Contains("golden unit G01"));
+
+  // Nor is that forgotten with all that tells of it but the ledger.
+  const auto failed = std::ranges::max(bench::folders_in(station.runs() / "G01"), {},
+                                       [](auto& run) { return bench::read_run_begin(run).number; });
+  std::filesystem::remove_all(failed);
+  std::filesystem::remove(station.runs() / "results.db");
+  CHECK_THAT(run_as("A20", 100).out,
+             Contains(failed.filename().string() + "/start.json is missing"));
 }
 
 TEST_CASE("a run that is refused connects and turns nothing", "[spec][station][safety]") {
