@@ -140,7 +140,9 @@ Ledger read_ledger(const std::filesystem::path& root) {
   if (!text && std::filesystem::exists(std::filesystem::symlink_status(file, unknown))) {
     ledger.fault = file.string() + " cannot be read";
   }
-  for (const std::string& line : whole_lines_of(text.value_or("")).lines) {
+  const WholeLines whole = whole_lines_of(text.value_or(""));
+  ledger.is_cut_short = whole.bytes < text.value_or("").size();
+  for (const std::string& line : whole.lines) {
     std::string fault = chain_fault(line, ledger.end_hash);
     try {
       if (fault.empty()) ledger.lines.push_back(line_from(line));

@@ -37,9 +37,9 @@ struct LedgerLine {
 
 struct Ledger {
   std::vector<LedgerLine> lines;  ///< by number
-  /// "runs/ledger.jsonl:3: ..." if it cannot be trusted; empty: it can. What a power failure left
-  /// of a line that was not finished is none.
-  std::string fault;
+  std::string fault;  ///< "runs/ledger.jsonl:3: ..." if it cannot be trusted; empty: it can
+  bool is_cut_short =
+      false;  ///< a line that a power failure left unfinished is no line, nor a fault
 
   std::string end_hash;  ///< of the last line
 

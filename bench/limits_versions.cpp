@@ -9,11 +9,10 @@
 namespace rvbench::bench {
 namespace {
 
-constexpr const char* folder_name = "limits";
 constexpr const char* suffix = ".json";
 
 std::string below_root(const std::string& version) {
-  return std::string(folder_name) + "/" + version + suffix;
+  return std::string(limits_folder_name) + "/" + version + suffix;
 }
 
 constexpr const char* remedy = ": put back a copy, or approve and activate limits again";
@@ -22,7 +21,7 @@ std::string kind_of(const std::string& step) { return "limits " + step; }
 
 std::vector<std::string> versions_in(const std::filesystem::path& root) {
   std::vector<std::string> versions;
-  for (const std::filesystem::path& file : json_files_in(root / folder_name)) {
+  for (const std::filesystem::path& file : json_files_in(root / limits_folder_name)) {
     versions.push_back(file.stem().string());
   }
   return versions;

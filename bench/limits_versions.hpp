@@ -14,6 +14,8 @@
 /// rvbench run takes the active one of its plan in place of the limits that the plan states.
 namespace rvbench::bench {
 
+inline constexpr const char* limits_folder_name = "limits";
+
 /// Letters, digits, '.', '_' and '-', at most 64, the first no '.': the name of a file.
 bool is_limits_version(const std::string& version);
 

@@ -11,6 +11,7 @@
 #include "bench/results/rejudgement.hpp"
 #include "bench/results/schema.hpp"
 #include "bench/run_folder.hpp"
+#include "bench/run_start.hpp"
 #include "bench/sha256.hpp"
 #include "bench/text_file.hpp"
 #include "bench/verdict_json.hpp"
@@ -69,6 +70,15 @@ std::optional<Judgement> verdict_in(const std::filesystem::path& folder) {
 bool has_plan(const std::filesystem::path& folder) {
   std::error_code unknown;
   return std::filesystem::exists(folder / "plan.json", unknown);
+}
+
+std::string why_without_sums(const std::filesystem::path& folder) {
+  if (is_at_work(folder)) return "not finished: still at work";
+  std::error_code unknown;
+  return std::filesystem::exists(folder / "verdict.json", unknown)
+             ? "it has a verdict.json but no SHA256SUMS: cut short while its results were written, "
+               "or they were taken away"
+             : "not finished: cut short";
 }
 
 // Of what the run recorded when it began.
@@ -233,7 +243,7 @@ std::vector<RunRow> unfinished_runs(const std::filesystem::path& root) {
   std::vector<RunRow> rows;
   for (const std::filesystem::path& folder : run_folders(root)) {
     if (has_sums(folder) || !has_plan(folder)) continue;
-    rows.push_back(row_without_result(root, folder, "not finished: still at work, or cut short"));
+    rows.push_back(row_without_result(root, folder, why_without_sums(folder)));
   }
   return rows;
 }

@@ -14,7 +14,9 @@
 #include "bench/json_text.hpp"
 #include "bench/judgement.hpp"
 #include "bench/ledger.hpp"
+#include "bench/limits_versions.hpp"
 #include "bench/on_disk.hpp"
+#include "bench/qualification/station_records.hpp"
 #include "bench/sha256.hpp"
 #include "bench/text_file.hpp"
 #include "bench/verdict_json.hpp"
@@ -114,6 +116,7 @@ std::string folder_name_of(const std::string& serial) {
   for (const char* taken : {result_database_name, outbox_name, ledger_name}) {
     if (name.starts_with(taken)) name.front() = '_';  // SQLite adds -wal and -shm
   }
+  if (name == limits_folder_name || name == qualification_folder_name) name.front() = '_';
   if (name != serial) name.append("-").append(sha256_of_text(serial), 0, 8);
   return name;
 }

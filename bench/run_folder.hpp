@@ -11,8 +11,8 @@ namespace rvbench::bench {
 inline constexpr const char* result_database_name = "results.db";
 
 /// A name that is safe as one path component. Characters other than letters, digits, '.', '_' and
-/// '-' become '_' and a short hash keeps different serials apart, and from results.db, outbox.db
-/// and ledger.jsonl beside them.
+/// '-' become '_' and a short hash keeps different serials apart, and from the files and folders
+/// that lie beside them: results.db, outbox.db, ledger.jsonl, limits, qualification.
 /// @throws std::invalid_argument if `serial` is empty
 std::string folder_name_of(const std::string& serial);
 

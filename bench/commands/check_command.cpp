@@ -142,8 +142,14 @@ int check_ledger(Console& console, const std::filesystem::path& file) {
   const std::vector<std::string> faults = ledger_faults(file.parent_path());
   for (const std::string& fault : faults) complain(console, "rvbench: " + fault);
   if (!faults.empty()) return exit_codes::bad_file;
-  console.out << file.string() << ": ledger, " << read_ledger(file.parent_path()).lines.size()
+  const Ledger ledger = read_ledger(file.parent_path());
+  console.out << file.string() << ": ledger, " << ledger.lines.size()
               << " lines, every file is as it was kept\n";
+  if (ledger.is_cut_short) {
+    remark(console, "warning", file,
+           as_faults({"its last line was cut short, as by a power failure: what it was of was not "
+                      "kept"}));
+  }
   return exit_codes::done;
 }
 
@@ -175,7 +181,7 @@ class CheckCommand final : public Command {
     return "  rvbench check plans/mine.json bench_a.json\n"
            "  rvbench check gear.csv                     its channels, rate and length\n"
            "  rvbench check runs/A17/20260102T030405Z    verifies the hashes of a run\n"
-           "  rvbench check runs/ledger.jsonl            limits and records of stations\n"
+           "  rvbench check runs/ledger.jsonl            what stations have kept\n"
            "  rvbench check runs/.station/audit.jsonl    verifies the chain of hashes\n";
   }
   std::vector<Option> options() override {

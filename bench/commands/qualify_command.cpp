@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <mutex>
@@ -30,6 +31,7 @@ namespace rvbench::bench {
 namespace {
 
 constexpr std::chrono::seconds longest_farewell{2};
+constexpr std::size_t longest_name = 200;  // of a certificate, or of who enters it
 
 // Shows how far it is, and what somebody at the bench has to know or do.
 class SelfTestObserver final : public sequences::RunObserver {
@@ -98,6 +100,7 @@ class QualifyCommand final : public Command {
   int tell(Console& console, const SelfTest& test);
   int status(Console& console) const;
   int calibrate(Console& console) const;
+  bool has_stated_sensitivity(const CalibrationRecord& record) const;
   int records(Console& console) const;
   void warn_of_rest(Console& console) const;
 
@@ -226,7 +229,10 @@ int QualifyCommand::calibrate(Console& console) const {
                                       {by_, "--by"},
                                       {on_, "--on"},
                                       {until_, "--until"}}) {
-    if (value.empty()) return refuse(std::string("give ") + option);
+    if (value.find_first_not_of(' ') == std::string::npos) {
+      return refuse(std::string("give ") + option);
+    }
+    if (value.size() > longest_name) return refuse(std::string(option) + " is too long");
   }
   std::vector<std::string> channels;
   for (const ChannelInfo& channel : channels_of(file_)) channels.push_back(channel.name);
@@ -255,6 +261,11 @@ int QualifyCommand::calibrate(Console& console) const {
                                  .valid_until_utc = *until,
                                  .entered_utc = now,
                                  .software = software_version()};
+  if (std::isnan(record.sensitivity) && has_stated_sensitivity(record)) {
+    return refuse("certificate " + certificate_ +
+                  " was entered with a sensitivity before: give "
+                  "--sensitivity");
+  }
   try {
     keep_record(out_, record);
   } catch (const std::system_error& error) {
@@ -269,6 +280,15 @@ int QualifyCommand::calibrate(Console& console) const {
     }
   }
   return exit_codes::done;
+}
+
+// Left out by mistake, nobody would hold the rig's against it any more.
+bool QualifyCommand::has_stated_sensitivity(const CalibrationRecord& record) const {
+  const StationRecords kept = read_station_records(out_);
+  return std::ranges::any_of(kept.calibrations, [&](const CalibrationRecord& earlier) {
+    return earlier.station == record.station && earlier.channel == record.channel &&
+           earlier.certificate == record.certificate && std::isfinite(earlier.sensitivity);
+  });
 }
 
 int QualifyCommand::records(Console& console) const {

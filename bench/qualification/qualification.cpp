@@ -78,9 +78,10 @@ std::string sensitivity_fault(const CalibrationRecord& record, const ChannelInfo
   const double off = channel.sensitivity / record.sensitivity - 1;
   if (!(std::abs(off) > same_sensitivity)) return "";  // false where either is not known
   return fmt::format(
-      "certificate {} states {:.5g} V/({}), the rig goes by {:.5g}, {:+.2g} % off: put right "
+      "certificate {} states {:.5g} V/({}), the rig goes by {:.5g}, {:+.{}f} % off: put right "
       "whichever is wrong",
-      record.certificate, record.sensitivity, channel.unit, channel.sensitivity, 100 * off);
+      record.certificate, record.sensitivity, channel.unit, channel.sensitivity, 100 * off,
+      std::abs(off) < 0.1 ? 1 : 0);
 }
 
 RequirementState calibration_state(const std::string& station, const ChannelInfo& channel,

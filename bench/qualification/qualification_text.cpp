@@ -44,13 +44,13 @@ std::string self_test_text(const Console& console, const SelfTest& test, const S
 std::string self_test_to_json(const SelfTestRecord& record, const Ending& ending, int exit_code) {
   const bool was_ended = ending.outcome != Outcome::pass;
   return json_text({{"station", record.station},
-                  {"utc", record.utc},
-                  {"software", record.software},
-                  {"passed", record.passed},
-                  {"reason", record.reason},
-                  {"ended", was_ended ? Json(to_string(ending.outcome)) : Json()},
-                  {"steps", json_of(record.steps)},
-                  {"exit_code", exit_code}});
+                    {"utc", record.utc},
+                    {"software", record.software},
+                    {"passed", record.passed},
+                    {"reason", record.reason},
+                    {"ended", was_ended ? Json(to_string(ending.outcome)) : Json()},
+                    {"steps", json_of(record.steps)},
+                    {"exit_code", exit_code}});
 }
 
 std::string qualification_text(const Console& console, const Qualification& qualification) {
@@ -82,17 +82,21 @@ std::string qualification_to_json(const Qualification& qualification, const std:
   }
   const auto refusal = qualification.refusal();
   return json_text({{"station", station},
-                  {"qualified", !refusal},
-                  {"requirements", std::move(requirements)},
-                  {"exit_code", refusal ? exit_code(*refusal) : 0}});
+                    {"qualified", !refusal},
+                    {"requirements", std::move(requirements)},
+                    {"exit_code", refusal ? exit_code(*refusal) : 0}});
 }
 
 std::string calibrations_text(const std::vector<CalibrationRecord>& records) {
   std::string text;
   for (const CalibrationRecord& record : records) {
-    text += fmt::format("  {}  {}  certificate {} of {}, valid until {}, entered by {}\n",
+    const std::string states = std::isfinite(record.sensitivity)
+                                   ? fmt::format("{:.5g} V per unit", record.sensitivity)
+                                   : "no sensitivity";
+    text += fmt::format("  {}  {}  certificate {} of {}, {}, valid until {}, entered by {}\n",
                         padded(record.channel, 14), padded(record.station, 10), record.certificate,
-                        day_of(record.calibrated_utc), day_of(record.valid_until_utc), record.by);
+                        day_of(record.calibrated_utc), states, day_of(record.valid_until_utc),
+                        record.by);
   }
   return text.empty() ? "no calibration is on record\n" : text;
 }

@@ -23,7 +23,6 @@ using Json = nlohmann::ordered_json;
 constexpr const char* calibration = "calibration";
 constexpr const char* self_test = "self_test";
 constexpr const char* suffix = ".json";
-constexpr const char* folder_name = "qualification";
 
 Json to_json(const CalibrationRecord& record) {
   return {{"record", calibration},
@@ -150,7 +149,9 @@ std::optional<DamagedRecord> unknown_record(const StationRecords& records,
 }
 
 // A file of the folder, as the ledger and the records name it.
-std::string below_root(const std::string& name) { return std::string(folder_name) + "/" + name; }
+std::string below_root(const std::string& name) {
+  return std::string(qualification_folder_name) + "/" + name;
+}
 
 std::string keep(const std::filesystem::path& root, const char* prefix, const std::string& kind,
                  const std::string& station, const std::string& utc, const Json& json) {
@@ -167,7 +168,7 @@ std::string keep(const std::filesystem::path& root, const char* prefix, const st
 }  // namespace
 
 std::filesystem::path qualification_folder(const std::filesystem::path& root) {
-  return root / folder_name;
+  return root / qualification_folder_name;
 }
 
 StationRecords read_station_records(const std::filesystem::path& root) {

@@ -13,6 +13,8 @@
 /// index.
 namespace rvbench::bench {
 
+inline constexpr const char* qualification_folder_name = "qualification";
+
 /// A sensor's calibration, as somebody entered it from its certificate.
 struct CalibrationRecord {
   std::string file;  ///< its name in the folder

@@ -82,11 +82,28 @@ TEST_CASE("half a line that a power failure left is none, and the next one takes
   put_at_end(root, R"({"number":2,"ut)");
   CHECK(read_ledger(root.path()).fault.empty());
   CHECK(read_ledger(root.path()).lines.size() == 1);
+  const auto checked = test::rvbench({"check", (root / ledger_name).string()});
+  CHECK(checked.code == 0);
+  CHECK_THAT(checked.err, Contains("warning") && Contains("its last line was cut short"));
   keep(root, "b.json", "2");
   const Ledger ledger = read_ledger(root.path());
   CHECK(ledger.fault.empty());
   REQUIRE(ledger.lines.size() == 2);
   CHECK(ledger.lines[1].file == "b.json");
+}
+
+TEST_CASE("a file of a run is entered as it is, without those beside it", "[bench][ledger]") {
+  const ScratchFolder root;
+  std::filesystem::create_directories(root / "G01/20260102T030405Z");
+  const std::string file = "G01/20260102T030405Z/verdict.json";
+  CHECK_THROWS_AS(LedgerPen(root.path()).enter("ended", "EOL 3", file), std::system_error);
+  write_file(root / file, "{}");
+  write_file(root / "G01/20260102T030405Z/plan.json", "{}");
+  LedgerPen(root.path()).enter("ended", "EOL 3", file);
+  CHECK(read_ledger(root.path()).last_of(file)->sha256 == sha256_of_text("{}"));
+  CHECK(ledger_faults(root.path()).empty());
+  write_file(root / file, "{\"verdict\": \"PASS\"}");
+  CHECK_THAT(ledger_faults(root.path()).at(0), Contains("verdict.json was changed"));
 }
 
 TEST_CASE("a ledger that was tampered with is trusted up to there, and nothing is added",

@@ -156,7 +156,11 @@ TEST_CASE("a run whose results are still being written is not entered", "[bench]
   const ScratchFolder root;
   ResultDatabase database = opened(root);
   const auto folder = create_run_folder(root.path(), "A17", "20260102T030405Z");
+  write_file(folder / "plan.json", R"({"name": "quick"})");
+  CHECK(unfinished_runs(root.path()).at(0).reason == "not finished: cut short");
   write_file(folder / "verdict.json", judgement_to_json(test::failed_run()));
+  CHECK_THAT(unfinished_runs(root.path()).at(0).reason,
+             Catch::Matchers::Contains("has a verdict.json but no SHA256SUMS"));
   CHECK(database.catch_up().value() == 0);
   write_sums(folder);
   CHECK(database.catch_up().value() == 1);

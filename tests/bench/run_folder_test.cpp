@@ -126,11 +126,14 @@ TEST_CASE("the newest run is the one that began last, whatever the clock said", 
   }
 }
 
-TEST_CASE("no serial takes the place of the table of results", "[bench]") {
+TEST_CASE("no serial takes the place of what lies beside the runs", "[bench]") {
   for (const char* serial : {"results.db", "results.db-wal", "results.db-shm"}) {
     CHECK(folder_name_of(serial).starts_with("_esults.db"));
   }
   CHECK(folder_name_of("results.db") != folder_name_of("_esults.db"));
+  CHECK(folder_name_of("limits").starts_with("_imits-"));
+  CHECK(folder_name_of("qualification").starts_with("_ualification-"));
+  CHECK(folder_name_of("limits_of_A17") == "limits_of_A17");
 }
 
 TEST_CASE("a run that was killed while its results were written can be resumed", "[bench]") {

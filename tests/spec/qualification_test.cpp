@@ -132,7 +132,11 @@ TEST_CASE("an expired calibration, or another sensitivity, blocks with exit 60 a
   CHECK(station.calibrate("accel_1x", "2099-12-31", {"--sensitivity", "0.0110"}).code == 0);
   CHECK_THAT(station.run("A18").out, Contains("the rig goes by 0.0102, -7.3 % off"));
   CHECK_THAT(station.qualify({"records"}).out,
-             Contains("accel_1x") && Contains("valid until 2021-01-01") && Contains("J. Weber"));
+             Contains("accel_1x") && Contains("valid until 2021-01-01") && Contains("J. Weber") &&
+                 Contains("no sensitivity") && Contains("0.011 V per unit"));
+  // Left out, nothing would be held against the rig's any more.
+  CHECK_THAT(station.calibrate("accel_1x").err, Contains("was entered with a sensitivity before"));
+  CHECK(station.qualify({"status"}).code == 60);
 }
 
 TEST_CASE("calibrations that make no sense are refused, and nothing is kept", "[spec][station]") {
@@ -142,8 +146,13 @@ TEST_CASE("calibrations that make no sense are refused, and nothing is kept", "[
   CHECK_THAT(station.calibrate("accel_1x", "next year").err, Contains("are days"));
   CHECK_THAT(station.calibrate("accel_1x", "2099-12-31", {"--sensitivity", "-1"}).err,
              Contains("above 0"));
-  CHECK_THAT(station.qualify({"calibrate", "--channel", "accel_1x"}).err,
+  CHECK_THAT(station.qualify({"calibrate", "--channel", "accel_1x", "--certificate", " "}).err,
              Contains("give --certificate"));
+  CHECK_THAT(station
+                 .qualify({"calibrate", "--channel", "accel_1x", "--certificate",
+                           std::string(1000, 'x')})
+                 .err,
+             Contains("--certificate is too long"));
   CHECK_FALSE(std::filesystem::exists(station.runs()));
 }
 
