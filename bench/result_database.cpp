@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bench/limits_versions.hpp"
+#include "bench/results/audit_index.hpp"
 #include "bench/results/entry.hpp"
 #include "bench/results/rejudgement.hpp"
 #include "bench/results/schema.hpp"
@@ -152,6 +153,8 @@ Result<int> ResultDatabase::catch_up() {
   }
   const Status recorded = enter_new_records();
   if (!recorded) return recorded.error();
+  const Status indexed = enter_audit_lines(file_, audit_log_of(root_));
+  if (!indexed) return indexed.error();
   return missing;
 }
 

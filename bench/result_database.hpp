@@ -68,8 +68,8 @@ class ResultDatabase {
 
   /// Enters every run folder with a complete verdict that is missing or not whole, every one that
   /// has come to another verdict since (an ABORTED or ERROR run may be resumed), and later
-  /// judgements, versions of limits and records of stations. What was told of a run whose folder is
-  /// gone stays. @return how many runs and later judgements came
+  /// judgements, versions of limits, records of stations and lines of the audit log. What was told
+  /// of a run whose folder is gone stays. @return how many runs and later judgements came
   Result<int> catch_up();
 
   /// Oldest first. @param serial  empty: of every unit

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <system_error>
 
@@ -11,7 +13,10 @@
 #include "bench/ledger.hpp"
 #include "bench/limits_file.hpp"
 #include "bench/recording_facts.hpp"
+#include "bench/results/audit_index.hpp"
+#include "bench/results/run_filter.hpp"
 #include "bench/rig_factory.hpp"
+#include "bench/run_folder.hpp"
 #include "bench/run_start.hpp"
 #include "bench/serve/audit_log.hpp"
 #include "bench/serve/station_file.hpp"
@@ -123,13 +128,30 @@ int check_recording(Console& console, const std::string& file) {
   return exit_codes::done;
 }
 
-// What was taken from its end does not show: hence the last hash, to be kept elsewhere.
+// What results.db knows of a station's log and that has no more. Empty: nothing is known of any.
+std::string told_of_lost_lines(const std::filesystem::path& log) {
+  const std::filesystem::path runs = log.parent_path().parent_path();
+  std::error_code unknown;
+  if (!std::filesystem::equivalent(log, audit_log_of(runs), unknown)) return "";
+  if (!std::filesystem::exists(runs / result_database_name, unknown)) return "";
+  const auto results = SqliteFile::open(runs / result_database_name, runs / result_database_name);
+  if (!results) return "";
+  const auto lost = lost_audit_lines(results.value(), log);
+  if (!lost || lost.value().count == 0) return "";  // one that is older knows no log
+  return fmt::format("lines from {} on ({}) are in {} and not in the log: they were taken away",
+                     readable_utc(lost.value().first_utc), lost.value().count,
+                     (runs / result_database_name).string());
+}
+
+// What was taken from its end shows by results.db alone: hence the last hash, to be kept elsewhere.
 int check_audit_log(Console& console, const std::string& file) {
   const auto checked = check_audit(file);
   if (!checked) return refuse_file(console, file, {{0, "", "cannot be read"}});
   if (checked->broken_line > 0) {
     return refuse_file(console, file, {{int(checked->broken_line), "", checked->fault}});
   }
+  const std::string lost = told_of_lost_lines(file);
+  if (!lost.empty()) return refuse_file(console, file, {{0, "", lost}});
   console.out << file << ": audit log, " << checked->lines
               << " lines, each follows the one before; the last has the hash " << checked->last_hash
               << '\n';

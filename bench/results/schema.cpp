@@ -108,8 +108,15 @@ constexpr const char* where_runs_were_made = R"sql(
   UPDATE runs SET is_whole = 0;
 )sql";
 
-constexpr std::array table_steps = {runs_alone, what_was_measured, what_stations_showed, extremes_of_runs,
-                              where_runs_were_made};
+// 6: who did what: an index of the station's audit log.
+constexpr const char* who_did_what = R"sql(
+  CREATE TABLE audit (
+    hash TEXT NOT NULL UNIQUE, time_utc TEXT NOT NULL, user TEXT NOT NULL, address TEXT NOT NULL,
+    action TEXT NOT NULL, detail TEXT NOT NULL);
+)sql";
+
+constexpr std::array table_steps = {runs_alone,       what_was_measured,    what_stations_showed,
+                                    extremes_of_runs, where_runs_were_made, who_did_what};
 
 Result<int> version_of(const SqliteFile& file) {
   SqlStatement asked(file, "PRAGMA user_version");
@@ -137,7 +144,8 @@ Status bring_up_to_date(SqliteFile& file) {
   const Result<int> now = version_of(file);  // another process may have been at it
   if (!now) return now.error();
   for (int step = now.value(); step < schema_version; ++step) {
-    if (const Status done = file.execute(table_steps[std::size_t(step)]); !done) return done.error();
+    if (const Status done = file.execute(table_steps[std::size_t(step)]); !done)
+      return done.error();
   }
   const std::string set = fmt::format("PRAGMA user_version = {}", schema_version);
   if (const Status done = file.execute(set.c_str()); !done) return done.error();

@@ -30,7 +30,7 @@ struct AuditCheck {
 
 /// Who did what, one JSON object a line. Each line carries the hash of the line before and its own:
 /// a line that is changed, taken out, put in or moved breaks the chain there. Lines taken from the
-/// end do not: whoever must rule that out keeps the last hash elsewhere.
+/// end do not: results.db has those that were there at the end of a run (results/audit_index.hpp).
 ///
 ///     {"time_utc":"20261126T101112Z","user":"anna","address":"127.0.0.1","action":"start",
 ///      "detail":{...},"previous":"<64 hex digits>","hash":"<64 hex digits>"}

@@ -97,7 +97,7 @@ TEST_CASE("a table of the second version is told its extremes from its values",
     REQUIRE(
         database.enter(row_of(root.path(), root / "A17/20260102T030405Z", judgement), judgement));
   }
-  by_hand(root, "DROP TABLE extremes; PRAGMA user_version = 3;");
+  by_hand(root, "DROP TABLE extremes; DROP TABLE audit; PRAGMA user_version = 3;");
   for (const char* column : {"number", "rig_kind", "station", "verdict_sha256"}) {
     by_hand(root, std::string("ALTER TABLE runs DROP COLUMN ") + column);
   }
