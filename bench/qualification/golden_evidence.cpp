@@ -168,8 +168,9 @@ std::vector<std::string> golden_reasons(const GoldenEvidence& evidence,
   if (!evidence.unreadable.empty())
     return {unit + "its runs cannot be read: " + evidence.unreadable};
   std::vector<std::string> reasons;
-  for (const std::string& doubt : evidence.doubts) {
-    reasons.push_back(unit + doubt +
+  if (const std::size_t doubts = evidence.doubts.size(); doubts > 0) {
+    const std::string more = doubts > 1 ? fmt::format(", as {} more of its runs", doubts - 1) : "";
+    reasons.push_back(unit + evidence.doubts[0] + more +
                       ": put back a copy, or begin its chart anew, by \"since\" in the rig file");
   }
   if (!evidence.newest_without_verdict.empty()) {
