@@ -131,11 +131,13 @@ std::string methods_section(const ReportInput& input) {
       "stands out of the noise, each way at a false-alarm rate of {:g}. This says what is there; "
       "whether it is too much, limits say.",
       records, analysis::significant_p));
+  const std::string shown = shown_points(input.judgement, "The others were not asked.");
   const bool any = std::ranges::any_of(rows, &Row::is_found);
   return section("Four ways to ask the envelope",
-                 intro + (any ? found_table(rows, records, input.kinematics.period_turns) +
-                                    paragraph(share_text(rows))
-                              : paragraph("None of them found any of the orders.")));
+                 intro + shown +
+                     (any ? found_table(rows, records, input.kinematics.period_turns) +
+                                paragraph(share_text(rows))
+                          : paragraph("None of them found any of the orders.")));
 }
 
 }  // namespace rvbench::bench::report
