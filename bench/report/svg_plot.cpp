@@ -107,6 +107,7 @@ void SvgPlot::add_band(double x0, double dx, const Eigen::Ref<const Eigen::Vecto
       least = std::fmin(least, low[i]);
       greatest = std::fmax(greatest, high[i]);
     }
+    if (std::isnan(least)) continue;
     there += fmt::format("{}{:.1f},{:.1f}", there.empty() ? "M" : "L", at, py(greatest));
     back.insert(0, fmt::format("L{:.1f},{:.1f}", at, py(least)));
   }
@@ -122,6 +123,7 @@ void SvgPlot::add_groups(const std::vector<PlotGroup>& groups) {
       const PlotBar& bar = groups[g].bars[b];
       const double left_at = px(from + static_cast<double>(b) * width);
       const double right_at = px(from + static_cast<double>(b + 1) * width) - 1;
+      if (std::isnan(bar.value)) continue;
       traces_ += fmt::format(
           R"(<rect class="bar {}" x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}"/>)",
           bar.style, left_at, py(bar.value), right_at - left_at, py(0) - py(bar.value));
