@@ -82,8 +82,9 @@ std::string parts_of(const Row& row) {
 }
 
 std::string share_text(const std::vector<Row>& rows) {
-  constexpr auto emd = std::size_t(std::ranges::find(analysis::envelope_methods, EnvelopeMethod::emd) -
-                               std::begin(analysis::envelope_methods));
+  constexpr const auto& methods = analysis::envelope_methods;
+  constexpr auto emd =
+      std::size_t(std::ranges::find(methods, EnvelopeMethod::emd) - std::begin(methods));
   const auto any = std::ranges::count_if(rows, &Row::is_found);
   const auto by_emd = std::ranges::count_if(rows, [](const Row& row) { return row.found[emd]; });
   return fmt::format("Of {} orders that any way found, EMD found {}.", any, by_emd);

@@ -136,9 +136,10 @@ std::string map_svg(const ResidualMap& map, const std::string& title,
   const double row_px = std::clamp(all_rows_px / count, least_row_px, most_row_px);
   const double bottom_px = top_px + count * row_px;
   const auto every = static_cast<std::size_t>(std::ceil(label_px / row_px));
-  std::string svg = fmt::format(
-      R"(<svg viewBox="0 0 {:.0f} {:.0f}" role="img" aria-label="{}"><text x="{}" y="14" class="title">{}</text>)",
-      width_px, bottom_px + foot_px, xml_escaped(title), left_px, xml_escaped(title));
+  std::string svg =
+      fmt::format(R"(<svg viewBox="0 0 {:.0f} {:.0f}" role="img" aria-label="{}">)"
+                  R"(<text x="{}" y="14" class="title">{}</text>)",
+                  width_px, bottom_px + foot_px, xml_escaped(title), left_px, xml_escaped(title));
   for (std::size_t r = 0; r < map.rows.size(); ++r) {
     const double y_px = top_px + static_cast<double>(r) * row_px;
     svg += row_svg(map, map.rows[r].*sizes, y_px, row_px);
