@@ -20,8 +20,8 @@ struct EnvelopeSpectra {
 
 /// Envelope of x, sampled over the shaft angle. Empty mean and spectra if no period fits.
 /// Units   those of x; orders of the shaft, Hz, s
-/// Limits  what swings faster than rate_Hz / 4, as two tones of one IMF beat that lie further apart,
-///         is folded
+/// Limits  what swings faster than rate_Hz / 4, as two tones of one IMF beat that lie further
+///         apart, is folded
 /// Errors  throws std::invalid_argument of envelope(): N < 4, sample not finite
 /// Source  Randall & Antoni, Mech. Syst. Signal Process. 25(2), 485-520 (2011); highest_order:
 ///         Bedrosian, Proc. IEEE 51(5), 868-869 (1963)

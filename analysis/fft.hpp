@@ -9,7 +9,7 @@ namespace rvbench::analysis {
 /// Shape    N → N/2 + 1; any N ≥ 1, primes at about five times the price
 /// Threads  any number at once; the result does not depend on them, nor on where x lies in memory
 /// Units    those of x times samples
-/// Errors   throws std::invalid_argument: N = 0 or above 2³¹ - 1. Lines of what is not finite are not
+/// Errors   throws std::invalid_argument: N = 0 or above 2³¹ - 1; not finite in, not finite out
 /// Source   Frigo & Johnson, Proc. IEEE 93(2), 216-231 (2005)
 Eigen::VectorXcd fft(const Eigen::Ref<const Eigen::VectorXd>& x);
 

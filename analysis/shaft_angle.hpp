@@ -45,8 +45,8 @@ class ShaftAngle {
   /// images 60 dB down. For even steps no wider than 1/rate_Hz, or of a signal that has nothing
   /// beyond what they hold: it would be folded. over_angle() filters it out, at a price.
   /// @param period_turns    input turns per period
-  /// @param least_per_turn  samples per turn, > 0: as many, or up to a few percent more, so that all
-  ///                        together have a next_fast_length(), whatever primes the teeth hold
+  /// @param least_per_turn  samples per turn, > 0: as many, or up to a few percent more, so that
+  ///                        all together have a next_fast_length(), whatever primes the teeth hold
   Eigen::VectorXd resample(const Eigen::Ref<const Eigen::VectorXd>& x, double rate_Hz,
                            double start_s, double period_turns, double least_per_turn) const;
 

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <exception>
 #include <sstream>
 #include <string_view>
@@ -42,6 +43,29 @@ std::string whole_number_fault(const std::string& text, const Option& option) {
                      hal::in_quotes(text));
 }
 
+// CLI11 would take "0x10", " 5" and "nan", and nothing at all for no option.
+std::string number_fault(const std::string& text) {
+  double value = 0;
+  const char* first = text.data() + (text.starts_with('+') ? 1 : 0);
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(first, end, value);
+  const bool is_number = error == std::errc() && stop == end && std::isfinite(value);
+  return is_number && !text.starts_with("+-")
+             ? ""
+             : "must be a decimal number, not " + hal::in_quotes(text);
+}
+
+// What is printed, signed and kept in files: names, numbers of certificates, paths.
+std::string text_fault(const std::string& text) {
+  constexpr std::size_t most_bytes = 4096;  // of a path
+  if (text.find_first_not_of(' ') == std::string::npos) return "must not be empty";
+  if (text.size() > most_bytes) return fmt::format("must not be longer than {} bytes", most_bytes);
+  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+  if (std::ranges::any_of(text, is_control))
+    return "must be free of control characters, unlike " + hal::in_quotes(text);
+  return "";
+}
+
 void add_option(CLI::App& app, const Option& option) {
   const auto add = [&](auto* target) -> CLI::Option* {
     using Target = std::remove_pointer_t<decltype(target)>;
@@ -56,8 +80,12 @@ void add_option(CLI::App& app, const Option& option) {
   if (std::holds_alternative<std::optional<std::uint64_t>*>(option.target)) {
     added->check([option](const std::string& text) { return whole_number_fault(text, option); });
   }
-  if (std::holds_alternative<std::string*>(option.target)) {
-    added->check([](const std::string& text) { return text.empty() ? "must not be empty" : ""; });
+  if (std::holds_alternative<std::optional<double>*>(option.target)) added->check(number_fault);
+  // Files named one after the other are given by the shell, whatever they are called.
+  const bool is_list = std::holds_alternative<std::vector<std::string>*>(option.target);
+  if (std::holds_alternative<std::string*>(option.target) ||
+      (is_list && option.name.starts_with("--"))) {
+    added->check(text_fault);
   }
   if (!option.choices.empty()) added->check(CLI::IsMember(option.choices));
 }

@@ -116,7 +116,8 @@ std::string junit_xml(const Judgement& judgement) {
   const double seconds = std::isfinite(judgement.facts.duration_s) ? judgement.facts.duration_s : 0;
   std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   xml += fmt::format(
-      R"(<testsuite name="rvbench {}" tests="{}" failures="{}" errors="{}" skipped="{}" time="{:.3f}">)",
+      R"(<testsuite name="rvbench {}" tests="{}" failures="{}" errors="{}" skipped="{}" )"
+      R"(time="{:.3f}">)",
       xml_escaped(judgement.facts.serial), tests.size(), count(CaseOutcome::failure),
       count(CaseOutcome::error), count(CaseOutcome::skipped), seconds);
   xml += '\n';

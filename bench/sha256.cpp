@@ -53,9 +53,8 @@ struct Contents {
 
 // A draft of a file of the folder, or of the list, is what a kill has left.
 bool is_left_draft(const std::filesystem::path& folder, const std::string& name) {
-  if (draft_of(sums_name) == name) return true;
-  const std::filesystem::path of = folder / std::filesystem::path(name).stem();
-  return draft_of(of) == folder / name && is_there(of);
+  const std::filesystem::path of = drafted_file(name);
+  return of == sums_name || (!of.empty() && is_there(folder / of));
 }
 
 // Of the folder, but for the list itself and drafts; sorted by name.

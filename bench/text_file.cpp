@@ -1,53 +1,30 @@
 #include "bench/text_file.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <cerrno>
-#include <cstdio>
 #include <fstream>
 #include <sstream>
 
 #include "bench/on_disk.hpp"
+#include "hal/formats/file_draft.hpp"
 
 namespace rvbench::bench {
-namespace {
-
-// Writes and syncs; 0, or errno.
-int fill(int fd, const std::string& text) {
-  std::size_t written = 0;
-  while (written < text.size()) {
-    const auto more = write(fd, text.data() + written, text.size() - written);
-    if (more < 0 && errno != EINTR) return errno;
-    written += static_cast<std::size_t>(std::max<ssize_t>(0, more));
-  }
-  return fsync(fd) == 0 ? 0 : errno;
-}
-
-}  // namespace
 
 std::string reason_of(const std::system_error& error) {
   const auto* file = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
   return file == nullptr ? error.what() : file->path1().string() + ": " + error.code().message();
 }
 
-std::filesystem::path draft_of(const std::filesystem::path& file) {
-  return file.string() + ".draft";
+std::filesystem::path drafted_file(const std::filesystem::path& draft) {
+  // Repairs of recordings, and earlier versions, have one name for all drafts of a file.
+  if (draft.extension() == ".draft") return draft.parent_path() / draft.stem();
+  return hal::formats::drafted_file(draft);
 }
 
 void write_file(const std::filesystem::path& file, const std::string& text) {
-  const std::filesystem::path draft = draft_of(file);
-  const int fd = open(draft.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (fd < 0) throw_error(errno, file);
-  int error = fill(fd, text);
-  if (close(fd) != 0 && error == 0) error = errno;
-  if (error == 0 && std::rename(draft.c_str(), file.c_str()) != 0) error = errno;
-  if (error != 0) {
-    unlink(draft.c_str());
-    throw_error(error, file);
-  }
-  put_folder_on_disk(file);
+  hal::formats::FileDraft draft(file, true);
+  Status done = draft.begin();
+  if (done) done = draft.write(text);
+  if (done) done = draft.finish();
+  if (!done) throw_error(draft.error(), file);
 }
 
 std::optional<std::string> read_file(const std::filesystem::path& file) {

@@ -19,9 +19,9 @@ enum class SlcanFault {
 /// A serial CAN adapter with the LAWICEL ASCII protocol, behind a pseudo-terminal and in front of
 /// one end of a bus; the nodes have the other end.
 ///
-/// Commands  S0 to S8, O, L, C, t, T, r, R, F, V, N, Z0, Z1, each ended by CR. Answered with CR, the
-///           frames' with "z" or "Z" before it; with BEL if it is no command, or not one for now: the
-///           bit rate is set while the channel is closed, frames pass while it is open
+/// Commands  S0 to S8, O, L, C, t, T, r, R, F, V, N, Z0, Z1, each ended by CR. Answered with CR,
+///           the frames' with "z" or "Z" before it; with BEL if it is no command, or not one for
+///           now: the bit rate is set while the channel is closed, frames pass while it is open
 /// Frames    only those that the bus knows: T, r and R are acknowledged, and no node hears them
 /// Queue     what the client does not fetch waits, up to 4096 bytes; what comes then is lost, and
 ///           the flags say so

@@ -15,7 +15,7 @@ namespace rvbench::analysis {
 /// of leave it: its variance is to the sum's as the lines of a sum to theirs.
 ///
 /// Shape   log_ratio: one sum; decoys: at least 2 sums of as many lines
-/// @param lines_per_decoy_line  lines of a sum over different lines in all decoys; 0: no end of them
+/// @param lines_per_decoy_line  lines of a sum over different lines in all decoys; 0: endless
 /// Units   dimensionless
 /// @return in (0, 1]; 1 where the decoys have no line
 /// Errors  throws std::invalid_argument: fewer than 2 decoys

@@ -75,7 +75,8 @@ double two_sided_tolerance_factor(std::size_t units, const Coverage& coverage) {
   check("two_sided_tolerance_factor", units, coverage);
   const double root = std::sqrt(static_cast<double>(units));
   const auto freedom = static_cast<double>(units - 1);
-  std::vector<Node> reaches = mean_nodes();  // now x̄, then how far to either side the content needs
+  // Now x̄, then how far to either side the content needs.
+  std::vector<Node> reaches = mean_nodes();
   for (Node& node : reaches) {
     const double mean = node.x / root;
     const auto content = [mean](double r) {

@@ -156,9 +156,9 @@ std::string picture_of(const Example& example) {
         fmt::format("<g transform=\"translate(0,{})\">{}</g>\n", height_px - drawn.cut_px, svg);
     height_px += drawn.height_px - drawn.cut_px;
   }
-  return fmt::format(
-             R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0} {1}" width="{0}" height="{1}">)",
-             width_px, height_px) +
+  return fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0} {1}" width="{0}" )"
+                     R"(height="{1}">)",
+                     width_px, height_px) +
          style_sheet + "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" + inside +
          "</svg>\n";
 }

@@ -28,6 +28,7 @@ std::string correlation_section(const ReportInput& input) {
   for (std::size_t k = 1; k <= imfs; ++k) head.push_back(fmt::format("IMF{}", k));
   return section("Correlation of each IMF with the signal [%]",
                  table(head, rows) +
+                     shown_points(input.judgement, "verdict.json has those of all points.") +
                      "<p class=\"note\">The article's Table 5 has 62 to 90 % for IMF1 and at most "
                      "7 % for IMF6 to IMF9.</p>\n");
 }

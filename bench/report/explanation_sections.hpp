@@ -25,8 +25,11 @@ std::string overlays_section(const Comparisons& comparisons);
 /// or by the orders that have most of it.
 std::string residual_maps_section(const Comparisons& comparisons);
 
-/// The orders of a record where most is to be seen, at most `most`, rising. Elements count from the
-/// first order.
+/// Of each two elements the larger, or the one that is known.
+Eigen::VectorXd larger_of(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
+
+/// The orders of a record where most is to be seen, at most `most`, rising; those where it is not
+/// known (NaN) come last. Elements count from the first order.
 std::vector<Eigen::Index> strongest(const Eigen::VectorXd& of, std::size_t most);
 
 }  // namespace rvbench::bench::report

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 
 #include "analysis/evidence/carrying_lines.hpp"
 #include "analysis/table4.hpp"
@@ -13,7 +14,7 @@
 namespace rvbench::bench::report {
 namespace {
 
-constexpr std::size_t speeds_shown = 4;
+constexpr std::size_t speeds_in_table = 4, most_speeds = 16;
 
 // The points of one planned speed.
 struct SpeedGroup {
@@ -32,9 +33,7 @@ std::vector<SpeedGroup> groups_of(const Judgement& judgement) {
     group.speed_rpm += (measured - group.speed_rpm) / double(group.points.size());
   }
   std::vector<SpeedGroup> list;
-  for (auto& [speed, group] : groups) {
-    if (list.size() < speeds_shown) list.push_back(std::move(group));
-  }
+  for (auto& [speed, group] : groups) list.push_back(std::move(group));
   return list;
 }
 
@@ -116,14 +115,9 @@ std::string published_unexplained() {
              "orders of the measured speed.");
 }
 
-}  // namespace
-
-std::string frequency_section(const ReportInput& input) {
-  const analysis::Kinematics& kinematics = input.kinematics;
-  const std::vector<SpeedGroup> groups = groups_of(input.judgement);
-  const bool has_published = std::ranges::any_of(kinematics.orders, [](const auto& line) {
-    return published_row(line.table4_item) != nullptr;
-  });
+// A table of these speeds, and of none if there are none.
+std::string frequency_table(std::span<const SpeedGroup> groups,
+                            const analysis::Kinematics& kinematics, bool has_published) {
   std::vector<std::string> head = {"item", "order"};
   if (has_published) head.push_back("published [Hz]<br>605 / 1210 / 1815 rpm");
   for (const SpeedGroup& group : groups) {
@@ -142,13 +136,42 @@ std::string frequency_section(const ReportInput& input) {
     }
     rows.push_back(row);
   }
-  if (rows.empty()) return "";
+  return table(head, rows);
+}
+
+// A table is as wide as a page can show: more speeds are more tables.
+std::string frequency_tables(std::span<const SpeedGroup> groups,
+                             const analysis::Kinematics& kinematics, bool has_published) {
+  const auto shown = groups.first(std::min(groups.size(), most_speeds));
+  std::string html = frequency_table(shown.first(std::min(shown.size(), speeds_in_table)),
+                                     kinematics, has_published);
+  for (std::size_t at = speeds_in_table; at < shown.size(); at += speeds_in_table) {
+    const auto count = std::min(shown.size() - at, speeds_in_table);
+    html += frequency_table(shown.subspan(at, count), kinematics, false);
+  }
+  if (shown.size() == groups.size()) return html;
+  return html +
+         paragraph(fmt::format(
+             "Shown are the {} lowest of {} speeds; the others are {:.1f} to {:.1f} rpm. "
+             "verdict.json has the lines that were found at each point.",
+             shown.size(), groups.size(), groups[shown.size()].speed_rpm, groups.back().speed_rpm));
+}
+
+}  // namespace
+
+std::string frequency_section(const ReportInput& input) {
+  const analysis::Kinematics& kinematics = input.kinematics;
+  if (kinematics.orders.empty()) return "";
+  const bool has_published = std::ranges::any_of(kinematics.orders, [](const auto& line) {
+    return published_row(line.table4_item) != nullptr;
+  });
   return section(
       "Characteristic frequencies",
       paragraph(
           "Derived at the measured mean speed. Found: envelope lines of significant signatures, "
           "with their modulation depth, and lines of the spectrum itself, with their amplitude.") +
-          table(head, rows) + (has_published ? published_unexplained() : ""));
+          frequency_tables(groups_of(input.judgement), kinematics, has_published) +
+          (has_published ? published_unexplained() : ""));
 }
 
 }  // namespace rvbench::bench::report

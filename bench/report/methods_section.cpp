@@ -82,8 +82,9 @@ std::string parts_of(const Row& row) {
 }
 
 std::string share_text(const std::vector<Row>& rows) {
-  constexpr auto emd = std::size_t(std::ranges::find(analysis::envelope_methods, EnvelopeMethod::emd) -
-                               std::begin(analysis::envelope_methods));
+  constexpr const auto& methods = analysis::envelope_methods;
+  constexpr auto emd =
+      std::size_t(std::ranges::find(methods, EnvelopeMethod::emd) - std::begin(methods));
   const auto any = std::ranges::count_if(rows, &Row::is_found);
   const auto by_emd = std::ranges::count_if(rows, [](const Row& row) { return row.found[emd]; });
   return fmt::format("Of {} orders that any way found, EMD found {}.", any, by_emd);
@@ -131,11 +132,13 @@ std::string methods_section(const ReportInput& input) {
       "stands out of the noise, each way at a false-alarm rate of {:g}. This says what is there; "
       "whether it is too much, limits say.",
       records, analysis::significant_p));
+  const std::string shown = shown_points(input.judgement, "The others were not asked.");
   const bool any = std::ranges::any_of(rows, &Row::is_found);
   return section("Four ways to ask the envelope",
-                 intro + (any ? found_table(rows, records, input.kinematics.period_turns) +
-                                    paragraph(share_text(rows))
-                              : paragraph("None of them found any of the orders.")));
+                 intro + shown +
+                     (any ? found_table(rows, records, input.kinematics.period_turns) +
+                                paragraph(share_text(rows))
+                          : paragraph("None of them found any of the orders.")));
 }
 
 }  // namespace rvbench::bench::report

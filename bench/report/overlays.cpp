@@ -53,7 +53,8 @@ std::string short_order(Eigen::Index number, double period) {
 // The strongest lines of one record, as groups of three bars.
 std::string line_plot(const UnseenRecord& record) {
   const Twin::Comparison& b = record.before;
-  const Eigen::VectorXd largest = b.measured.cwiseMax(b.simulated).cwiseMax(record.after.simulated);
+  const Eigen::VectorXd largest =
+      larger_of(larger_of(b.measured, b.simulated), record.after.simulated);
   std::vector<PlotGroup> groups;
   for (const Eigen::Index k : strongest(largest, most_lines)) {
     const double scatter = record.scatter.size() > 0 ? record.scatter[k] : 0;
@@ -75,12 +76,17 @@ std::string key(const std::string& style, const std::string& means) {
 
 }  // namespace
 
+Eigen::VectorXd larger_of(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  return a.binaryExpr(b, [](double one, double other) { return std::fmax(one, other); });
+}
+
 std::vector<Eigen::Index> strongest(const Eigen::VectorXd& of, std::size_t most) {
+  const auto size_at = [&](Eigen::Index k) { return std::isnan(of[k]) ? -HUGE_VAL : of[k]; };
   std::vector<Eigen::Index> order(static_cast<std::size_t>(of.size()));
   std::iota(order.begin(), order.end(), 0);
   const auto count = std::min(most, order.size());
   std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
-                    [&](Eigen::Index a, Eigen::Index b) { return of[a] > of[b]; });
+                    [&](Eigen::Index a, Eigen::Index b) { return size_at(a) > size_at(b); });
   order.resize(count);
   std::ranges::sort(order);
   return order;

@@ -15,11 +15,10 @@ constexpr std::size_t most_columns = 40;
 constexpr double width_px = 540, left_px = 128, right_px = 8, top_px = 22, foot_px = 48;
 constexpr double all_rows_px = 420, least_row_px = 7, most_row_px = 24, label_px = 10;
 constexpr int legend_cells = 40;
-constexpr double not_shown = -1;  // by a record that has fewer orders
 
 struct MapRow {
   std::string label;
-  Eigen::VectorXd before, after;  // size of what is left over, one for each column
+  Eigen::VectorXd before, after;  // size of what is left over, one for each column; or NaN
 };
 
 struct ResidualMap {
@@ -27,7 +26,15 @@ struct ResidualMap {
   std::vector<std::string> columns;  // labels; empty: none
   std::vector<MapRow> rows;
   double largest = 0;
+  bool has_gaps = false;
 };
+
+// NaN where either is not known, or a simulation went beyond all numbers.
+Eigen::VectorXd left_over_of(const Twin::Comparison& one) {
+  return (one.measured - one.simulated).cwiseAbs().unaryExpr([](double size) {
+    return std::isfinite(size) ? size : not_known;
+  });
+}
 
 // Small ones are to be seen beside large ones.
 double share_of(double size, double largest) { return largest > 0 ? std::sqrt(size / largest) : 0; }
@@ -47,16 +54,16 @@ Eigen::VectorXd by_blocks(const Eigen::VectorXd& left_over) {
 void choose_orders(const std::vector<Twin::Comparison>& of, ResidualMap& map) {
   Eigen::Index longest = 0;
   for (const MapRow& row : map.rows) longest = std::max(longest, row.before.size());
-  Eigen::VectorXd most = Eigen::VectorXd::Zero(longest);
+  Eigen::VectorXd most = Eigen::VectorXd::Constant(longest, not_known);
   for (const MapRow& row : map.rows) {
     const Eigen::Index own = row.before.size();
-    most.head(own) = most.head(own).cwiseMax(row.before).cwiseMax(row.after);
+    most.head(own) = larger_of(larger_of(most.head(own), row.before), row.after);
   }
   const std::vector<Eigen::Index> chosen = strongest(most, most_columns);
   for (MapRow& row : map.rows) {
     const auto at = [&](const Eigen::VectorXd& sizes) {
       Eigen::VectorXd some =
-          Eigen::VectorXd::Constant(static_cast<Eigen::Index>(chosen.size()), not_shown);
+          Eigen::VectorXd::Constant(static_cast<Eigen::Index>(chosen.size()), not_known);
       for (std::size_t i = 0; i < chosen.size(); ++i) {
         if (chosen[i] < sizes.size()) some[Eigen::Index(i)] = sizes[chosen[i]];
       }
@@ -82,14 +89,16 @@ ResidualMap map_of(const Comparisons& comparisons, const std::string& channel, b
       map.over = fmt::format("{}: {:.4g} to {:.4g}", b.over, b.first,
                              b.first + b.step * static_cast<double>(b.measured.size()));
     }
-    const Eigen::VectorXd before = (b.measured - b.simulated).cwiseAbs();
-    const Eigen::VectorXd after = (a.measured - a.simulated).cwiseAbs();
+    const Eigen::VectorXd before = left_over_of(b), after = left_over_of(a);
     map.rows.push_back(
         {b.record, by_orders ? before : by_blocks(before), by_orders ? after : by_blocks(after)});
   }
   if (by_orders) choose_orders(comparisons.before, map);
   for (const MapRow& row : map.rows) {
-    map.largest = std::max({map.largest, row.before.maxCoeff(), row.after.maxCoeff()});
+    for (const Eigen::VectorXd* sizes : {&row.before, &row.after}) {
+      map.largest = std::fmax(map.largest, sizes->maxCoeff<Eigen::PropagateNumbers>());
+      map.has_gaps = map.has_gaps || sizes->hasNaN();
+    }
   }
   return map;
 }
@@ -102,7 +111,7 @@ std::string row_svg(const ResidualMap& map, const Eigen::VectorXd& sizes, double
     svg += fmt::format(
         R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}"/>)",
         left_px + static_cast<double>(i) * cell_px, y_px, cell_px + 0.3, row_px + 0.3,
-        sizes[i] == not_shown ? "#e4e9ed" : heat_colour(share_of(sizes[i], map.largest)));
+        std::isnan(sizes[i]) ? "#e4e9ed" : heat_colour(share_of(sizes[i], map.largest)));
   }
   return svg;
 }
@@ -127,9 +136,10 @@ std::string map_svg(const ResidualMap& map, const std::string& title,
   const double row_px = std::clamp(all_rows_px / count, least_row_px, most_row_px);
   const double bottom_px = top_px + count * row_px;
   const auto every = static_cast<std::size_t>(std::ceil(label_px / row_px));
-  std::string svg = fmt::format(
-      R"(<svg viewBox="0 0 {:.0f} {:.0f}" role="img" aria-label="{}"><text x="{}" y="14" class="title">{}</text>)",
-      width_px, bottom_px + foot_px, xml_escaped(title), left_px, xml_escaped(title));
+  std::string svg =
+      fmt::format(R"(<svg viewBox="0 0 {:.0f} {:.0f}" role="img" aria-label="{}">)"
+                  R"(<text x="{}" y="14" class="title">{}</text>)",
+                  width_px, bottom_px + foot_px, xml_escaped(title), left_px, xml_escaped(title));
   for (std::size_t r = 0; r < map.rows.size(); ++r) {
     const double y_px = top_px + static_cast<double>(r) * row_px;
     svg += row_svg(map, map.rows[r].*sizes, y_px, row_px);
@@ -151,7 +161,7 @@ std::string legend(const ResidualMap& map) {
       "<div class=\"scale\"><span>0</span>{}<span>{} {}</span></div><p class=\"note\">{}: size of "
       "measured minus simulated; both maps on this scale, which runs with the root{}.</p>\n",
       cells, number(map.largest), xml_escaped(map.unit), xml_escaped(map.channel),
-      map.columns.empty() ? "" : "; grey: an order that the record does not show");
+      map.has_gaps ? "; grey: the record does not tell" : "");
 }
 
 }  // namespace

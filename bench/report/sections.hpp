@@ -27,9 +27,14 @@ std::string signature_section(const ReportInput& input);
 std::string style_sheet();       ///< of the page
 std::string plot_style_sheet();  ///< of its plots, complete without the page's
 
-/// Points that stand for all: of each speed, the first good record with the least load and the one
-/// nearest to 100 %. Without planned speeds: the first six. Indices into judgement.points.
+/// Points that stand for all, six at most: of each speed, the first good record with the least load
+/// and the one nearest to 100 %; of more speeds, evenly from the lowest to the highest. Without
+/// planned speeds: the first six. Indices into judgement.points.
 std::vector<std::size_t> representative_points(const Judgement& judgement);
+
+/// HTML: which points these are and which speeds are left out; empty if they are all good ones.
+/// @param others  where to find what is not shown, as a sentence
+std::string shown_points(const Judgement& judgement, const std::string& others);
 
 /// Index of the channel to show: where the strongest signature was read, else the loudest.
 std::size_t shown_channel(const analysis::Examination& examination);

@@ -147,12 +147,17 @@ std::string signal_section(const ReportInput& input) {
                time_figure(shown) + spectrum_figure(shown) + "</div>\n";
     if (shows_imfs(chosen, at, input.judgement)) imfs += imf_figures(shown);
   }
+  if (!signals.empty()) {
+    signals =
+        shown_points(input.judgement, "rvbench export writes the samples of any point.") + signals;
+  }
   return section("Signals of representative points", signals) +
          section("Empirical mode decomposition",
                  imfs.empty()
                      ? ""
                      : paragraph("Each IMF over its first seconds; envelope spectra of the whole "
-                                 "record over orders of the measured shaft angle.") +
+                                 "record over orders of the measured shaft angle. Of each planned "
+                                 "speed above, the point with the least load.") +
                            imfs);
 }
 

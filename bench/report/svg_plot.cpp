@@ -107,6 +107,7 @@ void SvgPlot::add_band(double x0, double dx, const Eigen::Ref<const Eigen::Vecto
       least = std::fmin(least, low[i]);
       greatest = std::fmax(greatest, high[i]);
     }
+    if (std::isnan(least)) continue;
     there += fmt::format("{}{:.1f},{:.1f}", there.empty() ? "M" : "L", at, py(greatest));
     back.insert(0, fmt::format("L{:.1f},{:.1f}", at, py(least)));
   }
@@ -122,6 +123,7 @@ void SvgPlot::add_groups(const std::vector<PlotGroup>& groups) {
       const PlotBar& bar = groups[g].bars[b];
       const double left_at = px(from + static_cast<double>(b) * width);
       const double right_at = px(from + static_cast<double>(b + 1) * width) - 1;
+      if (std::isnan(bar.value)) continue;
       traces_ += fmt::format(
           R"(<rect class="bar {}" x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}"/>)",
           bar.style, left_at, py(bar.value), right_at - left_at, py(0) - py(bar.value));
@@ -155,9 +157,9 @@ std::string SvgPlot::x_ticks() const {
   const int bottom = height_px_ - bottom_px;
   std::string text;
   for (const double tick : round_ticks(x_.min, x_.max, 8)) {
-    text += fmt::format(
-        R"(<path class="grid" d="M{0:.1f},{1}V{2}"/><text x="{0:.1f}" y="{3}" class="mid">{4}</text>)",
-        px(tick), top_px, bottom, bottom + 13, tick_text(tick));
+    text += fmt::format(R"(<path class="grid" d="M{0:.1f},{1}V{2}"/>)"
+                        R"(<text x="{0:.1f}" y="{3}" class="mid">{4}</text>)",
+                        px(tick), top_px, bottom, bottom + 13, tick_text(tick));
   }
   return text;
 }
@@ -167,9 +169,10 @@ std::string SvgPlot::axes() const {
   std::string text = x_ticks();
   const int y_ticks = std::clamp((bottom - top_px) / least_row_px, 1, 6);
   for (const double tick : round_ticks(y_.min, y_.max, y_ticks)) {
-    text += fmt::format(
-        R"(<path class="grid" d="M{0},{1:.1f}H{2}"/><text x="{3}" y="{4:.1f}" class="end">{5}</text>)",
-        left_px, py(tick), width_px_ - right_px, left_px - 5, py(tick) + 3.5, tick_text(tick));
+    text += fmt::format(R"(<path class="grid" d="M{0},{1:.1f}H{2}"/>)"
+                        R"(<text x="{3}" y="{4:.1f}" class="end">{5}</text>)",
+                        left_px, py(tick), width_px_ - right_px, left_px - 5, py(tick) + 3.5,
+                        tick_text(tick));
   }
   text += fmt::format(R"(<rect class="frame" x="{}" y="{}" width="{}" height="{}"/>)", left_px,
                       top_px, width_px_ - left_px - right_px, bottom - top_px);
@@ -204,10 +207,10 @@ std::string SvgPlot::marks() const {
 }
 
 std::string SvgPlot::svg() const {
-  return fmt::format(
-             R"(<svg viewBox="0 0 {} {}" role="img" aria-label="{}"><text x="{}" y="{}" class="title">{}</text>)",
-             width_px_, height_px_, xml_escaped(title_), left_px, marks_.empty() ? top_px - 6 : 14,
-             xml_escaped(title_)) +
+  return fmt::format(R"(<svg viewBox="0 0 {} {}" role="img" aria-label="{}">)"
+                     R"(<text x="{}" y="{}" class="title">{}</text>)",
+                     width_px_, height_px_, xml_escaped(title_), left_px,
+                     marks_.empty() ? top_px - 6 : 14, xml_escaped(title_)) +
          axes() + traces_ + marks() + "</svg>\n";
 }
 

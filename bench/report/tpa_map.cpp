@@ -85,9 +85,10 @@ std::string map_svg(const PathMap& map, const Places& paths, const std::string& 
   const double largest = map.amplitudes.maxCoeff();
   const double bottom_px = map_top_px + map_row_px * double(map.amplitudes.rows());
   const std::string title = fmt::format("{}, dark: {} {}", map.title, number(largest), unit);
-  std::string svg = fmt::format(
-      R"(<svg viewBox="0 0 {:.0f} {:.0f}" role="img" aria-label="{}"><text x="{}" y="14" class="title">{}</text>)",
-      map_width_px, bottom_px + map_foot_px, xml_escaped(title), map_left_px, xml_escaped(title));
+  std::string svg = fmt::format(R"(<svg viewBox="0 0 {:.0f} {:.0f}" role="img" aria-label="{}">)"
+                                R"(<text x="{}" y="14" class="title">{}</text>)",
+                                map_width_px, bottom_px + map_foot_px, xml_escaped(title),
+                                map_left_px, xml_escaped(title));
   for (Index path = 0; path < map.amplitudes.rows(); ++path) {
     const double y_px = map_top_px + map_row_px * double(path);
     svg +=

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <regex>
 #include <utility>
 
 #include "hal/put_on_disk.hpp"
@@ -42,6 +43,13 @@ std::filesystem::path draft_of(const std::filesystem::path& file) {
 
 }  // namespace
 
+std::filesystem::path drafted_file(const std::filesystem::path& draft) {
+  static const std::regex name(R"((.+)\.\d+-\d+\.part)");
+  const std::string text = draft.string();
+  std::smatch parts;
+  return std::regex_match(text, parts, name) ? parts[1].str() : "";
+}
+
 Status check_place(const std::filesystem::path& file, bool overwrite) {
   std::error_code unknown;
   const auto status = std::filesystem::status(file, unknown);
@@ -59,10 +67,17 @@ FileDraft::~FileDraft() {
   if (is_made_) ::unlink(draft_.c_str());
 }
 
-Status FileDraft::failed(int error) const { return refused(file_, std::strerror(error)); }
+Status FileDraft::failed(int error) {
+  error_ = error;
+  return refused(file_, std::strerror(error));
+}
 
 Status FileDraft::begin() {
-  if (Status place = check_place(file_, overwrite_); !place) return place;
+  if (Status place = check_place(file_, overwrite_); !place) {
+    std::error_code unknown;
+    error_ = std::filesystem::is_directory(file_, unknown) ? EISDIR : EEXIST;
+    return place;
+  }
   // What has the name already is somebody else's, and may be a link to what is not to be touched.
   constexpr int most_tries = 100;
   for (int tries = 0; descriptor_ < 0; ++tries) {

@@ -26,18 +26,24 @@ class FileDraft {
   /// Writes over the first bytes: of a file that a library left room in for a head.
   Status write_first(std::string_view head);
   Status finish();  ///< after this it is there, also after a power failure
+  int error() const { return error_; }  ///< errno of what failed
 
   const std::filesystem::path& file() const { return file_; }
   const std::filesystem::path& path() const { return draft_; }  ///< where it is written
 
  private:
-  Status failed(int error) const;
+  Status failed(int error);
 
   std::filesystem::path file_, draft_;
   bool overwrite_;
   bool is_made_ = false;
   int descriptor_ = -1;
+  int error_ = 0;
 };
+
+/// The file that a draft of this name is of, "a.csv" of "a.csv.4711-1.part"; empty if it is none.
+/// A kill leaves drafts behind.
+std::filesystem::path drafted_file(const std::filesystem::path& draft);
 
 /// Why a file must not be written; nothing if it may. @param overwrite  as above
 Status check_place(const std::filesystem::path& file, bool overwrite);

@@ -19,6 +19,8 @@ class Echo final : public Command {
     return {{"REC", "files", &files_, true, {}},
             {"--rate", "Hz", &rate_Hz_, false, {}},
             {"--seed", "number", &seed_, false, {}},
+            {"--by", "name", &by_, false, {}},
+            {"--point", "names", &points_, false, {}},
             {"--json", "machine output", &json_, false, {}},
             {"--catalogue", "which", &catalogue_, false, {"derived", "published"}}};
   }
@@ -31,11 +33,11 @@ class Echo final : public Command {
   }
 
  private:
-  std::vector<std::string> files_;
+  std::vector<std::string> files_, points_;
   std::optional<double> rate_Hz_;
   std::optional<std::uint64_t> seed_;
   bool json_ = false;
-  std::string catalogue_;
+  std::string catalogue_, by_;
 };
 
 test::CommandAnswer ask(const std::vector<std::string>& arguments) {
@@ -77,6 +79,48 @@ TEST_CASE("arguments that make no sense end with 2 and a hint on standard error"
   refused({"judge", "a.mat", "--rate", "fast"}, "--rate");
   refused({"judge", "a.mat", "--seed", "-1"}, "--seed");
   refused({"judge", "a.mat", "--catalogue", "other"}, "--catalogue");
+}
+
+TEST_CASE("a number is decimal, whole and nothing else", "[bench]") {
+  for (const std::string right : {"12000", "+12000", "12e3", "12000.", "1.2e+4"}) {
+    CAPTURE(right);
+    CHECK(ask({"judge", "a.mat", "--rate", right}).out == "a.mat 12000");
+    CHECK(ask({"judge", "a.mat", "--rate=" + right}).out == "a.mat 12000");
+  }
+  CHECK(ask({"judge", "a.mat", "--rate", "-.5"}).out == "a.mat -0.5");
+  for (const std::string wrong : {"0x10", "0x1p4", " 5", "5 ", "5\n", "\t5", "nan", "inf", "-inf",
+                                  "1e999", "5,5", "1'000", "5Hz", "+-5", "++5", "+", "."}) {
+    CAPTURE(wrong);
+    const test::CommandAnswer answer = ask({"judge", "a.mat", "--rate", wrong});
+    CHECK(answer.code == 2);
+    CHECK_THAT(answer.err, Contains("judge: --rate: must be a decimal number, not \""));
+  }
+  for (const char* option : {"--rate", "--seed"}) {
+    const test::CommandAnswer answer = ask({"judge", "a.mat", option, ""});
+    CHECK(answer.code == 2);
+    CHECK_THAT(answer.err, Contains(std::string(option) + ": must be a ") && Contains("not \"\""));
+  }
+}
+
+TEST_CASE("what an option has of text is one line that somebody can have written", "[bench]") {
+  for (const std::string& right : {std::string("A. Müller"), std::string(4096, 'x')}) {
+    CHECK(ask({"judge", "a.mat", "--by", right, "--point", right}).code == 0);
+  }
+  const auto [wrong, why] = GENERATE(table<std::string, std::string>(
+      {{"", "must not be empty"},
+       {"  ", "must not be empty"},
+       {"A.\nMüller", "must be free of control characters"},
+       {"A.\x1b[31m", "must be free of control characters"},
+       {"A.\x7f", "must be free of control characters"},
+       {std::string(100000, 'x'), "must not be longer than 4096 bytes"}}));
+  for (const std::string option : {"--by", "--point"}) {
+    const test::CommandAnswer answer = ask({"judge", "a.mat", option, wrong});
+    CHECK(answer.code == 2);
+    CHECK_THAT(answer.err, Contains("judge: " + option + ": " + why));
+    CHECK(answer.err.size() < 400);
+  }
+  // A file is what it is called.
+  CHECK(ask({"judge", "a\nb.mat"}).out == "a\nb.mat ");
 }
 
 TEST_CASE("an answer that cannot be written is no success", "[bench]") {

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+
+#include "bench/report/explanation_sections.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -94,6 +97,33 @@ TEST_CASE("lines over order are told by their numbers, in standard errors", "[be
   CHECK_THAT(page, Contains("80/121") && Contains("<b>0.2 σ</b>"));
   CHECK_THAT(page, Contains("class=\"bar measured\"") && Contains("class=\"whisker\""));
   CHECK(count(page, darkest) == 1);
+}
+
+TEST_CASE("the strongest lines are found among such as are not known", "[bench][explain]") {
+  // So many that a sort by differences of NaN leaves the known ones wherever they are.
+  Eigen::VectorXd sizes = Eigen::VectorXd::Constant(200, not_known);
+  for (const Eigen::Index k : {30, 90, 91, 170}) sizes[k] = double(k);
+  CHECK(report::strongest(sizes, 3) == std::vector<Eigen::Index>{90, 91, 170});
+  CHECK(report::strongest(sizes, 300).size() == 200);
+}
+
+TEST_CASE("what a record does not tell is grey on the page, and hides nothing else",
+          "[bench][explain]") {
+  const std::string grey = "fill=\"#e4e9ed\"";
+  for (const bool by_orders : {false, true}) {
+    Comparisons shown = by_orders ? comparisons("order of the input shaft", 1.0 / 121)
+                                  : comparisons("time [s]", 0.01);
+    for (const Eigen::Index k : {4, 79}) shown.before[0].measured[k] = not_known;
+    shown.after[0].simulated[4] = HUGE_VAL;
+    shown.after[0].simulated[79] -= 0.2;
+    shown.unseen[0].before.measured[79] = not_known;
+    shown.unseen[0].after.simulated[79] = not_known;
+    const std::string page = page_of(friction(), shown);
+    CHECK(count(page, darkest) == 1);
+    CHECK_THAT(page, Contains("grey: the record does not tell") && !Contains("nan"));
+    CHECK(count(page, grey) == (by_orders ? 1 : 3));
+  }
+  CHECK_THAT(page_of(friction(), comparisons("time [s]", 0.01)), !Contains("grey"));
 }
 
 TEST_CASE("where nothing was compared, no empty figure is shown", "[bench][explain]") {

@@ -8,6 +8,7 @@
 #include "bench/text_file.hpp"
 #include "tests/bench/answers.hpp"
 #include "tests/hal/mat5_builder.hpp"
+#include "tests/support/file_size_limit.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 // What `judge` makes of what the user says about a recording, right and wrong.
@@ -315,12 +316,12 @@ TEST_CASE("a result that judge cannot write is an ERROR that names it", "[bench]
   const ScratchFolder scratch;
   const std::string file = unbalanced(scratch);
   const auto out = scratch.path() / "judged";
-  std::filesystem::create_directories(out / "report.html.draft");  // nothing can be drafted there
   std::vector<std::string> words = right;
   words.insert(words.end(), {"--out", out.string()});
+  const test::FileSizeLimit room_for_a_verdict(60000);
   const CommandAnswer answer = judge(file, "cwru_6205", words);
   CHECK(answer.code == 30);
-  CHECK_THAT(answer.err, Contains("not written: report.html: Is a directory"));
+  CHECK_THAT(answer.err, Contains("not written: report.html: File too large"));
   CHECK(nlohmann::json::parse(answer.out).at("exit_code") == 30);
   CHECK(read_file(out / "verdict.json") == answer.out);
 }

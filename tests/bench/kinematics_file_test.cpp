@@ -99,18 +99,20 @@ TEST_CASE("no two parts of a machine have one name", "[bench]") {
  "driven_component": "wheel"},
 {"name": "pair", "driver": "in", "driver_teeth": 20}],
 "bearings": [
-{"name": "front", "shaft": "in", "rolling_elements": 9, "ball_diameter_mm": 8, "pitch_diameter_mm": 40},
-{"name": "front", "shaft": "out", "rolling_elements": 9, "ball_diameter_mm": 8, "pitch_diameter_mm": 40}]})");
+{"name": "front", "shaft": "in", "rolling_elements": 9,
+ "ball_diameter_mm": 8, "pitch_diameter_mm": 40},
+{"name": "front", "shaft": "out", "rolling_elements": 9,
+ "ball_diameter_mm": 8, "pitch_diameter_mm": 40}]})");
   REQUIRE(file.index() == 1);
   std::vector<std::string> told;
   for (const auto& fault : std::get<1>(file)) told.push_back(describe("twins.json", fault));
-  CHECK(
-      told ==
-      std::vector<std::string>{
-          R"(twins.json:2: /shafts/1/component: there is already a shaft of component "axle")",
-          R"(twins.json:6: /meshes/0/driven_component: there is already a gear "wheel", of other teeth or shaft)",
-          R"(twins.json:7: /meshes/1/name: there is already a mesh "pair")",
-          R"(twins.json:10: /bearings/1/name: there is already a bearing "front")"});
+  CHECK(told ==
+        std::vector<std::string>{
+            R"(twins.json:2: /shafts/1/component: there is already a shaft of component "axle")",
+            R"(twins.json:6: /meshes/0/driven_component: there is already a gear "wheel", )"
+            "of other teeth or shaft",
+            R"(twins.json:7: /meshes/1/name: there is already a mesh "pair")",
+            R"(twins.json:11: /bearings/1/name: there is already a bearing "front")"});
 }
 
 TEST_CASE("an idler is one gear in two meshes", "[bench]") {

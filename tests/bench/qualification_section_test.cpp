@@ -35,7 +35,8 @@ TEST_CASE("what is asked of a station is read with its defaults, and written bac
           "[bench][station]") {
   const auto rig = rig_asking(R"({"station": "EOL 3", "self_test": {"noise_m_s2": 0.02},
     "calibration": {"channels": ["accel_4z"]},
-    "golden_unit": {"serial": "GOLD", "plan": "quick", "points": [{"speed_rpm": 1210, "load_pct": 50}]}})");
+    "golden_unit": {"serial": "GOLD", "plan": "quick",
+                    "points": [{"speed_rpm": 1210, "load_pct": 50}]}})");
   REQUIRE(rig.index() == 0);
   const QualificationSection* asked = qualification_in(std::get<0>(rig));
   REQUIRE(asked != nullptr);

@@ -244,6 +244,58 @@ TEST_CASE("the report shows beside each other what four ways find in an envelope
   }
 }
 
+TEST_CASE("the report shows the lines of each speed, and says whose signals it leaves out",
+          "[bench]") {
+  ReportInput input = failed_input();
+  input.load = {};
+  auto& points = input.judgement.points;
+  const auto test_at = [&points](std::size_t speeds, const std::vector<double>& loads) {
+    points.clear();
+    for (std::size_t i = 0; i < speeds; ++i) {
+      for (const double load : loads) {
+        JudgedPoint& point = points.emplace_back(test::recorded_point());
+        point.planned_speed_rpm = 500 + 100 * double(i);
+        point.examination.speed_rpm = point.planned_speed_rpm;
+        point.examination.load_pct = load;
+      }
+    }
+  };
+  SECTION("of three speeds it shows all") {
+    test_at(3, {0, 100});
+    CHECK_THAT(make_report(input), !Contains("Shown are"));
+  }
+  SECTION("loads in between are left out") {
+    test_at(1, {0, 50, 100});
+    CHECK_THAT(make_report(input),
+               Contains("Shown are 2 of 3 points: at 500 rpm, the first good record") &&
+                   !Contains("None is at"));
+  }
+  SECTION("of five speeds it shows signals from the lowest to the highest") {
+    test_at(5, {0, 100});
+    const std::string html = make_report(input);
+    CHECK_THAT(html, Contains("found [Hz]<br>500.0 rpm") && Contains("found [Hz]<br>900.0 rpm"));
+    CHECK_THAT(html, Contains("Shown are 6 of 10 points: at 500, 700, 900 rpm") &&
+                         Contains("None is at 600, 800 rpm.") && Contains("verdict.json"));
+  }
+  SECTION("of seven speeds at one load it shows six") {
+    test_at(7, {100});
+    const std::string html = make_report(input);
+    CHECK_THAT(html, Contains("Shown are 6 of 7 points") && Contains("None is at 1000 rpm."));
+  }
+  SECTION("of records of no plan it shows the first") {
+    test_at(8, {100});
+    for (JudgedPoint& point : points) point.planned_speed_rpm = not_known;
+    CHECK_THAT(make_report(input), Contains("Shown are the first 6 of 8 records."));
+  }
+  SECTION("of more speeds than can be read it says which are missing") {
+    test_at(20, {100});
+    const std::string html = make_report(input);
+    CHECK_THAT(html, Contains("found [Hz]<br>2000.0 rpm") && !Contains("<br>2100.0 rpm"));
+    CHECK_THAT(html, Contains("Shown are the 16 lowest of 20 speeds; the others are 2100.0 to "
+                              "2400.0 rpm."));
+  }
+}
+
 TEST_CASE("a record with an angle and no stated speed has its lines marked all the same",
           "[bench]") {
   ReportInput input = failed_input();

@@ -196,17 +196,22 @@ TEST_CASE("SHA256SUMS tells a sound folder from a tampered one", "[bench]") {
   }
   SECTION("a draft that a kill left of any file is none of the files") {
     std::ofstream(folder.path() / "verdict.json.draft") << "half";
+    std::ofstream(folder.path() / "verdict.json.4711-1.part") << "half";
     CHECK(verify_sums(folder.path()).empty());
     std::ofstream(folder.path() / "stranger.draft") << "half";
+    std::ofstream(folder.path() / "stranger.4711-1.part") << "half";
+    std::ofstream(folder.path() / "verdict.json.part") << "half";
     CHECK(verify_sums(folder.path()) ==
-          std::vector<std::string>{"stranger.draft: not listed in SHA256SUMS"});
+          std::vector<std::string>{"stranger.4711-1.part: not listed in SHA256SUMS",
+                                   "stranger.draft: not listed in SHA256SUMS",
+                                   "verdict.json.part: not listed in SHA256SUMS"});
   }
   SECTION("a list that a kill left half written is none of the files") {
-    std::ofstream(folder.path() / "SHA256SUMS.draft") << "half";
-    write_sums(folder.path());
-    CHECK(verify_sums(folder.path()).empty());
-    std::ofstream(folder.path() / "SHA256SUMS.draft") << "half";
-    CHECK(verify_sums(folder.path()).empty());
+    for (const std::string draft : {"SHA256SUMS.draft", "SHA256SUMS.4711-1.part"}) {
+      std::ofstream(folder.path() / draft) << "half";
+      write_sums(folder.path());
+      CHECK(verify_sums(folder.path()).empty());
+    }
   }
   SECTION("the list cannot point out of the folder") {
     write_file(folder.path() / "SHA256SUMS", std::string(64, 'a') + "  ../../etc/passwd\n");

@@ -47,8 +47,8 @@ TEST_CASE("cmake --install leaves program, manual, completion, service, rules an
 
 TEST_CASE("udev rules are pairs of key and value, each of an operator that udev knows",
           "[packaging]") {
-  const std::regex rule(
-      R"re(([A-Z_]+(\{[A-Za-z_]+\})?(==|!=|=|\+=|:=)"[^"]*")(, [A-Z_]+(\{[A-Za-z_]+\})?(==|!=|=|\+=|:=)"[^"]*")*)re");
+  const std::regex rule(R"re(([A-Z_]+(\{[A-Za-z_]+\})?(==|!=|=|\+=|:=)"[^"]*"))re"
+                        R"re((, [A-Z_]+(\{[A-Za-z_]+\})?(==|!=|=|\+=|:=)"[^"]*")*)re");
   const Installed installed;
   for (const char* file :
        {"lib/udev/rules.d/70-rvbench.rules", "share/doc/rvbench/examples/80-my-bench.rules"}) {

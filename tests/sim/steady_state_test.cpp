@@ -182,7 +182,8 @@ SCENARIO("a torque that goes round answers as two inertias on a spring do", "[si
 
 SCENARIO("what follows time keeps its frequency at every speed", "[sim][steady]") {
   const auto state = steady(two_wheels(R"(, {"type": "external_force", "body_a": "rotor",
-    "parameters": {"amplitude": {"value": 0.05, "unit": "N·m"}, "phase": {"value": 0.9, "unit": "rad"},
+    "parameters": {"amplitude": {"value": 0.05, "unit": "N·m"},
+                   "phase": {"value": 0.9, "unit": "rad"},
                    "frequency": {"value": 50, "unit": "Hz"}}})"),
                             GENERATE(0.5, 2.0));
   REQUIRE(state.rhythms_Hz == std::vector<double>{50});

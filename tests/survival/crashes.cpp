@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "bench/run_folder.hpp"
+#include "bench/text_file.hpp"
 #include "tests/support/program.hpp"
 #include "tests/survival/power_cut.hpp"
 #include "tests/survival/writing_process.hpp"
@@ -141,9 +142,8 @@ void check_ending(const Witness& witness, const DiskPlan& plan, Aftermath& found
     blame(fmt::format("it does not say \"{}\": ", std::strerror(plan.error)));
   }
   std::filesystem::path place = std::filesystem::path(witness.struck).filename();
-  while (place.extension() == ".draft" || place.extension() == ".journal") {
-    place.replace_extension();
-  }
+  if (place.extension() == ".journal") place.replace_extension();
+  if (const auto of = bench::drafted_file(place); !of.empty()) place = of;
   // Of a folder that is synced the file is named for whose sake; later failures have other names.
   const bool is_named = !place.has_extension() || plan.fail_ever_after ||
                         told.find(place.string()) != std::string::npos;

@@ -168,7 +168,8 @@ TEST_CASE("peaks without a part are lent to none", "[analysis]") {
   const auto with_tones = [&](double amplitude, unsigned seed) {
     Eigen::VectorXd x = 0.3 * signals.noise(seed);
     for (int i = 1; i <= 60; ++i) {
-      x += amplitude * signals.tone(1.5 + 22 * std::fmod(i * 0.7548776662, 1.0), unsigned(i) + seed);
+      const double order = 1.5 + 22 * std::fmod(i * 0.7548776662, 1.0);
+      x += amplitude * signals.tone(order, unsigned(i) + seed);
     }
     Recording heard = signals.recording(x);
     heard.planned_speed_rpm = 1200;
