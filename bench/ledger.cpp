@@ -17,7 +17,9 @@
 #include <utility>
 
 #include "bench/hash_chain.hpp"
+#include "bench/limits_versions.hpp"
 #include "bench/on_disk.hpp"
+#include "bench/qualification/station_records.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/sha256.hpp"
 #include "bench/text_file.hpp"
@@ -84,7 +86,12 @@ FileLock lock_of(const std::filesystem::path& root) {
   const std::filesystem::path file = root / ledger_name;
   std::optional<FileLock> lock;
   const auto take = [&] { return (lock = FileLock::take(file)).has_value(); };
-  if (!is_taken_in_time(take)) throw_error(EWOULDBLOCK, file);
+  if (!is_taken_in_time(take)) {
+    throw std::system_error(EWOULDBLOCK, std::generic_category(),
+                            file.string() +
+                                " is held by another rvbench: wait for its end, or "
+                                "stop it");
+  }
   return std::move(*lock);
 }
 
@@ -175,12 +182,12 @@ std::vector<std::string> ledger_faults(const std::filesystem::path& root) {
   std::map<std::string, const LedgerLine*> last_by_file;
   for (const LedgerLine& line : ledger.lines) last_by_file[line.file] = &line;
   std::vector<std::string> faults;
-  std::set<std::filesystem::path> folders;
+  std::set<std::filesystem::path> folders{limits_folder_name, qualification_folder_name};
   for (const auto& [file, line] : last_by_file) {
     const std::string fault = fault_of(root, *line);
     if (!fault.empty()) faults.push_back(fault);
     const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-    if (!folder.has_parent_path()) folders.insert(folder);  // a run's own has other files
+    if (!folder.has_parent_path()) folders.insert(folder);
   }
   for (const std::filesystem::path& folder : folders) {
     for (const std::filesystem::path& file : json_files_in(root / folder)) {

@@ -22,14 +22,13 @@ inline constexpr const char* ledger_name = "ledger.jsonl";
 /// What to say of a file that is not in it.
 inline constexpr const char* in_no_line =
     " is in no line of ledger.jsonl, so nobody goes by it: it was put there by hand, or its "
-    "keeping "
-    "was cut short";
+    "keeping was cut short";
 
 /// One line: a file as somebody kept it then.
 struct LedgerLine {
   int number = 0;    ///< from 1, without a gap
   std::string utc;   ///< by the clock of then
-  std::string kind;  ///< "self_test", "calibration", "limits activated", ...
+  std::string kind;  ///< "limits activated", "calibration of accel_1x by K-4711", ...
   std::string of;    ///< what it is for: a station, a plan
   std::string file;  ///< below the root
   std::string sha256;
@@ -55,7 +54,7 @@ Ledger read_ledger(const std::filesystem::path& root);
 std::string fault_of(const std::filesystem::path& root, const LedgerLine& line);
 
 /// All that is wrong with a ledger, with the files it lists, each by its last line, and with what
-/// lies beside those and is in no line.
+/// lies in a folder of limits or records and is in no line. Run folders are checked by themselves.
 std::vector<std::string> ledger_faults(const std::filesystem::path& root);
 
 /// Nothing is kept meanwhile: whoever reads a ledger and then its files finds both alike. In a root

@@ -180,6 +180,7 @@ Result<bool> ResultDatabase::catch_up_run(const std::filesystem::path& folder, c
                                           bool is_whole) {
   if (is_whole && !may_be_resumed(*old)) return false;
   if (!has_sums(folder)) return false;  // written last: the verdict is still being written
+  if (is_whole && is_as_entered(root_, *old)) return false;
   const auto judgement = verdict_in(folder);
   if (!judgement) return false;
   const RunRow row = row_of(root_, folder, *judgement);

@@ -103,8 +103,9 @@ std::string plan_name_in(const std::filesystem::path& run) {
 RigOfRun rig_of(const std::filesystem::path& run) {
   const nlohmann::json rig = json_in(run / "rig.json");
   const nlohmann::json asked = object_in(rig, "qualification");
-  return {text_in(rig, "rig"), text_in(asked, "station"),
-          text_in(object_in(asked, "golden_unit"), "serial")};
+  const nlohmann::json golden = object_in(asked, "golden_unit");
+  return {text_in(rig, "rig"), text_in(asked, "station"), text_in(golden, "serial"),
+          text_in(golden, "plan")};
 }
 
 std::string folder_name_of(const std::string& serial) {

@@ -30,9 +30,9 @@ std::string plan_name_in(const std::filesystem::path& run);
 
 /// On what a run was made, of its rig.json.
 struct RigOfRun {
-  std::string kind;           ///< "bench", "sim", "replay"; empty: it states none
-  std::string station;        ///< that the file's "qualification" names; empty: none
-  std::string golden_serial;  ///< of the golden unit that it names; empty: none
+  std::string kind;                        ///< "bench", "sim", "replay"; empty: it states none
+  std::string station;                     ///< that the file's "qualification" names; empty: none
+  std::string golden_serial, golden_plan;  ///< of the golden unit that it names; empty: none
 };
 RigOfRun rig_of(const std::filesystem::path& run);
 

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <mutex>
@@ -30,8 +29,8 @@
 namespace rvbench::bench {
 namespace {
 
-constexpr std::chrono::seconds longest_farewell{2};
-constexpr std::size_t longest_name = 200;  // of a certificate, or of who enters it
+constexpr std::chrono::seconds longest_farewell{8};  // the ledger may be another's for five
+constexpr std::size_t longest_text = 200;            // of a certificate, or of who enters it
 
 // Shows how far it is, and what somebody at the bench has to know or do.
 class SelfTestObserver final : public sequences::RunObserver {
@@ -84,8 +83,8 @@ class QualifyCommand final : public Command {
             {"--no-tap", "test: nobody is there to tap on the housing", &no_tap_},
             {"--yes", "test: do not ask whether the shaft may turn", &yes_},
             {"--channel", "calibrate: the sensor's channel", &channel_},
-            {"--sensitivity", "calibrate: V per unit, as certified; default: it states none",
-             &sensitivity_},
+            {"--sensitivity", "calibrate: V per unit, as certified", &sensitivity_},
+            {"--no-sensitivity", "calibrate: the certificate states none", &no_sensitivity_},
             {"--certificate", "calibrate: number of the certificate", &certificate_},
             {"--by", "calibrate: who enters it", &by_},
             {"--on", "calibrate: day of the calibration, as 2026-11-02", &on_},
@@ -100,7 +99,6 @@ class QualifyCommand final : public Command {
   int tell(Console& console, const SelfTest& test);
   int status(Console& console) const;
   int calibrate(Console& console) const;
-  bool has_stated_sensitivity(const CalibrationRecord& record) const;
   int records(Console& console) const;
   void warn_of_rest(Console& console) const;
 
@@ -109,7 +107,7 @@ class QualifyCommand final : public Command {
   std::string rig_, out_ = "runs";
   std::string channel_, certificate_, by_, on_, until_;
   std::optional<double> sensitivity_;
-  bool no_tap_ = false, yes_ = false, json_ = false;
+  bool no_tap_ = false, no_sensitivity_ = false, yes_ = false, json_ = false;
   RigFile file_;  // what --rig names
 };
 
@@ -169,7 +167,8 @@ int QualifyCommand::test_on(Console& console, hal::Rig& rig, const StopOnSignal&
   std::_Exit(exit_code(test.ending));
 }
 
-// Keeps the record and says what it came to. One that somebody stopped says nothing of the station.
+// Keeps the record and says what it came to. One that somebody stopped before a step failed says
+// nothing of the station.
 int QualifyCommand::tell(Console& console, const SelfTest& test) {
   const QualificationSection& section = *qualification_in(file_);
   const SelfTestSpec& spec = *section.self_test;
@@ -180,13 +179,14 @@ int QualifyCommand::tell(Console& console, const SelfTest& test) {
                         .software = software_version(),
                         .passed = test.passed(spec),
                         .reason = test.reason(spec),
+                        .judged_by = limits_of(spec),
                         .steps = test.steps};
   int code = exit_code(test.ending);
   if (test.ending.outcome == Outcome::pass && !record.passed) {
     code = exit_code({Outcome::error, ErrorKind::not_qualified, ""});
   }
   std::string not_kept;
-  if (test.ending.outcome != Outcome::aborted) {
+  if (test.ending.outcome != Outcome::aborted || test.has_failed_step()) {
     try {
       record.file = keep_record(out_, record);
     } catch (const std::system_error& error) {
@@ -229,16 +229,21 @@ int QualifyCommand::calibrate(Console& console) const {
                                       {by_, "--by"},
                                       {on_, "--on"},
                                       {until_, "--until"}}) {
-    if (value.find_first_not_of(' ') == std::string::npos) {
-      return refuse(std::string("give ") + option);
+    if (value.empty()) return refuse(std::string("give ") + option);
+    if (value.starts_with(' ') || value.ends_with(' ')) {
+      return refuse(std::string(option) + ": no blank may begin or end it");
     }
-    if (value.size() > longest_name) return refuse(std::string(option) + " is too long");
+    if (value.size() > longest_text) return refuse(std::string(option) + " is too long");
   }
   std::vector<std::string> channels;
   for (const ChannelInfo& channel : channels_of(file_)) channels.push_back(channel.name);
   if (std::ranges::find(channels, channel_) == channels.end()) {
     return refuse("the rig has no channel " + hal::in_quotes(channel_) +
                   hal::what_there_is(channel_, channels));
+  }
+  // Left out by mistake, nobody would hold the rig's against it.
+  if (sensitivity_.has_value() == no_sensitivity_) {
+    return refuse("give --sensitivity, or --no-sensitivity if the certificate states none");
   }
   if (!is_positive(console, "qualify calibrate: --sensitivity", sensitivity_)) {
     return exit_codes::usage;
@@ -261,11 +266,6 @@ int QualifyCommand::calibrate(Console& console) const {
                                  .valid_until_utc = *until,
                                  .entered_utc = now,
                                  .software = software_version()};
-  if (std::isnan(record.sensitivity) && has_stated_sensitivity(record)) {
-    return refuse("certificate " + certificate_ +
-                  " was entered with a sensitivity before: give "
-                  "--sensitivity");
-  }
   try {
     keep_record(out_, record);
   } catch (const std::system_error& error) {
@@ -280,15 +280,6 @@ int QualifyCommand::calibrate(Console& console) const {
     }
   }
   return exit_codes::done;
-}
-
-// Left out by mistake, nobody would hold the rig's against it any more.
-bool QualifyCommand::has_stated_sensitivity(const CalibrationRecord& record) const {
-  const StationRecords kept = read_station_records(out_);
-  return std::ranges::any_of(kept.calibrations, [&](const CalibrationRecord& earlier) {
-    return earlier.station == record.station && earlier.channel == record.channel &&
-           earlier.certificate == record.certificate && std::isfinite(earlier.sensitivity);
-  });
 }
 
 int QualifyCommand::records(Console& console) const {

@@ -81,7 +81,8 @@ class RunCommand final : public Command {
               const std::vector<hal::ConfigFault>& warnings);
   void tell_live(const sequences::TestPlan& plan, hal::Rig& rig, Acceptance& acceptance,
                  ProgressBar& bar) const;
-  std::string enter_golden(const sequences::TestPlan& plan, bool begins) const;
+  void hold_against_station(Console& console, Acceptance& acceptance) const;
+  std::string enter_golden_result() const;
   std::string enter_result(const Judgement& judgement) const;
   void tell(Console& console, const Judgement& judgement, const analysis::Kinematics& kinematics,
             const std::string& not_entered) const;
@@ -211,21 +212,11 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
   for (const hal::ConfigFault& warning : warnings) {
     acceptance.warnings.push_back(hal::describe(rig_, warning));
   }
-  const Qualification qualification = qualification_now(file_, out_, serial_);
-  acceptance.refusal = qualification.refusal();
-  for (const std::string& warning : qualification.warnings()) {
-    console.err << "rvbench: warning: " << warning << '\n';
-    acceptance.warnings.push_back(warning);
-  }
-  const std::string unknown = acceptance.refusal ? "" : enter_golden(plan, true);
-  if (!unknown.empty()) {
-    console.err << unknown;
-    return exit_codes::usage;
-  }
+  hold_against_station(console, acceptance);
   if (!live_.empty()) tell_live(plan, rig, acceptance, bar);
   const Judgement judgement = run_acceptance(std::move(acceptance), rig, bar, signals.token());
   std::string not_entered;
-  const auto enter = [&] { not_entered = enter_golden(plan, false) + enter_result(judgement); };
+  const auto enter = [&] { not_entered = enter_golden_result() + enter_result(judgement); };
   if (judgement.facts.must_exit) {
     // With a thread in a call that never returns, no destructor of the rig may run.
     const bool answers = try_for(longest_entry, enter);  // else it may still write the text
@@ -237,6 +228,19 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
   enter();
   tell(console, judgement, kinematics, not_entered);
   return exit_code(judgement.ending);
+}
+
+// No run goes on where the station may not judge, nor a golden unit's that nobody would know of.
+void RunCommand::hold_against_station(Console& console, Acceptance& acceptance) const {
+  const Qualification qualification = qualification_now(file_, out_, serial_);
+  for (const std::string& warning : qualification.warnings()) {
+    console.err << "rvbench: warning: " << warning << '\n';
+    acceptance.warnings.push_back(warning);
+  }
+  acceptance.refusal = qualification.refusal();
+  if (acceptance.refusal) return;
+  const std::string why = enter_golden_begin(out_, qualification_in(file_), place_.folder);
+  if (!why.empty()) acceptance.refusal = Ending{Outcome::error, ErrorKind::none, why};
 }
 
 // A run does not end because nobody can be told how it goes.
@@ -269,17 +273,10 @@ void RunCommand::tell(Console& console, const Judgement& judgement,
   console.err << not_entered << std::flush;
 }
 
-// So that a run of the golden unit is known where its folder is gone.
-// @return what to say if that cannot be; "" of any other unit's run
-std::string RunCommand::enter_golden(const sequences::TestPlan& plan, bool begins) const {
-  const QualificationSection* section = qualification_in(file_);
-  if (section == nullptr || !is_golden_run(*section, serial_, plan.name)) return "";
-  try {
-    (begins ? enter_golden_begin : enter_golden_end)(out_, *section, place_.folder);
-    return "";
-  } catch (const std::system_error& error) {
-    return "rvbench: run: the golden unit's run cannot be entered: " + reason_of(error) + "\n";
-  }
+// @return as enter_result()
+std::string RunCommand::enter_golden_result() const {
+  const std::string why = enter_golden_end(out_, qualification_in(file_), place_.folder);
+  return why.empty() ? "" : "rvbench: run: " + why + "; it counts as one that did not end\n";
 }
 
 // The folder is the result; an entry that fails now is made up for by the next run.

@@ -19,6 +19,7 @@
 #include "bench/qualification/golden_runs.hpp"
 #include "bench/results/run_filter.hpp"
 #include "bench/run_folder.hpp"
+#include "bench/run_start.hpp"
 #include "hal/types/measure.hpp"
 
 namespace rvbench::bench {
@@ -52,16 +53,17 @@ Result<GoldenChart> chart_in(const ResultDatabase& database, const GoldenUnitDem
   for (const RunRow& run : runs) {
     const auto value = value_by_folder.find(run.folder);
     chart.has_newest = value != value_by_folder.end();
-    // What did not pass is no measure of others.
+    // What did not pass is no measure of others, and what measured badly tells nothing.
     const bool is_in_baseline = static_cast<int>(chart.values.size()) < demand.baseline_runs;
-    const bool counts = !is_in_baseline || run.verdict == to_string(Outcome::pass);
+    const bool counts = run.verdict == to_string(Outcome::pass) ||
+                        (run.verdict == to_string(Outcome::fail) && !is_in_baseline);
     if (chart.has_newest && counts) chart.values.push_back(value->second);
   }
   return chart;
 }
 
 // Of one chart; nothing if it is in control.
-std::optional<std::string> reason_of(const GoldenChart& chart, int baseline_runs) {
+std::optional<std::string> chart_fault(const GoldenChart& chart, int baseline_runs) {
   if (!chart.has_newest) return "its newest run has no " + chart.name;
   const Eigen::VectorXd values =
       Eigen::VectorXd::Map(chart.values.data(), static_cast<Eigen::Index>(chart.values.size()));
@@ -73,33 +75,42 @@ std::optional<std::string> reason_of(const GoldenChart& chart, int baseline_runs
                      check.text(), check.baseline.centre, 3 * check.baseline.sigma);
 }
 
-// What is wrong with a run that the ledger has; "" if it is as it was kept.
-std::string doubt_of(const std::filesystem::path& root, const GoldenLines& run,
-                     const std::map<std::string, RunRow>& row_by_folder) {
-  std::string fault = fault_of(root, *run.begun);
-  if (fault.empty() && run.ended != nullptr) fault = fault_of(root, *run.ended);
-  if (!fault.empty() || run.ended == nullptr) return fault;
-  const auto row = row_by_folder.find(run.folder);
-  const bool is_told = row != row_by_folder.end() && row->second.sha256 == run.ended->sha256;
-  return is_told ? "" : (root / run.folder).string() + " was changed: rvbench check tells what";
+// What is wrong with a run that has ended; "" if the results are of what the ledger has.
+std::string doubt_of(const std::filesystem::path& root, const LedgerLine& ended,
+                     const RunRow* row) {
+  if (row != nullptr && row->sha256 == ended.sha256) return "";
+  const std::string fault = fault_of(root, ended);
+  const std::string run = (root / ended.file).parent_path().string();
+  return fault.empty() ? run + " was changed: rvbench check tells what" : fault;
 }
 
-// Runs on this station that measured something, and that the ledger does not know: it may have lost
-// its newest lines.
-std::vector<std::string> unknown_runs(const std::filesystem::path& root,
-                                      const QualificationSection& section, const Ledger& ledger) {
+// Of another station, kind of rig, unit or plan it is none of this golden unit's.
+bool is_of(const QualificationSection& section, const std::filesystem::path& run) {
   const GoldenUnitDemand& demand = *section.golden_unit;
+  const RigOfRun rig = rig_of(run);
+  return rig.station == section.station && rig.kind == section.rig_kind &&
+         rig.golden_serial == demand.serial && rig.golden_plan == demand.plan &&
+         plan_name_in(run) == demand.plan;
+}
+
+// Runs that measured something and that the ledger does not know: it may have lost its newest
+// lines. Nobody asks for those from before the first that counts.
+std::vector<std::string> unknown_runs(const std::filesystem::path& root,
+                                      const QualificationSection& section, const Ledger& ledger,
+                                      const std::vector<GoldenLines>& lines) {
+  const GoldenUnitDemand& demand = *section.golden_unit;
+  const int first = demand.since_utc.empty() || lines.empty()
+                        ? 0
+                        : read_run_begin(root / lines.front().folder).number;
   std::vector<std::string> unknown;
   for (const std::filesystem::path& run : folders_in(root / folder_name_of(demand.serial))) {
     std::error_code error;
-    if (!std::filesystem::exists(run / "recording.h5", error)) continue;
-    const RigOfRun rig = rig_of(run);
-    const bool is_here = rig.station == section.station && rig.kind == section.rig_kind;
-    if (!is_here || rig.golden_serial != demand.serial || plan_name_in(run) != demand.plan)
-      continue;
     const std::string start = (run.lexically_relative(root) / "start.json").string();
-    const bool is_of_now = read_run_begin(run).started_utc >= demand.since_utc;
-    if (is_of_now && ledger.last_of(start) == nullptr) unknown.push_back(run.string());
+    if (ledger.last_of(start) != nullptr) continue;
+    const RunBegin begin = read_run_begin(run);
+    if (begin.started_utc < demand.since_utc || begin.number < first) continue;
+    if (!std::filesystem::exists(run / "recording.h5", error) || !is_of(section, run)) continue;
+    unknown.push_back(run.string());
   }
   std::ranges::sort(unknown);
   return unknown;
@@ -108,44 +119,47 @@ std::vector<std::string> unknown_runs(const std::filesystem::path& root,
 // What the ledger's runs came to, in their order.
 void take_runs(GoldenEvidence& evidence, const std::filesystem::path& root,
                const std::vector<GoldenLines>& lines, const std::vector<RunRow>& rows) {
-  std::map<std::string, RunRow> row_by_folder;
-  for (const RunRow& row : rows) row_by_folder[row.folder] = row;
+  std::map<std::string, const RunRow*> row_by_folder;
+  for (const RunRow& row : rows) row_by_folder[row.folder] = &row;
   for (const GoldenLines& run : lines) {
-    const std::string doubt = doubt_of(root, run, row_by_folder);
+    const RunRow* row = row_by_folder[run.folder];
+    const std::string doubt = run.ended != nullptr ? doubt_of(root, *run.ended, row) : "";
     evidence.newest_without_verdict.clear();
-    if (!doubt.empty()) {
-      evidence.doubts.push_back(doubt);
-    } else if (run.ended == nullptr) {
+    if (run.ended == nullptr) {
       evidence.newest_without_verdict =
-          fmt::format("({}) came to no verdict", readable_utc(run.begun->utc));
-    } else if (const RunRow& row = row_by_folder.at(run.folder); was_judged(row)) {
-      evidence.runs.push_back(row);
+          fmt::format("({}) {}", readable_utc(run.begun->utc),
+                      is_at_work(root / run.folder) ? "is still at work: wait for its end"
+                                                    : "did not come to its end: repeat it");
+    } else if (!doubt.empty()) {
+      evidence.doubts.push_back(doubt);
+    } else if (was_judged(*row)) {
+      evidence.runs.push_back(*row);
     } else {
       evidence.newest_without_verdict =
-          fmt::format("({}) ended {}: {}", readable_utc(row.started_utc), row.verdict, row.reason);
+          fmt::format("({}) ended {}: {}: repeat it", readable_utc(row->started_utc), row->verdict,
+                      row->reason);
     }
   }
 }
 
 }  // namespace
 
-GoldenEvidence golden_evidence(const Result<ResultDatabase>& database,
+GoldenEvidence golden_evidence(const Result<ResultDatabase>& database, const Ledger& ledger,
                                const QualificationSection& section) {
   const GoldenUnitDemand& demand = *section.golden_unit;
   GoldenEvidence evidence;
-  const auto unreadable = [](const std::string& why) {
+  const auto unreadable = [](const IoError& why) {
     GoldenEvidence none;
-    none.unreadable = why;
+    none.unreadable = describe(why);
     return none;
   };
-  if (!database) return unreadable(describe(database.error()));
+  if (!database) return unreadable(database.error());
   const std::filesystem::path& root = database.value().root();
   const auto rows = database.value().runs(demand.serial);
-  if (!rows) return unreadable(describe(rows.error()));
-  const Ledger ledger = read_ledger(root);
-  if (!ledger.fault.empty()) return unreadable(ledger.fault);
-  take_runs(evidence, root, golden_lines(ledger, section), rows.value());
-  for (const std::string& run : unknown_runs(root, section, ledger)) {
+  if (!rows) return unreadable(rows.error());
+  const std::vector<GoldenLines> lines = golden_lines(ledger, section);
+  take_runs(evidence, root, lines, rows.value());
+  for (const std::string& run : unknown_runs(root, section, ledger, lines)) {
     evidence.doubts.push_back(run + " is in no line of ledger.jsonl, which may have lost some");
   }
   if (evidence.runs.empty()) return evidence;
@@ -154,7 +168,7 @@ GoldenEvidence golden_evidence(const Result<ResultDatabase>& database,
   for (const ChartedIndicator& indicator : demand.indicators) {
     for (const SetPoint& point : points) {
       auto chart = chart_in(database.value(), demand, indicator, point, evidence.runs);
-      if (!chart) return unreadable(describe(chart.error()));
+      if (!chart) return unreadable(chart.error());
       evidence.charts.push_back(std::move(chart).value());
     }
   }
@@ -174,10 +188,12 @@ std::vector<std::string> golden_reasons(const GoldenEvidence& evidence,
                       ": put back a copy, or begin its chart anew, by \"since\" in the rig file");
   }
   if (!evidence.newest_without_verdict.empty()) {
-    reasons.push_back(unit + "its newest run " + evidence.newest_without_verdict + ": repeat it");
+    reasons.push_back(unit + "its newest run " + evidence.newest_without_verdict);
   }
   if (evidence.runs.empty()) {
-    reasons.push_back(unit + "it has no run of plan " + demand.plan + " on this station");
+    const std::string since =
+        demand.since_utc.empty() ? "" : " since " + readable_utc(demand.since_utc);
+    reasons.push_back(unit + "it has no run of plan " + demand.plan + " on this station" + since);
     return reasons;
   }
   const RunRow& newest = evidence.runs.back();
@@ -189,7 +205,7 @@ std::vector<std::string> golden_reasons(const GoldenEvidence& evidence,
     return reasons;  // whatever its charts say
   }
   for (const GoldenChart& chart : evidence.charts) {
-    if (const auto reason = reason_of(chart, demand.baseline_runs)) {
+    if (const auto reason = chart_fault(chart, demand.baseline_runs)) {
       reasons.push_back(unit + *reason);
     }
   }

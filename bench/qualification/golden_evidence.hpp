@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/ledger.hpp"
 #include "bench/qualification/qualification_section.hpp"
 #include "bench/result_database.hpp"
 
@@ -20,15 +21,16 @@ struct GoldenEvidence {
   std::string unreadable;  ///< why nothing can be told; empty: it can
   /// Of the plan, on this station, that were judged (no ERROR, no ABORTED), in their order.
   std::vector<RunRow> runs;
-  std::string newest_without_verdict;  ///< what it came to; empty: the newest one was judged
-  std::vector<std::string> doubts;     ///< of those that are not as they were kept, a sentence each
+  std::string newest_without_verdict;  ///< and what is to be done; empty: the newest was judged
+  std::vector<std::string> doubts;     ///< of those whose verdict nobody knows any more
   std::vector<GoldenChart> charts;
 };
 
 /// @param database  that holds every run there is, or why there is none
+/// @param ledger    of the same folder, read before that: which runs there were, in their order
 /// @param section   with a golden unit: runs on another station or kind of rig do not count, nor
 ///                  those on a rig whose file did not name that unit
-GoldenEvidence golden_evidence(const Result<ResultDatabase>& database,
+GoldenEvidence golden_evidence(const Result<ResultDatabase>& database, const Ledger& ledger,
                                const QualificationSection& section);
 
 /// What its runs say against the station, a sentence each; empty: it is as ever.

@@ -1,43 +1,70 @@
 #include "bench/qualification/golden_runs.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <system_error>
 
 #include "bench/run_folder.hpp"
+#include "bench/text_file.hpp"
 
 namespace rvbench::bench {
 namespace {
-
-constexpr const char* start_file = "start.json";
-constexpr const char* verdict_file = "verdict.json";
 
 std::string kind_of(const char* step, const QualificationSection& section) {
   return std::string("golden run ") + step + ", plan " + section.golden_unit->plan +
          ", a rig of kind " + section.rig_kind;
 }
 
+bool is_golden(const QualificationSection* section, const std::filesystem::path& run) {
+  return section != nullptr && section->golden_unit &&
+         section->golden_unit->serial == read_run_begin(run).serial &&
+         section->golden_unit->plan == plan_name_in(run);
+}
+
+std::string file_of(const std::filesystem::path& root, const std::filesystem::path& run,
+                    const char* name) {
+  return (run.lexically_relative(root) / name).string();
+}
+
+std::string start_of(const std::filesystem::path& root, const std::filesystem::path& run) {
+  return file_of(root, run, "start.json");
+}
+
+std::string verdict_of(const std::filesystem::path& root, const std::filesystem::path& run) {
+  return file_of(root, run, "verdict.json");
+}
+
+std::string why_not(const std::system_error& error) {
+  return "the golden unit's run cannot be entered into the ledger: " + reason_of(error);
+}
+
 }  // namespace
 
-bool is_golden_run(const QualificationSection& section, const std::string& serial,
-                   const std::string& plan) {
-  const auto& golden = section.golden_unit;
-  return golden && golden->serial == serial && golden->plan == plan;
+std::string enter_golden_begin(const std::filesystem::path& root,
+                               const QualificationSection* section,
+                               const std::filesystem::path& run) {
+  if (!is_golden(section, run)) return "";
+  try {
+    LedgerPen(root).enter(kind_of("begun", *section), section->station, start_of(root, run));
+    return "";
+  } catch (const std::system_error& error) {
+    return why_not(error);
+  }
 }
 
-// One that is resumed has its line.
-void enter_golden_begin(const std::filesystem::path& root, const QualificationSection& section,
-                        const std::filesystem::path& run) {
-  const std::string file = (run.lexically_relative(root) / start_file).string();
-  LedgerPen pen(root);
-  if (read_ledger(root).last_of(file) != nullptr) return;
-  pen.enter(kind_of("begun", section), section.station, file);
-}
-
-void enter_golden_end(const std::filesystem::path& root, const QualificationSection& section,
-                      const std::filesystem::path& run) {
-  const std::filesystem::path folder = run.lexically_relative(root);
-  LedgerPen pen(root);
-  if (read_ledger(root).last_of((folder / start_file).string()) == nullptr) return;
-  pen.enter(kind_of("ended", section), section.station, (folder / verdict_file).string());
+std::string enter_golden_end(const std::filesystem::path& root, const QualificationSection* section,
+                             const std::filesystem::path& run) {
+  if (!is_golden(section, run)) return "";
+  try {
+    LedgerPen pen(root);
+    const Ledger ledger = read_ledger(root);
+    const bool has_begun = ledger.last_of(start_of(root, run)) != nullptr;
+    if (ledger.fault.empty() && !has_begun) return "";
+    pen.enter(kind_of("ended", *section), section->station, verdict_of(root, run));
+    return "";
+  } catch (const std::system_error& error) {
+    return why_not(error);
+  }
 }
 
 std::vector<GoldenLines> golden_lines(const Ledger& ledger, const QualificationSection& section) {
@@ -47,12 +74,19 @@ std::vector<GoldenLines> golden_lines(const Ledger& ledger, const QualificationS
   for (const LedgerLine& line : ledger.lines) {
     if (line.of != section.station || !line.file.starts_with(unit)) continue;
     const std::string folder = std::filesystem::path(line.file).parent_path().string();
-    if (line.kind == begun && (!runs.empty() || line.utc >= section.golden_unit->since_utc)) {
+    const auto run = std::find_if(runs.rbegin(), runs.rend(),
+                                  [&](const GoldenLines& there) { return there.folder == folder; });
+    if (run != runs.rend()) {
+      if (line.kind == begun) run->ended = nullptr;  // gone on with
+      if (line.kind == ended) run->ended = &line;
+    } else if (line.kind == begun) {
       runs.push_back({folder, &line, nullptr});
     }
-    const auto run = std::ranges::find(runs, folder, &GoldenLines::folder);
-    if (line.kind == ended && run != runs.end()) run->ended = &line;
   }
+  const auto before = std::find_if(runs.rbegin(), runs.rend(), [&](const GoldenLines& run) {
+    return run.begun->utc < section.golden_unit->since_utc;
+  });
+  runs.erase(runs.begin(), before.base());
   return runs;
 }
 

@@ -14,25 +14,25 @@ namespace rvbench::bench {
 
 /// What the ledger has of one of its runs. Pointers into that ledger.
 struct GoldenLines {
-  std::string folder;                  ///< below the root: "GOLDEN/20261127T080000Z"
-  const LedgerLine* begun = nullptr;   ///< never null
-  const LedgerLine* ended = nullptr;   ///< the last, as a run may be resumed; null: it did not end
+  std::string folder;                 ///< below the root: "GOLDEN/20261127T080000Z"
+  const LedgerLine* begun = nullptr;  ///< never null
+  const LedgerLine* ended = nullptr;  ///< since it began, or was gone on with; null: it did not end
 };
 
-/// Whether a run is one that the section's golden unit is judged by.
-bool is_golden_run(const QualificationSection& section, const std::string& serial,
-                   const std::string& plan);
+/// Enters that a run begins, or is gone on with, if it is one of the golden unit that its rig file
+/// asks for; as the run's start.json and plan.json tell.
+/// @param section  null: nothing is asked  @param run  its folder, below the root
+/// @return why that cannot be; "" if it is done, or if it is no such run
+std::string enter_golden_begin(const std::filesystem::path& root,
+                               const QualificationSection* section,
+                               const std::filesystem::path& run);
 
-// Of the run in that folder below the root, which is one. Of a run whose begin was not entered, as
-// the station was not qualified, the end is not entered either.
-// @throws std::system_error, as LedgerPen
-void enter_golden_begin(const std::filesystem::path& root, const QualificationSection& section,
-                        const std::filesystem::path& run);
-void enter_golden_end(const std::filesystem::path& root, const QualificationSection& section,
-                      const std::filesystem::path& run);
+/// Likewise that it has come to its end, if its begin was entered: a run that was refused has none.
+std::string enter_golden_end(const std::filesystem::path& root, const QualificationSection* section,
+                             const std::filesystem::path& run);
 
-/// Those on the section's station and kind of rig, in the order in which they began; from the first
-/// one on that began at the demand's `since_utc` or later.
+/// Those on the section's station and kind of rig, in the order in which they began. With a
+/// `since_utc` those after the last that began before it: a clock may have been wrong.
 std::vector<GoldenLines> golden_lines(const Ledger& ledger, const QualificationSection& section);
 
 }  // namespace rvbench::bench

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "bench/ledger.hpp"
 #include "bench/qualification/ages.hpp"
 #include "bench/results/run_filter.hpp"
 #include "bench/run_folder.hpp"
@@ -19,6 +20,7 @@ namespace {
 // Half of what the best calibration by comparison is sure of (ISO 16063-21: 1 %); a rig file may
 // state three digits.
 constexpr double same_sensitivity = 0.005;
+constexpr const char* calibration_kind_of_any = "calibration of ";
 constexpr double warn_share = 0.9;  // of the time that something counts for
 
 const SelfTestRecord* newest_self_test(const QualificationSection& section,
@@ -49,6 +51,19 @@ RequirementState state_of(std::string requirement, const char* word, std::string
   return {std::move(requirement), word, std::move(sentence), blocks};
 }
 
+// Whether a damaged record may be what the section asks for; one of no known kind may.
+bool concerns(const DamagedRecord& damaged, const QualificationSection& section) {
+  if (!damaged.station.empty() && damaged.station != section.station) return false;
+  if (damaged.kind.starts_with(self_test_kind(""))) {
+    return section.self_test && damaged.kind == self_test_kind(section.rig_kind);
+  }
+  if (!damaged.kind.starts_with(calibration_kind_of_any)) return true;
+  return section.calibration &&
+         std::ranges::any_of(section.calibration->channels, [&](const std::string& channel) {
+           return damaged.kind.starts_with(calibration_kind(channel, ""));
+         });
+}
+
 RequirementState self_test_state(const QualificationSection& section,
                                  const std::vector<SelfTestRecord>& records,
                                  const std::string& now_utc) {
@@ -63,6 +78,12 @@ RequirementState self_test_state(const QualificationSection& section,
     return state_of(name, "failed",
                     fmt::format("self-test: that of {} was not passed: {}",
                                 readable_utc(newest->utc), newest->reason));
+  }
+  if (newest->judged_by != limits_of(spec)) {
+    return state_of(name, "missing",
+                    fmt::format("self-test: that of {} was judged by other limits than the rig "
+                                "file's: rvbench qualify",
+                                readable_utc(newest->utc)));
   }
   const std::string age = age_fault(newest->utc, spec.max_age_h, now_utc);
   if (!age.empty()) return state_of(name, "expired", "self-test: the newest " + age);
@@ -145,10 +166,16 @@ StationEvidence gather_evidence(const std::filesystem::path& root,
   if (!section.golden_unit) return evidence;
   std::error_code unknown;
   if (!std::filesystem::is_directory(root, unknown)) return evidence;  // no run yet
-  evidence.golden = golden_evidence(caught_up(ResultDatabase::open(root)), section);
+  // Before the results: a run that ends meanwhile is still at work by the ledger.
+  const Ledger ledger = read_ledger(root);
+  if (!ledger.fault.empty()) {
+    evidence.golden.unreadable = ledger.fault;
+    return evidence;
+  }
+  evidence.golden = golden_evidence(caught_up(ResultDatabase::open(root)), ledger, section);
   if (evidence.golden.unreadable.empty()) return evidence;
   // The folders are the truth, and the database may be locked or of a newer rvbench.
-  evidence.golden = golden_evidence(caught_up(ResultDatabase::in_memory(root)), section);
+  evidence.golden = golden_evidence(caught_up(ResultDatabase::in_memory(root)), ledger, section);
   return evidence;
 }
 
@@ -183,10 +210,15 @@ Qualification qualification_of(const QualificationSection& section,
   auto& all = qualification.requirements;
   const StationRecords& records = evidence.records;
   for (const DamagedRecord& damaged : records.damaged) {
-    if (!damaged.station.empty() && damaged.station != section.station) continue;
-    const bool is_of_another_rig = damaged.kind.starts_with(self_test_kind("")) &&
-                                   damaged.kind != self_test_kind(section.rig_kind);
-    if (!is_of_another_rig) all.push_back(state_of("records", "failed", damaged.sentence));
+    if (concerns(damaged, section)) all.push_back(state_of("records", "failed", damaged.sentence));
+  }
+  const std::string& last_utc = records.last_kept_utc;
+  if (!last_utc.empty() && is_ahead(last_utc, now_utc)) {
+    all.push_back(
+        state_of("records", "failed",
+                 fmt::format("the last line of {} is of {}, which is yet to come by this "
+                             "computer's clock ({}): put the clock right",
+                             ledger_name, readable_utc(last_utc), readable_utc(now_utc))));
   }
   if (section.self_test) all.push_back(self_test_state(section, records.self_tests, now_utc));
   if (section.calibration) {

@@ -19,8 +19,9 @@ struct StationEvidence {
   GoldenEvidence golden;
 };
 
-/// Of the folder of runs. The golden unit is looked for in results.db once that holds every run,
-/// and only runs count whose verdict.json is still the one that was entered.
+/// Of the folder of runs. The golden unit's runs are those of the ledger; what they measured is
+/// looked for in results.db once that holds every run, as far as it was made of what the ledger
+/// has.
 StationEvidence gather_evidence(const std::filesystem::path& root,
                                 const QualificationSection& section);
 

@@ -121,13 +121,14 @@ nlohmann::ordered_json to_json(const GoldenUnitDemand& demand) {
   for (const SetPoint& point : demand.points) {
     points.push_back({{"speed_rpm", *point.speed_rpm}, {"load_pct", *point.load_pct}});
   }
-  return {{"serial", demand.serial},
-          {"plan", demand.plan},
-          {"max_age_h", demand.max_age_h},
-          {"baseline_runs", demand.baseline_runs},
-          {"since", demand.since_utc},
-          {"indicators", indicators},
-          {"points", points}};
+  nlohmann::ordered_json json{{"serial", demand.serial},
+                              {"plan", demand.plan},
+                              {"max_age_h", demand.max_age_h},
+                              {"baseline_runs", demand.baseline_runs}};
+  if (!demand.since_utc.empty()) json["since"] = demand.since_utc;
+  json["indicators"] = indicators;
+  json["points"] = points;
+  return json;
 }
 
 }  // namespace
@@ -150,6 +151,12 @@ std::optional<QualificationSection> read_qualification_section(
     section->fault("", "asks for nothing: give self_test, calibration or golden_unit");
   }
   return asked;
+}
+
+std::string limits_of(const SelfTestSpec& spec) {
+  nlohmann::ordered_json json = to_json(spec);
+  json.erase("max_age_h");
+  return json.dump();
 }
 
 nlohmann::ordered_json to_json(const QualificationSection& section) {

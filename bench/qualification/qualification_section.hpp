@@ -62,6 +62,9 @@ struct QualificationSection {
 std::optional<QualificationSection> read_qualification_section(
     hal::ConfigReader& rig, const std::string& rig_kind, const std::vector<ChannelInfo>& channels);
 
+/// What a self-test is judged by, as JSON in one line: all but how long it counts.
+std::string limits_of(const SelfTestSpec& spec);
+
 /// With every default spelled out.
 nlohmann::ordered_json to_json(const QualificationSection& section);
 

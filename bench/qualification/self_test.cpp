@@ -86,11 +86,17 @@ bool SelfTest::passed(const SelfTestSpec& spec) const {
          std::ranges::all_of(steps, [&](const auto& step) { return is_well(step, spec); });
 }
 
+bool SelfTest::has_failed_step() const {
+  return std::ranges::any_of(
+      steps, [](const SelfTestResult& step) { return step.word == SelfTestWord::failed; });
+}
+
 std::string SelfTest::reason(const SelfTestSpec& spec) const {
-  if (ending.outcome != Outcome::pass) return ending.reason;
-  std::string reasons;
+  const bool is_whole = ending.outcome == Outcome::pass;
+  std::string reasons = is_whole ? "" : ending.reason;
   for (const SelfTestResult& step : steps) {
-    if (is_well(step, spec)) continue;
+    // Of one that was ended, what it did not reach is no news.
+    if (is_whole ? is_well(step, spec) : step.word != SelfTestWord::failed) continue;
     reasons += (reasons.empty() ? "" : "; ") +
                fmt::format("{}: {} ({})", step.step, to_string(step.word), step.reason);
   }

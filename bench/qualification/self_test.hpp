@@ -19,6 +19,7 @@ struct SelfTest {
   bool must_exit = false;
 
   bool passed(const SelfTestSpec& spec) const;
+  bool has_failed_step() const;  ///< whatever came after it
   /// One sentence: the steps that did not pass, and why.
   std::string reason(const SelfTestSpec& spec) const;
 };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -22,6 +21,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* calibration = "calibration";
 constexpr const char* self_test = "self_test";
+constexpr const char* set_aside_kind = "set aside";
 constexpr const char* suffix = ".json";
 
 Json to_json(const CalibrationRecord& record) {
@@ -38,13 +38,11 @@ Json to_json(const CalibrationRecord& record) {
 }
 
 Json to_json(const SelfTestRecord& record) {
-  return {{"record", self_test},     {"station", record.station},     {"rig", record.rig_kind},
-          {"utc", record.utc},       {"software", record.software},   {"passed", record.passed},
-          {"reason", record.reason}, {"steps", json_of(record.steps)}};
-}
-
-std::string calibration_kind(const CalibrationRecord& record) {
-  return "calibration of " + record.channel + " by " + record.certificate;
+  return {{"record", self_test},           {"station", record.station},
+          {"rig", record.rig_kind},        {"utc", record.utc},
+          {"software", record.software},   {"passed", record.passed},
+          {"reason", record.reason},       {"judged_by", Json::parse(record.judged_by)},
+          {"steps", json_of(record.steps)}};
 }
 
 CalibrationRecord calibration_from(const Json& json) {
@@ -69,6 +67,7 @@ SelfTestRecord self_test_from(const Json& json) {
   json.at("software").get_to(record.software);
   json.at("passed").get_to(record.passed);
   json.at("reason").get_to(record.reason);
+  record.judged_by = json.at("judged_by").dump();
   record.steps = self_test_from_json(json.at("steps"));
   return record;
 }
@@ -115,42 +114,38 @@ std::string take(StationRecords& records, const std::filesystem::path& file) {
   return why.empty() ? "" : file.string() + " is damaged: " + why;
 }
 
-bool tells_the_same(const SelfTestRecord& a, const SelfTestRecord& b) {
-  return a.station == b.station && a.rig_kind == b.rig_kind;
-}
-
-bool tells_the_same(const CalibrationRecord& a, const CalibrationRecord& b) {
-  return a.station == b.station && a.channel == b.channel && a.certificate == b.certificate;
-}
-
-// Of a file that is in no line. The ledger may have lost its newest lines: without it an older
-// record would count again, until the same is told anew. @return nothing if it was
-std::optional<DamagedRecord> unknown_record(const StationRecords& records,
-                                            const std::filesystem::path& file) {
+// Of a file that is in no line: the ledger may have lost its newest ones, and an older record would
+// count again.
+DamagedRecord unknown_record(const std::filesystem::path& file) {
   const std::string sentence = file.string() + in_no_line;
   StationRecords one;
-  if (!take(one, file).empty()) return DamagedRecord{"", "", sentence + ": take it away"};
-  const auto is_told_anew = [](const auto& record, const auto& kept, auto time) {
-    return std::ranges::any_of(kept, [&](const auto& other) {
-      return tells_the_same(record, other) && other.*time > record.*time;
-    });
-  };
-  if (!one.self_tests.empty()) {
-    const SelfTestRecord& record = one.self_tests[0];
-    if (is_told_anew(record, records.self_tests, &SelfTestRecord::utc)) return std::nullopt;
-    return DamagedRecord{record.station, self_test_kind(record.rig_kind), sentence + ": test anew"};
+  if (!take(one, file).empty()) return {"", "", sentence + ": take it away"};
+  if (one.self_tests.empty()) {
+    const CalibrationRecord& record = one.calibrations[0];
+    return {record.station, calibration_kind(record.channel, record.certificate),
+            sentence + ": enter that certificate again"};
   }
-  const CalibrationRecord& record = one.calibrations[0];
-  if (is_told_anew(record, records.calibrations, &CalibrationRecord::entered_utc)) {
-    return std::nullopt;
-  }
-  return DamagedRecord{record.station, calibration_kind(record),
-                       sentence + ": enter that certificate again"};
+  const SelfTestRecord& record = one.self_tests[0];
+  return {record.station, self_test_kind(record.rig_kind), sentence + ": test anew"};
 }
 
 // A file of the folder, as the ledger and the records name it.
 std::string below_root(const std::string& name) {
   return std::string(qualification_folder_name) + "/" + name;
+}
+
+// Files in no line that told the same as what has just been told anew: from here on they are known,
+// and nobody goes by them.
+void set_aside(LedgerPen& pen, const std::filesystem::path& root, const std::string& kind,
+               const std::string& station) {
+  for (const std::filesystem::path& file : json_files_in(qualification_folder(root))) {
+    const std::string name = below_root(file.filename().string());
+    if (read_ledger(root).last_of(name) != nullptr) continue;
+    const DamagedRecord unknown = unknown_record(file);
+    if (unknown.kind == kind && unknown.station == station) {
+      pen.enter(set_aside_kind, station, name);
+    }
+  }
 }
 
 std::string keep(const std::filesystem::path& root, const char* prefix, const std::string& kind,
@@ -162,6 +157,7 @@ std::string keep(const std::filesystem::path& root, const char* prefix, const st
     name = std::string(prefix) + "-" + utc + "-" + std::to_string(copy) + suffix;
   }
   pen.keep(kind, station, below_root(name), json_text(json));
+  set_aside(pen, root, kind, station);
   return name;
 }
 
@@ -175,6 +171,7 @@ StationRecords read_station_records(const std::filesystem::path& root) {
   const LedgerReading reading(root);
   StationRecords records;
   const Ledger ledger = read_ledger(root);
+  if (!ledger.lines.empty()) records.last_kept_utc = ledger.lines.back().utc;
   if (!ledger.fault.empty()) {
     records.damaged.push_back({"", "", ledger.fault + ": put back a copy"});
     return records;
@@ -182,7 +179,8 @@ StationRecords read_station_records(const std::filesystem::path& root) {
   // By kind and station: only what tells the same takes the place of what is damaged.
   std::map<std::pair<std::string, std::string>, DamagedRecord> damaged;
   for (const LedgerLine& line : ledger.lines) {
-    if (!line.file.starts_with(below_root(""))) continue;
+    const bool is_record = line.file.starts_with(below_root("")) && line.kind != set_aside_kind;
+    if (!is_record) continue;
     std::string why = fault_of(root, line);
     if (why.empty()) why = take(records, root / line.file);
     damaged.erase({line.kind, line.of});
@@ -194,8 +192,7 @@ StationRecords read_station_records(const std::filesystem::path& root) {
   for (auto& [kind, record] : damaged) records.damaged.push_back(std::move(record));
   for (const std::filesystem::path& file : json_files_in(qualification_folder(root))) {
     if (ledger.last_of(below_root(file.filename().string())) != nullptr) continue;
-    const auto unknown = unknown_record(records, file);
-    if (unknown) records.damaged.push_back(*unknown);
+    records.damaged.push_back(unknown_record(file));
   }
   return records;
 }
@@ -204,9 +201,13 @@ std::string self_test_kind(const std::string& rig_kind) {
   return std::string(self_test) + " of a rig of kind " + rig_kind;
 }
 
+std::string calibration_kind(const std::string& channel, const std::string& certificate) {
+  return "calibration of " + channel + " by " + certificate;
+}
+
 std::string keep_record(const std::filesystem::path& root, const CalibrationRecord& record) {
-  return keep(root, calibration, calibration_kind(record), record.station, record.entered_utc,
-              to_json(record));
+  return keep(root, calibration, calibration_kind(record.channel, record.certificate),
+              record.station, record.entered_utc, to_json(record));
 }
 
 std::string keep_record(const std::filesystem::path& root, const SelfTestRecord& record) {

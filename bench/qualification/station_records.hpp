@@ -38,6 +38,7 @@ struct SelfTestRecord {
   std::string software;
   bool passed = false;
   std::string reason;
+  std::string judged_by;  ///< limits_of() what was asked then
   std::vector<SelfTestResult> steps;
 };
 
@@ -52,10 +53,12 @@ struct StationRecords {
   std::vector<CalibrationRecord> calibrations;  ///< in the order they were entered
   std::vector<SelfTestRecord> self_tests;       ///< in the order they were made
   std::vector<DamagedRecord> damaged;
+  std::string last_kept_utc;  ///< of the ledger's last line, whatever it is of; "": it has none
 };
 
-/// The kind of a self-test's line in the ledger.
+// The kinds of lines in the ledger.
 std::string self_test_kind(const std::string& rig_kind);
+std::string calibration_kind(const std::string& channel, const std::string& certificate);
 
 /// Where they lie.
 std::filesystem::path qualification_folder(const std::filesystem::path& root);

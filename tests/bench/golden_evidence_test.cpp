@@ -79,17 +79,23 @@ class GoldenRuns {
                run_begin_to_json({facts.serial, facts.started_utc, ++day_}));
     write_file(newest_ / "rig.json",
                fmt::format(R"({{"rig": "{}", "qualification": {{"station": "{}", "golden_unit": )"
-                           R"({{"serial": "{}"}}}}}})",
-                           place_.rig_kind, place_.station, facts.serial));
+                           R"({{"serial": "{}", "plan": "{}"}}}}}})",
+                           place_.rig_kind, place_.station, facts.serial, facts.plan));
     write_file(newest_ / "plan.json", R"({"name": ")" + facts.plan + "\"}");
     write_file(newest_ / "recording.h5", "");
-    enter_golden_begin(root_.path(), section_of(facts), newest_);
+    go_on(facts);
   }
 
   void end(const Judgement& judgement) {
     write_file(newest_ / "verdict.json", judgement_to_json(judgement));
     write_sums(newest_);
-    enter_golden_end(root_.path(), section_of(judgement.facts), newest_);
+    const QualificationSection here = section_of(judgement.facts);
+    REQUIRE(enter_golden_end(root_.path(), &here, newest_).empty());
+  }
+
+  void go_on(const RunFacts& facts) const {
+    const QualificationSection here = section_of(facts);
+    REQUIRE(enter_golden_begin(root_.path(), &here, newest_).empty());
   }
 
   void move_to(const Place& place) { place_ = place; }
@@ -228,7 +234,7 @@ TEST_CASE("a golden run that came to no verdict is to be repeated", "[bench][sta
   }
   SECTION("as its process was killed") {
     runs.begin(runs.of_today(3.02).facts);
-    CHECK_THAT(only(runs.reasons(of_a_week())), Contains("came to no verdict: repeat it"));
+    CHECK_THAT(only(runs.reasons(of_a_week())), Contains("did not come to its end: repeat it"));
   }
   SECTION("and was gone on with") {
     Judgement judgement = runs.of_today(3.02);
@@ -236,6 +242,8 @@ TEST_CASE("a golden run that came to no verdict is to be repeated", "[bench][sta
     judgement.ending = {Outcome::aborted, ErrorKind::none, "stopped"};
     runs.end(judgement);
     CHECK_THAT(only(runs.reasons(of_a_week())), Contains("ended ABORTED: stopped"));
+    runs.go_on(judgement.facts);
+    CHECK_THAT(only(runs.reasons(of_a_week())), Contains("did not come to its end: repeat it"));
     judgement.ending = {Outcome::pass, ErrorKind::none, "all within limits"};
     runs.end(judgement);
     CHECK(runs.reasons(demand()).empty());
@@ -256,8 +264,7 @@ TEST_CASE("runs that did not pass make no baseline", "[bench][station]") {
   CHECK(runs.reasons(demand()).empty());
 }
 
-TEST_CASE("a station does not go by golden runs that are gone or were changed",
-          "[bench][station]") {
+TEST_CASE("what golden runs came to is not forgotten with their files", "[bench][station]") {
   GoldenRuns runs;
   runs.enter_sound(20);
   runs.enter(3.02);
@@ -270,8 +277,24 @@ TEST_CASE("a station does not go by golden runs that are gone or were changed",
     return fmt::format("{}", fmt::join(runs.reasons(asked), "\n"));
   };
   const std::string remedy = ": put back a copy, or begin its chart anew, by \"since\"";
-  SECTION("all of them gone") {
+  SECTION("the results know them, as they were") {
     std::filesystem::remove_all(runs.newest().parent_path());
+    CHECK(told(demand()).empty());
+    fail();
+    CHECK_THAT(told(demand()), Contains("ended FAIL"));
+    std::filesystem::remove_all(runs.newest());
+    CHECK_THAT(told(demand()), Contains("ended FAIL"));
+  }
+  SECTION("a verdict that is made better later is not what was told") {
+    fail();
+    CHECK_THAT(told(demand()), Contains("ended FAIL"));
+    Judgement better = runs.of_today(3.02);
+    write_file(runs.newest() / "verdict.json", judgement_to_json(better));
+    CHECK_THAT(told(demand()), Contains("ended FAIL"));
+  }
+  SECTION("without folders and results the ledger tells that there were some") {
+    std::filesystem::remove_all(runs.newest().parent_path());
+    forget_results();
     const auto reasons = runs.reasons(demand());
     REQUIRE(reasons.size() == 2);  // not one for each
     CHECK_THAT(reasons[0], Contains("is missing") && Contains("as 20 more of its runs" + remedy));
@@ -284,12 +307,6 @@ TEST_CASE("a station does not go by golden runs that are gone or were changed",
     CHECK_THAT(told(demand()),
                Contains("20260122T120000Z/verdict.json was changed") && Contains(remedy));
   }
-  SECTION("one that failed, with the folder and the results gone") {
-    fail();
-    std::filesystem::remove_all(runs.newest());
-    forget_results();
-    CHECK_THAT(told(demand()), Contains("20260122T120000Z/start.json is missing"));
-  }
   SECTION("one that failed, with its sums and the results gone") {
     fail();
     std::filesystem::remove(runs.newest() / "SHA256SUMS");
@@ -301,21 +318,60 @@ TEST_CASE("a station does not go by golden runs that are gone or were changed",
     fail();
     write_file(runs.root() / ledger_name, before);
     CHECK_THAT(told(demand()), Contains("20260122T120000Z is in no line of ledger.jsonl"));
+    GoldenUnitDemand another = demand();
+    another.plan = "another";  // whose runs those are not
+    CHECK(told(another) == "golden unit GOLD: it has no run of plan another on this station");
   }
-  SECTION("its number changed") {
-    write_file(runs.newest() / "start.json", run_begin_to_json({"GOLD", "20260121T120000Z", 1}));
-    CHECK_THAT(told(demand()), Contains("20260121T120000Z/start.json was changed"));
+}
+
+TEST_CASE("a golden unit's chart can be begun anew", "[bench][station]") {
+  GoldenRuns runs;
+  runs.enter_sound(20);
+  runs.enter(9);
+  GoldenUnitDemand anew = demand();
+  anew.since_utc = "20990101T000000Z";
+  CHECK(only(runs.reasons(anew)) ==
+        "golden unit GOLD: it has no run of plan quick on this station since 2099-01-01 00:00:00");
+  anew.since_utc = "20260101T000000Z";
+  CHECK_THAT(only(runs.reasons(anew)), Contains("kurtosis is 9"));
+}
+
+TEST_CASE("a chart that is begun anew begins behind the last run that began before", "[bench]") {
+  // The first one's clock was wrong.
+  Ledger ledger;
+  QualificationSection asked = section(demand());
+  const char* kind = "golden run begun, plan quick, a rig of kind bench";
+  for (const char* utc : {"20300101T080000Z", "20261101T080000Z", "20261120T080000Z"}) {
+    const int number = static_cast<int>(ledger.lines.size()) + 1;
+    ledger.lines.push_back(
+        {number, utc, kind, "EOL 3", fmt::format("GOLD/{}/start.json", utc), ""});
   }
-  SECTION("the newest made better") {
-    const auto path = runs.newest() / "verdict.json";
-    write_file(path, read_file(path).value() + "\n");
-    CHECK_THAT(told(demand()), Contains("20260121T120000Z/verdict.json was changed"));
-  }
-  SECTION("and a chart that is begun anew asks for none of them") {
-    std::filesystem::remove_all(runs.newest());
-    GoldenUnitDemand anew = demand();
-    anew.since_utc = "20990101T000000Z";
-    CHECK(told(anew) == "golden unit GOLD: it has no run of plan quick on this station");
+  CHECK(golden_lines(ledger, asked).size() == 3);
+  asked.golden_unit->since_utc = "20261110T000000Z";
+  REQUIRE(golden_lines(ledger, asked).size() == 1);
+  CHECK(golden_lines(ledger, asked)[0].folder == "GOLD/20261120T080000Z");
+  asked.station = "EOL 4";
+  CHECK(golden_lines(ledger, asked).empty());
+}
+
+TEST_CASE("a loose cable leaves no mark on the golden unit's chart", "[bench][station]") {
+  GoldenRuns runs;
+  runs.enter_sound(20);
+  runs.enter(300, [](Judgement& judgement) { judgement.ending.outcome = Outcome::invalid; });
+  CHECK_THAT(only(runs.reasons(demand())), Contains("ended INVALID"));
+  runs.enter(3.02);
+  CHECK(runs.reasons(demand()).empty());
+}
+
+TEST_CASE("a golden run that cannot be entered says why", "[bench][station]") {
+  GoldenRuns runs;
+  runs.enter_sound(1);
+  const QualificationSection asked = section(demand());
+  CHECK(enter_golden_begin(runs.root(), nullptr, runs.newest()).empty());
+  write_file(runs.root() / ledger_name, "hello\n");
+  for (const auto& enter : {enter_golden_begin, enter_golden_end}) {
+    CHECK_THAT(enter(runs.root(), &asked, runs.newest()),
+               Contains("cannot be entered into the ledger: ") && Contains("ledger.jsonl:1: "));
   }
 }
 

@@ -35,7 +35,7 @@ TEST_CASE("what is asked of a station is read with its defaults, and written bac
           "[bench][station]") {
   const auto rig = rig_asking(R"({"station": "EOL 3", "self_test": {"noise_m_s2": 0.02},
     "calibration": {"channels": ["accel_4z"]},
-    "golden_unit": {"serial": "GOLD", "plan": "quick",
+    "golden_unit": {"serial": "GOLD", "plan": "quick", "since": "2026-11-02 14:00",
                     "points": [{"speed_rpm": 1210, "load_pct": 50}]}})");
   REQUIRE(rig.index() == 0);
   const QualificationSection* asked = qualification_in(std::get<0>(rig));
@@ -45,6 +45,7 @@ TEST_CASE("what is asked of a station is read with its defaults, and written bac
   CHECK(asked->self_test->tap);
   CHECK(asked->calibration->warn_days == 14);
   CHECK(asked->golden_unit->baseline_runs == 20);
+  CHECK(asked->golden_unit->since_utc == "20261102T140000Z");
   CHECK(asked->golden_unit->indicators.at(0).measure == "acceleration_rms");
   const auto written = nlohmann::json::parse(rig_to_json(std::get<0>(rig))).at("qualification");
   const auto again = rig_asking(written.dump());
@@ -63,7 +64,7 @@ TEST_CASE("all faults of a qualification are told at once, with their places", "
   CHECK_THAT(faults_of(R"({"station": "EOL 3"})"), Contains("asks for nothing"));
   const std::string all = faults_of(R"({"station": "", "self_test": {"speed_rpm": 0, "tapp": true},
     "calibration": {"channels": ["accel_1x", "accel_1x", "accel_7x"]},
-    "golden_unit": {"serial": "GOLD", "plan": "quick", "baseline_runs": 3,
+    "golden_unit": {"serial": "GOLD", "plan": "quick", "baseline_runs": 3, "since": "spring",
                     "indicators": [{"measure": "kurtosi"}]}})");
   CHECK_THAT(all,
              Contains("/qualification/station: must not be empty") &&
@@ -71,6 +72,7 @@ TEST_CASE("all faults of a qualification are told at once, with their places", "
                  Contains("/qualification/self_test/tapp: unknown key, did you mean \"tap\"") &&
                  Contains("\"accel_1x\" is there twice") && Contains("no channel \"accel_7x\"") &&
                  Contains("/qualification/golden_unit/baseline_runs") &&
+                 Contains("golden_unit/since: \"spring\" is no time") &&
                  Contains("did you mean \"kurtosis\"?"));
 }
 

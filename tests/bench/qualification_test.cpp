@@ -27,6 +27,7 @@ SelfTestRecord tested(const std::string& utc, bool passed = true) {
           .software = "0.1.0",
           .passed = passed,
           .reason = passed ? "every step passed" : "tap: fail",
+          .judged_by = limits_of(SelfTestSpec{}),
           .steps = {}};
 }
 
@@ -65,11 +66,31 @@ RequirementState only_state(const QualificationSection& section, const StationRe
 }
 
 RequirementState with_tests(std::vector<SelfTestRecord> records) {
-  return only_state(asks_for_self_test(), {{}, std::move(records), {}});
+  StationRecords all;
+  all.self_tests = std::move(records);
+  return only_state(asks_for_self_test(), all);
 }
 
 RequirementState with_calibrations(std::vector<CalibrationRecord> records) {
-  return only_state(asks_for_calibration(), {std::move(records), {}, {}});
+  StationRecords all;
+  all.calibrations = std::move(records);
+  return only_state(asks_for_calibration(), all);
+}
+
+// A record that would hold for ten years more.
+std::string better_than(std::string text) {
+  return text.replace(text.find("20261126T"), 9, "20361126T");
+}
+
+// What a folder of runs comes to at `now`, a line each: its ledger has this computer's time.
+std::string reasons_in(const ScratchFolder& root, const QualificationSection& section) {
+  StationEvidence evidence = gather_evidence(root.path(), section);
+  evidence.records.last_kept_utc = now;
+  std::string told;
+  for (const std::string& reason : qualification_of(section, channels, evidence, now).reasons()) {
+    told += reason + "\n";
+  }
+  return told;
 }
 
 }  // namespace
@@ -192,17 +213,40 @@ TEST_CASE("a record that is damaged blocks, and is named with what is wrong", "[
   keep("half", R"({"record": "self_test", "station": "EOL)");
   keep("lacks", R"({"record": "calibration", "station": "EOL 3"})");
   keep("untimely", R"({"record": "self_test", "station": "EOL 3", "rig": "bench",
-    "utc": "soon", "software": "", "passed": true, "reason": "", "steps": []})");
+    "utc": "soon", "software": "", "passed": true, "reason": "", "judged_by": {}, "steps": []})");
   keep("other", R"({"record": "gage"})");
-  const StationEvidence evidence = gather_evidence(root.path(), asks_for_self_test());
-  CHECK(evidence.records.damaged.size() == 4);
-  const auto reasons = qualification_of(asks_for_self_test(), channels, evidence, now).reasons();
-  REQUIRE(reasons.size() == 4);
-  std::string all;
-  for (const std::string& reason : reasons) all += reason + "\n";
+  QualificationSection asked = asks_for_self_test();
+  asked.calibration = CalibrationDemand{{"accel_1x"}};
+  CHECK(gather_evidence(root.path(), asked).records.damaged.size() == 4);
+  const std::string all = reasons_in(root, asked);
   CHECK_THAT(all, Contains("half.json is damaged: parse error at line 1") &&
                       Contains("key 'channel' not found") && Contains("its time is none") &&
                       Contains("no record of a station") && Contains("put back a copy"));
+}
+
+TEST_CASE("a self-test counts for what it was judged by", "[bench][station]") {
+  StationRecords records;
+  records.self_tests = {tested("20261127T080000Z")};
+  QualificationSection stricter = asks_for_self_test();
+  stricter.self_test->noise_m_s2 = 0.01;
+  const auto state = only_state(stricter, records);
+  CHECK(state.blocks);
+  CHECK_THAT(state.sentence, Contains("judged by other limits than the rig file's"));
+  QualificationSection longer = asks_for_self_test();
+  longer.self_test->max_age_h = 48;  // no limit of the test
+  CHECK_FALSE(only_state(longer, records).blocks);
+}
+
+TEST_CASE("a clock that runs behind what was kept last lets nothing count", "[bench][station]") {
+  StationRecords records;
+  records.self_tests = {tested("20261127T080000Z")};
+  records.last_kept_utc = "20261127T120300Z";  // another computer's clock
+  CHECK_FALSE(only_state(asks_for_self_test(), records).blocks);
+  records.last_kept_utc = "20270301T080000Z";
+  const auto reasons =
+      qualification_of(asks_for_self_test(), channels, {records, {}}, now).reasons();
+  REQUIRE(reasons.size() == 1);
+  CHECK_THAT(reasons[0], Contains("ledger.jsonl is of 2027-03-01 08:00:00, which is yet to come"));
 }
 
 TEST_CASE("a record that was changed, taken away or put there by hand is believed by nobody",
@@ -211,18 +255,10 @@ TEST_CASE("a record that was changed, taken away or put there by hand is believe
   const std::string kept = keep_record(root.path(), certified("20261126T235959Z"));
   const auto path = qualification_folder(root.path()) / kept;
   const std::string text = read_file(path).value();
-  const auto state = [&] {
-    const auto evidence = gather_evidence(root.path(), asks_for_calibration());
-    const auto all = qualification_of(asks_for_calibration(), channels, evidence, now).reasons();
-    std::string told;
-    for (const std::string& reason : all) told += reason + "\n";
-    return told;
-  };
+  const auto state = [&] { return reasons_in(root, asks_for_calibration()); };
   REQUIRE_THAT(state(), Contains("has expired") && !Contains("ledger"));
   SECTION("changed: it would hold for ten years more") {
-    std::string better = text;
-    better.replace(better.find("20261126T"), 9, "20361126T");
-    write_file(path, better);
+    write_file(path, better_than(text));
     CHECK_THAT(state(), Contains(kept + " was changed since rvbench kept it") &&
                             Contains("has no record of it") &&
                             Contains("or enter that certificate again"));
@@ -255,34 +291,36 @@ TEST_CASE("a record that was changed, taken away or put there by hand is believe
     CHECK_THAT(state(), Contains("is in no line of ledger.jsonl"));
   }
   SECTION("a self-test that failed is not forgotten with its line, until there is a newer one") {
-    const auto told = [&] {
-      const auto evidence = gather_evidence(root.path(), asks_for_self_test());
-      return qualification_of(asks_for_self_test(), channels, evidence, now).reasons();
-    };
+    const auto told = [&] { return reasons_in(root, asks_for_self_test()); };
     keep_record(root.path(), tested("20261127T080000Z"));
     const auto lines = read_file(root / ledger_name).value();
     const auto failed = keep_record(root.path(), tested("20261127T090000Z", false));
     write_file(root / ledger_name, lines);
-    CHECK_THAT(told().front(), Contains(failed + " is in no line") && Contains(": test anew"));
+    CHECK_THAT(told(), Contains(failed + " is in no line") && Contains(": test anew"));
     keep_record(root.path(), tested("20261127T100000Z"));
     CHECK(told().empty());
   }
   SECTION("a self-test that failed is not forgotten with its file, nor by one of another rig") {
-    const auto told = [&] {
-      const auto evidence = gather_evidence(root.path(), asks_for_self_test());
-      return qualification_of(asks_for_self_test(), channels, evidence, now).reasons();
-    };
+    const auto told = [&] { return reasons_in(root, asks_for_self_test()); };
     keep_record(root.path(), tested("20261127T080000Z"));
     const auto failed = keep_record(root.path(), tested("20261127T090000Z", false));
-    REQUIRE(told().size() == 1);
+    REQUIRE_THAT(told(), Contains("was not passed"));
     std::filesystem::remove(qualification_folder(root.path()) / failed);
-    CHECK_THAT(told().front(), Contains(failed + " is missing"));
+    CHECK_THAT(told(), Contains(failed + " is missing"));
     SelfTestRecord simulated = tested("20261127T100000Z");
     simulated.rig_kind = "sim";
     keep_record(root.path(), simulated);
-    CHECK_THAT(told().front(), Contains(failed + " is missing"));
+    CHECK_THAT(told(), Contains(failed + " is missing"));
     keep_record(root.path(), tested("20261127T100000Z"));
     CHECK(told().empty());
+  }
+  SECTION("nor is it asked for where nobody asks for what it told") {
+    write_file(path, better_than(text));
+    QualificationSection other = asks_for_calibration();
+    other.calibration = CalibrationDemand{{"input_torque"}};
+    CHECK_THAT(reasons_in(root, other), !Contains(kept));
+    CHECK(reasons_in(root, asks_for_self_test()) ==
+          "self-test: station EOL 3 has none: rvbench qualify\n");
   }
   SECTION("another station's record is nothing to this one") {
     CalibrationRecord other = certified("20271127T235959Z");
@@ -296,16 +334,17 @@ TEST_CASE("a record that was changed, taken away or put there by hand is believe
 TEST_CASE("all reasons are in one ending, and what is fulfilled is in none", "[bench][station]") {
   QualificationSection section = asks_for_self_test();
   section.calibration = CalibrationDemand{{"accel_1x", "input_torque"}};
-  const StationEvidence evidence{{{certified("20271127T235959Z")}, {}, {}}, {}};
+  StationEvidence evidence;
+  evidence.records.calibrations = {certified("20271127T235959Z")};
   const auto refusal = qualification_of(section, channels, evidence, now).refusal();
   REQUIRE(refusal);
   CHECK(exit_code(*refusal) == 60);
   CHECK_THAT(refusal->reason, Contains("the station is not qualified: self-test: station EOL 3") &&
                                   Contains("; calibration of input_torque: station EOL 3 has no") &&
                                   !Contains("accel_1x"));
-  const StationEvidence whole{{{certified("20271127T235959Z")}, {tested(now)}, {}}, {}};
+  evidence.records.self_tests = {tested(now)};
   section.calibration->channels = {"accel_1x"};
-  CHECK_FALSE(qualification_of(section, channels, whole, now).refusal());
+  CHECK_FALSE(qualification_of(section, channels, evidence, now).refusal());
   CHECK_FALSE(Qualification().refusal());
 }
 

@@ -131,6 +131,7 @@ TEST_CASE("a run that was resumed to another verdict is entered anew", "[bench][
   const auto folder = finished_run(root, "A17");
   RunRow aborted = row_of(root.path(), folder, test::failed_run());
   aborted.verdict = "ABORTED";
+  aborted.sha256 = "of another text";
   REQUIRE(entered(database, aborted));  // as it was before, and its second entry failed
   CHECK(database.catch_up().value() == 1);
   CHECK(database.runs().value().at(0).verdict == "FAIL");

@@ -37,7 +37,7 @@ class Station {
 
   // The sensitivity that the simulated bench goes by: 100 mV/g.
   Answer calibrate(const std::string& channel, const std::string& until = "2099-12-31",
-                   std::vector<std::string> more = {}) {
+                   std::vector<std::string> more = {"--no-sensitivity"}) {
     std::vector<std::string> words{"calibrate",  "--channel", channel,    "--certificate",
                                    "K-4711",     "--by",      "J. Weber", "--on",
                                    "2020-01-01", "--until",   until};
@@ -135,7 +135,8 @@ TEST_CASE("an expired calibration, or another sensitivity, blocks with exit 60 a
              Contains("accel_1x") && Contains("valid until 2021-01-01") && Contains("J. Weber") &&
                  Contains("no sensitivity") && Contains("0.011 V per unit"));
   // Left out, nothing would be held against the rig's any more.
-  CHECK_THAT(station.calibrate("accel_1x").err, Contains("was entered with a sensitivity before"));
+  CHECK_THAT(station.calibrate("accel_1x", "2099-12-31", {}).err,
+             Contains("give --sensitivity, or --no-sensitivity"));
   CHECK(station.qualify({"status"}).code == 60);
 }
 
@@ -147,12 +148,14 @@ TEST_CASE("calibrations that make no sense are refused, and nothing is kept", "[
   CHECK_THAT(station.calibrate("accel_1x", "2099-12-31", {"--sensitivity", "-1"}).err,
              Contains("above 0"));
   CHECK_THAT(station.qualify({"calibrate", "--channel", "accel_1x", "--certificate", " "}).err,
-             Contains("give --certificate"));
-  CHECK_THAT(station
-                 .qualify({"calibrate", "--channel", "accel_1x", "--certificate",
-                           std::string(1000, 'x')})
-                 .err,
-             Contains("--certificate is too long"));
+             Contains("--certificate"));
+  CHECK_THAT(station.qualify({"calibrate", "--channel", "accel_1x", "--certificate", "K 1 "}).err,
+             Contains("no blank may begin or end it"));
+  CHECK_THAT(
+      station
+          .qualify({"calibrate", "--channel", "accel_1x", "--certificate", std::string(1000, 'x')})
+          .err,
+      Contains("--certificate is too long"));
   CHECK_FALSE(std::filesystem::exists(station.runs()));
 }
 
@@ -197,12 +200,13 @@ TEST_CASE("once the golden unit is in control others can pass, until it moves", 
   CHECK_THAT(refused.out, Contains("golden unit G01"));
 
   // Nor is that forgotten with all that tells of it but the ledger.
-  const auto failed = std::ranges::max(bench::folders_in(station.runs() / "G01"), {},
-                                       [](auto& run) { return bench::read_run_begin(run).number; });
+  const auto failed =
+      std::ranges::max(bench::folders_in(station.runs() / "G01"), {},
+                       [](const auto& run) { return bench::read_run_begin(run).number; });
   std::filesystem::remove_all(failed);
   std::filesystem::remove(station.runs() / "results.db");
   CHECK_THAT(run_as("A20", 100).out,
-             Contains(failed.filename().string() + "/start.json is missing"));
+             Contains(failed.filename().string() + "/verdict.json is missing"));
 }
 
 TEST_CASE("a run that is refused connects and turns nothing", "[spec][station][safety]") {
