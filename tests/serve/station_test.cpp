@@ -169,7 +169,7 @@ TEST_CASE("a unit goes through the station: scan, start, watch, verdict, report,
   bench::write_file(audit, lines);
   const auto tampered = test::rvbench(scratch.path(), {"check", audit.string()});
   CHECK(tampered.code == 3);
-  CHECK_THAT(tampered.err, Contains("audit.jsonl:1: was changed"));
+  CHECK_THAT(tampered.err, Contains("audit.jsonl:2: was changed"));
 }
 
 TEST_CASE("a station that is killed leaves the test running, and finds it again",
