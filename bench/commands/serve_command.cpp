@@ -130,8 +130,7 @@ void begin_audit(Console& console, AuditLog& audit, const std::filesystem::path&
                  bool was_served) {
   if (!audit.is_new()) return;
   if (was_served) {
-    warn(console, file.string() + ": the station was served before, its log is gone: another one "
-                                  "is begun");
+    warn(console, file.string() + ": the station was served before, its log is gone: begun anew");
   }
   const Status done = audit.add(
       {"", "", "begun", was_served ? R"("the station was served before, its log is gone")" : ""});
