@@ -14,10 +14,6 @@
 namespace rvbench::bench {
 namespace {
 
-nlohmann::ordered_json json_or_null(const std::optional<double>& number) {
-  return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json(nullptr);
-}
-
 nlohmann::ordered_json slope_json(const Trend& trend) {
   if (!trend.per_day) return {{"told", false}, {"why_not", trend.why_not}};
   const analysis::SlopeOverTime& line = *trend.per_day;

@@ -10,11 +10,6 @@
 namespace rvbench::bench {
 namespace {
 
-HttpAnswer json_answer(int status, const nlohmann::json& json) {
-  return {.status = status,
-          .body = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"};
-}
-
 HttpAnswer not_logged(const IoError& why) {
   return json_answer(503, {{"error", "audit"}, {"reason", why.where}});
 }

@@ -109,13 +109,9 @@ HttpAnswer StationApi::ask(std::vector<std::string> words, double longest_s) con
   if (answer.code < 0) return refusal(504, "no_answer");
   const bool is_answer = answer.code == 0 || is_verdict(answer.code);
   if (is_answer && nlohmann::json::accept(answer.out)) return {.body = answer.out};
-  if (answer.code == 0) {
-    const nlohmann::json said{{"text", answer.out}};
-    return {.body = said.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"};
-  }
-  nlohmann::json json{{"error", "refused"}, {"exit_code", answer.code}, {"reason", answer.err}};
-  return {.status = 422,
-          .body = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"};
+  if (answer.code == 0) return json_answer(200, {{"text", answer.out}});
+  return json_answer(422,
+                     {{"error", "refused"}, {"exit_code", answer.code}, {"reason", answer.err}});
 }
 
 HttpAnswer StationApi::ask_long(std::vector<std::string> words) const {
