@@ -1,6 +1,7 @@
 #include <signal.h>
 
 #include <catch2/catch.hpp>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "bench/text_file.hpp"
@@ -141,6 +142,21 @@ TEST_CASE("a station refuses who is not logged in, asks from elsewhere, or asks 
     CHECK(refused("/api/limits/approve", R"({"version":true})") == "version");
     CHECK(refused("/api/rejudge", R"({"run":"A17/1","version":"1"})") == "version");
     CHECK(refused("/api/limits/propose", R"({"version":"1","limits":{}})") == "version");
+    for (const auto& [query, field] :
+         std::map<std::string, std::string>{{"history?last=nan", "last"},
+                                            {"history?last=0", "last"},
+                                            {"history?from=yesterday", "from"},
+                                            {"history?to=2026-13-01", "to"},
+                                            {"history?verdict=good", "verdict"},
+                                            {"trend?indicator=kurtosis&last=-1", "last"},
+                                            {"trend?indicator=kurtosis&point=nan/50", "point"},
+                                            {"audit?last=nan", "last"}}) {
+      CAPTURE(query);
+      const HttpReply reply = station.get("/api/" + query);
+      CHECK(reply.status == 400);
+      CHECK(nlohmann::json::parse(reply.body).value("field", "") == field);
+    }
+    CHECK(station.get("/api/history?from=2026-11-21&verdict=PASS&last=5").status == 200);
   }
   SECTION("a second station on the same runs") {
     const auto second = test::rvbench(scratch.path(), {"serve", "--station", "station.json"});
