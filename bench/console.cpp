@@ -40,6 +40,7 @@ Console system_console() {
   Console console{std::cout, std::cerr, escapes && isatty(STDOUT_FILENO) == 1,
                   escapes && isatty(STDERR_FILENO) == 1};
   console.err_descriptor = STDERR_FILENO;
+  if (isatty(STDOUT_FILENO) == 1) console.out_columns = terminal_columns(STDOUT_FILENO);
   return console;
 }
 
@@ -55,9 +56,9 @@ bool takes_a_line(const Console& console) {
   return ::poll(&err, 1, 0) > 0;  // also where nobody is left to read, which makes nobody wait
 }
 
-int terminal_columns() {
+int terminal_columns(int descriptor) {
   winsize size{};
-  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  const bool known = ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
   return known ? size.ws_col : 80;
 }
 

@@ -17,6 +17,7 @@ struct Console {
   bool err_is_terminal = false;              ///< a progress bar may be drawn
   std::vector<std::string> complaints = {};  ///< why the command was refused, line by line
   int err_descriptor = -1;                   ///< of what is behind `err`; -1 if nobody can stop it
+  int out_columns = 0;                       ///< of the terminal behind `out`; 0: it is none
 };
 
 /// Standard output and error of this process. No escapes, so neither colour nor bar, with NO_COLOR
@@ -31,8 +32,8 @@ void complain(Console& console, const std::string& text);
 /// who writes there waits for somebody.
 bool takes_a_line(const Console& console);
 
-/// Columns of the terminal behind standard error; 80 if it does not say.
-int terminal_columns();
+/// Columns of the terminal behind standard error, or another descriptor; 80 if it does not say.
+int terminal_columns(int descriptor = 2);
 
 enum class Tone { good, bad, warning, faint, strong };
 

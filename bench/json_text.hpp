@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
 namespace rvbench::bench {
@@ -9,7 +10,8 @@ namespace rvbench::bench {
 /// out of foreign files need not be UTF-8: what is not is replaced, not thrown.
 std::string json_text(const nlohmann::ordered_json& json);
 
-/// Of an empty text, null: there is none.
+/// Of an empty text, or no number, null: there is none.
 nlohmann::ordered_json json_or_null(const std::string& text);
+nlohmann::ordered_json json_or_null(const std::optional<double>& number);
 
 }  // namespace rvbench::bench

@@ -11,18 +11,10 @@
 namespace rvbench::bench {
 namespace {
 
-// What is not stated is null, in one place and read back in the next.
-nlohmann::ordered_json text_or_null(const std::string& text) {
-  return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text);
-}
-
+// What is not stated is null: json_or_null() writes it.
 std::string text_or_empty(const nlohmann::ordered_json& json, const char* key) {
   const auto found = json.find(key);
   return found == json.end() || found->is_null() ? "" : found->get<std::string>();
-}
-
-nlohmann::ordered_json json_or_null(const std::optional<double>& number) {
-  return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json();
 }
 
 std::optional<double> number_if_there(const nlohmann::ordered_json& json, const char* key) {
@@ -37,9 +29,9 @@ nlohmann::ordered_json to_json(const RunFacts& facts) {
     events.push_back({{"time_s", time_s}, {"event", text}});
   nlohmann::ordered_json json = {{"serial", facts.serial},
                                  {"started_utc", facts.started_utc},
-                                 {"judged_utc", text_or_null(facts.judged_utc)},
+                                 {"judged_utc", json_or_null(facts.judged_utc)},
                                  {"plan", facts.plan},
-                                 {"limits_version", text_or_null(facts.limits_version)},
+                                 {"limits_version", json_or_null(facts.limits_version)},
                                  {"rig", facts.rig},
                                  {"preset", facts.preset},
                                  {"duration_s", facts.duration_s},
@@ -76,14 +68,14 @@ RunFacts facts_from_json(const nlohmann::ordered_json& json) {
 
 nlohmann::ordered_json to_json(const LimitCheck& check) {
   return {{"measure", check.measure},
-          {"component", text_or_null(check.component)},
+          {"component", json_or_null(check.component)},
           {"unit", check.unit},
           {"max", check.max},
           {"measured", check.measured},
-          {"where", text_or_null(check.where)},
+          {"where", json_or_null(check.where)},
           {"passed", check.passed},
           {"why", check.why},
-          {"of", text_or_null(check.of)},
+          {"of", json_or_null(check.of)},
           {"min", check.min},
           {"points", check.points},
           {"not_measured_at", check.lacking},

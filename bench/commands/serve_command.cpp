@@ -125,11 +125,24 @@ void warn(Console& console, const std::string& text) {
   console.err << "rvbench: serve: warning: " << text << std::endl;
 }
 
+// The first line of every log: one that takes the place of another says so.
+void begin_audit(Console& console, AuditLog& audit, const std::filesystem::path& file,
+                 bool was_served) {
+  if (!audit.is_new()) return;
+  if (was_served) {
+    warn(console, file.string() + ": the station was served before, its log is gone: begun anew");
+  }
+  const Status done = audit.add(
+      {"", "", "begun", was_served ? R"("the station was served before, its log is gone")" : ""});
+  if (!done) warn(console, done.error().where);
+}
+
 int ServeCommand::serve(Console& console, StationFile file) {
   StopOnSignal signals;
   EventHub hub;
   const std::filesystem::path keep = Station::keep_of(file.runs);
   std::filesystem::create_directories(keep);
+  const bool was_served = !std::filesystem::is_empty(keep);
   const auto alone = FileLock::take(keep / "serve.lock");
   if (!alone) {
     return refuse_usage(console,
@@ -143,6 +156,7 @@ int ServeCommand::serve(Console& console, StationFile file) {
     warn(console, fmt::format("{}:{}: {}", (keep / "audit.jsonl").string(), checked->broken_line,
                               checked->fault));
   }
+  begin_audit(console, audit, keep / "audit.jsonl", was_served);
   Sessions sessions;
   std::unique_ptr<Gate> gate;
   std::unique_ptr<StationApi> api;

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -19,22 +18,6 @@
 
 namespace rvbench::bench {
 namespace {
-
-std::optional<double> number_of(std::string_view text) {
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
-// "1210/50"
-std::optional<SetPoint> point_of(std::string_view text) {
-  const auto at = text.find('/');
-  if (at == std::string_view::npos) return std::nullopt;
-  const auto speed_rpm = number_of(text.substr(0, at)), load_pct = number_of(text.substr(at + 1));
-  if (!speed_rpm || !load_pct) return std::nullopt;
-  return SetPoint{speed_rpm, load_pct};
-}
 
 Result<std::vector<RunValue>> values_in(Result<ResultDatabase> opened, const SeriesOf& asked) {
   const auto database = caught_up(std::move(opened));
@@ -81,10 +64,12 @@ int TrendCommand::run(Console& console) {
   if (measure == nullptr) return refuse_measure(console, "trend", measure_);
   asked_.measure = measure_;
   asked_.least = measure->worst_is_least;
-  if (const auto point = point_of(point_); !point_.empty()) {
+  if (const auto point = point_of_text(point_); !point_.empty()) {
     if (!point) {
-      return refuse_usage(console, "trend: --point " + hal::in_quotes(point_) +
-                                       ": state speed and load as 1210/50, in rpm and %");
+      return refuse_usage(console,
+                          "trend: --point " + hal::in_quotes(point_) +
+                              ": state speed and load as 1210/50, in rpm up to 10000 and % up to "
+                              "300");
     }
     asked_.at = *point;
   }

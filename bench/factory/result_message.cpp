@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "bench/factory/file_uri.hpp"
+#include "bench/json_text.hpp"
 #include "bench/sha256.hpp"
 #include "bench/text_file.hpp"
 #include "bench/verdict_json.hpp"
@@ -70,8 +71,6 @@ Json id_of_file(const std::filesystem::path& file) {
   return sum ? Json("sha256:" + *sum) : Json();
 }
 
-Json text_or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
-
 Json uris_of(const std::filesystem::path& folder) {
   Json uris = Json::array();
   for (const char* name : {"verdict.json", "report.html", "recording.h5"}) {
@@ -95,14 +94,14 @@ Json meta_data(const std::filesystem::path& folder, const std::string& job,
                {"IsPartial", false},
                {"IsSimulated", is_simulated(folder)},
                {"ResultState", state_of(ending.outcome)},
-               {"StepId", text_or_null(step)},
+               {"StepId", json_or_null(step)},
                {"PartId", judgement.facts.serial},
-               {"ExternalRecipeId", text_or_null(judgement.facts.plan)},
+               {"ExternalRecipeId", json_or_null(judgement.facts.plan)},
                {"InternalRecipeId", id_of_file(folder / "plan.json")},
-               {"ProductId", text_or_null(judgement.machine)},
+               {"ProductId", json_or_null(judgement.machine)},
                {"InternalConfigurationId", id_of_file(folder / "rig.json")},
                {"JobId", job},
-               {"CreationTime", text_or_null(judged)},
+               {"CreationTime", json_or_null(judged)},
                {"ProcessingTimes", processing_times(iso_utc(judgement.facts.started_utc), judged)},
                {"ResultUri", uris_of(folder)},
                {"ResultEvaluation", evaluation_of(ending.outcome)},

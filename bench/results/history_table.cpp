@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "bench/json_text.hpp"
 #include "bench/limit_checks.hpp"
@@ -12,8 +13,11 @@
 namespace rvbench::bench {
 namespace {
 
-constexpr int widest_name = 32;
+constexpr int widest_serial = 64, widest_plan = 32;
+constexpr int least_plan = 11;  // that is left of a long one: room for later_plan
 constexpr int longest_reason = 500;
+constexpr int least_reason = 20;  // beside the other columns, else below them
+constexpr int time_columns = 19, verdict_columns = 7, between = 2;
 constexpr const char* later_plan = "  re-judged";  // in place of the plan
 
 nlohmann::ordered_json later_json(const History& history, const std::string& folder) {
@@ -37,14 +41,32 @@ std::string painted(const Console& console, const std::string& verdict) {
   return paint(console, tone, padded(verdict.empty() ? "-" : verdict, 7));
 }
 
+// At blanks; a word that is longer than a line has one of its own.
+std::vector<std::string> wrapped(const std::string& text, int columns) {
+  std::vector<std::string> lines;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (lines.empty() || shown_width(lines.back()) + 1 + shown_width(word) > columns) {
+      lines.push_back(word);
+    } else {
+      lines.back() += " " + word;
+    }
+  }
+  return lines;
+}
+
 class HistoryTable {
  public:
   HistoryTable(Console& console, const History& history) : console_(console), history_(history) {
     if (!history.later.empty()) plan_columns_ = shown_width(later_plan);
     for (const RunRow& row : history.runs) {
-      serial_columns_ = std::max(serial_columns_, shown_width(as_cell(row.serial, widest_name)));
-      plan_columns_ = std::max(plan_columns_, shown_width(as_cell(row.plan, widest_name)));
+      serial_columns_ = std::max(serial_columns_, shown_width(as_cell(row.serial, widest_serial)));
+      plan_columns_ = std::max(plan_columns_, shown_width(as_cell(row.plan, widest_plan)));
     }
+    if (console.out_columns == 0) return;
+    const int beyond = reason_column() - between - console.out_columns;
+    const int least = std::min(plan_columns_, least_plan);
+    if (beyond > 0) plan_columns_ = std::max(least, plan_columns_ - beyond);
   }
 
   void print() const {
@@ -62,10 +84,30 @@ class HistoryTable {
  private:
   void print_row(const std::string& time, const std::string& serial, const std::string& plan,
                  const std::string& verdict, const std::string& reason) const {
-    console_.out << fmt::format("{:<19}  {}  {}  {}  {}\n", time,
-                                padded(as_cell(serial, widest_name), serial_columns_),
-                                padded(as_cell(plan, widest_name), plan_columns_), verdict,
-                                as_cell(reason, longest_reason));
+    console_.out << fmt::format("{:<{}}  {}  {}  {}", time, time_columns,
+                                padded(as_cell(serial, widest_serial), serial_columns_),
+                                padded(as_cell(plan, plan_columns_), plan_columns_), verdict);
+    print_reason(as_cell(reason, longest_reason));
+  }
+
+  int reason_column() const {
+    return time_columns + serial_columns_ + plan_columns_ + verdict_columns + 4 * between;
+  }
+
+  void print_reason(const std::string& reason) const {
+    const int columns = console_.out_columns;
+    if (columns == 0 || reason_column() + shown_width(reason) <= columns) {
+      console_.out << "  " << reason << '\n';
+      return;
+    }
+    const bool is_beside = columns - reason_column() >= least_reason;
+    const int indent = is_beside ? reason_column() : 2 * between;
+    const std::string margin(std::size_t(indent), ' ');
+    const auto lines = wrapped(reason, columns - indent);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      console_.out << (i > 0 ? margin : is_beside ? "  " : "\n" + margin) << lines[i] << '\n';
+    }
+    if (lines.empty()) console_.out << '\n';
   }
 
   void print_later(const JudgementRow& row) const {

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "bench/json_text.hpp"
@@ -14,8 +17,14 @@
 namespace rvbench::bench {
 namespace {
 
-nlohmann::ordered_json json_or_null(const std::optional<double>& number) {
-  return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json(nullptr);
+constexpr double fastest_rpm = 10000, heaviest_pct = 300;  // as plans have it
+
+// NaN is in no range.
+std::optional<double> number_of(std::string_view text, double most) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number >= 0 && number <= most ? std::optional(number) : std::nullopt;
 }
 
 nlohmann::ordered_json slope_json(const Trend& trend) {
@@ -29,6 +38,16 @@ nlohmann::ordered_json slope_json(const Trend& trend) {
 }
 
 }  // namespace
+
+std::optional<SetPoint> point_of_text(const std::string& text) {
+  const auto at = text.find('/');
+  if (at == std::string::npos) return std::nullopt;
+  const std::string_view all = text;
+  const auto speed_rpm = number_of(all.substr(0, at), fastest_rpm);
+  const auto load_pct = number_of(all.substr(at + 1), heaviest_pct);
+  if (!speed_rpm || !load_pct) return std::nullopt;
+  return SetPoint{speed_rpm, load_pct};
+}
 
 Trend trend_of(SeriesOf asked, std::vector<RunValue> values) {
   Trend trend;

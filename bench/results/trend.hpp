@@ -18,6 +18,9 @@ struct Trend {
   std::string why_not;                             ///< why there is no slope; empty if there is one
 };
 
+/// Speed and load of "1210/50"; nothing of any other text, or of what no plan can set.
+std::optional<SetPoint> point_of_text(const std::string& text);
+
 /// Draws the line of the newest values, at most analysis::most_for_slope. Values of runs whose time
 /// nobody can read, or in another unit than the newest, are left out.
 /// Units   of the values, per day. Errors  none thrown. Source  analysis::theil_sen()

@@ -42,6 +42,7 @@ AuditLog::AuditLog(std::filesystem::path file) : file_(std::move(file)), previou
   const auto there = check_audit(file_);
   descriptor_ = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0640);
   if (!there) return;
+  is_new_ = there->lines == 0;
   previous_ = there->last_hash;
   if (!there->cut_short.empty() && descriptor_ >= 0) mend_end(*there);
 }
@@ -67,8 +68,21 @@ AuditLog::~AuditLog() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
+// A file that was moved or deleted takes whatever is written, and nobody sees it.
+Status AuditLog::is_in_place() const {
+  struct stat open {};
+  struct stat named {};
+  if (::fstat(descriptor_, &open) != 0) return failure(file_);
+  if (::stat(file_.c_str(), &named) == 0 && named.st_dev == open.st_dev &&
+      named.st_ino == open.st_ino) {
+    return Done{};
+  }
+  return IoError{IoErrc::refused, file_.string() + " is gone, or another file stands in its place"};
+}
+
 Status AuditLog::add(const AuditEntry& entry) {
   const std::lock_guard lock(mutex_);
+  if (const Status there = is_in_place(); !there) return there;
   const std::string line = line_of_entry(entry, previous_) + "\n";
   struct stat before {};
   if (::fstat(descriptor_, &before) != 0) return failure(file_);

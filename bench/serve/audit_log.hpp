@@ -37,7 +37,8 @@ struct AuditCheck {
 ///
 /// See bench/hash_chain.hpp. What a power failure left of a
 /// last line is taken out of the chain when the log is opened again, and told whole in a line of
-/// its own ("cut short"): the act was logged by nobody, and was not done.
+/// its own ("cut short"): the act was logged by nobody, and was not done. The first line is
+/// "begun", with a word where an earlier log is gone: that of whoever serves the station.
 ///
 /// Threads  any
 class AuditLog {
@@ -48,7 +49,11 @@ class AuditLog {
   AuditLog(const AuditLog&) = delete;
   AuditLog& operator=(const AuditLog&) = delete;
 
-  /// On the disk when it returns. What is not logged must not be done.
+  /// Whether there was no line when it was opened.
+  bool is_new() const { return is_new_; }
+
+  /// On the disk when it returns. What is not logged must not be done: that the file was moved or
+  /// deleted is refused as a full disk is.
   Status add(const AuditEntry& entry);
 
   /// The newest lines, oldest first, as a JSON array.
@@ -56,10 +61,12 @@ class AuditLog {
 
  private:
   void mend_end(const AuditCheck& there);
+  Status is_in_place() const;
 
   std::filesystem::path file_;
   std::mutex mutex_;
   int descriptor_ = -1;
+  bool is_new_ = true;
   std::string previous_;
 };
 

@@ -6,14 +6,17 @@
 
 namespace rvbench::bench {
 
+HttpAnswer json_answer(int status, const nlohmann::json& json) {
+  return {.status = status,
+          .body = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"};
+}
+
 HttpAnswer refusal(int status, const std::string& word) {
   return {.status = status, .body = "{\"error\":\"" + word + "\"}\n"};
 }
 
 HttpAnswer wrong_field(const std::string& name) {
-  const nlohmann::json json{{"error", "field"}, {"field", name}};
-  return {.status = 400,
-          .body = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"};
+  return json_answer(400, {{"error", "field"}, {"field", name}});
 }
 
 std::string lower(std::string text) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -40,6 +41,8 @@ struct HttpAnswer {
   std::function<bool(const HttpSend&)> part = {};
 };
 
+/// In one line; names out of foreign files need not be UTF-8: what is not is replaced.
+HttpAnswer json_answer(int status, const nlohmann::json& json);
 /// {"error": word}
 HttpAnswer refusal(int status, const std::string& word);
 /// {"error": "field", "field": name}, 400: it is none of the call's, or holds something else.

@@ -8,6 +8,7 @@
 #include "bench/find_plan.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/run_folder.hpp"
+#include "bench/serve/http.hpp"
 #include "bench/serve/json_fields.hpp"
 #include "bench/serve/station_state.hpp"
 #include "bench/text_file.hpp"
@@ -30,6 +31,12 @@ StationFile with_whole_paths(StationFile file) {
   return file;
 }
 
+// Whatever their case, and without blanks.
+std::string letters_of(std::string serial) {
+  std::erase(serial, ' ');
+  return lower(serial);
+}
+
 }  // namespace
 
 Station::Station(StationFile file, std::filesystem::path program, EventHub& hub)
@@ -46,13 +53,15 @@ Station::Station(StationFile file, std::filesystem::path program, EventHub& hub)
 
 std::string Station::scan(const std::string& text) {
   const std::string serial = scanned_serial(text);
-  const std::string fault = serial_fault(file_.serial, serial);
+  std::string fault = serial_fault(file_.serial, serial);
   {
     const std::lock_guard lock(mutex_);
     if (phase_ == Phase::running) return "running";
     if (fault.empty()) {
       read_plan();
-    } else if (phase_ != Phase::ended) {
+      fault = misspelt(serial);
+    }
+    if (!fault.empty() && phase_ != Phase::ended) {
       forget_unit();  // what was scanned before is not what lies there now
     }
   }
@@ -73,6 +82,14 @@ std::string Station::scan(const std::string& text) {
   }
   tell_change();
   return "";
+}
+
+// A run of what is meant to be the golden unit would count as one of a unit like any other.
+std::string Station::misspelt(const std::string& serial) const {
+  const QualificationSection* asked = rig_ ? qualification_in(*rig_) : nullptr;
+  if (asked == nullptr || !asked->golden_unit || serial == asked->golden_unit->serial) return "";
+  if (letters_of(serial) != letters_of(asked->golden_unit->serial)) return "";
+  return "almost_golden";
 }
 
 std::string Station::why_not(bool is_retest, const StationViewer& viewer) const {

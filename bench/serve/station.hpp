@@ -38,7 +38,8 @@ class Station {
   Station(StationFile file, std::filesystem::path program, EventHub& hub);
 
   // Each returns "", or the word of the API for why not.
-  std::string scan(const std::string& text);  ///< "running", "empty", "serial_rule", "check_digit"
+  std::string scan(const std::string& text);  ///< "running", "empty", "serial_rule",
+                                              ///< "check_digit", "almost_golden"
   /// "running", "no_unit", "duplicate", "not_qualified", "remote_start_off", "other_unit": somebody
   /// else has scanned another one meanwhile
   std::string start(const std::string& serial, bool is_retest, const StationViewer& viewer);
@@ -80,6 +81,7 @@ class Station {
   /// @param code  what the page has a sentence for
   void fail(const std::string& code, const std::string& reason, Outcome outcome = Outcome::error);
   void tell_change();
+  std::string misspelt(const std::string& serial) const;  ///< "" or "almost_golden"
   std::string why_not(bool is_retest, const StationViewer& viewer) const;
   std::string next_action(const StationViewer& viewer) const;
   std::string newest_run() const;

@@ -10,9 +10,8 @@
 namespace rvbench::bench {
 namespace {
 
-HttpAnswer json_answer(int status, const nlohmann::json& json) {
-  return {.status = status,
-          .body = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"};
+HttpAnswer not_logged(const IoError& why) {
+  return json_answer(503, {{"error", "audit"}, {"reason", why.where}});
 }
 
 HttpAnswer conflict(const std::string& word) { return refusal(409, word); }
@@ -130,16 +129,15 @@ StationViewer StationApi::viewer(const Call& call) const {
   return {call.session.role, is_from_afar(call.request)};
 }
 
-bool StationApi::log(const HttpRequest& request, const std::string& user, const std::string& action,
-                     const std::string& detail) {
-  return bool(audit_.add({user, request.address, action, detail}));
+Status StationApi::log(const HttpRequest& request, const std::string& user,
+                       const std::string& action, const std::string& detail) {
+  return audit_.add({user, request.address, action, detail});
 }
 
 HttpAnswer StationApi::logged(const Call& call, const std::string& action,
                               const std::function<HttpAnswer()>& act) {
-  if (!log(call.request, call.session.user, action, without_secrets(call.body))) {
-    return refusal(503, "audit");
-  }
+  const Status done = log(call.request, call.session.user, action, without_secrets(call.body));
+  if (!done) return not_logged(done.error());
   HttpAnswer answer = act();
   if (answer.status >= 400) {
     (void)log(call.request, call.session.user, "refused " + action, answer.body);
@@ -173,7 +171,8 @@ HttpAnswer StationApi::log_in(const HttpRequest& request, const nlohmann::json& 
     return refusal(401, "bad_token");
   }
   right_tokens_.insert(known);
-  if (!log(request, who, "login", "")) return refusal(503, "audit");
+  const Status done = log(request, who, "login", "");
+  if (!done) return not_logged(done.error());
   const std::string cookie = sessions_.begin(user->name, user->role);
   HttpAnswer answer = json_answer(200, json_of(*sessions_.find(cookie)));
   answer.headers = {{"Set-Cookie", cookie_of(cookie, int(Sessions::longest_s))}};

@@ -70,8 +70,8 @@ class StationApi {
   /// Does it once it is in the log. @param act  returns "" or the word for why it was not done
   HttpAnswer logged(const Call& call, const std::string& action,
                     const std::function<HttpAnswer()>& act);
-  bool log(const HttpRequest& request, const std::string& user, const std::string& action,
-           const std::string& detail);
+  Status log(const HttpRequest& request, const std::string& user, const std::string& action,
+             const std::string& detail);
   HttpAnswer ask(std::vector<std::string> words, double longest_s = 20) const;
   HttpAnswer ask_long(std::vector<std::string> words) const;  ///< for minutes, or 503 "busy"
   StationViewer viewer(const Call& call) const;

@@ -6,7 +6,9 @@
 #include "bench/file_kind.hpp"
 #include "bench/find_plan.hpp"
 #include "bench/plan_files.hpp"
+#include "bench/qualification/qualification_section.hpp"
 #include "bench/rig_factory.hpp"
+#include "bench/rig_file.hpp"
 #include "bench/serve/check_digit.hpp"
 #include "hal/did_you_mean.hpp"
 
@@ -74,6 +76,20 @@ void read_network(hal::ConfigReader& root, StationFile& station) {
   }
 }
 
+// Without its golden unit a station is never qualified: its scan may not be refused.
+void hold_against_golden_unit(hal::ConfigReader& root, const StationFile& station) {
+  const auto rig = read_rig(station.rig, {});
+  const auto* asked = rig.index() == 0 ? qualification_in(std::get<0>(rig)) : nullptr;
+  if (asked == nullptr || !asked->golden_unit) return;
+  const std::string& serial = asked->golden_unit->serial;
+  const std::string fault = serial_fault(station.serial, serial);
+  if (fault.empty()) return;
+  root.fault("serial", "refuses " + hal::in_quotes(serial) + ", the golden unit of " + station.rig +
+                           (fault == "check_digit" ? ", by its check digit: it"
+                                                   : ", which fits none of the masks: it") +
+                           " could never be scanned");
+}
+
 }  // namespace
 
 bool is_loopback(const std::string& address) {
@@ -106,7 +122,11 @@ std::variant<StationFile, std::vector<hal::ConfigFault>> read_station(
     const auto plan = find_plan(station.plan);
     if (plan.index() == 1) note_first(root, "plan", station.plan, std::get<1>(plan));
   }
-  if (!station.rig.empty()) note_first(root, "rig", station.rig, check_rig(station.rig));
+  if (!station.rig.empty()) {
+    const auto faults = check_rig(station.rig);
+    note_first(root, "rig", station.rig, faults);
+    if (faults.empty()) hold_against_golden_unit(root, station);
+  }
   root.finish();
   if (!root.faults().empty()) return root.faults();
   return station;

@@ -1,9 +1,14 @@
 #include <algorithm>
+#include <array>
 #include <atomic>
-#include <cstdlib>
+#include <charconv>
+#include <cstdint>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "bench/results/run_filter.hpp"
+#include "bench/results/trend.hpp"
 #include "bench/serve/other_process.hpp"
 #include "bench/serve/station_api.hpp"
 #include "bench/text_file.hpp"
@@ -76,6 +81,32 @@ void add_last(std::vector<std::string>& words, const HttpRequest& request) {
   words.push_back("--last=" + (last.empty() ? newest_runs : last));
 }
 
+// What the commands would refuse in words of their own options; "" is no parameter.
+bool is_count(const std::string& text) {
+  std::uint64_t count = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, count);
+  return error == std::errc() && stop == end && count > 0;
+}
+bool is_time(const std::string& text) { return utc_of_text(text, false).has_value(); }
+bool is_point(const std::string& text) { return point_of_text(text).has_value(); }
+bool is_outcome(const std::string& text) {
+  constexpr std::array words{"PASS", "FAIL", "INVALID", "ERROR", "ABORTED"};
+  return std::ranges::find(words, text) != words.end();
+}
+
+using Parameter = std::pair<const char*, bool (*)(const std::string&)>;
+
+// The first that holds something else; "" if there is none.
+std::string misplaced_parameter(const HttpRequest& request,
+                                std::initializer_list<Parameter> parameters) {
+  for (const auto& [name, is_right] : parameters) {
+    const std::string value = request.parameter(name);
+    if (!value.empty() && !is_right(value)) return name;
+  }
+  return "";
+}
+
 }  // namespace
 
 HttpAnswer StationApi::run_file(const HttpRequest& request) const {
@@ -109,13 +140,9 @@ HttpAnswer StationApi::ask(std::vector<std::string> words, double longest_s) con
   if (answer.code < 0) return refusal(504, "no_answer");
   const bool is_answer = answer.code == 0 || is_verdict(answer.code);
   if (is_answer && nlohmann::json::accept(answer.out)) return {.body = answer.out};
-  if (answer.code == 0) {
-    const nlohmann::json said{{"text", answer.out}};
-    return {.body = said.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"};
-  }
-  nlohmann::json json{{"error", "refused"}, {"exit_code", answer.code}, {"reason", answer.err}};
-  return {.status = 422,
-          .body = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"};
+  if (answer.code == 0) return json_answer(200, {{"text", answer.out}});
+  return json_answer(422,
+                     {{"error", "refused"}, {"exit_code", answer.code}, {"reason", answer.err}});
 }
 
 HttpAnswer StationApi::ask_long(std::vector<std::string> words) const {
@@ -125,6 +152,10 @@ HttpAnswer StationApi::ask_long(std::vector<std::string> words) const {
 }
 
 HttpAnswer StationApi::history(const Call& call) {
+  const std::string field = misplaced_parameter(
+      call.request,
+      {{"from", is_time}, {"to", is_time}, {"verdict", is_outcome}, {"last", is_count}});
+  if (!field.empty()) return wrong_field(field);
   std::vector<std::string> words{"history", "--json", "--out=" + station_.file().runs.string()};
   add_options(words, call.request, {"serial", "from", "to", "verdict", "plan"});
   add_last(words, call.request);
@@ -134,6 +165,9 @@ HttpAnswer StationApi::history(const Call& call) {
 HttpAnswer StationApi::trend(const Call& call) {
   const std::string indicator = call.request.parameter("indicator");
   if (!is_plain_name(indicator)) return wrong_field("indicator");
+  const std::string field =
+      misplaced_parameter(call.request, {{"point", is_point}, {"last", is_count}});
+  if (!field.empty()) return wrong_field(field);
   std::vector<std::string> words{"trend", indicator, "--json",
                                  "--runs=" + station_.file().runs.string()};
   add_options(words, call.request, {"point", "channel", "serial"});
@@ -143,8 +177,10 @@ HttpAnswer StationApi::trend(const Call& call) {
 
 HttpAnswer StationApi::audit(const Call& call) {
   const std::string last = call.request.parameter("last");
-  const std::size_t lines = std::min(1000, std::max(1, std::atoi(last.c_str())));
-  return {.body = "{\"entries\":" + audit_.last(last.empty() ? 100 : lines) + "}\n"};
+  if (last.empty()) return {.body = "{\"entries\":" + audit_.last(100) + "}\n"};
+  if (!is_count(last)) return wrong_field("last");
+  const auto lines = std::min<std::uint64_t>(1000, std::stoull(last));
+  return {.body = "{\"entries\":" + audit_.last(lines) + "}\n"};
 }
 
 }  // namespace rvbench::bench

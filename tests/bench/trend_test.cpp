@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/result_database.hpp"
+#include "bench/results/history_table.hpp"
 #include "bench/results/run_filter.hpp"
 #include "bench/text_file.hpp"
 #include "tests/bench/answers.hpp"
@@ -137,6 +138,10 @@ TEST_CASE("trend says what is wrong with its arguments", "[bench][results]") {
   const auto point = trend(root, {"kurtosis", "--point", "1210"});
   CHECK(point.code == 2);
   CHECK_THAT(point.err, Contains("state speed and load as 1210/50"));
+  for (const char* no_point : {"nan/50", "1210/nan", "inf/50", "1e308/50", "1210/1e308", "-1/50"}) {
+    CAPTURE(no_point);
+    CHECK(trend(root, {"kurtosis", "--point", no_point}).code == 2);
+  }
   CHECK(test::rvbench({"trend", "kurtosis", "--runs", (root / "no").string()}).code == 2);
 }
 
@@ -196,6 +201,37 @@ TEST_CASE("days are counted from the epoch, in any way a time is written", "[ben
   CHECK(utc_of_text("2026-11-21", true) == "20261121T235959Z");
   CHECK(utc_of_text("20261121T114559Z", false) == "20261121T114559Z");
   CHECK_FALSE(utc_of_text("2026-11", false));
+}
+
+TEST_CASE("history keeps to the width of a terminal, and cuts neither serial nor verdict",
+          "[bench][results]") {
+  const std::string reason =
+      "input_shaft: unbalance, acceleration_peak 0.31 g is above 0.25 g at 1210 rpm, 50 % load";
+  RunRow row;
+  row.started_utc = "20260102T030405Z";
+  row.serial = GENERATE(as<std::string>{}, "A17", "RV20E-000123-" + std::string(24, '7'));
+  row.plan = "rv20e_acceptance_of_a_long_name";
+  row.verdict = "INVALID";
+  row.reason = reason;
+  const History history{{row}, {}, {}};
+  const auto told = [&](int columns) {
+    std::ostringstream out;
+    Console console{out, out};
+    console.out_columns = columns;
+    print_history(console, history);
+    return out.str();
+  };
+  CHECK_THAT(told(0), Contains(reason) && Contains(row.plan));  // a pipe gets all in one line
+  for (const int columns : {80, 100, 132}) {
+    CAPTURE(columns);
+    const std::string text = told(columns);
+    std::istringstream lines(text), words(text);
+    for (std::string line; std::getline(lines, line);) CHECK(shown_width(line) <= columns);
+    CHECK_THAT(text, Contains(row.serial + " ") && Contains("INVALID"));
+    std::string joined;
+    for (std::string word; words >> word;) joined += word + " ";
+    CHECK_THAT(joined, Contains(reason));
+  }
 }
 
 }  // namespace rvbench::bench

@@ -1,5 +1,6 @@
 """A headless Chromium at the size of a small panel, driven by the keyboard alone."""
 import contextlib
+import re
 import time
 
 from selenium import webdriver
@@ -89,11 +90,15 @@ class Browser:
         return self.script("const d = document.scrollingElement;"
                            "return d.scrollHeight > innerHeight || d.scrollWidth > innerWidth")
 
-    def complaints(self):
-        """What the browser's console holds against the page, lost connections apart."""
+    def complaints(self, expected=()):
+        """What the browser's console holds against the page, lost connections apart.
+
+        expected: refusals that the test brings about, as ("/api/session", 401)
+        """
+        refusals = [re.compile(rf"http://[^/]+{re.escape(path)} - .*\bstatus of {status}\b") for path, status in expected]
         return [entry["message"] for entry in self.driver.get_log("browser")
                 if entry["level"] == "SEVERE" and "net::ERR" not in entry["message"]
-                and "status of 4" not in entry["message"]]
+                and not any(refusal.match(entry["message"]) for refusal in refusals)]
 
     def shoot(self, name):
         if self.shots:

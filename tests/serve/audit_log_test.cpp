@@ -158,6 +158,28 @@ TEST_CASE("what was changed before a cut line stays told when the log goes on", 
   CHECK_THAT(check_audit(file)->fault, Contains("was changed"));
 }
 
+TEST_CASE("a log that was moved or deleted takes nothing, until it is back", "[bench][serve]") {
+  const rvbench::test::ScratchFolder scratch;
+  const auto file = scratch / "audit.jsonl", elsewhere = scratch / "elsewhere.jsonl";
+  const AuditEntry entry{"anna", "127.0.0.1", "scan", ""};
+  AuditLog log(file);
+  CHECK(log.is_new());
+  REQUIRE(log.add(entry));
+  std::filesystem::rename(file, elsewhere);
+  const Status gone = log.add(entry);
+  REQUIRE_FALSE(gone);
+  CHECK(gone.error().where == file.string() + " is gone, or another file stands in its place");
+  std::filesystem::copy_file(elsewhere, file);
+  CHECK_FALSE(log.add(entry));  // a copy, however alike
+  CHECK(check_audit(file)->lines == 1);
+  CHECK(check_audit(elsewhere)->lines == 1);
+  std::filesystem::rename(elsewhere, file);
+  CHECK(log.add(entry));
+  CHECK(check_audit(file)->lines == 2);
+  CHECK(check_audit(file)->broken_line == 0);
+  CHECK_FALSE(AuditLog(file).is_new());
+}
+
 TEST_CASE("no audit log is none, and one that cannot be written says so", "[bench][serve]") {
   const rvbench::test::ScratchFolder scratch;
   CHECK_FALSE(check_audit(scratch / "none.jsonl"));

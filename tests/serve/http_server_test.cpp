@@ -1,5 +1,6 @@
 #include "bench/serve/http_server.hpp"
 
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <thread>
 
@@ -22,11 +23,14 @@ class EchoServer {
   explicit EchoServer(HttpLimits limits = {})
       : server_(
             limits, [](const HttpRequest&) { return std::optional<HttpAnswer>(); },
-            [](const HttpRequest& request) {
+            [this](const HttpRequest& request) {
               if (request.path == "/throws") throw std::runtime_error("a secret of the house");
               if (request.path == "/endless") {
-                return HttpAnswer{
-                    .part = [](const HttpSend& send) { return send(std::string(100'000, 'x')); }};
+                return HttpAnswer{.part = [this](const HttpSend& send) {
+                  const bool is_taken = send(std::string(100'000, 'x'));
+                  if (!is_taken) has_hung_up_ = true;
+                  return is_taken;
+                }};
               }
               return HttpAnswer{.body = request.method + " " + request.path + " " + request.body};
             }),
@@ -39,8 +43,10 @@ class EchoServer {
   EchoServer(const EchoServer&) = delete;
   EchoServer& operator=(const EchoServer&) = delete;
   std::uint16_t port() const { return port_; }
+  bool has_hung_up() const { return has_hung_up_; }  ///< on who listens at "/endless"
 
  private:
+  std::atomic<bool> has_hung_up_ = false;
   HttpServer server_;
   std::uint16_t port_;
   std::thread thread_;
@@ -129,14 +135,14 @@ TEST_CASE("a listener that takes nothing is hung up on", "[bench][serve]") {
   const EchoServer server({.request_s = 0.3, .write_s = 0.3});
   const auto lazy = connected_to(server.port());
   REQUIRE(send_all(lazy, http_request("GET", "/endless", server.port())));
-  std::this_thread::sleep_for(std::chrono::milliseconds(1000));
+  CHECK(rvbench::test::wait_until([&] { return server.has_hung_up(); }));
   // What fitted into the line is all there is: the end comes although nobody stops the server.
   const auto endless = [](const std::string& text) { return text.size() > 100'000'000; };
   CHECK(received(lazy, endless).size() < 100'000'000);
 }
 
 TEST_CASE("beyond so many connections the answer is 503, at once", "[bench][serve]") {
-  const EchoServer server({.connections = 2, .request_s = 2});
+  const EchoServer server({.connections = 2, .request_s = 60});
   const auto first = connected_to(server.port());
   const auto second = connected_to(server.port());
   std::string answer;

@@ -1,8 +1,11 @@
 #include "bench/serve/other_process.hpp"
 
 #include <catch2/catch.hpp>
-#include <chrono>
+#include <filesystem>
 #include <thread>
+
+#include "tests/support/scratch_folder.hpp"
+#include "tests/support/wait_until.hpp"
 
 namespace rvbench::bench {
 
@@ -19,12 +22,16 @@ TEST_CASE("a program is asked, and says what it says and how it ended", "[bench]
 TEST_CASE("nobody waits for a program that takes too long, or for one after a stop",
           "[bench][serve]") {
   CHECK(ask_program({"/bin/sleep", "3600"}, 0.1).code == -1);
+  const rvbench::test::ScratchFolder scratch;
+  const std::string begun = (scratch / "begun").string();
   std::stop_source stop;
-  std::jthread somebody([&stop] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  std::jthread somebody([&] {
+    (void)rvbench::test::wait_until([&] { return std::filesystem::exists(begun); });
     stop.request_stop();
   });
-  CHECK(ask_program({"/bin/sleep", "3600"}, 3600, stop.get_token()).code == -1);
+  const std::vector<std::string> slow{"/bin/sh", "-c", "> \"$0\"; exec sleep 3600", begun};
+  CHECK(ask_program(slow, 3600, stop.get_token()).code == -1);
+  CHECK(std::filesystem::exists(begun));
   CHECK(ask_program({"/bin/sleep", "3600"}, 3600, stop.get_token()).code == -1);  // at once
 }
 

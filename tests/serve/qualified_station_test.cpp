@@ -58,6 +58,11 @@ TEST_CASE("a station that is not qualified says why, starts nothing, and notices
 
   // The golden unit itself waits for the calibration alone.
   CHECK(scanned(station, "G01").at("station").at("reasons").size() == 1);
+  // What differs from it in case or blanks alone would be tested as a unit like any other.
+  for (const char* almost : {"g01", "G 01"}) {
+    CHECK(scanned(station, almost) ==
+          nlohmann::json({{"error", "almost_golden"}, {"text", almost}}));
+  }
   calibrate(scratch);
   CHECK(test::wait_until(
       [&] { return scanned(station, "G01").at("station").at("qualified") == true; }));

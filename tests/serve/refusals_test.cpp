@@ -1,4 +1,7 @@
+#include <signal.h>
+
 #include <catch2/catch.hpp>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "bench/text_file.hpp"
@@ -139,12 +142,58 @@ TEST_CASE("a station refuses who is not logged in, asks from elsewhere, or asks 
     CHECK(refused("/api/limits/approve", R"({"version":true})") == "version");
     CHECK(refused("/api/rejudge", R"({"run":"A17/1","version":"1"})") == "version");
     CHECK(refused("/api/limits/propose", R"({"version":"1","limits":{}})") == "version");
+    for (const auto& [query, field] :
+         std::map<std::string, std::string>{{"history?last=nan", "last"},
+                                            {"history?last=0", "last"},
+                                            {"history?from=yesterday", "from"},
+                                            {"history?to=2026-13-01", "to"},
+                                            {"history?verdict=good", "verdict"},
+                                            {"trend?indicator=kurtosis&last=-1", "last"},
+                                            {"trend?indicator=kurtosis&point=nan/50", "point"},
+                                            {"audit?last=nan", "last"}}) {
+      CAPTURE(query);
+      const HttpReply reply = station.get("/api/" + query);
+      CHECK(reply.status == 400);
+      CHECK(nlohmann::json::parse(reply.body).value("field", "") == field);
+    }
+    CHECK(station.get("/api/history?from=2026-11-21&verdict=PASS&last=5").status == 200);
   }
   SECTION("a second station on the same runs") {
     const auto second = test::rvbench(scratch.path(), {"serve", "--station", "station.json"});
     CHECK(second.code == 2);
     CHECK_THAT(second.err, Contains("another rvbench serves"));
   }
+}
+
+TEST_CASE("a station whose log is moved does nothing, and says so where it begins another",
+          "[spec][serve]") {
+  const ScratchFolder scratch;
+  const auto log = scratch.path() / "runs" / ".station" / "audit.jsonl";
+  const auto first_of_log = [&log] {
+    const std::string text = bench::read_file(log).value_or("");
+    return nlohmann::json::parse(text.substr(0, text.find('\n')), nullptr, false);
+  };
+  {
+    ServedStation station(scratch, R"("plan": "quick")");
+    CHECK_THAT(station.program().said(), !Contains("warning"));
+    CHECK(first_of_log().at("action") == "begun");
+    CHECK_FALSE(first_of_log().contains("detail"));
+    REQUIRE(station.log_in("otto").status == 200);
+    std::filesystem::rename(log, scratch.path() / "moved.jsonl");
+    const HttpReply scan = station.post("/api/scan", R"({"text":"A17"})");
+    CHECK(word_of(scan) == "503 audit");
+    CHECK_THAT(scan.body, Contains("audit.jsonl is gone, or another file stands in its place"));
+    CHECK(word_of(station.post("/api/start", R"({"serial":"A17"})")) == "503 audit");
+    CHECK(word_of(station.log_in("anna")) == "503 audit");
+    station.program().send(SIGTERM);
+    CHECK(station.program().wait().code == 0);
+  }
+  CHECK_FALSE(std::filesystem::exists(log));
+  ServedStation station(scratch, R"("plan": "quick")");
+  CHECK_THAT(station.program().said(), Contains("warning: ") && Contains("its log is gone"));
+  CHECK(first_of_log().at("detail") == "the station was served before, its log is gone");
+  REQUIRE(station.log_in("otto").status == 200);
+  CHECK(station.post("/api/scan", R"({"text":"A17"})").status == 200);
 }
 
 TEST_CASE("limits are learnt through the station, or refused with the reason", "[spec][serve]") {

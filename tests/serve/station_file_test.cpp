@@ -89,6 +89,25 @@ TEST_CASE("every fault of a station file is told at once, with line and pointer"
   }
 }
 
+TEST_CASE("a rule that lets no golden unit in is a fault, by its mask and by its check digit",
+          "[bench][serve]") {
+  const rvbench::test::ScratchFolder scratch;
+  write_file(scratch / "rig.json", R"({"rig": "sim", "qualification": {
+    "station": "EOL 3", "golden_unit": {"serial": "GOLDEN", "plan": "quick"}}})");
+  const auto told = [&](const std::string& rule) {
+    write_file(scratch / "station.json",
+               R"({"station": "EOL 3", "plan": "quick", "rig": "rig.json", "users": [],
+"serial": )" + rule +
+                   "}");
+    return test::rvbench({"check", (scratch / "station.json").string()}).err;
+  };
+  CHECK_THAT(told(R"({"masks": ["A##"]})"),
+             Contains("station.json:2: /serial: refuses \"GOLDEN\", the golden unit of ") &&
+                 Contains("fits none of the masks: it could never be scanned"));
+  CHECK_THAT(told(R"({"check_digit": "mod10"})"), Contains("by its check digit"));
+  CHECK_THAT(told(R"({"masks": ["A##", "GOLDEN"]})"), !Contains("/serial"));
+}
+
 TEST_CASE("a station that nobody could use is refused", "[bench][serve]") {
   const rvbench::test::ScratchFolder scratch;
   write_file(scratch / "station.json",
