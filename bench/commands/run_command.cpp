@@ -118,6 +118,11 @@ int RunCommand::run(Console& console) {
       return refuse_usage(console, "run: " + unit_.stated() + ": " + rig_ +
                                        " has a unit of its own, none is simulated");
     }
+    if (is_almost_golden(qualification_in(file_), serial_)) {
+      return refuse_usage(console,
+                          "run: --serial " + hal::in_quotes(serial_) +
+                              " differs from the golden unit's only in capitals or blanks");
+    }
     rig = make_rig(file_, rig_);  // opens nothing
   } else {
     rig = std::get<1>(std::move(file));

@@ -8,6 +8,7 @@
 #include "bench/commands/commands.hpp"
 #include "bench/fault_lines.hpp"
 #include "bench/file_lock.hpp"
+#include "bench/results/audit_index.hpp"
 #include "bench/serve/http_server.hpp"
 #include "bench/serve/station_api.hpp"
 #include "bench/stop_on_signal.hpp"
@@ -150,13 +151,13 @@ int ServeCommand::serve(Console& console, StationFile file) {
   }
   const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
   Station station(file, program, hub);
-  AuditLog audit(keep / "audit.jsonl");
-  const auto checked = check_audit(keep / "audit.jsonl");
+  const std::filesystem::path log = audit_log_of(file.runs);
+  AuditLog audit(log);
+  const auto checked = check_audit(log);
   if (checked && checked->broken_line > 0) {
-    warn(console, fmt::format("{}:{}: {}", (keep / "audit.jsonl").string(), checked->broken_line,
-                              checked->fault));
+    warn(console, fmt::format("{}:{}: {}", log.string(), checked->broken_line, checked->fault));
   }
-  begin_audit(console, audit, keep / "audit.jsonl", was_served);
+  begin_audit(console, audit, log, was_served);
   Sessions sessions;
   std::unique_ptr<Gate> gate;
   std::unique_ptr<StationApi> api;

@@ -1,6 +1,7 @@
 #include "bench/qualification/qualification_section.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
@@ -68,6 +69,14 @@ CalibrationDemand read_calibration(hal::ConfigReader& section,
     }
   }
   return demand;
+}
+
+// Whatever their case, and without blanks.
+std::string letters_of(std::string serial) {
+  std::erase(serial, ' ');
+  std::ranges::transform(serial, serial.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return serial;
 }
 
 ChartedIndicator read_indicator(hal::ConfigReader& json) {
@@ -151,6 +160,12 @@ std::optional<QualificationSection> read_qualification_section(
     section->fault("", "asks for nothing: give self_test, calibration or golden_unit");
   }
   return asked;
+}
+
+bool is_almost_golden(const QualificationSection* section, const std::string& serial) {
+  if (section == nullptr || !section->golden_unit) return false;
+  const std::string& golden = section->golden_unit->serial;
+  return serial != golden && letters_of(serial) == letters_of(golden);
 }
 
 std::string limits_of(const SelfTestSpec& spec) {

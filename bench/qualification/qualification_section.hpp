@@ -62,6 +62,10 @@ struct QualificationSection {
 std::optional<QualificationSection> read_qualification_section(
     hal::ConfigReader& rig, const std::string& rig_kind, const std::vector<ChannelInfo>& channels);
 
+/// Whether a serial is the golden unit's but for capitals and blanks: a run of it would count as
+/// one of a unit like any other. @param section  null: there is no such unit
+bool is_almost_golden(const QualificationSection* section, const std::string& serial);
+
 /// What a self-test is judged by, as JSON in one line: all but how long it counts.
 std::string limits_of(const SelfTestSpec& spec);
 

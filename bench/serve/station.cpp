@@ -31,12 +31,6 @@ StationFile with_whole_paths(StationFile file) {
   return file;
 }
 
-// Whatever their case, and without blanks.
-std::string letters_of(std::string serial) {
-  std::erase(serial, ' ');
-  return lower(serial);
-}
-
 }  // namespace
 
 Station::Station(StationFile file, std::filesystem::path program, EventHub& hub)
@@ -59,7 +53,7 @@ std::string Station::scan(const std::string& text) {
     if (phase_ == Phase::running) return "running";
     if (fault.empty()) {
       read_plan();
-      fault = misspelt(serial);
+      if (rig_ && is_almost_golden(qualification_in(*rig_), serial)) fault = "almost_golden";
     }
     if (!fault.empty() && phase_ != Phase::ended) {
       forget_unit();  // what was scanned before is not what lies there now
@@ -82,14 +76,6 @@ std::string Station::scan(const std::string& text) {
   }
   tell_change();
   return "";
-}
-
-// A run of what is meant to be the golden unit would count as one of a unit like any other.
-std::string Station::misspelt(const std::string& serial) const {
-  const QualificationSection* asked = rig_ ? qualification_in(*rig_) : nullptr;
-  if (asked == nullptr || !asked->golden_unit || serial == asked->golden_unit->serial) return "";
-  if (letters_of(serial) != letters_of(asked->golden_unit->serial)) return "";
-  return "almost_golden";
 }
 
 std::string Station::why_not(bool is_retest, const StationViewer& viewer) const {

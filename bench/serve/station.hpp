@@ -81,7 +81,6 @@ class Station {
   /// @param code  what the page has a sentence for
   void fail(const std::string& code, const std::string& reason, Outcome outcome = Outcome::error);
   void tell_change();
-  std::string misspelt(const std::string& serial) const;  ///< "" or "almost_golden"
   std::string why_not(bool is_retest, const StationViewer& viewer) const;
   std::string next_action(const StationViewer& viewer) const;
   std::string newest_run() const;

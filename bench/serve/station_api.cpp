@@ -209,11 +209,13 @@ HttpAnswer StationApi::start(const Call& call) {
   });
 }
 
+// Before it is logged: no log is worth a shaft that goes on turning.
 HttpAnswer StationApi::stop(const Call& call) {
-  return logged(call, "stop", [&] {
-    const std::string fault = station_.stop();
-    return fault.empty() ? json_answer(202, nlohmann::json::object()) : conflict(fault);
-  });
+  const std::string fault = station_.stop();
+  const HttpAnswer answer =
+      fault.empty() ? json_answer(202, nlohmann::json::object()) : conflict(fault);
+  (void)log(call.request, call.session.user, fault.empty() ? "stop" : "refused stop", answer.body);
+  return answer;
 }
 
 HttpAnswer StationApi::clear(const Call& call) {

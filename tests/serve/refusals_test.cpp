@@ -184,6 +184,7 @@ TEST_CASE("a station whose log is moved does nothing, and says so where it begin
     CHECK(word_of(scan) == "503 audit");
     CHECK_THAT(scan.body, Contains("audit.jsonl is gone, or another file stands in its place"));
     CHECK(word_of(station.post("/api/start", R"({"serial":"A17"})")) == "503 audit");
+    CHECK(word_of(station.post("/api/stop", "{}")) == "409 not_running");  // whatever the log
     CHECK(word_of(station.log_in("anna")) == "503 audit");
     station.program().send(SIGTERM);
     CHECK(station.program().wait().code == 0);

@@ -185,6 +185,7 @@ TEST_CASE("once the golden unit is in control others can pass, until it moves", 
     return station.run(serial, more);
   };
   CHECK_THAT(run_as("A17", 100).out, Contains("golden unit G01: it has no run of plan short"));
+  CHECK_THAT(run_as("g01", 1).err, Contains("\"g01\" differs from the golden unit's only in"));
   for (int seed = 1; seed <= 8; ++seed) CHECK(run_as("G01", seed).code == 0);
   CHECK(run_as("A17", 100).code == 60);  // a chart of eight has no run that it could judge
   CHECK(run_as("G01", 9).code == 0);
