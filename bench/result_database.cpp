@@ -1,9 +1,7 @@
 #include "bench/result_database.hpp"
 
 #include <map>
-#include <optional>
 #include <set>
-#include <system_error>
 #include <utility>
 
 #include "bench/limits_versions.hpp"
@@ -12,7 +10,6 @@
 #include "bench/results/rejudgement.hpp"
 #include "bench/results/schema.hpp"
 #include "bench/run_folder.hpp"
-#include "bench/run_start.hpp"
 #include "bench/sha256.hpp"
 #include "bench/text_file.hpp"
 #include "bench/verdict_json.hpp"
@@ -60,38 +57,6 @@ Result<std::vector<EnteredRun>> entered_runs(const SqliteFile& file, const std::
 
 bool may_be_resumed(const RunRow& row) {
   return row.verdict == to_string(Outcome::aborted) || row.verdict == to_string(Outcome::error);
-}
-
-// Nothing of one that was changed since the run's end.
-std::optional<Judgement> verdict_in(const std::filesystem::path& folder) {
-  if (!matches_sum(folder, "verdict.json")) return std::nullopt;
-  return judgement_from_json(read_file(folder / "verdict.json").value_or(""));
-}
-
-bool has_plan(const std::filesystem::path& folder) {
-  std::error_code unknown;
-  return std::filesystem::exists(folder / "plan.json", unknown);
-}
-
-std::string why_without_sums(const std::filesystem::path& folder) {
-  if (is_at_work(folder)) return "not finished: still at work";
-  std::error_code unknown;
-  return std::filesystem::exists(folder / "verdict.json", unknown)
-             ? "it has a verdict.json but no SHA256SUMS: cut short while its results were written, "
-               "or they were taken away"
-             : "not finished: cut short";
-}
-
-// Of what the run recorded when it began.
-RunRow row_without_result(const std::filesystem::path& root, const std::filesystem::path& folder,
-                          const std::string& reason) {
-  const RunBegin begin = read_run_begin(folder);
-  return {.folder = folder.lexically_relative(root).string(),
-          .serial = begin.serial,
-          .started_utc = begin.started_utc,
-          .plan = plan_name_in(folder),
-          .reason = reason,
-          .number = begin.number};
 }
 
 }  // namespace
@@ -181,7 +146,7 @@ Result<bool> ResultDatabase::catch_up_run(const std::filesystem::path& folder, c
   if (is_whole && !may_be_resumed(*old)) return false;
   if (!has_sums(folder)) return false;  // written last: the verdict is still being written
   if (is_whole && is_as_entered(root_, *old)) return false;
-  const auto judgement = verdict_in(folder);
+  const auto judgement = judgement_in(folder);
   if (!judgement) return false;
   const RunRow row = row_of(root_, folder, *judgement);
   if (is_whole && row == *old) return false;
@@ -241,29 +206,6 @@ Result<ResultDatabase> caught_up(Result<ResultDatabase> opened) {
   ResultDatabase database = std::move(opened).value();
   if (const auto entered = database.catch_up(); !entered) return entered.error();
   return database;
-}
-
-std::vector<RunRow> unfinished_runs(const std::filesystem::path& root) {
-  std::vector<RunRow> rows;
-  for (const std::filesystem::path& folder : run_folders(root)) {
-    if (has_sums(folder) || !has_plan(folder)) continue;
-    rows.push_back(row_without_result(root, folder, why_without_sums(folder)));
-  }
-  return rows;
-}
-
-std::vector<RunRow> damaged_runs(const std::filesystem::path& root,
-                                 const std::vector<RunRow>& entered) {
-  std::set<std::string> known;
-  for (const RunRow& row : entered) known.insert(row.folder);
-  std::vector<RunRow> rows;
-  for (const std::filesystem::path& folder : run_folders(root)) {
-    if (known.contains(folder.lexically_relative(root).string())) continue;
-    if (!has_sums(folder) || !has_plan(folder) || verdict_in(folder)) continue;
-    rows.push_back(row_without_result(
-        root, folder, "its verdict.json is damaged: rvbench check tells what else"));
-  }
-  return rows;
 }
 
 bool is_as_entered(const std::filesystem::path& root, const RunRow& row) {

@@ -103,15 +103,6 @@ class ResultDatabase {
 /// The database once it holds every run there is.
 Result<ResultDatabase> caught_up(Result<ResultDatabase> opened);
 
-/// The runs below the root that have no result: their verdict is empty. Of what each recorded when
-/// it began.
-std::vector<RunRow> unfinished_runs(const std::filesystem::path& root);
-
-/// Likewise those that have come to their end, but whose verdict is not the one of then, or cannot
-/// be read, nor has it been entered.
-std::vector<RunRow> damaged_runs(const std::filesystem::path& root,
-                                 const std::vector<RunRow>& entered);
-
 /// Whether the verdict that was entered is still that of its folder in `root`: what is gone or was
 /// changed since vouches for nothing.
 bool is_as_entered(const std::filesystem::path& root, const RunRow& row);

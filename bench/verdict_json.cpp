@@ -7,6 +7,8 @@
 #include "bench/examination_json.hpp"
 #include "bench/findings_stand.hpp"
 #include "bench/json_text.hpp"
+#include "bench/sha256.hpp"
+#include "bench/text_file.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -204,6 +206,11 @@ std::optional<Judgement> judgement_from_json(const std::string& text) {
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;
   }
+}
+
+std::optional<Judgement> judgement_in(const std::filesystem::path& run) {
+  if (!matches_sum(run, "verdict.json")) return std::nullopt;
+  return judgement_from_json(read_file(run / "verdict.json").value_or(""));
 }
 
 }  // namespace rvbench::bench

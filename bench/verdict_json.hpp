@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,5 +19,9 @@ std::string refusal_to_json(int exit_code, const std::vector<std::string>& compl
 
 /// The inverse of judgement_to_json; nullopt if the text is no verdict.json.
 std::optional<Judgement> judgement_from_json(const std::string& text);
+
+/// Of a run folder's verdict.json; nullopt too if it is not the one of the run's end, by
+/// SHA256SUMS.
+std::optional<Judgement> judgement_in(const std::filesystem::path& run);
 
 }  // namespace rvbench::bench

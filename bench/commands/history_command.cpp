@@ -9,6 +9,7 @@
 #include "bench/results/history_table.hpp"
 #include "bench/results/keep_newest.hpp"
 #include "bench/results/run_filter.hpp"
+#include "bench/results/unentered_runs.hpp"
 #include "bench/sha256.hpp"
 #include "hal/did_you_mean.hpp"
 #include "hal/types/measure.hpp"

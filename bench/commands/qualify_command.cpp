@@ -2,7 +2,6 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
-#include <mutex>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "bench/qualification/qualification.hpp"
 #include "bench/qualification/qualification_text.hpp"
 #include "bench/qualification/self_test.hpp"
+#include "bench/qualification/self_test_observer.hpp"
 #include "bench/results/run_filter.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/rig_file.hpp"
@@ -31,27 +31,6 @@ namespace {
 
 constexpr std::chrono::seconds longest_farewell{8};  // the ledger may be another's for five
 constexpr std::size_t longest_text = 200;            // of a certificate, or of who enters it
-
-// Shows how far it is, and what somebody at the bench has to know or do.
-class SelfTestObserver final : public sequences::RunObserver {
- public:
-  SelfTestObserver(Console& console, ProgressBar& bar) : console_(console), bar_(bar) {}
-
-  void progress(double done_s, double total_s, const std::string& doing) override {
-    const std::lock_guard lock(mutex_);
-    bar_.show("self-test", total_s > 0 ? done_s / total_s : 0, doing);
-  }
-  // A shaft that turns waits for no terminal that has been stopped.
-  void event(double, const std::string& text) override {
-    const std::lock_guard lock(mutex_);
-    if (takes_a_line(console_)) console_.err << "  > " << text << std::endl;
-  }
-
- private:
-  Console& console_;
-  ProgressBar& bar_;
-  std::mutex mutex_;  // of the screen
-};
 
 class QualifyCommand final : public Command {
  public:

@@ -18,7 +18,7 @@
 #include "bench/progress_bar.hpp"
 #include "bench/qualification/golden_runs.hpp"
 #include "bench/qualification/qualification.hpp"
-#include "bench/result_database.hpp"
+#include "bench/results/result_entry.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/rig_file.hpp"
 #include "bench/run_folder.hpp"
@@ -83,7 +83,6 @@ class RunCommand final : public Command {
                  ProgressBar& bar) const;
   void hold_against_station(Console& console, Acceptance& acceptance) const;
   std::string enter_golden_result() const;
-  std::string enter_result(const Judgement& judgement) const;
   void tell(Console& console, const Judgement& judgement, const analysis::Kinematics& kinematics,
             const std::string& not_entered) const;
 
@@ -221,7 +220,9 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
   if (!live_.empty()) tell_live(plan, rig, acceptance, bar);
   const Judgement judgement = run_acceptance(std::move(acceptance), rig, bar, signals.token());
   std::string not_entered;
-  const auto enter = [&] { not_entered = enter_golden_result() + enter_result(judgement); };
+  const auto enter = [&] {
+    not_entered = enter_golden_result() + enter_result(out_, place_.folder, judgement);
+  };
   if (judgement.facts.must_exit) {
     // With a thread in a call that never returns, no destructor of the rig may run.
     const bool answers = try_for(longest_entry, enter);  // else it may still write the text
@@ -278,32 +279,10 @@ void RunCommand::tell(Console& console, const Judgement& judgement,
   console.err << not_entered << std::flush;
 }
 
-// @return as enter_result()
+// @return what to say if that cannot be
 std::string RunCommand::enter_golden_result() const {
   const std::string why = enter_golden_end(out_, qualification_in(file_), place_.folder);
   return why.empty() ? "" : "rvbench: run: " + why + "; it counts as one that did not end\n";
-}
-
-// The folder is the result; an entry that fails now is made up for by the next run.
-// @return what to say of one that failed
-std::string RunCommand::enter_result(const Judgement& judgement) const {
-  auto database = ResultDatabase::open(out_);
-  Status entered = Done{};
-  if (database) {
-    ResultDatabase results = std::move(database).value();
-    entered = results.enter(row_of(out_, place_.folder, judgement), judgement);
-    if (entered) {
-      const auto caught_up = results.catch_up();
-      if (!caught_up) entered = caught_up.error();
-    }
-  } else {
-    entered = database.error();
-  }
-  if (entered) return "";
-  const std::string what = "rvbench: " + describe(entered.error());
-  if (!judgement.unwritten.empty()) return what + "\n";
-  return what + "; the result is safe in " + place_.folder.string() +
-         " and will be entered by the next run\n";
 }
 
 }  // namespace

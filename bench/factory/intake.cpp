@@ -6,6 +6,7 @@
 
 #include "bench/factory/result_message.hpp"
 #include "bench/result_database.hpp"
+#include "bench/results/unentered_runs.hpp"
 #include "bench/run_folder.hpp"
 
 namespace rvbench::bench {

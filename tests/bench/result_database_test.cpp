@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "bench/results/unentered_runs.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/run_start.hpp"
 #include "bench/sha256.hpp"
