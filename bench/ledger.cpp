@@ -19,7 +19,9 @@
 #include "bench/hash_chain.hpp"
 #include "bench/limits_versions.hpp"
 #include "bench/on_disk.hpp"
+#include "bench/qualification/ages.hpp"
 #include "bench/qualification/station_records.hpp"
+#include "bench/results/run_filter.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/sha256.hpp"
 #include "bench/text_file.hpp"
@@ -123,10 +125,14 @@ Ledger trusted_ledger(const std::filesystem::path& root) {
   return ledger;
 }
 
-// With the number and the time of now.
+// With the number and the time of now. @throws std::system_error
 void add_line(const std::filesystem::path& root, const Ledger& ledger, LedgerLine line) {
   line.number = static_cast<int>(ledger.lines.size()) + 1;
   line.utc = utc_now();
+  const std::string fault = clock_fault(ledger, line.utc);
+  if (!fault.empty() && line.kind != clock_kind) {
+    throw std::system_error(EPERM, std::generic_category(), root.string() + "/" + fault);
+  }
   append(root / ledger_name, text_of(line, ledger.end_hash));
 }
 
@@ -166,6 +172,14 @@ Ledger read_ledger(const std::filesystem::path& root) {
   return ledger;
 }
 
+std::string clock_fault(const Ledger& ledger, const std::string& now_utc) {
+  if (ledger.lines.empty() || !is_ahead(ledger.lines.back().utc, now_utc)) return "";
+  return fmt::format(
+      "{}: its last line is of {}, which is yet to come by this computer's clock "
+      "({}): put the clock right, or say that it is right: rvbench qualify clock",
+      ledger_name, readable_utc(ledger.lines.back().utc), readable_utc(now_utc));
+}
+
 std::string fault_of(const std::filesystem::path& root, const LedgerLine& line) {
   const std::filesystem::path file = root / line.file;
   const auto hash = sha256_of_file(file);
@@ -184,10 +198,13 @@ std::vector<std::string> ledger_faults(const std::filesystem::path& root) {
   std::vector<std::string> faults;
   std::set<std::filesystem::path> folders{limits_folder_name, qualification_folder_name};
   for (const auto& [file, line] : last_by_file) {
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    const bool is_of_run = folder.has_parent_path();
+    std::error_code unknown;
+    if (is_of_run && !std::filesystem::exists(root / folder, unknown)) continue;  // moved away
     const std::string fault = fault_of(root, *line);
     if (!fault.empty()) faults.push_back(fault);
-    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-    if (!folder.has_parent_path()) folders.insert(folder);
+    if (!is_of_run) folders.insert(folder);
   }
   for (const std::filesystem::path& folder : folders) {
     for (const std::filesystem::path& file : json_files_in(root / folder)) {

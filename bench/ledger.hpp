@@ -19,6 +19,8 @@
 namespace rvbench::bench {
 
 inline constexpr const char* ledger_name = "ledger.jsonl";
+/// The kind of a line that is kept all the same: somebody says that the clock of now is right.
+inline constexpr const char* clock_kind = "clock is right";
 /// What to say of a file that is not in it.
 inline constexpr const char* in_no_line =
     " is in no line of ledger.jsonl, so nobody goes by it: it was put there by hand, or its "
@@ -49,12 +51,17 @@ struct Ledger {
 /// Without lines where there is none yet, or where it has a fault.
 Ledger read_ledger(const std::filesystem::path& root);
 
+/// What is wrong with the clock of now, if the last line is of a time yet to come: nothing is kept
+/// then, for whatever counts for a time would count again. Empty: nothing.
+std::string clock_fault(const Ledger& ledger, const std::string& now_utc);
+
 /// What is wrong with the file of a line that is the last of it: "runs/limits/a.json is missing",
 /// "... was changed since rvbench kept it"; empty: nothing.
 std::string fault_of(const std::filesystem::path& root, const LedgerLine& line);
 
 /// All that is wrong with a ledger, with the files it lists, each by its last line, and with what
-/// lies in a folder of limits or records and is in no line. Run folders are checked by themselves.
+/// lies in a folder of limits or records and is in no line. Whole run folders may have been moved
+/// away; what they came to is in results.db.
 std::vector<std::string> ledger_faults(const std::filesystem::path& root);
 
 /// Nothing is kept meanwhile: whoever reads a ledger and then its files finds both alike. In a root

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 #include <system_error>
 
 #include "bench/campaign.hpp"
@@ -128,19 +129,22 @@ int check_recording(Console& console, const std::string& file) {
   return exit_codes::done;
 }
 
-// What results.db knows of a station's log and that has no more. Empty: nothing is known of any.
-std::string told_of_lost_lines(const std::filesystem::path& log) {
-  const std::filesystem::path runs = log.parent_path().parent_path();
+// What results.db knows of a station's log and that has no more.
+Result<LostAuditLines> lost_lines(const std::filesystem::path& results,
+                                  const std::filesystem::path& log) {
+  const auto file = SqliteFile::open(results, results);
+  if (!file) return file.error();
+  return lost_audit_lines(file.value(), log);
+}
+
+// The results beside a station's log; nothing where it lies alone.
+std::optional<std::filesystem::path> results_of(const std::filesystem::path& log) {
   std::error_code unknown;
-  if (!std::filesystem::equivalent(log, audit_log_of(runs), unknown)) return "";
-  if (!std::filesystem::exists(runs / result_database_name, unknown)) return "";
-  const auto results = SqliteFile::open(runs / result_database_name, runs / result_database_name);
-  if (!results) return "";
-  const auto lost = lost_audit_lines(results.value(), log);
-  if (!lost || lost.value().count == 0) return "";  // one that is older knows no log
-  return fmt::format("lines from {} on ({}) are in {} and not in the log: they were taken away",
-                     readable_utc(lost.value().first_utc), lost.value().count,
-                     (runs / result_database_name).string());
+  const auto whole = std::filesystem::weakly_canonical(log, unknown);
+  const std::filesystem::path runs = whole.parent_path().parent_path();
+  if (unknown || whole != audit_log_of(runs)) return std::nullopt;
+  if (!std::filesystem::exists(runs / result_database_name, unknown)) return std::nullopt;
+  return runs / result_database_name;
 }
 
 // What was taken from its end shows by results.db alone: hence the last hash, to be kept elsewhere.
@@ -150,8 +154,20 @@ int check_audit_log(Console& console, const std::string& file) {
   if (checked->broken_line > 0) {
     return refuse_file(console, file, {{int(checked->broken_line), "", checked->fault}});
   }
-  const std::string lost = told_of_lost_lines(file);
-  if (!lost.empty()) return refuse_file(console, file, {{0, "", lost}});
+  if (const auto results = results_of(file)) {
+    const auto lost = lost_lines(*results, file);
+    if (!lost) {
+      remark(console, "warning", file,
+             as_faults({"it cannot be held against results.db: " + describe(lost.error())}));
+    } else if (lost.value().count > 0) {
+      return refuse_file(
+          console, file,
+          as_faults({fmt::format("lines from {} on ({}) are in {} and not in the log: they were "
+                                 "taken away",
+                                 readable_utc(lost.value().first_utc), lost.value().count,
+                                 results->string())}));
+    }
+  }
   console.out << file << ": audit log, " << checked->lines
               << " lines, each follows the one before; the last has the hash " << checked->last_hash
               << '\n';

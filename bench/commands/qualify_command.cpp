@@ -48,6 +48,9 @@ class QualifyCommand final : public Command {
            "0.01021\n"
            "      --certificate K-4711 --by \"J. Weber\" --on 2026-11-02 --until 2027-11-01\n"
            "  rvbench qualify records --rig bench_a.json             all calibrations entered\n"
+           "  rvbench qualify clock --rig bench_a.json --by \"J. Weber\"   this computer's clock "
+           "is "
+           "right\n"
            "A rig file says in \"qualification\" what is asked of its station. Exit code 0 if the\n"
            "self-test was passed, or status finds the station qualified; else 60.\n";
   }
@@ -56,7 +59,7 @@ class QualifyCommand final : public Command {
              "what to do; default: test",
              &step_,
              false,
-             {"test", "status", "calibrate", "records"}},
+             {"test", "status", "calibrate", "records", "clock"}},
             {"--rig", "rig file with a \"qualification\"", &rig_, true},
             {"--out", "folder of run folders, which keeps the records; default: " + out_, &out_},
             {"--no-tap", "test: nobody is there to tap on the housing", &no_tap_},
@@ -65,7 +68,7 @@ class QualifyCommand final : public Command {
             {"--sensitivity", "calibrate: V per unit, as certified", &sensitivity_},
             {"--no-sensitivity", "calibrate: the certificate states none", &no_sensitivity_},
             {"--certificate", "calibrate: number of the certificate", &certificate_},
-            {"--by", "calibrate: who enters it", &by_},
+            {"--by", "calibrate, clock: who enters or says it", &by_},
             {"--on", "calibrate: day of the calibration, as 2026-11-02", &on_},
             {"--until", "calibrate: last day that it is valid", &until_},
             {"--json", "test, status, records: one JSON document on standard output", &json_}};
@@ -79,6 +82,8 @@ class QualifyCommand final : public Command {
   int status(Console& console) const;
   int calibrate(Console& console) const;
   int records(Console& console) const;
+  int clock(Console& console) const;
+  std::string calibration_fault() const;
   void warn_of_rest(Console& console) const;
 
   const std::filesystem::path lock_folder_;
@@ -102,6 +107,7 @@ int QualifyCommand::run(Console& console) {
                                           "station"}}));
   }
   if (step_ == "calibrate") return calibrate(console);
+  if (step_ == "clock") return clock(console);
   return step_ == "records" ? records(console) : test(console);
 }
 
@@ -199,31 +205,36 @@ int QualifyCommand::status(Console& console) const {
   return refusal ? exit_code(*refusal) : exit_codes::done;
 }
 
-int QualifyCommand::calibrate(Console& console) const {
-  const auto refuse = [&](const std::string& what) {
-    return refuse_usage(console, "qualify calibrate: " + what);
-  };
+// What is wrong with an option of calibrate; "" if nothing is.
+std::string QualifyCommand::calibration_fault() const {
   for (const auto& [value, option] : {std::pair{channel_, "--channel"},
                                       {certificate_, "--certificate"},
                                       {by_, "--by"},
                                       {on_, "--on"},
                                       {until_, "--until"}}) {
-    if (value.empty()) return refuse(std::string("give ") + option);
+    if (value.empty()) return std::string("give ") + option;
     if (value.starts_with(' ') || value.ends_with(' ')) {
-      return refuse(std::string(option) + ": no blank may begin or end it");
+      return std::string(option) + ": no blank may begin or end it";
     }
-    if (value.size() > longest_text) return refuse(std::string(option) + " is too long");
+    if (value.size() > longest_text) return std::string(option) + " is too long";
   }
   std::vector<std::string> channels;
   for (const ChannelInfo& channel : channels_of(file_)) channels.push_back(channel.name);
   if (std::ranges::find(channels, channel_) == channels.end()) {
-    return refuse("the rig has no channel " + hal::in_quotes(channel_) +
-                  hal::what_there_is(channel_, channels));
+    return "the rig has no channel " + hal::in_quotes(channel_) +
+           hal::what_there_is(channel_, channels);
   }
   // Left out by mistake, nobody would hold the rig's against it.
-  if (sensitivity_.has_value() == no_sensitivity_) {
-    return refuse("give --sensitivity, or --no-sensitivity if the certificate states none");
-  }
+  return sensitivity_.has_value() != no_sensitivity_
+             ? ""
+             : "give --sensitivity, or --no-sensitivity if the certificate states none";
+}
+
+int QualifyCommand::calibrate(Console& console) const {
+  const auto refuse = [&](const std::string& what) {
+    return refuse_usage(console, "qualify calibrate: " + what);
+  };
+  if (const std::string fault = calibration_fault(); !fault.empty()) return refuse(fault);
   if (!is_positive(console, "qualify calibrate: --sensitivity", sensitivity_)) {
     return exit_codes::usage;
   }
@@ -258,6 +269,18 @@ int QualifyCommand::calibrate(Console& console) const {
       console.err << "rvbench: warning: " << state.sentence << '\n';
     }
   }
+  return exit_codes::done;
+}
+
+// Once it was ahead: nothing is kept before somebody has looked at it.
+int QualifyCommand::clock(Console& console) const {
+  if (by_.empty()) return refuse_usage(console, "qualify clock: who says so? give --by NAME");
+  try {
+    keep_clock_record(out_, by_);
+  } catch (const std::system_error& error) {
+    return refuse_usage(console, "qualify clock: that cannot be kept: " + reason_of(error));
+  }
+  console.out << "by " << by_ << ", it is " << readable_utc(utc_now()) << " (UTC)\n";
   return exit_codes::done;
 }
 

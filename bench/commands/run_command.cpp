@@ -244,9 +244,12 @@ void RunCommand::hold_against_station(Console& console, Acceptance& acceptance) 
     acceptance.warnings.push_back(warning);
   }
   acceptance.refusal = qualification.refusal();
-  if (acceptance.refusal) return;
+  // One that is gone on with ends anew, whatever keeps it from going on.
+  if (acceptance.refusal && !resume_) return;
   const std::string why = enter_golden_begin(out_, qualification_in(file_), place_.folder);
-  if (!why.empty()) acceptance.refusal = Ending{Outcome::error, ErrorKind::none, why};
+  if (!why.empty() && !acceptance.refusal) {
+    acceptance.refusal = Ending{Outcome::error, ErrorKind::none, why};
+  }
 }
 
 // A run does not end because nobody can be told how it goes.

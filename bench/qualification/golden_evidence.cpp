@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <string>

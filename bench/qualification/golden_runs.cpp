@@ -1,7 +1,6 @@
 #include "bench/qualification/golden_runs.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <system_error>
 
 #include "bench/run_folder.hpp"

@@ -212,13 +212,8 @@ Qualification qualification_of(const QualificationSection& section,
   for (const DamagedRecord& damaged : records.damaged) {
     if (concerns(damaged, section)) all.push_back(state_of("records", "failed", damaged.sentence));
   }
-  const std::string& last_utc = records.last_kept_utc;
-  if (!last_utc.empty() && is_ahead(last_utc, now_utc)) {
-    all.push_back(
-        state_of("records", "failed",
-                 fmt::format("the last line of {} is of {}, which is yet to come by this "
-                             "computer's clock ({}): put the clock right",
-                             ledger_name, readable_utc(last_utc), readable_utc(now_utc))));
+  if (!records.clock_fault.empty()) {
+    all.push_back(state_of("records", "failed", records.clock_fault));
   }
   if (section.self_test) all.push_back(self_test_state(section, records.self_tests, now_utc));
   if (section.calibration) {

@@ -93,6 +93,13 @@ ChartedIndicator read_indicator(hal::ConfigReader& json) {
 GoldenUnitDemand read_golden_unit(hal::ConfigReader& section) {
   GoldenUnitDemand demand;
   demand.serial = section.text("serial");
+  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+  if (demand.serial.starts_with(' ') || demand.serial.ends_with(' ') ||
+      std::ranges::any_of(demand.serial, is_control)) {
+    section.fault("serial",
+                  "no run can have it: no blank may begin or end it, and no control "
+                  "character be in it");
+  }
   demand.plan = section.text("plan");
   demand.max_age_h = section.number("max_age_h", {0.1, longest_age_h}, demand.max_age_h);
   demand.baseline_runs = section.integer("baseline_runs", {double(analysis::least_baseline), 1000},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -21,6 +22,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* calibration = "calibration";
 constexpr const char* self_test = "self_test";
+constexpr const char* clock = "clock";
 constexpr const char* set_aside_kind = "set aside";
 constexpr const char* suffix = ".json";
 
@@ -98,6 +100,7 @@ std::string why_not_taken(StationRecords& records, const std::filesystem::path& 
       records.calibrations.push_back(std::move(record));
       return "";
     }
+    if (kind == clock) return "";
     if (kind != self_test) return "it is no record of a station";
     SelfTestRecord record = self_test_from(json);
     if (!are_times({record.utc})) return "its time is none";
@@ -134,17 +137,25 @@ std::string below_root(const std::string& name) {
   return std::string(qualification_folder_name) + "/" + name;
 }
 
+std::vector<std::filesystem::path> files_in_no_line(const Ledger& ledger,
+                                                    const std::filesystem::path& root) {
+  std::set<std::string> known;
+  for (const LedgerLine& line : ledger.lines) known.insert(line.file);
+  std::vector<std::filesystem::path> files = json_files_in(qualification_folder(root));
+  std::erase_if(files, [&](const std::filesystem::path& file) {
+    return known.contains(below_root(file.filename().string()));
+  });
+  return files;
+}
+
 // Files in no line that told the same as what has just been told anew: from here on they are known,
 // and nobody goes by them.
 void set_aside(LedgerPen& pen, const std::filesystem::path& root, const std::string& kind,
                const std::string& station) {
-  for (const std::filesystem::path& file : json_files_in(qualification_folder(root))) {
-    const std::string name = below_root(file.filename().string());
-    if (read_ledger(root).last_of(name) != nullptr) continue;
+  for (const std::filesystem::path& file : files_in_no_line(read_ledger(root), root)) {
     const DamagedRecord unknown = unknown_record(file);
-    if (unknown.kind == kind && unknown.station == station) {
-      pen.enter(set_aside_kind, station, name);
-    }
+    if (unknown.kind != kind || unknown.station != station) continue;
+    pen.enter(set_aside_kind, station, below_root(file.filename().string()));
   }
 }
 
@@ -171,7 +182,7 @@ StationRecords read_station_records(const std::filesystem::path& root) {
   const LedgerReading reading(root);
   StationRecords records;
   const Ledger ledger = read_ledger(root);
-  if (!ledger.lines.empty()) records.last_kept_utc = ledger.lines.back().utc;
+  records.clock_fault = clock_fault(ledger, utc_now());
   if (!ledger.fault.empty()) {
     records.damaged.push_back({"", "", ledger.fault + ": put back a copy"});
     return records;
@@ -179,8 +190,7 @@ StationRecords read_station_records(const std::filesystem::path& root) {
   // By kind and station: only what tells the same takes the place of what is damaged.
   std::map<std::pair<std::string, std::string>, DamagedRecord> damaged;
   for (const LedgerLine& line : ledger.lines) {
-    const bool is_record = line.file.starts_with(below_root("")) && line.kind != set_aside_kind;
-    if (!is_record) continue;
+    if (!line.file.starts_with(below_root("")) || line.kind == set_aside_kind) continue;
     std::string why = fault_of(root, line);
     if (why.empty()) why = take(records, root / line.file);
     damaged.erase({line.kind, line.of});
@@ -190,8 +200,7 @@ StationRecords read_station_records(const std::filesystem::path& root) {
     damaged[{line.kind, line.of}] = {line.of, line.kind, why};
   }
   for (auto& [kind, record] : damaged) records.damaged.push_back(std::move(record));
-  for (const std::filesystem::path& file : json_files_in(qualification_folder(root))) {
-    if (ledger.last_of(below_root(file.filename().string())) != nullptr) continue;
+  for (const std::filesystem::path& file : files_in_no_line(ledger, root)) {
     records.damaged.push_back(unknown_record(file));
   }
   return records;
@@ -213,6 +222,11 @@ std::string keep_record(const std::filesystem::path& root, const CalibrationReco
 std::string keep_record(const std::filesystem::path& root, const SelfTestRecord& record) {
   return keep(root, self_test, self_test_kind(record.rig_kind), record.station, record.utc,
               to_json(record));
+}
+
+std::string keep_clock_record(const std::filesystem::path& root, const std::string& by) {
+  const std::string utc = utc_now();
+  return keep(root, clock, clock_kind, "", utc, {{"record", clock}, {"utc", utc}, {"by", by}});
 }
 
 }  // namespace rvbench::bench

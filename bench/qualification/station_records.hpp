@@ -45,7 +45,7 @@ struct SelfTestRecord {
 /// A record that may be the newest of its kind and says nothing any more, or one that nobody kept.
 struct DamagedRecord {
   std::string station;   ///< empty: nobody can tell
-  std::string kind;      ///< of its line in the ledger
+  std::string kind;      ///< of its line in the ledger, or of that it should have; empty likewise
   std::string sentence;  ///< with what is to be done
 };
 
@@ -53,7 +53,7 @@ struct StationRecords {
   std::vector<CalibrationRecord> calibrations;  ///< in the order they were entered
   std::vector<SelfTestRecord> self_tests;       ///< in the order they were made
   std::vector<DamagedRecord> damaged;
-  std::string last_kept_utc;  ///< of the ledger's last line, whatever it is of; "": it has none
+  std::string clock_fault;  ///< clock_fault() of their ledger
 };
 
 // The kinds of lines in the ledger.
@@ -71,5 +71,7 @@ StationRecords read_station_records(const std::filesystem::path& root);
 // @return its name in the folder @throws std::system_error
 std::string keep_record(const std::filesystem::path& root, const CalibrationRecord& record);
 std::string keep_record(const std::filesystem::path& root, const SelfTestRecord& record);
+/// That somebody says that this computer's clock is right, whatever the ledger's last line is of.
+std::string keep_clock_record(const std::filesystem::path& root, const std::string& by);
 
 }  // namespace rvbench::bench

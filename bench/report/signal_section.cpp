@@ -156,8 +156,8 @@ std::string signal_section(const ReportInput& input) {
                  imfs.empty()
                      ? ""
                      : paragraph("Each IMF over its first seconds; envelope spectra of the whole "
-                                 "record over orders of the measured shaft angle. Of each planned "
-                                 "speed above, the point with the least load.") +
+                                 "record over orders of the measured shaft angle. Of several "
+                                 "points at one planned speed, the one with the least load.") +
                            imfs);
 }
 

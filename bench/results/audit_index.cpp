@@ -1,5 +1,6 @@
 #include "bench/results/audit_index.hpp"
 
+#include <cstdint>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -10,41 +11,47 @@
 namespace rvbench::bench {
 namespace {
 
-constexpr const char* put_line = "INSERT OR IGNORE INTO audit VALUES (?1, ?2, ?3, ?4, ?5, ?6)";
+constexpr const char* put_line = "INSERT OR IGNORE INTO audit VALUES (?1, ?2, ?3, ?4, ?5)";
+constexpr const char* get_newest = "SELECT hash, line FROM audit ORDER BY rowid DESC LIMIT 1";
 
-struct AuditLine {
-  std::string hash, time_utc, user, address, action, detail;
+// A place in a log: how many lines were read, and the hash of the last.
+struct Place {
+  std::int64_t line = 0;
+  std::string hash = chain_begin;
 };
 
-// Without what is no line of a log.
-std::vector<AuditLine> lines_after(std::istream& in, std::string previous) {
+struct AuditLine {
+  Place place;
+  std::string time_utc, user, action;
+};
+
+// The sound lines from there on; check tells of the others.
+std::vector<AuditLine> lines_after(std::istream& in, Place place) {
   std::vector<AuditLine> lines;
   for (std::string text; std::getline(in, text);) {
-    if (!chain_fault(text, previous).empty()) break;  // check tells
-    previous = hash_of_line(text);
-    const auto json = nlohmann::ordered_json::parse(text);
+    if (!chain_fault(text, place.hash).empty()) break;
+    place = {place.line + 1, hash_of_line(text)};
+    const auto json = nlohmann::json::parse(text);
     const auto text_at = [&](const char* key) {
       return json.contains(key) && json[key].is_string() ? json[key].get<std::string>() : "";
     };
-    lines.push_back({previous, text_at("time_utc"), text_at("user"), text_at("address"),
-                     text_at("action"), json.contains("detail") ? json["detail"].dump() : ""});
+    lines.push_back({place, text_at("time_utc"), text_at("user"), text_at("action")});
   }
   return lines;
 }
 
-// The newest line that is known, if the log has it where it was: the others need not be read again.
-std::string skip_known(std::istream& in, const SqliteFile& file) {
-  SqlStatement newest(file,
-                      "SELECT count(*), (SELECT hash FROM audit ORDER BY rowid DESC LIMIT 1) "
-                      "FROM audit");
-  if (!newest.next()) return chain_begin;
-  const std::string hash = newest.text(1);
+// Goes behind the line that was entered last, if the log has it where it was; else nowhere.
+Place skip_known(std::istream& in, const SqliteFile& file) {
+  SqlStatement newest(file, get_newest);
+  if (!newest.next()) return {};
+  const Place known{newest.integer(1), newest.text(0)};
   std::string text;
-  for (std::int64_t i = newest.integer(0); i > 0; --i) std::getline(in, text);
-  if (in && !hash.empty() && hash_of_line(text) == hash) return hash;
+  for (std::int64_t i = 0; i < known.line && std::getline(in, text); ++i) {
+  }
+  if (in && hash_of_line(text) == known.hash) return known;
   in.clear();
   in.seekg(0);
-  return chain_begin;
+  return {};
 }
 
 }  // namespace
@@ -56,14 +63,14 @@ std::filesystem::path audit_log_of(const std::filesystem::path& runs) {
 Status enter_audit_lines(SqliteFile& file, const std::filesystem::path& log) {
   std::ifstream in(log);
   if (!in) return Done{};
-  const std::string previous = skip_known(in, file);
-  const std::vector<AuditLine> lines = lines_after(in, previous);
+  const Place known = skip_known(in, file);
+  const std::vector<AuditLine> lines = lines_after(in, known);
   if (lines.empty()) return Done{};
   SqlTransaction transaction(file);
   if (!transaction.begun()) return file.failure("cannot be written");
   SqlStatement row(file, put_line);
   for (const AuditLine& line : lines) {
-    row.bind(line.hash, line.time_utc, line.user, line.address, line.action, line.detail);
+    row.bind(line.place.hash, line.place.line, line.time_utc, line.user, line.action);
     if (!row.run()) return file.failure("cannot be written");
   }
   return transaction.commit();

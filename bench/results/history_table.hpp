@@ -19,8 +19,8 @@ struct History {
 /// {"runs": [...]}: a row each, what it was judged to be then, and "rejudged", later judgements.
 std::string history_to_json(const History& history);
 
-/// A line per run, and one below it per later judgement. On a terminal they are no wider than it: a
-/// plan is cut and a reason goes on below; a serial and a verdict stay whole.
+/// A line per run, and one below it per later judgement. On a terminal a plan is cut and a reason
+/// goes on below, so that they are no wider than it but for a serial, which stays whole.
 void print_history(Console& console, const History& history);
 
 }  // namespace rvbench::bench

@@ -108,11 +108,12 @@ constexpr const char* where_runs_were_made = R"sql(
   UPDATE runs SET is_whole = 0;
 )sql";
 
-// 6: who did what: an index of the station's audit log.
+// 6: who did what: an index of the station's audit log. Addresses and details stay in the log,
+// which not everybody may read.
 constexpr const char* who_did_what = R"sql(
   CREATE TABLE audit (
-    hash TEXT NOT NULL UNIQUE, time_utc TEXT NOT NULL, user TEXT NOT NULL, address TEXT NOT NULL,
-    action TEXT NOT NULL, detail TEXT NOT NULL);
+    hash TEXT NOT NULL UNIQUE, line INTEGER NOT NULL, time_utc TEXT NOT NULL, user TEXT NOT NULL,
+    action TEXT NOT NULL);
 )sql";
 
 constexpr std::array table_steps = {runs_alone,       what_was_measured,    what_stations_showed,

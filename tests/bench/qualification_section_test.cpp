@@ -62,6 +62,11 @@ TEST_CASE("a rig that asks for nothing has no section in any of its texts", "[be
 
 TEST_CASE("all faults of a qualification are told at once, with their places", "[bench][station]") {
   CHECK_THAT(faults_of(R"({"station": "EOL 3"})"), Contains("asks for nothing"));
+  for (const char* serial : {"GOLDEN ", " ", R"(GOLD\nEN)"}) {
+    CHECK_THAT(faults_of(R"({"station": "EOL 3", "golden_unit": {"plan": "quick", "serial": ")" +
+                         std::string(serial) + R"("}})"),
+               Contains("/qualification/golden_unit/serial: no run can have it"));
+  }
   const std::string all = faults_of(R"({"station": "", "self_test": {"speed_rpm": 0, "tapp": true},
     "calibration": {"channels": ["accel_1x", "accel_1x", "accel_7x"]},
     "golden_unit": {"serial": "GOLD", "plan": "quick", "baseline_runs": 3, "since": "spring",

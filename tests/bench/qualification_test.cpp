@@ -6,6 +6,7 @@
 #include "bench/qualification/ages.hpp"
 #include "bench/text_file.hpp"
 #include "tests/bench/judgements.hpp"
+#include "tests/bench/ledger_lines.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace rvbench::bench {
@@ -82,10 +83,9 @@ std::string better_than(std::string text) {
   return text.replace(text.find("20261126T"), 9, "20361126T");
 }
 
-// What a folder of runs comes to at `now`, a line each: its ledger has this computer's time.
+// What a folder of runs comes to at `now`, a line each.
 std::string reasons_in(const ScratchFolder& root, const QualificationSection& section) {
   StationEvidence evidence = gather_evidence(root.path(), section);
-  evidence.records.last_kept_utc = now;
   std::string told;
   for (const std::string& reason : qualification_of(section, channels, evidence, now).reasons()) {
     told += reason + "\n";
@@ -237,16 +237,21 @@ TEST_CASE("a self-test counts for what it was judged by", "[bench][station]") {
   CHECK_FALSE(only_state(longer, records).blocks);
 }
 
-TEST_CASE("a clock that runs behind what was kept last lets nothing count", "[bench][station]") {
-  StationRecords records;
-  records.self_tests = {tested("20261127T080000Z")};
-  records.last_kept_utc = "20261127T120300Z";  // another computer's clock
-  CHECK_FALSE(only_state(asks_for_self_test(), records).blocks);
-  records.last_kept_utc = "20270301T080000Z";
-  const auto reasons =
-      qualification_of(asks_for_self_test(), channels, {records, {}}, now).reasons();
-  REQUIRE(reasons.size() == 1);
-  CHECK_THAT(reasons[0], Contains("ledger.jsonl is of 2027-03-01 08:00:00, which is yet to come"));
+TEST_CASE("a clock that runs behind what was kept last lets nothing count, nor be kept",
+          "[bench][station]") {
+  const ScratchFolder root;
+  test::put_in_ledger(root.path(), "20990301T080000Z");
+  CHECK_THAT(reasons_in(root, asks_for_calibration()),
+             Contains("its last line is of 2099-03-01 08:00:00, which is yet to come"));
+  try {
+    keep_record(root.path(), certified("20991127T235959Z"));
+    FAIL("it was kept");
+  } catch (const std::system_error& refused) {
+    CHECK_THAT(reason_of(refused), Contains("say that it is right: rvbench qualify clock"));
+  }
+  keep_clock_record(root.path(), "J. Weber");
+  keep_record(root.path(), certified("20991127T235959Z"));
+  CHECK(reasons_in(root, asks_for_calibration()).empty());
 }
 
 TEST_CASE("a record that was changed, taken away or put there by hand is believed by nobody",
