@@ -10,6 +10,7 @@
 #include "bench/commands/commands.hpp"
 #include "bench/commands/shaft_question.hpp"
 #include "bench/fault_lines.hpp"
+#include "bench/ledger.hpp"
 #include "bench/progress_bar.hpp"
 #include "bench/qualification/ages.hpp"
 #include "bench/qualification/qualification.hpp"
@@ -123,6 +124,10 @@ int QualifyCommand::test(Console& console) {
   hal::Rig& made = std::get<0>(rig);
   if (const std::string why = why_not_on(made, *spec); !why.empty()) {
     return refuse_file(console, rig_, with_lines(rig_, {{0, "/qualification/self_test", why}}));
+  }
+  const Ledger ledger = read_ledger(out_);
+  for (const std::string& fault : {ledger.fault, clock_fault(ledger, utc_now())}) {
+    if (!fault.empty()) return refuse_usage(console, "qualify: no record could be kept: " + fault);
   }
   remark(console, "warning", rig_, remarks_on(file_, rig_).warnings);
   const StopOnSignal signals;

@@ -25,6 +25,7 @@
 #include "bench/run_start.hpp"
 #include "bench/serve/live_feed.hpp"
 #include "bench/serve/watched_rig.hpp"
+#include "bench/sha256.hpp"
 #include "bench/software_version.hpp"
 #include "bench/stop_on_signal.hpp"
 #include "bench/summary.hpp"
@@ -96,6 +97,7 @@ class RunCommand final : public Command {
   bool resume_ = false;
   bool no_report_ = false;
   bool json_ = false;
+  std::string plan_sha256_;  // of its text, before limits are put in force
   LimitsInForce limits_;
   std::string live_;
   RigFile file_;    // what --rig names, read once
@@ -130,6 +132,7 @@ int RunCommand::run(Console& console) {
   if (rig.index() == 1) refuse_file(console, rig_, std::get<1>(rig));
   if (plan.index() == 1 || rig.index() == 1) return exit_codes::bad_file;
   sequences::TestPlan& test = std::get<0>(plan);
+  plan_sha256_ = sha256_of_text(sequences::plan_to_json(test));
   auto limits = put_in_force(out_, plan_, test);
   if (limits.index() == 1) return refuse_usage(console, "run: " + std::get<1>(limits));
   limits_ = std::get<0>(std::move(limits));
@@ -246,7 +249,8 @@ void RunCommand::hold_against_station(Console& console, Acceptance& acceptance) 
   acceptance.refusal = qualification.refusal();
   // One that is gone on with ends anew, whatever keeps it from going on.
   if (acceptance.refusal && !resume_) return;
-  const std::string why = enter_golden_begin(out_, qualification_in(file_), place_.folder);
+  const std::string why =
+      enter_golden_begin(out_, qualification_in(file_), place_.folder, plan_sha256_);
   if (!why.empty() && !acceptance.refusal) {
     acceptance.refusal = Ending{Outcome::error, ErrorKind::none, why};
   }

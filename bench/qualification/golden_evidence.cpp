@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -83,36 +84,51 @@ std::string doubt_of(const std::filesystem::path& root, const LedgerLine& ended,
   return fault.empty() ? run + " was changed: rvbench check tells what" : fault;
 }
 
-// Of another station, kind of rig, unit or plan it is none of this golden unit's.
-bool is_of(const QualificationSection& section, const std::filesystem::path& run) {
+// Whether a folder says that its run was none of this golden unit's. One that lacks a file says
+// nothing.
+bool is_of_another(const QualificationSection& section, const std::filesystem::path& run) {
   const GoldenUnitDemand& demand = *section.golden_unit;
-  const RigOfRun rig = rig_of(run);
-  return rig.station == section.station && rig.kind == section.rig_kind &&
-         rig.golden_serial == demand.serial && rig.golden_plan == demand.plan &&
-         plan_name_in(run) == demand.plan;
+  std::error_code unknown;
+  if (std::filesystem::exists(run / "rig.json", unknown)) {
+    const RigOfRun rig = rig_of(run);
+    const bool is_of_this = rig.station == section.station && rig.kind == section.rig_kind &&
+                            rig.golden_serial == demand.serial && rig.golden_plan == demand.plan;
+    if (!is_of_this) return true;
+  }
+  return std::filesystem::exists(run / "plan.json", unknown) && plan_name_in(run) != demand.plan;
 }
 
-// Runs that measured something and that the ledger does not know: it may have lost its newest
-// lines. Nobody asks for those from before the first that counts.
+// Runs that measured something and that the ledger does not know, by their folders and by the
+// results: it may have lost its newest lines. Nobody asks for those from before the first that
+// counts.
 std::vector<std::string> unknown_runs(const std::filesystem::path& root,
                                       const QualificationSection& section, const Ledger& ledger,
-                                      const std::vector<GoldenLines>& lines) {
+                                      const std::vector<GoldenLines>& lines,
+                                      const std::vector<RunRow>& rows) {
   const GoldenUnitDemand& demand = *section.golden_unit;
   const int first = demand.since_utc.empty() || lines.empty()
                         ? 0
                         : read_run_begin(root / lines.front().folder).number;
-  std::vector<std::string> unknown;
+  std::set<std::string> unknown;
+  const auto note = [&](const std::filesystem::path& run, const std::string& utc, int number) {
+    const std::string start = (run.lexically_relative(root) / "start.json").string();
+    if (ledger.last_of(start) != nullptr || utc < demand.since_utc || number < first) return;
+    if (!is_of_another(section, run)) unknown.insert(run.string());
+  };
   for (const std::filesystem::path& run : folders_in(root / folder_name_of(demand.serial))) {
     std::error_code error;
-    const std::string start = (run.lexically_relative(root) / "start.json").string();
-    if (ledger.last_of(start) != nullptr) continue;
     const RunBegin begin = read_run_begin(run);
-    if (begin.started_utc < demand.since_utc || begin.number < first) continue;
-    if (!std::filesystem::exists(run / "recording.h5", error) || !is_of(section, run)) continue;
-    unknown.push_back(run.string());
+    if (std::filesystem::exists(run / "recording.h5", error)) {
+      note(run, begin.started_utc, begin.number);
+    }
   }
-  std::ranges::sort(unknown);
-  return unknown;
+  for (const RunRow& row : rows) {
+    const bool is_here = row.station == section.station && row.rig_kind == section.rig_kind;
+    if (is_here && row.plan == demand.plan && was_judged(row)) {
+      note(root / row.folder, row.started_utc, row.number);
+    }
+  }
+  return {unknown.begin(), unknown.end()};
 }
 
 // What the ledger's runs came to, in their order.
@@ -141,42 +157,9 @@ void take_runs(GoldenEvidence& evidence, const std::filesystem::path& root,
   }
 }
 
-}  // namespace
-
-GoldenEvidence golden_evidence(const Result<ResultDatabase>& database, const Ledger& ledger,
-                               const QualificationSection& section) {
-  const GoldenUnitDemand& demand = *section.golden_unit;
-  GoldenEvidence evidence;
-  const auto unreadable = [](const IoError& why) {
-    GoldenEvidence none;
-    none.unreadable = describe(why);
-    return none;
-  };
-  if (!database) return unreadable(database.error());
-  const std::filesystem::path& root = database.value().root();
-  const auto rows = database.value().runs(demand.serial);
-  if (!rows) return unreadable(rows.error());
-  const std::vector<GoldenLines> lines = golden_lines(ledger, section);
-  take_runs(evidence, root, lines, rows.value());
-  for (const std::string& run : unknown_runs(root, section, ledger, lines)) {
-    evidence.doubts.push_back(run + " is in no line of ledger.jsonl, which may have lost some");
-  }
-  if (evidence.runs.empty()) return evidence;
-  std::vector<SetPoint> points = demand.points;
-  if (points.empty()) points.emplace_back();  // any: the worst of all
-  for (const ChartedIndicator& indicator : demand.indicators) {
-    for (const SetPoint& point : points) {
-      auto chart = chart_in(database.value(), demand, indicator, point, evidence.runs);
-      if (!chart) return unreadable(chart.error());
-      evidence.charts.push_back(std::move(chart).value());
-    }
-  }
-  return evidence;
-}
-
-std::vector<std::string> golden_reasons(const GoldenEvidence& evidence,
-                                        const GoldenUnitDemand& demand,
-                                        const std::string& now_utc) {
+// Without those of another plan.
+std::vector<std::string> reasons_of(const GoldenEvidence& evidence, const GoldenUnitDemand& demand,
+                                    const std::string& now_utc) {
   const std::string unit = "golden unit " + demand.serial + ": ";
   if (!evidence.unreadable.empty())
     return {unit + "its runs cannot be read: " + evidence.unreadable};
@@ -211,4 +194,52 @@ std::vector<std::string> golden_reasons(const GoldenEvidence& evidence,
   return reasons;
 }
 
+}  // namespace
+
+GoldenEvidence golden_evidence(const Result<ResultDatabase>& database, const Ledger& ledger,
+                               const QualificationSection& section) {
+  const GoldenUnitDemand& demand = *section.golden_unit;
+  GoldenEvidence evidence;
+  const auto unreadable = [](const IoError& why) {
+    GoldenEvidence none;
+    none.unreadable = describe(why);
+    return none;
+  };
+  if (!database) return unreadable(database.error());
+  const std::filesystem::path& root = database.value().root();
+  const auto rows = database.value().runs(demand.serial);
+  if (!rows) return unreadable(rows.error());
+  std::vector<GoldenLines> lines = golden_lines(ledger, section);
+  for (const std::string& run : unknown_runs(root, section, ledger, lines, rows.value())) {
+    evidence.doubts.push_back(run + " is in no line of ledger.jsonl, which may have lost some");
+  }
+  const std::string plan = lines.empty() ? "" : lines.front().plan_sha256;
+  evidence.of_another_plan = static_cast<int>(
+      std::erase_if(lines, [&](const GoldenLines& run) { return run.plan_sha256 != plan; }));
+  take_runs(evidence, root, lines, rows.value());
+  if (evidence.runs.empty()) return evidence;
+  std::vector<SetPoint> points = demand.points;
+  if (points.empty()) points.emplace_back();  // any: the worst of all
+  for (const ChartedIndicator& indicator : demand.indicators) {
+    for (const SetPoint& point : points) {
+      auto chart = chart_in(database.value(), demand, indicator, point, evidence.runs);
+      if (!chart) return unreadable(chart.error());
+      evidence.charts.push_back(std::move(chart).value());
+    }
+  }
+  return evidence;
+}
+
+std::vector<std::string> golden_reasons(const GoldenEvidence& evidence,
+                                        const GoldenUnitDemand& demand,
+                                        const std::string& now_utc) {
+  std::vector<std::string> reasons = reasons_of(evidence, demand, now_utc);
+  if (!reasons.empty() && evidence.of_another_plan > 0) {
+    reasons.push_back(
+        fmt::format("golden unit {}: {} of its runs are of a plan that is called {}, "
+                    "too, but is not the one of its first: they do not count",
+                    demand.serial, evidence.of_another_plan, demand.plan));
+  }
+  return reasons;
+}
 }  // namespace rvbench::bench

@@ -23,13 +23,15 @@ struct GoldenEvidence {
   std::vector<RunRow> runs;
   std::string newest_without_verdict;  ///< and what is to be done; empty: the newest was judged
   std::vector<std::string> doubts;     ///< of those whose verdict nobody knows any more
+  int of_another_plan = 0;             ///< runs of a plan of that name, but with another text
   std::vector<GoldenChart> charts;
 };
 
 /// @param database  that holds every run there is, or why there is none
 /// @param ledger    of the same folder, read before that: which runs there were, in their order
 /// @param section   with a golden unit: runs on another station or kind of rig do not count, nor
-///                  those on a rig whose file did not name that unit
+///                  those on a rig whose file did not name that unit, nor those of another plan
+///                  than the first one's, whatever its name
 GoldenEvidence golden_evidence(const Result<ResultDatabase>& database, const Ledger& ledger,
                                const QualificationSection& section);
 

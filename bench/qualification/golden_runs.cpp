@@ -9,9 +9,12 @@
 namespace rvbench::bench {
 namespace {
 
-std::string kind_of(const char* step, const QualificationSection& section) {
-  return std::string("golden run ") + step + ", plan " + section.golden_unit->plan +
-         ", a rig of kind " + section.rig_kind;
+constexpr const char* ended_kind = "golden run ended";
+
+// What the kind of a begin has before the plan's hash.
+std::string kind_before(const QualificationSection& section) {
+  return "golden run begun on a rig of kind " + section.rig_kind + ", plan " +
+         section.golden_unit->plan + " with the hash ";
 }
 
 bool is_golden(const QualificationSection* section, const std::filesystem::path& run) {
@@ -41,10 +44,11 @@ std::string why_not(const std::system_error& error) {
 
 std::string enter_golden_begin(const std::filesystem::path& root,
                                const QualificationSection* section,
-                               const std::filesystem::path& run) {
+                               const std::filesystem::path& run, const std::string& plan_sha256) {
   if (!is_golden(section, run)) return "";
   try {
-    LedgerPen(root).enter(kind_of("begun", *section), section->station, start_of(root, run));
+    LedgerPen(root).enter(kind_before(*section) + plan_sha256, section->station,
+                          start_of(root, run));
     return "";
   } catch (const std::system_error& error) {
     return why_not(error);
@@ -59,7 +63,7 @@ std::string enter_golden_end(const std::filesystem::path& root, const Qualificat
     const Ledger ledger = read_ledger(root);
     const bool has_begun = ledger.last_of(start_of(root, run)) != nullptr;
     if (ledger.fault.empty() && !has_begun) return "";
-    pen.enter(kind_of("ended", *section), section->station, verdict_of(root, run));
+    pen.enter(ended_kind, section->station, verdict_of(root, run));
     return "";
   } catch (const std::system_error& error) {
     return why_not(error);
@@ -68,18 +72,19 @@ std::string enter_golden_end(const std::filesystem::path& root, const Qualificat
 
 std::vector<GoldenLines> golden_lines(const Ledger& ledger, const QualificationSection& section) {
   const std::string unit = folder_name_of(section.golden_unit->serial) + "/";
-  const std::string begun = kind_of("begun", section), ended = kind_of("ended", section);
+  const std::string begun = kind_before(section);
   std::vector<GoldenLines> runs;
   for (const LedgerLine& line : ledger.lines) {
     if (line.of != section.station || !line.file.starts_with(unit)) continue;
     const std::string folder = std::filesystem::path(line.file).parent_path().string();
     const auto run = std::find_if(runs.rbegin(), runs.rend(),
                                   [&](const GoldenLines& there) { return there.folder == folder; });
+    const bool begins = line.kind.starts_with(begun);
     if (run != runs.rend()) {
-      if (line.kind == begun) run->ended = nullptr;  // gone on with
-      if (line.kind == ended) run->ended = &line;
-    } else if (line.kind == begun) {
-      runs.push_back({folder, &line, nullptr});
+      if (begins) run->ended = nullptr;  // gone on with
+      if (line.kind == ended_kind) run->ended = &line;
+    } else if (begins) {
+      runs.push_back({folder, line.kind.substr(begun.size()), &line, nullptr});
     }
   }
   const auto before = std::find_if(runs.rbegin(), runs.rend(), [&](const GoldenLines& run) {

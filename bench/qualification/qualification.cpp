@@ -123,7 +123,7 @@ RequirementState calibration_state(const std::string& station, const ChannelInfo
     return state_of(
         name, "failed",
         fmt::format("{}: certificate {} was {} on {}, which is yet to come by this "
-                    "computer's clock ({}): which of them is wrong?",
+                    "computer's clock ({}): put the clock right, or enter that certificate again",
                     name, newest->certificate, what, day_of(utc), readable_utc(now_utc)));
   }
   const double left_days = days_between(now_utc, newest->valid_until_utc);

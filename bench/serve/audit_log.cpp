@@ -41,6 +41,7 @@ IoError failure(const std::filesystem::path& file) {
 AuditLog::AuditLog(std::filesystem::path file) : file_(std::move(file)), previous_(chain_begin) {
   const auto there = check_audit(file_);
   descriptor_ = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0640);
+  note_size();
   if (!there) return;
   is_new_ = there->lines == 0;
   previous_ = there->last_hash;
@@ -55,6 +56,7 @@ void AuditLog::mend_end(const AuditCheck& there) {
   const bool is_out =
       !there.is_last_sound && ::fstat(descriptor_, &now) == 0 &&
       ::ftruncate(descriptor_, now.st_size - static_cast<off_t>(cut_short.size())) == 0;
+  note_size();
   const nlohmann::json told{{"text", cut_short}};
   if (is_out && add({"", "", "cut short",
                      told.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace)})) {
@@ -62,22 +64,32 @@ void AuditLog::mend_end(const AuditCheck& there) {
   }
   if (is_out) (void)::write(descriptor_, cut_short.data(), cut_short.size());
   (void)::write(descriptor_, "\n", 1);
+  note_size();
+}
+
+void AuditLog::note_size() {
+  struct stat now {};
+  if (::fstat(descriptor_, &now) == 0) bytes_ = now.st_size;
 }
 
 AuditLog::~AuditLog() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-// A file that was moved or deleted takes whatever is written, and nobody sees it.
+// A file that was moved or deleted takes whatever is written, and nobody sees it; behind one that
+// was cut short lines would follow none.
 Status AuditLog::is_in_place() const {
   struct stat open {};
   struct stat named {};
   if (::fstat(descriptor_, &open) != 0) return failure(file_);
-  if (::stat(file_.c_str(), &named) == 0 && named.st_dev == open.st_dev &&
-      named.st_ino == open.st_ino) {
-    return Done{};
+  const bool is_this = ::stat(file_.c_str(), &named) == 0 && named.st_dev == open.st_dev &&
+                       named.st_ino == open.st_ino;
+  if (!is_this) {
+    return IoError{IoErrc::refused,
+                   file_.string() + " is gone, or another file stands in its place"};
   }
-  return IoError{IoErrc::refused, file_.string() + " is gone, or another file stands in its place"};
+  if (open.st_size == bytes_) return Done{};
+  return IoError{IoErrc::refused, file_.string() + " was changed by another hand: serve it anew"};
 }
 
 Status AuditLog::add(const AuditEntry& entry) {
@@ -94,6 +106,7 @@ Status AuditLog::add(const AuditEntry& entry) {
     [[maybe_unused]] const int cut = ::ftruncate(descriptor_, before.st_size);
     return why;
   }
+  bytes_ = before.st_size + written;
   previous_ = hash_of_line(line.substr(0, line.size() - 1));
   return Done{};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <mutex>
 #include <optional>
@@ -35,10 +36,10 @@ struct AuditCheck {
 ///     {"time_utc":"20261126T101112Z","user":"anna","address":"127.0.0.1","action":"start",
 ///      "detail":{...},"previous":"<64 hex digits>","hash":"<64 hex digits>"}
 ///
-/// See bench/hash_chain.hpp. What a power failure left of a
-/// last line is taken out of the chain when the log is opened again, and told whole in a line of
-/// its own ("cut short"): the act was logged by nobody, and was not done. The first line is
-/// "begun", with a word where an earlier log is gone: that of whoever serves the station.
+/// See bench/hash_chain.hpp. What a power failure left of a last line is taken out of the chain
+/// when the log is opened again, and told whole in a line of its own ("cut short"): the act was
+/// logged by nobody, and was not done. The first line is "begun", with a word where an earlier log
+/// is gone: that of whoever serves the station.
 ///
 /// Threads  any
 class AuditLog {
@@ -52,8 +53,8 @@ class AuditLog {
   /// Whether there was no line when it was opened.
   bool is_new() const { return is_new_; }
 
-  /// On the disk when it returns. What is not logged must not be done: that the file was moved or
-  /// deleted is refused as a full disk is.
+  /// On the disk when it returns. What is not logged must not be done: a file that was moved,
+  /// deleted or changed by another hand is refused as a full disk is.
   Status add(const AuditEntry& entry);
 
   /// The newest lines, oldest first, as a JSON array.
@@ -61,12 +62,14 @@ class AuditLog {
 
  private:
   void mend_end(const AuditCheck& there);
+  void note_size();
   Status is_in_place() const;
 
   std::filesystem::path file_;
   std::mutex mutex_;
   int descriptor_ = -1;
   bool is_new_ = true;
+  std::int64_t bytes_ = 0;  // that the file has, if nobody else wrote to it
   std::string previous_;
 };
 

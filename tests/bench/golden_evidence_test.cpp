@@ -95,10 +95,11 @@ class GoldenRuns {
 
   void go_on(const RunFacts& facts) const {
     const QualificationSection here = section_of(facts);
-    REQUIRE(enter_golden_begin(root_.path(), &here, newest_).empty());
+    REQUIRE(enter_golden_begin(root_.path(), &here, newest_, plan_).empty());
   }
 
   void move_to(const Place& place) { place_ = place; }
+  void take_plan(const std::string& sha256) { plan_ = sha256; }
   std::filesystem::path newest() const { return newest_; }
 
   // 3 and what chance adds, without a pattern that a rule would see.
@@ -129,6 +130,7 @@ class GoldenRuns {
   ScratchFolder root_;
   Place place_;
   std::filesystem::path newest_;
+  std::string plan_ = "of the one text";
   int day_ = 0;
 };
 
@@ -340,7 +342,7 @@ TEST_CASE("a chart that is begun anew begins behind the last run that began befo
   // The first one's clock was wrong.
   Ledger ledger;
   QualificationSection asked = section(demand());
-  const char* kind = "golden run begun, plan quick, a rig of kind bench";
+  const char* kind = "golden run begun on a rig of kind bench, plan quick with the hash 17";
   for (const char* utc : {"20300101T080000Z", "20261101T080000Z", "20261120T080000Z"}) {
     const int number = static_cast<int>(ledger.lines.size()) + 1;
     ledger.lines.push_back(
@@ -367,12 +369,43 @@ TEST_CASE("a golden run that cannot be entered says why", "[bench][station]") {
   GoldenRuns runs;
   runs.enter_sound(1);
   const QualificationSection asked = section(demand());
-  CHECK(enter_golden_begin(runs.root(), nullptr, runs.newest()).empty());
+  CHECK(enter_golden_begin(runs.root(), nullptr, runs.newest(), "").empty());
   write_file(runs.root() / ledger_name, "hello\n");
-  for (const auto& enter : {enter_golden_begin, enter_golden_end}) {
-    CHECK_THAT(enter(runs.root(), &asked, runs.newest()),
+  for (const std::string& why : {enter_golden_begin(runs.root(), &asked, runs.newest(), ""),
+                                 enter_golden_end(runs.root(), &asked, runs.newest())}) {
+    CHECK_THAT(why,
                Contains("cannot be entered into the ledger: ") && Contains("ledger.jsonl:1: "));
   }
+}
+
+TEST_CASE("a run by a plan with the same name and another text is none of the golden unit's",
+          "[bench][station]") {
+  GoldenRuns runs;
+  runs.enter_sound(20);
+  runs.enter(9, [](Judgement& judgement) { judgement.ending.outcome = Outcome::fail; });
+  runs.take_plan("with lax limits");
+  runs.enter(9);
+  const auto reasons = runs.reasons(of_a_week());
+  REQUIRE(reasons.size() == 2);
+  CHECK_THAT(reasons[0], Contains("ended FAIL"));
+  CHECK_THAT(reasons[1], Contains("1 of its runs are of a plan that is called quick, too"));
+}
+
+TEST_CASE("a golden run that the results know and the ledger has lost is not forgotten",
+          "[bench][station]") {
+  GoldenRuns runs;
+  runs.enter_sound(20);
+  runs.enter(3.02);
+  const auto before = read_file(runs.root() / ledger_name).value();
+  runs.enter(9, [](Judgement& judgement) { judgement.ending.outcome = Outcome::fail; });
+  REQUIRE_THAT(only(runs.reasons(demand())), Contains("ended FAIL"));
+  write_file(runs.root() / ledger_name, before);
+  SECTION("with its folder") { std::filesystem::remove_all(runs.newest()); }
+  SECTION("with what says of which unit it was") {
+    std::filesystem::remove(runs.newest() / "rig.json");
+    std::filesystem::remove(runs.newest() / "plan.json");
+  }
+  CHECK_THAT(only(runs.reasons(of_a_week())), Contains("20260122T120000Z is in no line of ledger"));
 }
 
 TEST_CASE("runs on a rig that did not name the golden unit are none of it", "[bench][station]") {

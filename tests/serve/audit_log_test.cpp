@@ -180,6 +180,26 @@ TEST_CASE("a log that was moved or deleted takes nothing, until it is back", "[b
   CHECK_FALSE(AuditLog(file).is_new());
 }
 
+TEST_CASE("a log that was cut short in its place takes nothing, until it is opened anew",
+          "[bench][serve]") {
+  const rvbench::test::ScratchFolder scratch;
+  const auto file = scratch / "audit.jsonl";
+  const AuditEntry entry{"anna", "127.0.0.1", "scan", ""};
+  {
+    AuditLog log(file);
+    REQUIRE(log.add(entry));
+    const auto one_line = std::filesystem::file_size(file);
+    REQUIRE(log.add(entry));
+    std::filesystem::resize_file(file, one_line);
+    const Status cut = log.add(entry);
+    REQUIRE_FALSE(cut);
+    CHECK_THAT(cut.error().where, Contains("was changed by another hand"));
+  }
+  CHECK(AuditLog(file).add(entry));
+  CHECK(check_audit(file)->lines == 2);
+  CHECK(check_audit(file)->broken_line == 0);
+}
+
 TEST_CASE("no audit log is none, and one that cannot be written says so", "[bench][serve]") {
   const rvbench::test::ScratchFolder scratch;
   CHECK_FALSE(check_audit(scratch / "none.jsonl"));
