@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "bench/find_plan.hpp"
@@ -22,7 +21,8 @@ std::optional<TestPlan> if_named(const std::string& name, std::variant<TestPlan,
   return std::get<0>(std::move(plan));
 }
 
-// Of the latest run that tells it.
+}  // namespace
+
 std::optional<TestPlan> plan_of_runs(const std::filesystem::path& root, const std::string& name) {
   std::map<std::string, std::filesystem::path, std::greater<>> runs;  // by when they began
   for (const std::filesystem::path& run : run_folders(root)) {
@@ -33,8 +33,6 @@ std::optional<TestPlan> plan_of_runs(const std::filesystem::path& root, const st
   }
   return if_named(name, find_plan(name));
 }
-
-}  // namespace
 
 std::variant<Faults, std::string> faults_on_runs(const LimitsFile& limits,
                                                  const std::filesystem::path& root,

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "bench/limits_file.hpp"
 #include "hal/config_reader.hpp"
+#include "sequences/plan.hpp"
 
 namespace rvbench::bench {
 
@@ -17,5 +19,9 @@ namespace rvbench::bench {
 /// @param plan_file  in place of that where it is of this name; may be empty
 std::variant<std::vector<hal::ConfigFault>, std::string> faults_on_runs(
     const LimitsFile& limits, const std::filesystem::path& root, const std::string& plan_file);
+
+/// The plan of that name: of the latest run that has it, or the built-in one.
+std::optional<sequences::TestPlan> plan_of_runs(const std::filesystem::path& root,
+                                                const std::string& name);
 
 }  // namespace rvbench::bench

@@ -198,8 +198,9 @@ std::variant<LearningTask, int> LimitsCommand::learning_task(Console& console) c
     return refuse_usage(console, "limits: --content and --confidence lie between 0.5 and 1");
   }
   auto plan = find_plan(plan_);
-  if (plan.index() == 1) return refuse_file(console, plan_, std::get<1>(plan));
-  task.plan = std::get<0>(std::move(plan));
+  auto of_runs = plan.index() == 1 ? plan_of_runs(out_, plan_) : std::nullopt;
+  if (plan.index() == 1 && !of_runs) return refuse_file(console, plan_, std::get<1>(plan));
+  task.plan = of_runs ? std::move(*of_runs) : std::get<0>(std::move(plan));
   const auto limits = put_in_force(out_, plan_, task.plan);
   if (limits.index() == 1) return refuse_usage(console, "limits: " + std::get<1>(limits));
   if (serials_.empty()) return task;
@@ -231,8 +232,11 @@ int LimitsCommand::learn(Console& console) const {
   }
   console.out << learnt_text(learnt.value());
   const auto is_new = [](const LearntLimit& one) { return one.proposal.refusal.empty(); };
-  if (std::ranges::none_of(learnt.value().learnt, is_new)) {
-    return refuse_data(console, "limits: nothing could be learnt, so there is no draft");
+  const auto& asked = learnt.value().learnt;
+  if (std::ranges::none_of(asked, is_new)) {
+    const std::string why =
+        asked.empty() ? "" : ": " + asked[0].limit.measure + ": " + asked[0].proposal.refusal;
+    return refuse_data(console, "limits: nothing could be learnt, so there is no draft" + why);
   }
   return record(console, std::move(learnt).value().file, "proposed");
 }

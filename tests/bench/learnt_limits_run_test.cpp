@@ -21,10 +21,11 @@ using rvbench::test::ScratchFolder;
 using test::CommandAnswer;
 using test::rvbench;
 
-// The two points of the quick plan at 1815 rpm.
-void write_plan(const ScratchFolder& scratch) {
+// The two points of the quick plan at 1815 rpm, as a plan of its own.
+void write_plan(const ScratchFolder& scratch, const std::string& name = "quick") {
   const auto quick = std::ranges::find(plan_files(), "quick", &EmbeddedFile::name);
   auto plan = nlohmann::ordered_json::parse(quick->text);
+  plan["name"] = name;
   plan["main"][0]["speeds_rpm"] = {1815};
   write_file(scratch / "two.json", plan.dump(2));
 }
@@ -71,8 +72,10 @@ std::string enter_alike(const ScratchFolder& scratch, const Judgement& unit,
   return (scratch / (prefix + ".txt")).string();
 }
 
+// @param plan  its file; or its name, as the runs have it
 void learn_and_activate(const ScratchFolder& scratch, const std::string& version,
-                        const std::string& serials, std::vector<std::string> more = {}) {
+                        const std::string& serials, std::vector<std::string> more = {},
+                        const std::string& plan = "two.json") {
   const auto step = [&](std::vector<std::string> words) {
     words.insert(words.begin(), "limits");
     words.insert(words.end(), {"--by", "A. Sato", "--out", (scratch / "runs").string()});
@@ -80,8 +83,9 @@ void learn_and_activate(const ScratchFolder& scratch, const std::string& version
     CAPTURE(answer.out, answer.err);
     REQUIRE(answer.code == 0);
   };
-  std::vector<std::string> learn{"learn",     version, "--plan", (scratch / "two.json").string(),
-                                 "--serials", serials};
+  const bool is_file = plan.ends_with(".json");
+  std::vector<std::string> learn{
+      "learn", version, "--plan", is_file ? (scratch / plan).string() : plan, "--serials", serials};
   learn.insert(learn.end(), more.begin(), more.end());
   step(learn);
   step({"approve", version, "--yes"});
@@ -92,7 +96,7 @@ void learn_and_activate(const ScratchFolder& scratch, const std::string& version
 
 TEST_CASE("a run is judged by limits that were learnt, approved and activated", "[bench][limits]") {
   const ScratchFolder scratch;
-  write_plan(scratch);
+  write_plan(scratch, "two");
   const Run first = run(scratch, "A17");
   REQUIRE(first.answer.code == 0);
   CHECK(first.verdict.at("run").at("limits_version").is_null());
@@ -108,7 +112,8 @@ TEST_CASE("a run is judged by limits that were learnt, approved and activated", 
   CHECK_THAT(good.verdict["limits"][0].at("why").get<std::string>(), Contains("30 good units"));
 
   // Quieter ones: the same unit is beyond what they taught.
-  learn_and_activate(scratch, "v2", enter_alike(scratch, first.judgement, "quiet", {0.5, 0.5}));
+  learn_and_activate(scratch, "v2", enter_alike(scratch, first.judgement, "quiet", {0.5, 0.5}), {},
+                     "two");
   const Run bad = run(scratch, "C");
   CHECK(bad.answer.code == 10);
   CHECK(bad.verdict.at("verdict") == "FAIL");

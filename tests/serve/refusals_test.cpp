@@ -205,7 +205,7 @@ TEST_CASE("limits are learnt through the station, or refused with the reason", "
   const HttpReply none =
       station.post("/api/limits/propose", R"({"version": "v1", "plan": "quick"})");
   CHECK(none.status == 422);
-  CHECK_THAT(none.body, Contains("nothing could be learnt"));
+  CHECK_THAT(none.body, Contains("nothing could be learnt, so there is no draft: "));
   CHECK(station.post("/api/limits/propose", R"({"version": "v1"})").body == none.body);
   CHECK(word_of(station.post("/api/limits/propose", R"({"plan": "quick"})")) == "400 field");
   CHECK(word_of(station.post("/api/limits/propose", R"({"version": "v1", "plan": "--yes"})")) ==
