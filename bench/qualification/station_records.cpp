@@ -117,19 +117,29 @@ std::string take(StationRecords& records, const std::filesystem::path& file) {
   return why.empty() ? "" : file.string() + " is damaged: " + why;
 }
 
+// What takes the place of a record of that kind.
+std::string remedy_of(const std::string& kind) {
+  if (kind.starts_with(self_test)) return "test anew";
+  return kind == clock_kind ? "say it again: rvbench qualify clock"
+                            : "enter that certificate again";
+}
+
 // Of a file that is in no line: the ledger may have lost its newest ones, and an older record would
 // count again.
 DamagedRecord unknown_record(const std::filesystem::path& file) {
-  const std::string sentence = file.string() + in_no_line;
+  const std::string sentence = file.string() + in_no_line + ": ";
   StationRecords one;
-  if (!take(one, file).empty()) return {"", "", sentence + ": take it away"};
-  if (one.self_tests.empty()) {
-    const CalibrationRecord& record = one.calibrations[0];
-    return {record.station, calibration_kind(record.channel, record.certificate),
-            sentence + ": enter that certificate again"};
+  if (!take(one, file).empty()) return {"", "", sentence + "take it away"};
+  std::string station, kind = clock_kind;
+  for (const SelfTestRecord& record : one.self_tests) {
+    station = record.station;
+    kind = self_test_kind(record.rig_kind);
   }
-  const SelfTestRecord& record = one.self_tests[0];
-  return {record.station, self_test_kind(record.rig_kind), sentence + ": test anew"};
+  for (const CalibrationRecord& record : one.calibrations) {
+    station = record.station;
+    kind = calibration_kind(record.channel, record.certificate);
+  }
+  return {station, kind, sentence + remedy_of(kind)};
 }
 
 // A file of the folder, as the ledger and the records name it.
@@ -195,8 +205,7 @@ StationRecords read_station_records(const std::filesystem::path& root) {
     if (why.empty()) why = take(records, root / line.file);
     damaged.erase({line.kind, line.of});
     if (why.empty()) continue;
-    why += line.kind.starts_with(self_test) ? ": put back a copy, or test anew"
-                                            : ": put back a copy, or enter that certificate again";
+    why += ": put back a copy, or " + remedy_of(line.kind);
     damaged[{line.kind, line.of}] = {line.of, line.kind, why};
   }
   for (auto& [kind, record] : damaged) records.damaged.push_back(std::move(record));

@@ -254,6 +254,25 @@ TEST_CASE("a clock that runs behind what was kept last lets nothing count, nor b
   CHECK(reasons_in(root, asks_for_calibration()).empty());
 }
 
+TEST_CASE("what somebody said of the clock is a record like any other", "[bench][station]") {
+  const ScratchFolder root;
+  keep_record(root.path(), certified("20991127T235959Z"));
+  const std::string before = read_file(root / ledger_name).value();
+  const auto file = qualification_folder(root.path()) / keep_clock_record(root.path(), "J. Weber");
+  const auto told = [&] { return reasons_in(root, asks_for_calibration()); };
+  const std::string remedy = "say it again: rvbench qualify clock";
+  SECTION("taken away") {
+    std::filesystem::remove(file);
+    CHECK_THAT(told(), Contains(" is missing") && Contains(remedy));
+  }
+  SECTION("in no line") {
+    write_file(root / ledger_name, before);
+    CHECK_THAT(told(), Contains(" is in no line") && Contains(remedy));
+  }
+  keep_clock_record(root.path(), "J. Weber");
+  CHECK(told().empty());
+}
+
 TEST_CASE("a record that was changed, taken away or put there by hand is believed by nobody",
           "[bench][station]") {
   const ScratchFolder root;
