@@ -13,6 +13,7 @@
 #include "bench/software_version.hpp"
 #include "bench/verdict_json.hpp"
 #include "hal/did_you_mean.hpp"
+#include "hal/formats/printable.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -60,8 +61,7 @@ std::string text_fault(const std::string& text) {
   constexpr std::size_t most_bytes = 4096;  // of a path
   if (text.find_first_not_of(' ') == std::string::npos) return "must not be empty";
   if (text.size() > most_bytes) return fmt::format("must not be longer than {} bytes", most_bytes);
-  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-  if (std::ranges::any_of(text, is_control))
+  if (hal::formats::has_control_character(text))
     return "must be free of control characters, unlike " + hal::in_quotes(text);
   return "";
 }

@@ -89,10 +89,9 @@ FileLock lock_of(const std::filesystem::path& root) {
   std::optional<FileLock> lock;
   const auto take = [&] { return (lock = FileLock::take(file)).has_value(); };
   if (!is_taken_in_time(take)) {
-    throw std::system_error(EWOULDBLOCK, std::generic_category(),
-                            file.string() +
-                                " is held by another rvbench: wait for its end, or "
-                                "stop it");
+    throw std::system_error(
+        EWOULDBLOCK, std::generic_category(),
+        file.string() + " is held by another rvbench: wait for its end, or stop it");
   }
   return std::move(*lock);
 }
@@ -144,6 +143,12 @@ const LedgerLine* Ledger::last_of(const std::string& file) const {
   return found == lines.rend() ? nullptr : &*found;
 }
 
+std::set<std::string> files_of(const Ledger& ledger) {
+  std::set<std::string> files;
+  for (const LedgerLine& line : ledger.lines) files.insert(line.file);
+  return files;
+}
+
 Ledger read_ledger(const std::filesystem::path& root) {
   Ledger ledger;
   ledger.end_hash = chain_begin;
@@ -175,8 +180,8 @@ Ledger read_ledger(const std::filesystem::path& root) {
 std::string clock_fault(const Ledger& ledger, const std::string& now_utc) {
   if (ledger.lines.empty() || !is_ahead(ledger.lines.back().utc, now_utc)) return "";
   return fmt::format(
-      "{}: its last line is of {}, which is yet to come by this computer's clock "
-      "({}): put the clock right, or say that it is right: rvbench qualify clock",
+      "{}: its last line is of {}, which is yet to come by this computer's clock ({}): put the "
+      "clock right, or say that it is right: rvbench qualify clock",
       ledger_name, readable_utc(ledger.lines.back().utc), readable_utc(now_utc));
 }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,9 @@ struct Ledger {
   /// The last of that file; null if it was never kept.
   const LedgerLine* last_of(const std::string& file) const;
 };
+
+/// All that it has a line of.
+std::set<std::string> files_of(const Ledger& ledger);
 
 /// Without lines where there is none yet, or where it has a fault.
 Ledger read_ledger(const std::filesystem::path& root);

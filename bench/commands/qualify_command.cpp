@@ -50,8 +50,7 @@ class QualifyCommand final : public Command {
            "      --certificate K-4711 --by \"J. Weber\" --on 2026-11-02 --until 2027-11-01\n"
            "  rvbench qualify records --rig bench_a.json             all calibrations entered\n"
            "  rvbench qualify clock --rig bench_a.json --by \"J. Weber\"   this computer's clock "
-           "is "
-           "right\n"
+           "is right\n"
            "A rig file says in \"qualification\" what is asked of its station. Exit code 0 if the\n"
            "self-test was passed, or status finds the station qualified; else 60.\n";
   }

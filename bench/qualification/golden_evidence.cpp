@@ -109,24 +109,26 @@ std::vector<std::string> unknown_runs(const std::filesystem::path& root,
   const int first = demand.since_utc.empty() || lines.empty()
                         ? 0
                         : read_run_begin(root / lines.front().folder).number;
+  const std::set<std::string> known = files_of(ledger);
+  const auto is_known = [&](const std::string& folder) {
+    return known.contains((std::filesystem::path(folder) / "start.json").string());
+  };
   std::set<std::string> unknown;
-  const auto note = [&](const std::filesystem::path& run, const std::string& utc, int number) {
-    const std::string start = (run.lexically_relative(root) / "start.json").string();
-    if (ledger.last_of(start) != nullptr || utc < demand.since_utc || number < first) return;
-    if (!is_of_another(section, run)) unknown.insert(run.string());
+  const auto note = [&](const std::string& folder, const std::string& utc, int number) {
+    if (utc < demand.since_utc || number < first) return;
+    if (!is_of_another(section, root / folder)) unknown.insert((root / folder).string());
   };
   for (const std::filesystem::path& run : folders_in(root / folder_name_of(demand.serial))) {
     std::error_code error;
+    const std::string folder = run.lexically_relative(root).string();
+    if (is_known(folder) || !std::filesystem::exists(run / "recording.h5", error)) continue;
     const RunBegin begin = read_run_begin(run);
-    if (std::filesystem::exists(run / "recording.h5", error)) {
-      note(run, begin.started_utc, begin.number);
-    }
+    note(folder, begin.started_utc, begin.number);
   }
   for (const RunRow& row : rows) {
     const bool is_here = row.station == section.station && row.rig_kind == section.rig_kind;
-    if (is_here && row.plan == demand.plan && was_judged(row)) {
-      note(root / row.folder, row.started_utc, row.number);
-    }
+    if (!is_here || row.plan != demand.plan || !was_judged(row) || is_known(row.folder)) continue;
+    note(row.folder, row.started_utc, row.number);
   }
   return {unknown.begin(), unknown.end()};
 }
@@ -236,10 +238,11 @@ std::vector<std::string> golden_reasons(const GoldenEvidence& evidence,
   std::vector<std::string> reasons = reasons_of(evidence, demand, now_utc);
   if (!reasons.empty() && evidence.of_another_plan > 0) {
     reasons.push_back(
-        fmt::format("golden unit {}: {} of its runs are of a plan that is called {}, "
-                    "too, but is not the one of its first: they do not count",
+        fmt::format("golden unit {}: {} of its runs are of a plan that is called {}, too, but is "
+                    "not the one of its first: they do not count",
                     demand.serial, evidence.of_another_plan, demand.plan));
   }
   return reasons;
 }
+
 }  // namespace rvbench::bench

@@ -9,6 +9,7 @@
 namespace rvbench::bench {
 namespace {
 
+constexpr const char* start_file = "start.json";
 constexpr const char* ended_kind = "golden run ended";
 
 // What the kind of a begin has before the plan's hash.
@@ -28,14 +29,6 @@ std::string file_of(const std::filesystem::path& root, const std::filesystem::pa
   return (run.lexically_relative(root) / name).string();
 }
 
-std::string start_of(const std::filesystem::path& root, const std::filesystem::path& run) {
-  return file_of(root, run, "start.json");
-}
-
-std::string verdict_of(const std::filesystem::path& root, const std::filesystem::path& run) {
-  return file_of(root, run, "verdict.json");
-}
-
 std::string why_not(const std::system_error& error) {
   return "the golden unit's run cannot be entered into the ledger: " + reason_of(error);
 }
@@ -48,7 +41,7 @@ std::string enter_golden_begin(const std::filesystem::path& root,
   if (!is_golden(section, run)) return "";
   try {
     LedgerPen(root).enter(kind_before(*section) + plan_sha256, section->station,
-                          start_of(root, run));
+                          file_of(root, run, start_file));
     return "";
   } catch (const std::system_error& error) {
     return why_not(error);
@@ -61,9 +54,9 @@ std::string enter_golden_end(const std::filesystem::path& root, const Qualificat
   try {
     LedgerPen pen(root);
     const Ledger ledger = read_ledger(root);
-    const bool has_begun = ledger.last_of(start_of(root, run)) != nullptr;
+    const bool has_begun = ledger.last_of(file_of(root, run, start_file)) != nullptr;
     if (ledger.fault.empty() && !has_begun) return "";
-    pen.enter(ended_kind, section->station, verdict_of(root, run));
+    pen.enter(ended_kind, section->station, file_of(root, run, "verdict.json"));
     return "";
   } catch (const std::system_error& error) {
     return why_not(error);

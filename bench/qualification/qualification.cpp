@@ -162,12 +162,15 @@ RequirementState golden_state(const GoldenUnitDemand& demand, const GoldenEviden
 
 StationEvidence gather_evidence(const std::filesystem::path& root,
                                 const QualificationSection& section) {
-  StationEvidence evidence{read_station_records(root), {}};
+  StationEvidence evidence;
+  std::optional<LedgerReading> reading(std::in_place, root);
+  const Ledger ledger = read_ledger(root);
+  evidence.records = read_station_records(root, ledger);
+  reading.reset();
   if (!section.golden_unit) return evidence;
   std::error_code unknown;
   if (!std::filesystem::is_directory(root, unknown)) return evidence;  // no run yet
-  // Before the results: a run that ends meanwhile is still at work by the ledger.
-  const Ledger ledger = read_ledger(root);
+  // The results are asked later: a run that ends meanwhile is still at work by the ledger.
   if (!ledger.fault.empty()) {
     evidence.golden.unreadable = ledger.fault;
     return evidence;

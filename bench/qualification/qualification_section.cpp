@@ -10,6 +10,7 @@
 #include "analysis/station/control_chart.hpp"
 #include "bench/results/run_filter.hpp"
 #include "hal/did_you_mean.hpp"
+#include "hal/formats/printable.hpp"
 #include "hal/types/measure.hpp"
 
 namespace rvbench::bench {
@@ -93,9 +94,8 @@ ChartedIndicator read_indicator(hal::ConfigReader& json) {
 GoldenUnitDemand read_golden_unit(hal::ConfigReader& section) {
   GoldenUnitDemand demand;
   demand.serial = section.text("serial");
-  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
   if (demand.serial.starts_with(' ') || demand.serial.ends_with(' ') ||
-      std::ranges::any_of(demand.serial, is_control)) {
+      hal::formats::has_control_character(demand.serial)) {
     section.fault("serial",
                   "no run can have it: no blank may begin or end it, and no control "
                   "character be in it");

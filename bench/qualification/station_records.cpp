@@ -149,8 +149,7 @@ std::string below_root(const std::string& name) {
 
 std::vector<std::filesystem::path> files_in_no_line(const Ledger& ledger,
                                                     const std::filesystem::path& root) {
-  std::set<std::string> known;
-  for (const LedgerLine& line : ledger.lines) known.insert(line.file);
+  const std::set<std::string> known = files_of(ledger);
   std::vector<std::filesystem::path> files = json_files_in(qualification_folder(root));
   std::erase_if(files, [&](const std::filesystem::path& file) {
     return known.contains(below_root(file.filename().string()));
@@ -190,8 +189,11 @@ std::filesystem::path qualification_folder(const std::filesystem::path& root) {
 
 StationRecords read_station_records(const std::filesystem::path& root) {
   const LedgerReading reading(root);
+  return read_station_records(root, read_ledger(root));
+}
+
+StationRecords read_station_records(const std::filesystem::path& root, const Ledger& ledger) {
   StationRecords records;
-  const Ledger ledger = read_ledger(root);
   records.clock_fault = clock_fault(ledger, utc_now());
   if (!ledger.fault.empty()) {
     records.damaged.push_back({"", "", ledger.fault + ": put back a copy"});

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "bench/ledger.hpp"
 #include "bench/qualification/self_test_step.hpp"
 #include "hal/types/recording.hpp"
 
@@ -66,6 +67,8 @@ std::filesystem::path qualification_folder(const std::filesystem::path& root);
 /// Those of every station that are as they were kept; the others are left out, and told where no
 /// record of the same came after.
 StationRecords read_station_records(const std::filesystem::path& root);
+/// By a ledger that was read while nothing was kept, and still is not: LedgerReading.
+StationRecords read_station_records(const std::filesystem::path& root, const Ledger& ledger);
 
 // Each makes a further file, on the disk and in the ledger when it returns, and never replaces one.
 // @return its name in the folder @throws std::system_error

@@ -8,7 +8,6 @@
 #include "bench/find_plan.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/run_folder.hpp"
-#include "bench/serve/http.hpp"
 #include "bench/serve/json_fields.hpp"
 #include "bench/serve/station_state.hpp"
 #include "bench/text_file.hpp"

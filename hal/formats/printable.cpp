@@ -31,6 +31,8 @@ std::string printable(std::string_view text) {
   return out;
 }
 
+bool has_control_character(std::string_view text) { return std::ranges::any_of(text, is_control); }
+
 bool make_printable(Recording& recording) {
   bool was_not = make_printable(recording.status);
   for (Channel& channel : recording.channels) {

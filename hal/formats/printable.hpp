@@ -15,6 +15,9 @@ std::string printable(std::string_view text);
 /// @return whether any was another before
 bool make_printable(Recording& recording);
 
+/// A line's end, a tab, DEL, ...
+bool has_control_character(std::string_view text);
+
 /// What is told where it was.
 inline constexpr const char* was_not_printable =
     "characters of names or other text that cannot be shown stand as ?";
