@@ -47,6 +47,7 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 std::string what_there_is(std::string_view wrong, const std::vector<std::string>& names) {
+  if (names.empty()) return " (there is none)";
   return " (there are: " + listed(names) + ")" + did_you_mean(wrong, names);
 }
 

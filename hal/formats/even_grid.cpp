@@ -5,8 +5,6 @@
 
 namespace rvbench::hal::formats {
 
-constexpr double least_step = 1e-100;  // so that a rate is finite
-
 std::optional<double> even_step(const Eigen::VectorXd& x) {
   const Eigen::Index n = x.size();
   if (n < 2 || !x.allFinite()) return std::nullopt;

@@ -5,6 +5,8 @@
 
 namespace rvbench::hal::formats {
 
+inline constexpr double least_step = 1e-100;  ///< so that a rate is finite
+
 /// The step of times or frequencies that rise evenly; nothing if they do not, or are fewer than
 /// two.
 ///

@@ -16,11 +16,12 @@ namespace rvbench::hal::formats {
 namespace {
 
 // A damaged file of some kilobytes may claim silence without end: an encoder's blocks of 4096
-// samples of silence in eight channels are 800 values per byte.
+// samples of silence in eight channels are 800 values per byte. What is no silence takes a bit for
+// each value at the least, so long records are bounded by their own size.
 std::size_t most_values_in(std::size_t bytes) {
   constexpr std::size_t of_any = std::size_t{1} << 22U, per_byte = 1024;
-  constexpr std::size_t most = std::size_t{1} << 28U;
-  return std::min(most, of_any + per_byte * bytes);
+  constexpr std::size_t most_of_silence = std::size_t{1} << 28U, bits_per_byte = 8;
+  return std::max(std::min(most_of_silence, of_any + per_byte * bytes), bits_per_byte * bytes);
 }
 
 // Samples that are not there: libFLAC stands silence in for some of them.

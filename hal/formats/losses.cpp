@@ -69,6 +69,27 @@ Fault fault_of(const Channel& channel, const Writer& writer) {
   return std::nullopt;
 }
 
+void tell_of_cut_status(const std::vector<Recording>& recordings, const Writer& writer,
+                        std::vector<std::string>& lost) {
+  const std::size_t most = writer.holds.status_bytes;
+  const auto is_cut = [most](const Recording& recording) { return recording.status.size() > most; };
+  if (std::ranges::none_of(recordings, is_cut)) return;
+  lost.push_back(fmt::format("{} holds {} bytes of the status: it is cut", writer.name, most));
+}
+
+void tell_of_rounded_times(const std::vector<Recording>& recordings, const Writer& writer,
+                           std::vector<std::string>& lost) {
+  const int digits = writer.holds.time_digits;
+  const auto is_off = [digits](const Channel& c) {
+    return is_rounded(1 / c.rate_Hz, digits) || is_rounded(c.start_s, digits);
+  };
+  if (!any_channel(recordings, is_off)) return;
+  lost.push_back(
+      fmt::format("{} holds {} digits of the sample interval and of the first sample's time: they "
+                  "are rounded",
+                  writer.name, digits));
+}
+
 }  // namespace
 
 std::optional<std::string> unwritable(const Recording& recording, const Writer& writer) {
@@ -102,15 +123,8 @@ std::vector<std::string> losses(const std::vector<Recording>& recordings, const 
   tell(holds.start_time, std::ranges::any_of(recordings, has_start), "the start time");
   tell(holds.facts, std::ranges::any_of(recordings, has_facts),
        "speed, load, torque, repeat and status");
-  if (any([&holds](const Channel& c) {
-        return is_rounded(1 / c.rate_Hz, holds.time_digits) ||
-               is_rounded(c.start_s, holds.time_digits);
-      })) {
-    lost.push_back(
-        fmt::format("{} holds {} digits of the sample interval and of the first "
-                    "sample's time: they are rounded",
-                    writer.name, holds.time_digits));
-  }
+  tell_of_cut_status(recordings, writer, lost);
+  tell_of_rounded_times(recordings, writer, lost);
   if (!holds.floats) {
     lost.push_back(
         fmt::format("{} holds whole steps, 2^23 - 1 of them up to the peak of each "

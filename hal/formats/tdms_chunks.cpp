@@ -178,8 +178,9 @@ void take_daqmx(std::string_view chunk, std::endian order, const std::vector<Tdm
   }
 }
 
-bool is_empty(const TdmsPlace& place) {
-  return place.index.count == 0 && place.index.text_bytes == 0;
+// Those of DAQmx have their bytes in buffers.
+bool is_empty(const TdmsPlace& place, bool is_daqmx) {
+  return is_daqmx ? place.index.count == 0 : plain_bytes(place.index) == 0;
 }
 
 Fault find_fault(const TdmsStorage& storage, const std::vector<TdmsPlace>& layout) {
@@ -202,10 +203,11 @@ std::optional<std::string> take_tdms_chunks(std::string_view bytes, const TdmsSt
   if (!chunk.is_daqmx) {
     if (auto fault = find_fault(storage, layout)) return fault;
   }
-  if (std::ranges::any_of(layout, is_empty)) {
+  const auto is_nothing = [&](const TdmsPlace& place) { return is_empty(place, chunk.is_daqmx); };
+  if (std::ranges::any_of(layout, is_nothing)) {
     // Each chunk of a byte would ask all of them.
     std::vector<TdmsPlace> filled;
-    std::ranges::remove_copy_if(layout, std::back_inserter(filled), is_empty);
+    std::ranges::remove_copy_if(layout, std::back_inserter(filled), is_nothing);
     return take_tdms_chunks(bytes, storage, filled, file);
   }
   while (!bytes.empty()) {

@@ -99,7 +99,7 @@ Fault find_fault(const TdmsObject& object) {
     const std::size_t end = scaler.byte_offset + bytes_of_type(scaler.type);
     if (scaler.type == TdmsType::nothing) return "DAQmx values of an unknown type";
     if (scaler.buffer >= index.row_bytes.size() || end > index.row_bytes[scaler.buffer]) {
-      return fmt::format("DAQmx values outside of their buffer");
+      return "DAQmx values outside of their buffer";
     }
   }
   const bool known = index.type == TdmsType::daqmx_raw || index.type == TdmsType::text ||

@@ -17,8 +17,6 @@ namespace {
 
 using Fault = std::optional<std::string>;
 
-constexpr double least_step = 1e-100;  // so that a rate is finite
-
 // Header lines of one data set, with their numbers in the file.
 struct Header {
   std::string_view rest;

@@ -18,6 +18,7 @@ namespace {
 
 constexpr int time_response = 1, real_double = 4, even = 1;
 constexpr std::size_t most_in_place = 10, most_in_axis = 20, most_in_line = 80;
+constexpr std::string_view status_word = "rvbench_status=";
 constexpr int numbers_per_line = 4;
 
 // What an axis is of: its code, and the exponents of length and force in its unit.
@@ -96,7 +97,7 @@ std::string header_of(const Recording& recording, const Channel& channel) {
   const double start_utc_s = noted_start_s(recording);
   const auto [facts, more_facts] = facts_lines(recording);
   std::string lines = id_line(name) + id_line(more_facts) + id_line(uff_date(start_utc_s)) +
-                      id_line(facts) + id_line("rvbench_status=" + recording.status);
+                      id_line(facts) + id_line(std::string(status_word) + recording.status);
   lines += fmt::format("{:5}{:10}{:5}{:10} {}{:10}{:4} {:10}{:10}{:4}\n", time_response, 0, 0, 0,
                        padded(name.size() <= most_in_place ? name : "NONE", most_in_place), 0,
                        code_of(channel.info.direction), "NONE", 0, 0);
@@ -164,8 +165,11 @@ Status write_sets(const std::vector<Recording>& recordings, FileDraft& draft, bo
   return Done{};
 }
 
-constexpr Holds holds{
-    .clocks = true, .any_direction = false, .sensitivities = false, .time_digits = 7};
+constexpr Holds holds{.clocks = true,
+                      .any_direction = false,
+                      .sensitivities = false,
+                      .status_bytes = most_in_line - status_word.size(),
+                      .time_digits = 7};
 
 }  // namespace
 

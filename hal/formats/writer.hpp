@@ -24,11 +24,12 @@ struct Holds {
   bool channel_start = true;  ///< when the first sample was, on the recording's clock
   bool start_time = true;     ///< when the recording began, in UTC
   bool facts = true;          ///< speed, load, torque, repeat, status
-  bool lost_samples = true;   ///< NaN
-  bool doubles = true;        ///< samples as they are, not rounded to single precision
-  bool floats = true;         ///< nor to whole steps
-  bool any_rate = true;       ///< not whole Hz only
-  int time_digits = 17;       ///< of the sample interval and of the first sample's time
+  std::size_t status_bytes = std::string_view::npos;  ///< the most
+  bool lost_samples = true;                           ///< NaN
+  bool doubles = true;   ///< samples to 13 digits or more, not rounded to single precision
+  bool floats = true;    ///< nor to whole steps
+  bool any_rate = true;  ///< not whole Hz only
+  int time_digits = 17;  ///< of the sample interval and of the first sample's time
 };
 
 /// How one format is written. A new one is a new file with a function that returns this, named in

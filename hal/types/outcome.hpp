@@ -1,11 +1,14 @@
 #pragma once
 
+#include <array>
 #include <string>
 
 namespace rvbench {
 
 /// The words of the verdict. FAIL means the unit is bad; ERROR means the bench is at fault.
 enum class Outcome { pass, fail, invalid, error, aborted };
+inline constexpr std::array all_outcomes{Outcome::pass, Outcome::fail, Outcome::invalid,
+                                         Outcome::error, Outcome::aborted};
 
 /// What kind of ERROR: decides the exit code, and what the operator is told to do next.
 enum class ErrorKind {
