@@ -8,6 +8,7 @@
 #include "bench/factory/publisher.hpp"
 #include "bench/fault_lines.hpp"
 #include "bench/file_lock.hpp"
+#include "bench/json_text.hpp"
 #include "bench/stop_on_signal.hpp"
 
 namespace rvbench::bench {
@@ -42,16 +43,19 @@ class PublishCommand final : public Command {
            "waits in the folder's outbox.db while the broker is away (exit 30).\n";
   }
   std::vector<Option> options() override {
-    return {{"--out", "folder of run folders; default: " + out_, &out_},
-            {"--broker", "broker file: where to, and as whom", &broker_, true},
-            {"--follow", "stay, and send results as they come, until Ctrl-C or SIGTERM", &follow_},
-            {"--json", "one JSON document on standard output", &json_}};
+    return {
+        {"--out", "folder of run folders; default: " + out_, &out_},
+        {"--broker", "broker file: where to, and as whom", &broker_, true},
+        {"--follow", "stay, and send results as they come, until Ctrl-C or SIGTERM", &follow_},
+        {"--json",
+         "one JSON document on standard output; with --follow a line for each acknowledged result",
+         &json_}};
   }
   int run(Console& console) override;
 
  private:
   int publish(Console& console, const Broker& broker);
-  int end(Console& console, const Broker& broker, const Outbox& outbox, const Status& status);
+  int end(Console& console, const Broker& broker, const Outbox& outbox, const Ending& ending) const;
 
   std::string out_ = "runs";
   std::string broker_;
@@ -83,7 +87,9 @@ int PublishCommand::publish(Console& console, const Broker& broker) {
   if (!opened) return refuse_data(console, "publish: " + describe(opened.error()));
   Outbox outbox = std::move(opened).value();
   const auto acknowledged = [&](const OutboxEntry& entry) {
-    if (json_) {
+    if (json_ && follow_) {
+      console.out << json_line(json_of(entry)) << '\n' << std::flush;
+    } else if (json_) {
       acknowledged_.push_back(json_of(entry));
     } else {
       console.out << fmt::format("acknowledged: {}, ResultId {}{}\n", entry.folder, entry.result_id,
@@ -105,35 +111,41 @@ int PublishCommand::publish(Console& console, const Broker& broker) {
   } else {
     status = publisher.publish(signals.token());
   }
-  if (!follow_ && signals.token().stop_requested()) {
-    complain(console, "rvbench: publish: interrupted; what is due is sent the next time");
-    return exit_codes::aborted;
-  }
-  return end(console, broker, outbox, status);
+  if (follow_) return exit_codes::done;
+  Ending ending{skipped_.empty() ? Outcome::pass : Outcome::invalid, ErrorKind::none, ""};
+  if (!status) ending = {Outcome::error, ErrorKind::device_lost, status.error().where};
+  if (signals.token().stop_requested()) ending = {Outcome::aborted, ErrorKind::none, "interrupted"};
+  return end(console, broker, outbox, ending);
 }
 
+// Also where not all was sent: what has been acknowledged is not told again.
 int PublishCommand::end(Console& console, const Broker& broker, const Outbox& outbox,
-                        const Status& status) {
-  std::size_t left = 0;
-  for (const char* state : {"sent", "due"}) {
-    const auto ids = outbox.ids_of(state);
-    if (ids) left += ids.value().size();
-  }
-  if (!status) {
-    const std::string waiting = left == 1 ? "1 result waits" : fmt::format("{} results wait", left);
-    complain(console, fmt::format("rvbench: publish: {}; {} in {}", status.error().where, waiting,
-                                  (std::filesystem::path(out_) / outbox_name).string()));
-    return exit_code({Outcome::error, ErrorKind::device_lost, ""});
+                        const Ending& ending) const {
+  const auto counted = outbox.left();
+  const std::size_t left = counted ? counted.value() : 0;
+  if (!ending.reason.empty()) {
+    const std::string waiting =
+        left == 0 ? "nothing is left to be sent"
+                  : fmt::format("{} in {}, to be sent the next time",
+                                left == 1 ? "1 result waits" : fmt::format("{} results wait", left),
+                                (std::filesystem::path(out_) / outbox_name).string());
+    console.err << fmt::format("rvbench: publish: {}; {}\n", ending.reason, waiting);
   }
   if (json_) {
-    const Json told{{"broker", broker.address()},
-                    {"topic", broker.topic},
-                    {"acknowledged", acknowledged_},
-                    {"left", left},
-                    {"skipped", skipped_}};
-    console.out << told.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    Json told{{"broker", broker.address()},
+              {"topic", broker.topic},
+              {"acknowledged", acknowledged_},
+              {"left", left},
+              {"skipped", skipped_}};
+    if (!ending.reason.empty()) {  // as of any command that was refused
+      told["verdict"] = nullptr;
+      told["reason"] = ending.reason;
+      told["error_kind"] = to_string(ending.error_kind);
+    }
+    told["exit_code"] = exit_code(ending);
+    console.out << json_text(told);
   }
-  return skipped_.empty() || follow_ ? exit_codes::done : exit_codes::data_refused;
+  return exit_code(ending);
 }
 
 }  // namespace

@@ -12,8 +12,8 @@ namespace rvbench::bench {
 struct Broker {
   std::string host;
   int port = 1883;
-  std::string ca =
-      {};  ///< file of the authorities that may sign the broker's certificate; "": no TLS
+  /// File of the authorities that may sign the broker's certificate; "": no TLS.
+  std::string ca = {};
   std::string user = {}, password = {};
   std::string client_id = {};
   int qos = 1;

@@ -78,10 +78,12 @@ MqttLink::MqttLink(const Broker& broker, Outbox& outbox)
 MqttLink::~MqttLink() { close(); }
 
 void MqttLink::close() {
-  if (is_up()) {
-    paho_->say_status(broker_, offline);
-    MQTTClient_disconnect(paho_->client, farewell_timeout_ms);
-  }
+  if (is_up()) paho_->say_status(broker_, offline);
+  hang_up();
+}
+
+void MqttLink::hang_up() {
+  if (is_up()) MQTTClient_disconnect(paho_->client, farewell_timeout_ms);
   if (paho_->client != nullptr) MQTTClient_destroy(&paho_->client);
 }
 
@@ -96,8 +98,33 @@ Status MqttLink::make_client() {
   return IoError{IoErrc::refused, fmt::format("MQTT client: {}", MQTTClient_strerror(made))};
 }
 
+// A session goes on only where both sides know of it.
 Status MqttLink::connect() {
-  if (const Status made = make_client(); !made) return made;
+  auto is_old = open(broker_.qos == at_least_once);
+  if (!is_old) return is_old.error();
+  const auto under_way = outbox_.ids_of("sent");
+  if (!under_way) return under_way.error();
+  if (is_old.value() && under_way.value().empty()) {
+    // The broker may remember numbers of messages that nobody follows any more, and take what is
+    // sent under one of them for a repetition (MQTT 3.1.1, 4.3.3).
+    hang_up();
+    if (is_old = open(true); !is_old) return is_old.error();
+    hang_up();
+    if (is_old = open(false); !is_old) return is_old.error();
+  } else if (!is_old.value() && !under_way.value().empty()) {
+    // The broker knows nothing of them any more: the second half of a packet's way would be
+    // answered as if all were well. They are due again, and nothing is under way from here on.
+    if (const Status recalled = outbox_.recall(); !recalled) return recalled;
+    hang_up();
+    if (is_old = open(broker_.qos == at_least_once); !is_old) return is_old.error();
+  }
+  paho_->say_status(broker_, online);
+  return outbox_.note_sent_again();
+}
+
+// Connects. @return whether the broker goes on with a session of before
+Result<bool> MqttLink::open(bool clean) {
+  if (const Status made = make_client(); !made) return made.error();
   const std::string status_topic = broker_.status_topic();
   MQTTClient_willOptions will = MQTTClient_willOptions_initializer;
   will.topicName = status_topic.c_str();
@@ -112,7 +139,7 @@ Status MqttLink::connect() {
   tls.ssl_error_context = &paho_->tls_errors;
   MQTTClient_connectOptions options = MQTTClient_connectOptions_initializer;
   options.keepAliveInterval = broker_.keep_alive_s;
-  options.cleansession = broker_.qos == at_least_once;
+  options.cleansession = clean;
   options.reliable = false;  // else "online" would have to be acknowledged first
   options.will = &will;
   options.username = broker_.user.empty() ? nullptr : broker_.user.c_str();
@@ -120,24 +147,9 @@ Status MqttLink::connect() {
   options.connectTimeout = connect_timeout_s;
   options.MQTTVersion = MQTTVERSION_3_1_1;
   options.ssl = broker_.ca.empty() ? nullptr : &tls;
-
   const int code = MQTTClient_connect(paho_->client, &options);
   if (code != MQTTCLIENT_SUCCESS) return why_not_connected(code);
-  return begin_session(options.returned.sessionPresent != 0);
-}
-
-Status MqttLink::begin_session(bool is_old) {
-  const auto under_way = outbox_.ids_of("sent");
-  if (!under_way) return under_way.error();
-  if (is_old || under_way.value().empty()) {
-    paho_->say_status(broker_, online);
-    return outbox_.note_sent_again();
-  }
-  // The broker knows nothing of them any more: the second half of a packet's way would be answered
-  // as if all were well. They are due again, and nothing is under way in the next session.
-  if (const Status recalled = outbox_.recall(); !recalled) return recalled;
-  close();
-  return connect();
+  return options.returned.sessionPresent != 0;
 }
 
 IoError MqttLink::why_not_connected(int code) const {
@@ -162,6 +174,7 @@ bool MqttLink::is_up() const {
 
 Status MqttLink::send(const OutboxEntry& due, const std::stop_token& stop) {
   const std::string payload = payload_to_send(due);
+  if (const Status noted = outbox_.note_attempt(due.result_id); !noted) return noted;
   paho_->store.begin(due.result_id, sha256_of_text(payload));
   const int code =
       MQTTClient_publish(paho_->client, broker_.topic.c_str(), static_cast<int>(payload.size()),

@@ -32,8 +32,8 @@ constexpr const char* columns_of_id =
     "SELECT result_id, folder, payload, state, sends, message_id, payload_sha256 FROM results "
     "WHERE result_id = ?1";
 constexpr const char* become_sent =
-    "UPDATE results SET state = 'sent', sends = sends + 1, message_id = ?2, payload_sha256 = ?3, "
-    "sent_utc = ?4 WHERE result_id = ?1";
+    "UPDATE results SET state = 'sent', message_id = ?2, payload_sha256 = ?3, sent_utc = ?4 "
+    "WHERE result_id = ?1";
 constexpr const char* become_acknowledged =
     "UPDATE results SET state = 'acknowledged', payload = '', acknowledged_utc = ?2 "
     "WHERE result_id = (SELECT result_id FROM packets WHERE key = ?1)";
@@ -76,6 +76,20 @@ Result<std::optional<OutboxEntry>> Outbox::find(const std::string& result_id) co
 
 Result<std::vector<std::string>> Outbox::ids_of(const std::string& state) const {
   return texts("SELECT result_id FROM results WHERE state = ?1 ORDER BY place", {state});
+}
+
+Result<std::size_t> Outbox::left() const {
+  std::size_t count = 0;
+  for (const char* state : {"due", "sent"}) {
+    const auto ids = ids_of(state);
+    if (!ids) return ids.error();
+    count += ids.value().size();
+  }
+  return count;
+}
+
+Status Outbox::note_attempt(const std::string& result_id) {
+  return execute("UPDATE results SET sends = sends + 1 WHERE result_id = ?1", {result_id});
 }
 
 Status Outbox::note_sent(const std::string& result_id, int message_id,

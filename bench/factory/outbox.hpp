@@ -19,11 +19,11 @@ inline constexpr const char* outbox_lock_name = "outbox.db.lock";
 /// A result on its way to the factory.
 struct OutboxEntry {
   std::string result_id;
-  std::string folder;         ///< of the run, below the root
-  std::string payload;        ///< JSON; "" once it is acknowledged
-  std::string state = "due";  ///< then "sent", then "acknowledged"
-  int sends = 0;              ///< how often it was handed to the network; above 1: perhaps twice
-  int message_id = 0;         ///< of MQTT, when it was sent last
+  std::string folder;               ///< of the run, below the root
+  std::string payload;              ///< JSON; "" once it is acknowledged
+  std::string state = "due";        ///< then "sent", then "acknowledged"
+  int sends = 0;                    ///< how often it may have gone out; above 1: perhaps twice
+  int message_id = 0;               ///< of MQTT, when it was sent last
   std::string payload_sha256 = {};  ///< of what was sent last
 };
 
@@ -48,7 +48,13 @@ class Outbox {
   Result<std::optional<OutboxEntry>> find(const std::string& result_id) const;
   Result<std::vector<std::string>> ids_of(const std::string& state) const;  ///< oldest first
 
-  /// Before its packet goes out.
+  /// How many are not acknowledged yet.
+  Result<std::size_t> left() const;
+
+  /// It may go out from now on: known before anything else is done about it, for a packet may go
+  /// out even if it could not be kept.
+  Status note_attempt(const std::string& result_id);
+  /// Its packet is kept, and goes out.
   Status note_sent(const std::string& result_id, int message_id, const std::string& payload_sha256,
                    const std::string& packet_key, const std::string& packet);
   /// The receiver has the packet: so it has the result.

@@ -27,19 +27,18 @@ Publisher::Publisher(std::filesystem::path root, const Broker& broker, Outbox& o
 
 Status Publisher::publish(const std::stop_token& stop) {
   if (const Status looked = look(); !looked) return looked;
-  const auto due = outbox_.ids_of("due");
-  if (!due) return due.error();
-  const auto under_way = outbox_.ids_of("sent");
-  if (!under_way) return under_way.error();
-  if (due.value().empty() && under_way.value().empty()) return Done{};
+  const auto before = outbox_.left();
+  if (!before) return before.error();
+  if (before.value() == 0) return Done{};
   const Status connected = connect(stop);
   const Status sent = connected ? send_all(stop) : connected;
   if (sent || stop.stop_requested()) {
-    link_.reset();
+    hang_up();
   } else {
-    give_up_link();
+    give_up_link(sent.error());
   }
-  return sent;
+  const auto left = outbox_.left();
+  return left && left.value() == 0 ? Done{} : sent;
 }
 
 void Publisher::follow(const std::stop_token& stop) {
@@ -56,7 +55,7 @@ void Publisher::follow(const std::stop_token& stop) {
       std::this_thread::sleep_for(slice);
     }
   }
-  link_.reset();
+  hang_up();
 }
 
 Status Publisher::go_on(const std::stop_token& stop) {
@@ -118,13 +117,25 @@ Status Publisher::tell_acknowledged(const std::string& result_id) {
   return Done{};
 }
 
-// A broker that does not take a result, for its size, say, only hangs up: others may pass it then.
-// Where the library has given the packet up already, the result is the first that is due.
-void Publisher::give_up_link() {
+// The last word of the link may have waited for an acknowledgement that came.
+void Publisher::hang_up() {
   const auto under_way = outbox_.ids_of("sent");
   link_.reset();
+  if (!under_way) return;
+  for (const std::string& id : under_way.value()) {
+    const auto came = outbox_.is_acknowledged(id);
+    if (came && came.value()) (void)tell_acknowledged(id);
+  }
+}
+
+// A broker that does not take a result, for its size, say, only hangs up: others may pass it then.
+// Where the library has given the packet up already, the result is the first that is due.
+void Publisher::give_up_link(const IoError& why) {
+  hang_up();
   const bool was_connected = std::exchange(is_connected_, false);
-  if (!was_connected || !under_way) return;
+  if (!was_connected || why.code == IoErrc::refused) return;  // by the outbox
+  const auto under_way = outbox_.ids_of("sent");
+  if (!under_way) return;
   const auto entry =
       under_way.value().empty() ? outbox_.next_due() : outbox_.find(under_way.value().front());
   if (!entry || !entry.value() || entry.value()->sends < most_sends) return;
@@ -137,7 +148,7 @@ void Publisher::give_up_link() {
 }
 
 void Publisher::lose(const IoError& why) {
-  give_up_link();
+  give_up_link(why);
   tell_fault(why);
   next_try_ = Clock::now() + back_off_;
   back_off_ = std::min(2 * back_off_, longest_back_off);

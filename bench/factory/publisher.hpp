@@ -19,9 +19,8 @@ namespace rvbench::bench {
 
 /// Sends the judged runs below a root to a broker, oldest first, each once.
 ///
-/// Errors   publish() ends with the first; follow() tells it once and tries again, of a broker
-/// after
-///          1 s, then twice as long each time, at most a minute
+/// Errors   publish() ends with the first; follow() tells it once and tries again, after 1 s, then
+///          twice as long each time, at most a minute
 /// Threads  one caller at a time; see MqttLink
 class Publisher {
  public:
@@ -44,7 +43,8 @@ class Publisher {
   Status connect(const std::stop_token& stop);
   Status send_all(const std::stop_token& stop);
   Status tell_acknowledged(const std::string& result_id);
-  void give_up_link();
+  void hang_up();
+  void give_up_link(const IoError& why);
   void lose(const IoError& why);
   void tell_fault(const IoError& why);
 

@@ -9,6 +9,7 @@
 
 #include "bench/factory/file_uri.hpp"
 #include "bench/json_text.hpp"
+#include "bench/results/run_filter.hpp"
 #include "bench/sha256.hpp"
 #include "bench/text_file.hpp"
 #include "bench/verdict_json.hpp"
@@ -39,13 +40,6 @@ int state_of(Outcome outcome) {
   constexpr int completed = 1, aborted = 3, failed = 4;
   if (outcome == Outcome::aborted) return aborted;
   return outcome == Outcome::error ? failed : completed;
-}
-
-// "2026-11-21T11:45:59Z" of "20261121T114559Z"; "" if it is written otherwise.
-std::string iso_utc(const std::string& utc) {
-  if (utc.size() != 16 || utc[8] != 'T' || utc[15] != 'Z') return "";
-  return fmt::format("{}-{}-{}T{}:{}:{}Z", utc.substr(0, 4), utc.substr(4, 2), utc.substr(6, 2),
-                     utc.substr(9, 2), utc.substr(11, 2), utc.substr(13, 2));
 }
 
 // Of verdict.json, out of the list of hashes, which is small; "" if it is not there.
@@ -162,8 +156,8 @@ Result<OutboxEntry> result_message(const std::filesystem::path& root,
   Json meta = meta_data(folder, job, *judgement, step);
   meta["ResultId"] = due.result_id;
   const Json content = content_of(Json::parse(text));
-  due.payload = Json{{"ResultMetaData", meta}, {"ResultContent", Json::array({content})}}.dump(
-      -1, ' ', false, Json::error_handler_t::replace);
+  due.payload =
+      json_line(Json{{"ResultMetaData", meta}, {"ResultContent", Json::array({content})}});
   return due;
 }
 

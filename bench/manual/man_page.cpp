@@ -32,6 +32,8 @@ constexpr std::pair<std::string_view, std::string_view> files[] = {
     {"/usr/share/rvbench/", "rigs, plans, machines, plants and drives that are shipped"},
     {"/usr/share/doc/rvbench/guide/", "first steps, and the way to a bench of your own"},
     {"/etc/rvbench/station.json", "what the service rvbench.service serves"},
+    {"/etc/rvbench/mqtt.json",
+     "the broker that the service rvbench-publish.service sends results to"},
     {"/var/lib/rvbench/", "where it works"},
     {"/run/lock/rvbench-*.lock", "which devices are in use"}};
 

@@ -1,6 +1,7 @@
 #include <signal.h>
 
 #include <catch2/catch.hpp>
+#include <sstream>
 
 #include "bench/factory/outbox.hpp"
 #include "tests/bench/judgements.hpp"
@@ -126,6 +127,27 @@ TEST_CASE("who follows outlives the broker and ends in order", "[factory][lost]"
   CHECK(factory.messages(1).front().payload == "offline");
 }
 
+TEST_CASE("who follows tells each acknowledged result in a line of JSON", "[factory][lost]") {
+  const Mosquitto mosquitto;
+  const ScratchFolder root, place;
+  Program publisher(root.path(),
+                    publish_words(root.path(), broker_file(place.path(), mosquitto.port()),
+                                  {"--follow", "--json"}));
+  judged_run(root.path(), passed_run(), "A17");
+  judged_run(root.path(), failed_run(), "A18", "20260102T030406Z");
+  REQUIRE(wait_until([&] { return count_of(root, "acknowledged") == 2; }));
+  REQUIRE(publisher.send(SIGTERM));
+  const Answer answer = publisher.wait();
+  CHECK(answer.code == 0);
+  std::istringstream lines(answer.out);
+  std::string first, second, none;
+  REQUIRE(std::getline(lines, first));
+  REQUIRE(std::getline(lines, second));
+  CHECK_FALSE(std::getline(lines, none));
+  CHECK_THAT(nlohmann::json::parse(first).at("folder").get<std::string>(), Contains("A17/"));
+  CHECK_THAT(nlohmann::json::parse(second).at("folder").get<std::string>(), Contains("A18/"));
+}
+
 TEST_CASE("a result that the broker does not take holds up no other", "[factory][lost]") {
   for (const char* qos : {"", R"(, "qos": 2)"}) {
     CAPTURE(qos);
@@ -145,6 +167,26 @@ TEST_CASE("a result that the broker does not take holds up no other", "[factory]
     CHECK_THAT(answer.out, Contains("acknowledged: A18/"));
     CHECK(count_of(root, "acknowledged") == 1);
   }
+}
+
+TEST_CASE("a session that nobody follows any more is ended before anything is sent in it",
+          "[factory][lost]") {
+  const Mosquitto mosquitto;
+  const ScratchFolder root, place;
+  const std::string broker = broker_file(place.path(), mosquitto.port(), R"(, "qos": 2)");
+  const auto clean_sessions = [&] {
+    const std::string log = mosquitto.log();
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = log.find(", c1, ", at)) != std::string::npos; ++at) ++count;
+    return count;
+  };
+  judged_run(root.path(), passed_run(), "A17");
+  REQUIRE(publish(root.path(), broker).code == 0);
+  CHECK(clean_sessions() == 0);                        // there was none before
+  std::filesystem::remove(root / bench::outbox_name);  // and with it what was under way
+  REQUIRE(publish(root.path(), broker).code == 0);
+  CHECK(clean_sessions() == 1);
+  CHECK(mosquitto.publications("d0, q2", topic) == 2);
 }
 
 TEST_CASE("of a follower that is killed its will tells the factory", "[factory][lost]") {

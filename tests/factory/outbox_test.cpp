@@ -55,6 +55,8 @@ TEST_CASE("a result is due, then sent, then acknowledged", "[factory][outbox]") 
   Outbox outbox = opened(root);
   enter(outbox, {"1", "2"});
   const std::string packet("\x32\x00\xff", 3);
+  REQUIRE(outbox.note_attempt("1"));
+  CHECK(outbox.next_due().value()->sends == 1);  // whatever becomes of it
   REQUIRE(outbox.note_sent("1", 7, "abc", "s-7", packet));
   CHECK(ids_of(outbox, "sent") == Ids{"1"});
   CHECK(outbox.next_due().value()->result_id == "2");
@@ -84,6 +86,7 @@ TEST_CASE("what is recalled is due again in its old place, and known as sent bef
   const ScratchFolder root;
   Outbox outbox = opened(root);
   enter(outbox, {"1", "2"});
+  REQUIRE(outbox.note_attempt("1"));
   REQUIRE(outbox.note_sent("1", 7, "abc", "s-7", "packet"));
   REQUIRE(outbox.recall());
   CHECK(ids_of(outbox, "due") == Ids{"1", "2"});

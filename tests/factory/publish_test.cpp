@@ -1,6 +1,8 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
+#include "bench/factory/broker_file.hpp"
+#include "bench/factory/mqtt_link.hpp"
 #include "bench/factory/outbox.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/sha256.hpp"
@@ -118,6 +120,49 @@ TEST_CASE("while the broker is away results wait, once it is back each is sent o
   const auto results = factory.results(2);
   CHECK(parts_of(results) == std::vector<std::string>{"A17", "A18"});
   CHECK(results.front().at("PossibleDuplicate") == false);
+}
+
+TEST_CASE("a result that the outbox cannot note stays at home, and is sent once",
+          "[factory][publish]") {
+  const Mosquitto mosquitto;
+  const ScratchFolder root, place;
+  const auto file = bench::read_broker(broker_file(place.path(), mosquitto.port()));
+  auto opened = bench::Outbox::open(root.path());
+  REQUIRE(opened);
+  bench::Outbox outbox = std::move(opened).value();
+  REQUIRE(outbox.enter({.result_id = "1", .folder = "A17/x", .payload = "{}"}));
+  bench::MqttLink link(std::get<0>(file), outbox);
+  REQUIRE(link.connect());
+  const auto send = [&] { return link.send(outbox.next_due().value().value(), {}); };
+  {
+    auto other = bench::SqliteFile::open(root / bench::outbox_name, bench::outbox_name);
+    REQUIRE(other);
+    bench::SqliteFile file_of_other = std::move(other).value();
+    const bench::SqlTransaction writing(file_of_other);  // and does not come to its end
+    const Status locked = send();
+    REQUIRE_FALSE(locked);
+    CHECK_THAT(describe(locked.error()), Contains("locked"));
+  }
+  CHECK(outbox.next_due().value()->sends == 0);
+  REQUIRE(send());
+  CHECK(mosquitto.publications("d0, q1", "rvbench/b3/result") == 1);
+}
+
+TEST_CASE("what was acknowledged before the broker went is told", "[factory][publish]") {
+  const Mosquitto mosquitto("allow_anonymous true\nmax_packet_size 20000");
+  const ScratchFolder root, place;
+  judged_run(root.path(), passed_run(), "A17");
+  bench::Judgement large = failed_run();
+  large.ending.reason = std::string(30'000, 'x');  // the broker hangs up
+  judged_run(root.path(), large, "A18", "20260102T030406Z");
+  const Answer answer =
+      publish(root.path(), broker_file(place.path(), mosquitto.port()), {"--json"});
+  CHECK(answer.code == 30);
+  const auto told = nlohmann::json::parse(answer.out);
+  CHECK(told.at("exit_code") == 30);
+  CHECK(told.at("acknowledged").size() == 1);
+  CHECK(told.at("left") == 1);
+  CHECK_FALSE(told.at("reason").get<std::string>().empty());
 }
 
 TEST_CASE("a damaged verdict is skipped and told, the others go", "[factory][publish]") {

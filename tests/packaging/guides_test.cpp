@@ -5,7 +5,6 @@
 
 #include "tests/packaging/guide.hpp"
 #include "tests/packaging/installed.hpp"
-#include "tests/support/under_sanitizer.hpp"
 
 // The guides' commands, typed as they stand there, with what was installed in place of /usr.
 
@@ -50,12 +49,10 @@ int follow(const std::string& name) {
 }  // namespace
 
 TEST_CASE("the guide to the first PASS is true", "[packaging]") {
-  if (test::too_long_under_sanitizer()) return;
   CHECK(follow("first_pass.md") >= 6);
 }
 
 TEST_CASE("the guide from simulation to a bench is true", "[packaging]") {
-  if (test::too_long_under_sanitizer()) return;
   CHECK(follow("your_bench.md") >= 6);
 }
 

@@ -19,13 +19,13 @@ TEST_CASE("cmake --install leaves program, manual, completion, service, rules an
   const Installed installed;
   for (const char* file :
        {"bin/rvbench", "share/man/man1/rvbench.1.gz", "share/bash-completion/completions/rvbench",
-        "lib/systemd/system/rvbench.service", "lib/udev/rules.d/70-rvbench.rules",
-        "lib/sysusers.d/rvbench.conf", "share/rvbench/rigs/rv20e_bench.json",
-        "share/rvbench/kinematics/rv20e.json", "share/rvbench/plans/quick.json",
-        "share/rvbench/plants/rv20e_bench.json", "share/rvbench/drives/delta_ms300.json",
-        "share/doc/rvbench/README.md", "share/doc/rvbench/guide/first_pass.md",
-        "share/doc/rvbench/guide/your_bench.md", "share/doc/rvbench/examples/station.json",
-        "share/doc/rvbench/copyright"}) {
+        "lib/systemd/system/rvbench.service", "lib/systemd/system/rvbench-publish.service",
+        "lib/udev/rules.d/70-rvbench.rules", "lib/sysusers.d/rvbench.conf",
+        "share/rvbench/rigs/rv20e_bench.json", "share/rvbench/kinematics/rv20e.json",
+        "share/rvbench/plans/quick.json", "share/rvbench/plants/rv20e_bench.json",
+        "share/rvbench/drives/delta_ms300.json", "share/doc/rvbench/README.md",
+        "share/doc/rvbench/guide/first_pass.md", "share/doc/rvbench/guide/your_bench.md",
+        "share/doc/rvbench/examples/station.json", "share/doc/rvbench/copyright"}) {
     INFO(file);
     CHECK(std::filesystem::is_regular_file(installed / file));
   }

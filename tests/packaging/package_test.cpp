@@ -2,7 +2,6 @@
 #include <string>
 
 #include "tests/packaging/installed.hpp"
-#include "tests/support/under_sanitizer.hpp"
 
 namespace rvbench {
 namespace {
@@ -16,7 +15,6 @@ using test::ScratchFolder;
 
 TEST_CASE("the Debian package holds what belongs on a bench, and says what it needs",
           "[packaging]") {
-  if (test::too_long_under_sanitizer()) return;
   const ScratchFolder folder;
   const Answer made =
       bash(folder.path(), RVBENCH_CPACK
@@ -33,8 +31,10 @@ TEST_CASE("the Debian package holds what belongs on a bench, and says what it ne
   const std::string files = bash(folder.path(), "dpkg-deb -c p.deb").out;
   for (const char* file :
        {"./usr/bin/rvbench\n", "./usr/share/man/man1/rvbench.1.gz\n",
-        "./usr/lib/systemd/system/rvbench.service\n", "./usr/lib/udev/rules.d/70-rvbench.rules\n",
-        "./usr/lib/sysusers.d/rvbench.conf\n", "./usr/share/bash-completion/completions/rvbench\n",
+        "./usr/lib/systemd/system/rvbench.service\n",
+        "./usr/lib/systemd/system/rvbench-publish.service\n",
+        "./usr/lib/udev/rules.d/70-rvbench.rules\n", "./usr/lib/sysusers.d/rvbench.conf\n",
+        "./usr/share/bash-completion/completions/rvbench\n",
         "./usr/share/rvbench/rigs/rv20e_bench.json\n",
         "./usr/share/doc/rvbench/guide/your_bench.md\n"}) {
     CHECK_THAT(files, Contains(file));

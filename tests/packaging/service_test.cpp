@@ -17,6 +17,7 @@ using test::Installed;
 using test::ScratchFolder;
 
 constexpr const char* unit = "lib/systemd/system/rvbench.service";
+constexpr const char* publishing_unit = "lib/systemd/system/rvbench-publish.service";
 
 // In tenths, as systemd counts it there: of 10, where 10 is a program that may do anything.
 Answer exposure_within_2_5(const ScratchFolder& folder, const std::string& text) {
@@ -28,23 +29,27 @@ Answer exposure_within_2_5(const ScratchFolder& folder, const std::string& text)
 
 }  // namespace
 
-TEST_CASE("the service's unit is one that systemd understands", "[packaging]") {
+TEST_CASE("the services' units are such that systemd understands", "[packaging]") {
   const Installed installed;
   const std::string verify = "systemd-analyze verify --man=no --recursive-errors=no ";
-  const Answer answer = bash(installed / "", verify + unit);
-  CHECK(answer.code == 0);
-  CHECK(answer.err == "");
+  for (const char* one : {unit, publishing_unit}) {
+    CAPTURE(one);
+    const Answer answer = bash(installed / "", verify + one);
+    CHECK(answer.code == 0);
+    CHECK(answer.err == "");
+  }
   THEN("a word that it does not know would be told") {
     bench::write_file(installed / unit, installed.text_of(unit) + "[Service]\nProtectAll=yes\n");
     CHECK_THAT(bash(installed / "", verify + unit).err, Contains("ProtectAll"));
   }
 }
 
-TEST_CASE("the service may do little: an exposure of at most 2.5", "[packaging]") {
+TEST_CASE("the services may do little: an exposure of at most 2.5", "[packaging]") {
   const Installed installed;
   const ScratchFolder folder;
   const std::string text = installed.text_of(unit);
   CHECK(exposure_within_2_5(folder, text).code == 0);
+  CHECK(exposure_within_2_5(folder, installed.text_of(publishing_unit)).code == 0);
   THEN("also with the devices of a network let in") {
     const std::string more = installed.text_of("share/doc/rvbench/examples/devices.conf");
     CHECK(exposure_within_2_5(folder, text + more).code == 0);
@@ -67,10 +72,10 @@ TEST_CASE("the service leaves the supervisor its priority", "[packaging]") {
   CHECK_THAT(text, !Contains("~@resources"));
 }
 
-TEST_CASE("the service is given options that its command has", "[packaging]") {
+TEST_CASE("the services are given options that their commands have", "[packaging]") {
   const Installed installed;
-  const std::string text = installed.text_of(unit);
-  std::istringstream words(text.substr(text.find("ExecStart=")));
+  const std::string text = installed.text_of(GENERATE(unit, publishing_unit));
+  std::istringstream words(text.substr(text.find("\nExecStart=")));
   std::string program, name;
   words >> program >> name;
   for (const auto& command : bench::make_commands()) {
