@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "bench/json_text.hpp"
 #include "bench/sha256.hpp"
 
 namespace rvbench::bench {
@@ -20,7 +21,7 @@ const std::string chain_begin(hash_digits, '0');
 
 std::string chained_line(nlohmann::ordered_json object, const std::string& previous) {
   object["previous"] = previous;
-  std::string text = object.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  std::string text = ascii_json_line(object);
   text.pop_back();  // its }
   const std::string hash = sha256_of_text(text);
   return std::move(text).append(hash_key).append(hash).append(line_tail);

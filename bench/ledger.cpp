@@ -115,12 +115,19 @@ void append(const std::filesystem::path& file, std::string text) {
   put_folder_on_disk(file);
 }
 
-// @throws std::system_error
-Ledger trusted_ledger(const std::filesystem::path& root) {
+// Whatever the clock says, somebody may say that it is right.
+std::string keeping_fault_of(const Ledger& ledger, const std::filesystem::path& root,
+                             const std::string& kind) {
+  if (!ledger.fault.empty() || kind == clock_kind) return ledger.fault;
+  const std::string fault = clock_fault(ledger, utc_now());
+  return fault.empty() ? "" : root.string() + "/" + fault;
+}
+
+// A ledger that a line of that kind can be added to. @throws std::system_error
+Ledger open_ledger(const std::filesystem::path& root, const std::string& kind) {
   Ledger ledger = read_ledger(root);
-  if (!ledger.fault.empty()) {
-    throw std::system_error(EPERM, std::generic_category(), ledger.fault);
-  }
+  const std::string fault = keeping_fault_of(ledger, root, kind);
+  if (!fault.empty()) throw std::system_error(EPERM, std::generic_category(), fault);
   return ledger;
 }
 
@@ -128,10 +135,6 @@ Ledger trusted_ledger(const std::filesystem::path& root) {
 void add_line(const std::filesystem::path& root, const Ledger& ledger, LedgerLine line) {
   line.number = static_cast<int>(ledger.lines.size()) + 1;
   line.utc = utc_now();
-  const std::string fault = clock_fault(ledger, line.utc);
-  if (!fault.empty() && line.kind != clock_kind) {
-    throw std::system_error(EPERM, std::generic_category(), root.string() + "/" + fault);
-  }
   append(root / ledger_name, text_of(line, ledger.end_hash));
 }
 
@@ -143,10 +146,10 @@ const LedgerLine* Ledger::last_of(const std::string& file) const {
   return found == lines.rend() ? nullptr : &*found;
 }
 
-std::set<std::string> files_of(const Ledger& ledger) {
-  std::set<std::string> files;
-  for (const LedgerLine& line : ledger.lines) files.insert(line.file);
-  return files;
+std::map<std::string, const LedgerLine*> last_lines(const Ledger& ledger) {
+  std::map<std::string, const LedgerLine*> last_by_file;
+  for (const LedgerLine& line : ledger.lines) last_by_file[line.file] = &line;
+  return last_by_file;
 }
 
 Ledger read_ledger(const std::filesystem::path& root) {
@@ -185,6 +188,10 @@ std::string clock_fault(const Ledger& ledger, const std::string& now_utc) {
       ledger_name, readable_utc(ledger.lines.back().utc), readable_utc(now_utc));
 }
 
+std::string keeping_fault(const std::filesystem::path& root) {
+  return keeping_fault_of(read_ledger(root), root, "");
+}
+
 std::string fault_of(const std::filesystem::path& root, const LedgerLine& line) {
   const std::filesystem::path file = root / line.file;
   const auto hash = sha256_of_file(file);
@@ -198,8 +205,7 @@ std::vector<std::string> ledger_faults(const std::filesystem::path& root) {
   const LedgerReading reading(root);
   const Ledger ledger = read_ledger(root);
   if (!ledger.fault.empty()) return {ledger.fault};
-  std::map<std::string, const LedgerLine*> last_by_file;
-  for (const LedgerLine& line : ledger.lines) last_by_file[line.file] = &line;
+  const auto last_by_file = last_lines(ledger);
   std::vector<std::string> faults;
   std::set<std::filesystem::path> folders{limits_folder_name, qualification_folder_name};
   for (const auto& [file, line] : last_by_file) {
@@ -234,7 +240,7 @@ LedgerPen::LedgerPen(std::filesystem::path root) : root_(std::move(root)), lock_
 
 void LedgerPen::keep(const std::string& kind, const std::string& of, const std::string& file,
                      const std::string& text) {
-  const Ledger ledger = trusted_ledger(root_);
+  const Ledger ledger = open_ledger(root_, kind);
   const std::filesystem::path path = root_ / file;
   std::filesystem::create_directories(path.parent_path());
   put_folder_on_disk(path.parent_path());
@@ -243,7 +249,7 @@ void LedgerPen::keep(const std::string& kind, const std::string& of, const std::
 }
 
 void LedgerPen::enter(const std::string& kind, const std::string& of, const std::string& file) {
-  const Ledger ledger = trusted_ledger(root_);
+  const Ledger ledger = open_ledger(root_, kind);
   const auto hash = sha256_of_file(root_ / file);
   if (!hash) throw_error(errno != 0 ? errno : EIO, root_ / file);
   add_line(root_, ledger, {0, "", kind, of, file, *hash});

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -49,8 +49,8 @@ struct Ledger {
   const LedgerLine* last_of(const std::string& file) const;
 };
 
-/// All that it has a line of.
-std::set<std::string> files_of(const Ledger& ledger);
+/// The last line of each file, by the file's name. Pointers into that ledger.
+std::map<std::string, const LedgerLine*> last_lines(const Ledger& ledger);
 
 /// Without lines where there is none yet, or where it has a fault.
 Ledger read_ledger(const std::filesystem::path& root);
@@ -58,6 +58,10 @@ Ledger read_ledger(const std::filesystem::path& root);
 /// What is wrong with the clock of now, if the last line is of a time yet to come: nothing is kept
 /// then, for whatever counts for a time would count again. Empty: nothing.
 std::string clock_fault(const Ledger& ledger, const std::string& now_utc);
+
+/// Why nothing can be kept in a root now: its ledger cannot be trusted, or the clock not. Empty: it
+/// can be.
+std::string keeping_fault(const std::filesystem::path& root);
 
 /// What is wrong with the file of a line that is the last of it: "runs/limits/a.json is missing",
 /// "... was changed since rvbench kept it"; empty: nothing.

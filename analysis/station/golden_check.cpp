@@ -25,8 +25,9 @@ std::variant<GoldenCheck, std::string> check_golden(const Eigen::Ref<const Eigen
   require(runs.allFinite(), "a value is not finite");
   require(baseline_points >= least_baseline, "too few baseline points");
   if (runs.size() <= baseline_points) {
-    return std::to_string(runs.size()) + " runs of the golden unit: its chart takes " +
-           std::to_string(baseline_points) + ", and the one that is checked";
+    return std::to_string(runs.size()) + (runs.size() == 1 ? " run" : " runs") +
+           " of the golden unit: its chart takes " + std::to_string(baseline_points) +
+           ", and the one that is checked";
   }
   const auto made = baseline_of(runs.head(baseline_points));
   if (const auto* why = std::get_if<std::string>(&made)) return *why;

@@ -1,8 +1,6 @@
-#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
-#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -13,6 +11,7 @@
 #include "bench/ledger.hpp"
 #include "bench/progress_bar.hpp"
 #include "bench/qualification/ages.hpp"
+#include "bench/qualification/calibration_entry.hpp"
 #include "bench/qualification/qualification.hpp"
 #include "bench/qualification/qualification_text.hpp"
 #include "bench/qualification/self_test.hpp"
@@ -25,13 +24,17 @@
 #include "bench/stop_on_signal.hpp"
 #include "bench/text_file.hpp"
 #include "bench/try_for.hpp"
-#include "hal/did_you_mean.hpp"
 
 namespace rvbench::bench {
 namespace {
 
 constexpr std::chrono::seconds longest_farewell{8};  // the ledger may be another's for five
-constexpr std::size_t longest_text = 200;            // of a certificate, or of who enters it
+
+// As of a run that cannot be written.
+int refuse_disk(Console& console, const std::string& why) {
+  complain(console, "rvbench: " + why);
+  return exit_code({Outcome::error, ErrorKind::none, ""});
+}
 
 class QualifyCommand final : public Command {
  public:
@@ -52,7 +55,8 @@ class QualifyCommand final : public Command {
            "  rvbench qualify clock --rig bench_a.json --by \"J. Weber\"   this computer's clock "
            "is right\n"
            "A rig file says in \"qualification\" what is asked of its station. Exit code 0 if the\n"
-           "self-test was passed, or status finds the station qualified; else 60.\n";
+           "self-test was passed, or status finds the station qualified; else 60, or 30 where the\n"
+           "bench does not answer or nothing can be kept.\n";
   }
   std::vector<Option> options() override {
     return {{"STEP",
@@ -64,13 +68,14 @@ class QualifyCommand final : public Command {
             {"--out", "folder of run folders, which keeps the records; default: " + out_, &out_},
             {"--no-tap", "test: nobody is there to tap on the housing", &no_tap_},
             {"--yes", "test: do not ask whether the shaft may turn", &yes_},
-            {"--channel", "calibrate: the sensor's channel", &channel_},
-            {"--sensitivity", "calibrate: V per unit, as certified", &sensitivity_},
-            {"--no-sensitivity", "calibrate: the certificate states none", &no_sensitivity_},
-            {"--certificate", "calibrate: number of the certificate", &certificate_},
-            {"--by", "calibrate, clock: who enters or says it", &by_},
-            {"--on", "calibrate: day of the calibration, as 2026-11-02", &on_},
-            {"--until", "calibrate: last day that it is valid", &until_},
+            {"--channel", "calibrate: the sensor's channel", &calibration_.channel},
+            {"--sensitivity", "calibrate: V per unit, as certified", &calibration_.sensitivity},
+            {"--no-sensitivity", "calibrate: the certificate states none",
+             &calibration_.no_sensitivity},
+            {"--certificate", "calibrate: number of the certificate", &calibration_.certificate},
+            {"--by", "calibrate, clock: who enters or says it", &calibration_.by},
+            {"--on", "calibrate: day of the calibration, as 2026-11-02", &calibration_.on},
+            {"--until", "calibrate: last day that it is valid", &calibration_.until},
             {"--json", "test, status, records: one JSON document on standard output", &json_}};
   }
   int run(Console& console) override;
@@ -78,20 +83,18 @@ class QualifyCommand final : public Command {
  private:
   int test(Console& console);
   int test_on(Console& console, hal::Rig& rig, const StopOnSignal& signals);
-  int tell(Console& console, const SelfTest& test);
+  int tell(Console& console, const SelfTest& test, SelfTestRecord record);
   int status(Console& console) const;
   int calibrate(Console& console) const;
   int records(Console& console) const;
   int clock(Console& console) const;
-  std::string calibration_fault() const;
   void warn_of_rest(Console& console) const;
 
   const std::filesystem::path lock_folder_;
   std::string step_ = "test";
   std::string rig_, out_ = "runs";
-  std::string channel_, certificate_, by_, on_, until_;
-  std::optional<double> sensitivity_;
-  bool no_tap_ = false, no_sensitivity_ = false, yes_ = false, json_ = false;
+  CalibrationEntry calibration_;
+  bool no_tap_ = false, yes_ = false, json_ = false;
   RigFile file_;  // what --rig names
 };
 
@@ -124,9 +127,9 @@ int QualifyCommand::test(Console& console) {
   if (const std::string why = why_not_on(made, *spec); !why.empty()) {
     return refuse_file(console, rig_, with_lines(rig_, {{0, "/qualification/self_test", why}}));
   }
-  const Ledger ledger = read_ledger(out_);
-  for (const std::string& fault : {ledger.fault, clock_fault(ledger, utc_now())}) {
-    if (!fault.empty()) return refuse_usage(console, "qualify: no record could be kept: " + fault);
+  if (const std::string fault = keeping_fault(out_); !fault.empty()) {
+    complain(console, "rvbench: qualify: no record could be kept: " + fault);
+    return exit_code({Outcome::error, ErrorKind::not_qualified, ""});
   }
   remark(console, "warning", rig_, remarks_on(file_, rig_).warnings);
   const StopOnSignal signals;
@@ -143,48 +146,60 @@ int QualifyCommand::test(Console& console) {
 }
 
 int QualifyCommand::test_on(Console& console, hal::Rig& rig, const StopOnSignal& signals) {
-  ProgressBar bar(console, progress_style(console, json_));
-  SelfTestObserver observer(console, bar);
-  const SelfTest test =
-      run_self_test(*qualification_in(file_)->self_test, !no_tap_, rig, observer, signals.token());
-  if (!test.must_exit) {
-    bar.clear();
-    return tell(console, test);
-  }
-  // With a thread in a call that never returns, no destructor of the rig may run.
-  (void)try_for(longest_farewell, [&] { tell(console, test); });
-  std::_Exit(exit_code(test.ending));
-}
-
-// Keeps the record and says what it came to. One that somebody stopped before a step failed says
-// nothing of the station.
-int QualifyCommand::tell(Console& console, const SelfTest& test) {
   const QualificationSection& section = *qualification_in(file_);
-  const SelfTestSpec& spec = *section.self_test;
   SelfTestRecord record{.file = "",
                         .station = section.station,
                         .rig_kind = section.rig_kind,
                         .utc = utc_now(),
                         .software = software_version(),
-                        .passed = test.passed(spec),
-                        .reason = test.reason(spec),
-                        .judged_by = limits_of(spec),
-                        .steps = test.steps};
+                        .passed = false,
+                        .reason = "",
+                        .judged_by = limits_of(*section.self_test),
+                        .steps = {}};
+  try {
+    record = keep_begin(out_, std::move(record));
+  } catch (const std::system_error& error) {
+    return refuse_disk(console, "qualify: no record could be kept: " + reason_of(error));
+  }
+  ProgressBar bar(console, progress_style(console, json_));
+  SelfTestObserver observer(console, bar);
+  const SelfTest test = run_self_test(*section.self_test, !no_tap_, rig, observer, signals.token());
+  if (!test.must_exit) {
+    bar.clear();
+    return tell(console, test, std::move(record));
+  }
+  // With a thread in a call that never returns, no destructor of the rig may run.
+  (void)try_for(longest_farewell, [&] { tell(console, test, std::move(record)); });
+  std::_Exit(exit_code(test.ending));
+}
+
+// Keeps what it came to and tells it. One that somebody stopped before a step failed says nothing
+// of the station.
+int QualifyCommand::tell(Console& console, const SelfTest& test, SelfTestRecord record) {
+  const SelfTestSpec& spec = *qualification_in(file_)->self_test;
+  record.passed = test.passed(spec);
+  record.reason = test.reason(spec);
+  record.steps = test.steps;
   int code = exit_code(test.ending);
   if (test.ending.outcome == Outcome::pass && !record.passed) {
     code = exit_code({Outcome::error, ErrorKind::not_qualified, ""});
   }
   std::string not_kept;
-  if (test.ending.outcome != Outcome::aborted || test.has_failed_step()) {
-    try {
-      record.file = keep_record(out_, record);
-    } catch (const std::system_error& error) {
-      not_kept = "qualify: the record cannot be kept: " + reason_of(error);
-      if (code == exit_codes::done) code = exit_code({Outcome::error, ErrorKind::none, ""});
+  try {
+    if (test.ending.outcome != Outcome::aborted || test.has_failed_step()) {
+      keep_end(out_, record);
+    } else {
+      take_back(out_, record);
     }
+  } catch (const std::system_error& error) {
+    record.passed = false;
+    not_kept =
+        "qualify: how it ended cannot be kept, so it counts as not passed: " + reason_of(error);
+    if (code == exit_codes::done) code = exit_code({Outcome::error, ErrorKind::none, ""});
   }
+  if (!not_kept.empty()) record.reason = not_kept;
   console.out << (json_ ? self_test_to_json(record, test.ending, code)
-                        : self_test_text(console, test, spec))
+                        : self_test_text(console, record))
               << std::flush;
   if (!not_kept.empty()) complain(console, "rvbench: " + not_kept);
   if (!test.must_exit && not_kept.empty()) warn_of_rest(console);
@@ -209,67 +224,30 @@ int QualifyCommand::status(Console& console) const {
   return refusal ? exit_code(*refusal) : exit_codes::done;
 }
 
-// What is wrong with an option of calibrate; "" if nothing is.
-std::string QualifyCommand::calibration_fault() const {
-  for (const auto& [value, option] : {std::pair{channel_, "--channel"},
-                                      {certificate_, "--certificate"},
-                                      {by_, "--by"},
-                                      {on_, "--on"},
-                                      {until_, "--until"}}) {
-    if (value.empty()) return std::string("give ") + option;
-    if (value.starts_with(' ') || value.ends_with(' ')) {
-      return std::string(option) + ": no blank may begin or end it";
-    }
-    if (value.size() > longest_text) return std::string(option) + " is too long";
-  }
-  std::vector<std::string> channels;
-  for (const ChannelInfo& channel : channels_of(file_)) channels.push_back(channel.name);
-  if (std::ranges::find(channels, channel_) == channels.end()) {
-    return "the rig has no channel " + hal::in_quotes(channel_) +
-           hal::what_there_is(channel_, channels);
-  }
-  // Left out by mistake, nobody would hold the rig's against it.
-  return sensitivity_.has_value() != no_sensitivity_
-             ? ""
-             : "give --sensitivity, or --no-sensitivity if the certificate states none";
-}
-
 int QualifyCommand::calibrate(Console& console) const {
   const auto refuse = [&](const std::string& what) {
     return refuse_usage(console, "qualify calibrate: " + what);
   };
-  if (const std::string fault = calibration_fault(); !fault.empty()) return refuse(fault);
-  if (!is_positive(console, "qualify calibrate: --sensitivity", sensitivity_)) {
+  if (!is_positive(console, "qualify calibrate: --sensitivity", calibration_.sensitivity)) {
     return exit_codes::usage;
   }
-  const auto on = utc_of_text(on_, false), until = utc_of_text(until_, true);
-  if (!on || !until) return refuse("--on and --until are days, as 2026-11-02");
-  const std::string now = utc_now();
-  if (is_ahead(*on, now)) {
-    return refuse("--on " + day_of(*on) + " is yet to come by this computer's clock (" +
-                  readable_utc(now) + ")");
-  }
-  if (!(days_between(*on, *until) > 0)) return refuse("--until lies before --on");
-  const CalibrationRecord record{.file = "",
-                                 .station = qualification_in(file_)->station,
-                                 .channel = channel_,
-                                 .sensitivity = sensitivity_.value_or(not_known),
-                                 .certificate = certificate_,
-                                 .by = by_,
-                                 .calibrated_utc = *on,
-                                 .valid_until_utc = *until,
-                                 .entered_utc = now,
-                                 .software = software_version()};
+  std::vector<std::string> channels;
+  for (const ChannelInfo& channel : channels_of(file_)) channels.push_back(channel.name);
+  const auto read =
+      calibration_record(calibration_, qualification_in(file_)->station, channels, utc_now());
+  if (read.index() == 1) return refuse(std::get<1>(read));
+  const CalibrationRecord& record = std::get<0>(read);
   try {
     keep_record(out_, record);
   } catch (const std::system_error& error) {
-    return refuse("the record cannot be kept: " + reason_of(error));
+    return refuse_disk(console,
+                       "qualify calibrate: the record cannot be kept: " + reason_of(error));
   }
-  console.out << "station " << record.station << ": " << channel_ << " by certificate "
-              << certificate_ << ", valid until " << day_of(*until) << '\n';
+  console.out << "station " << record.station << ": " << record.channel << " by certificate "
+              << record.certificate << ", valid until " << day_of(record.valid_until_utc) << '\n';
   // What the record is worth for this rig: an expired one, or another sensitivity.
   for (const RequirementState& state : qualification_now(file_, out_).requirements) {
-    if (state.blocks && state.requirement == "calibration of " + channel_) {
+    if (state.blocks && state.requirement == calibration_of(record.channel)) {
       console.err << "rvbench: warning: " << state.sentence << '\n';
     }
   }
@@ -278,13 +256,14 @@ int QualifyCommand::calibrate(Console& console) const {
 
 // Once it was ahead: nothing is kept before somebody has looked at it.
 int QualifyCommand::clock(Console& console) const {
-  if (by_.empty()) return refuse_usage(console, "qualify clock: who says so? give --by NAME");
+  const std::string& by = calibration_.by;
+  if (by.empty()) return refuse_usage(console, "qualify clock: who says so? give --by NAME");
   try {
-    keep_clock_record(out_, by_);
+    keep_clock_record(out_, by);
   } catch (const std::system_error& error) {
-    return refuse_usage(console, "qualify clock: that cannot be kept: " + reason_of(error));
+    return refuse_disk(console, "qualify clock: that cannot be kept: " + reason_of(error));
   }
-  console.out << "by " << by_ << ", it is " << readable_utc(utc_now()) << " (UTC)\n";
+  console.out << "by " << by << ", it is " << readable_utc(utc_now()) << " (UTC)\n";
   return exit_codes::done;
 }
 

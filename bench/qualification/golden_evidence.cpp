@@ -109,7 +109,7 @@ std::vector<std::string> unknown_runs(const std::filesystem::path& root,
   const int first = demand.since_utc.empty() || lines.empty()
                         ? 0
                         : read_run_begin(root / lines.front().folder).number;
-  const std::set<std::string> known = files_of(ledger);
+  const auto known = last_lines(ledger);
   const auto is_known = [&](const std::string& folder) {
     return known.contains((std::filesystem::path(folder) / "start.json").string());
   };

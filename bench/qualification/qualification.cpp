@@ -20,7 +20,6 @@ namespace {
 // Half of what the best calibration by comparison is sure of (ISO 16063-21: 1 %); a rig file may
 // state three digits.
 constexpr double same_sensitivity = 0.005;
-constexpr const char* calibration_kind_of_any = "calibration of ";
 constexpr double warn_share = 0.9;  // of the time that something counts for
 
 const SelfTestRecord* newest_self_test(const QualificationSection& section,
@@ -57,7 +56,7 @@ bool concerns(const DamagedRecord& damaged, const QualificationSection& section)
   if (damaged.kind.starts_with(self_test_kind(""))) {
     return section.self_test && damaged.kind == self_test_kind(section.rig_kind);
   }
-  if (!damaged.kind.starts_with(calibration_kind_of_any)) return true;
+  if (!damaged.kind.starts_with(calibration_of(""))) return true;
   return section.calibration &&
          std::ranges::any_of(section.calibration->channels, [&](const std::string& channel) {
            return damaged.kind.starts_with(calibration_kind(channel, ""));
@@ -73,6 +72,12 @@ RequirementState self_test_state(const QualificationSection& section,
   if (newest == nullptr) {
     return state_of(name, "missing",
                     "self-test: station " + section.station + " has none: rvbench qualify");
+  }
+  if (!newest->has_ended()) {
+    return state_of(name, "failed",
+                    fmt::format("self-test: that of {} has not come to its end: if none is at "
+                                "work, repeat it: rvbench qualify",
+                                readable_utc(newest->utc)));
   }
   if (!newest->passed) {
     return state_of(name, "failed",
@@ -108,7 +113,7 @@ std::string sensitivity_fault(const CalibrationRecord& record, const ChannelInfo
 RequirementState calibration_state(const std::string& station, const ChannelInfo& channel,
                                    double warn_days, const std::vector<CalibrationRecord>& records,
                                    const std::string& now_utc) {
-  const std::string name = "calibration of " + channel.name;
+  const std::string name = calibration_of(channel.name);
   const CalibrationRecord* newest = newest_calibration(station, channel.name, records);
   if (newest == nullptr) {
     return state_of(
@@ -165,7 +170,7 @@ StationEvidence gather_evidence(const std::filesystem::path& root,
   StationEvidence evidence;
   std::optional<LedgerReading> reading(std::in_place, root);
   const Ledger ledger = read_ledger(root);
-  evidence.records = read_station_records(root, ledger);
+  evidence.records = newest_station_records(root, ledger);
   reading.reset();
   if (!section.golden_unit) return evidence;
   std::error_code unknown;

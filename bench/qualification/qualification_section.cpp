@@ -1,13 +1,13 @@
 #include "bench/qualification/qualification_section.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
 #include <utility>
 
 #include "analysis/station/control_chart.hpp"
+#include "bench/lower_case.hpp"
 #include "bench/results/run_filter.hpp"
 #include "hal/did_you_mean.hpp"
 #include "hal/formats/printable.hpp"
@@ -75,9 +75,7 @@ CalibrationDemand read_calibration(hal::ConfigReader& section,
 // Whatever their case, and without blanks.
 std::string letters_of(std::string serial) {
   std::erase(serial, ' ');
-  std::ranges::transform(serial, serial.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return serial;
+  return lower_case(std::move(serial));
 }
 
 ChartedIndicator read_indicator(hal::ConfigReader& json) {

@@ -4,13 +4,13 @@
 
 #include "bench/console.hpp"
 #include "bench/qualification/qualification.hpp"
-#include "bench/qualification/self_test.hpp"
+#include "bench/qualification/station_records.hpp"
 
 namespace rvbench::bench {
 
 /// A line a step: word, the value nearest to its limit (or farthest beyond), reason; then the
 /// answer.
-std::string self_test_text(const Console& console, const SelfTest& test, const SelfTestSpec& spec);
+std::string self_test_text(const Console& console, const SelfTestRecord& record);
 
 /// As one JSON document, ending with exit_code.
 std::string self_test_to_json(const SelfTestRecord& record, const Ending& ending, int exit_code);

@@ -149,7 +149,7 @@ std::string below_root(const std::string& name) {
 
 std::vector<std::filesystem::path> files_in_no_line(const Ledger& ledger,
                                                     const std::filesystem::path& root) {
-  const std::set<std::string> known = files_of(ledger);
+  const auto known = last_lines(ledger);
   std::vector<std::filesystem::path> files = json_files_in(qualification_folder(root));
   std::erase_if(files, [&](const std::filesystem::path& file) {
     return known.contains(below_root(file.filename().string()));
@@ -168,17 +168,60 @@ void set_aside(LedgerPen& pen, const std::filesystem::path& root, const std::str
   }
 }
 
-std::string keep(const std::filesystem::path& root, const char* prefix, const std::string& kind,
-                 const std::string& station, const std::string& utc, const Json& json) {
-  LedgerPen pen(root);
+// That no file has yet.
+std::string new_name(const std::filesystem::path& root, const char* prefix,
+                     const std::string& utc) {
   const std::filesystem::path folder = qualification_folder(root);
   std::string name = std::string(prefix) + "-" + utc + suffix;
   for (int copy = 2; std::filesystem::exists(folder / name); ++copy) {
     name = std::string(prefix) + "-" + utc + "-" + std::to_string(copy) + suffix;
   }
+  return name;
+}
+
+std::string keep(const std::filesystem::path& root, const char* prefix, const std::string& kind,
+                 const std::string& station, const std::string& utc, const Json& json) {
+  LedgerPen pen(root);
+  const std::string name = new_name(root, prefix, utc);
   pen.keep(kind, station, below_root(name), json_text(json));
   set_aside(pen, root, kind, station);
   return name;
+}
+
+// In their order, without what was set aside; of one file the last, which tells what came of it.
+std::vector<const LedgerLine*> lines_of_records(const Ledger& ledger) {
+  const auto last_by_file = last_lines(ledger);
+  std::vector<const LedgerLine*> lines;
+  for (const LedgerLine& line : ledger.lines) {
+    const bool is_record = line.file.starts_with(below_root("")) && line.kind != set_aside_kind;
+    if (is_record && last_by_file.at(line.file) == &line) lines.push_back(&line);
+  }
+  return lines;
+}
+
+StationRecords records_of(const std::filesystem::path& root, const Ledger& ledger,
+                          const std::vector<const LedgerLine*>& lines) {
+  StationRecords records;
+  records.clock_fault = clock_fault(ledger, utc_now());
+  if (!ledger.fault.empty()) {
+    records.damaged.push_back({"", "", ledger.fault + ": put back a copy"});
+    return records;
+  }
+  // By kind and station: only what tells the same takes the place of what is damaged.
+  std::map<std::pair<std::string, std::string>, DamagedRecord> damaged;
+  for (const LedgerLine* line : lines) {
+    std::string why = fault_of(root, *line);
+    if (why.empty()) why = take(records, root / line->file);
+    damaged.erase({line->kind, line->of});
+    if (why.empty()) continue;
+    why += ": put back a copy, or " + remedy_of(line->kind);
+    damaged[{line->kind, line->of}] = {line->of, line->kind, why};
+  }
+  for (auto& [kind, record] : damaged) records.damaged.push_back(std::move(record));
+  for (const std::filesystem::path& file : files_in_no_line(ledger, root)) {
+    records.damaged.push_back(unknown_record(file));
+  }
+  return records;
 }
 
 }  // namespace
@@ -188,41 +231,37 @@ std::filesystem::path qualification_folder(const std::filesystem::path& root) {
 }
 
 StationRecords read_station_records(const std::filesystem::path& root) {
-  const LedgerReading reading(root);
-  return read_station_records(root, read_ledger(root));
+  return further_station_records(root, {});
 }
 
-StationRecords read_station_records(const std::filesystem::path& root, const Ledger& ledger) {
-  StationRecords records;
-  records.clock_fault = clock_fault(ledger, utc_now());
-  if (!ledger.fault.empty()) {
-    records.damaged.push_back({"", "", ledger.fault + ": put back a copy"});
-    return records;
-  }
-  // By kind and station: only what tells the same takes the place of what is damaged.
-  std::map<std::pair<std::string, std::string>, DamagedRecord> damaged;
-  for (const LedgerLine& line : ledger.lines) {
-    if (!line.file.starts_with(below_root("")) || line.kind == set_aside_kind) continue;
-    std::string why = fault_of(root, line);
-    if (why.empty()) why = take(records, root / line.file);
-    damaged.erase({line.kind, line.of});
-    if (why.empty()) continue;
-    why += ": put back a copy, or " + remedy_of(line.kind);
-    damaged[{line.kind, line.of}] = {line.of, line.kind, why};
-  }
-  for (auto& [kind, record] : damaged) records.damaged.push_back(std::move(record));
-  for (const std::filesystem::path& file : files_in_no_line(ledger, root)) {
-    records.damaged.push_back(unknown_record(file));
-  }
-  return records;
+StationRecords further_station_records(const std::filesystem::path& root,
+                                       const std::set<std::string>& known) {
+  const LedgerReading reading(root);
+  const Ledger ledger = read_ledger(root);
+  std::vector<const LedgerLine*> lines = lines_of_records(ledger);
+  std::erase_if(lines, [&](const LedgerLine* line) {
+    return known.contains(std::filesystem::path(line->file).filename().string());
+  });
+  return records_of(root, ledger, lines);
+}
+
+StationRecords newest_station_records(const std::filesystem::path& root, const Ledger& ledger) {
+  std::map<std::pair<std::string, std::string>, const LedgerLine*> newest;
+  for (const LedgerLine* line : lines_of_records(ledger)) newest[{line->kind, line->of}] = line;
+  std::vector<const LedgerLine*> lines;
+  for (const auto& [told, line] : newest) lines.push_back(line);
+  std::ranges::sort(lines, {}, &LedgerLine::number);
+  return records_of(root, ledger, lines);
 }
 
 std::string self_test_kind(const std::string& rig_kind) {
   return std::string(self_test) + " of a rig of kind " + rig_kind;
 }
 
+std::string calibration_of(const std::string& channel) { return "calibration of " + channel; }
+
 std::string calibration_kind(const std::string& channel, const std::string& certificate) {
-  return "calibration of " + channel + " by " + certificate;
+  return calibration_of(channel) + " by " + certificate;
 }
 
 std::string keep_record(const std::filesystem::path& root, const CalibrationRecord& record) {
@@ -230,9 +269,26 @@ std::string keep_record(const std::filesystem::path& root, const CalibrationReco
               record.station, record.entered_utc, to_json(record));
 }
 
-std::string keep_record(const std::filesystem::path& root, const SelfTestRecord& record) {
-  return keep(root, self_test, self_test_kind(record.rig_kind), record.station, record.utc,
-              to_json(record));
+SelfTestRecord keep_begin(const std::filesystem::path& root, SelfTestRecord record) {
+  record.passed = false;
+  record.reason = "it has not come to its end";
+  record.steps.clear();
+  LedgerPen pen(root);
+  record.file = new_name(root, self_test, record.utc);
+  pen.keep(self_test_kind(record.rig_kind), record.station, below_root(record.file),
+           json_text(to_json(record)));
+  return record;
+}
+
+void keep_end(const std::filesystem::path& root, const SelfTestRecord& record) {
+  const std::string kind = self_test_kind(record.rig_kind);
+  LedgerPen pen(root);
+  pen.keep(kind, record.station, below_root(record.file), json_text(to_json(record)));
+  set_aside(pen, root, kind, record.station);
+}
+
+void take_back(const std::filesystem::path& root, const SelfTestRecord& begun) {
+  LedgerPen(root).enter(set_aside_kind, begun.station, below_root(begun.file));
 }
 
 std::string keep_clock_record(const std::filesystem::path& root, const std::string& by) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "bench/station/station_table.hpp"
 #include "hal/formats/foreign_file.hpp"
@@ -32,28 +33,28 @@ std::size_t index_of(const ReadingPlace& place, const analysis::GageReadings& si
   return (place.part * sizes.operators + place.op) * sizes.trials + place.trial;
 }
 
-// Which line each reading is in; 0 if in none.
+// Reading by reading: names that are no names, as time stamps, make more places than memory holds.
 Result<Done> fill(const StationTable& table, const std::vector<ReadingPlace>& places,
                   const std::vector<double>& values, const std::vector<std::string>& trials,
                   GageFile& study) {
   analysis::GageReadings& readings = study.readings;
-  std::vector<std::size_t> lines(readings.parts * readings.operators * readings.trials, 0);
-  readings.values.resize(lines.size());
+  std::map<std::size_t, std::size_t> row_at;  // by index
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const std::size_t index = index_of(places[i], readings);
-    if (lines[index] > 0) {
-      return table.fault(table.rows[i].line,
-                         fmt::format("{} is there twice, first in line {}",
-                                     text_of(places[i], study, trials), lines[index]));
-    }
-    lines[index] = table.rows[i].line;
-    readings.values[index] = values[i];
+    const auto [there, is_new] = row_at.emplace(index_of(places[i], readings), i);
+    if (is_new) continue;
+    return table.fault(table.rows[i].line, fmt::format("{} is there twice, first in line {}",
+                                                       text_of(places[i], study, trials),
+                                                       table.rows[there->second].line));
   }
-  const auto missing = std::ranges::find(lines, std::size_t(0));
-  if (missing == lines.end()) return Done{};
-  const auto at = std::size_t(missing - lines.begin());
-  const ReadingPlace place{at / readings.trials / readings.operators,
-                           at / readings.trials % readings.operators, at % readings.trials};
+  std::size_t next = 0;
+  for (const auto& [index, row] : row_at) {
+    if (index != next) break;
+    readings.values.push_back(values[row]);
+    ++next;
+  }
+  if (next == readings.parts * readings.operators * readings.trials) return Done{};
+  const ReadingPlace place{next / readings.trials / readings.operators,
+                           next / readings.trials % readings.operators, next % readings.trials};
   return hal::formats::bad_file(
       table.file, text_of(place, study, trials) +
                       " is missing: every operator must read every part equally often");

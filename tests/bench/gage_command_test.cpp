@@ -136,6 +136,9 @@ TEST_CASE("a study that is not whole is refused, with the place", "[bench][stati
   const std::string all_but_last = rows.substr(0, rows.rfind("3,B,2"));
   CHECK_THAT(refusal(head + all_but_last),
              Contains("part 3, operator B, trial 2 is missing: every operator must read"));
+  std::string stamped = head;  // as many parts, operators and trials as rows: 10^12 readings
+  for (int i = 0; i < 10'000; ++i) stamped += fmt::format("p{0},o{0},t{0},1\n", i);
+  CHECK_THAT(refusal(stamped), Contains("part p0, operator o0, trial t1 is missing"));
   CHECK_THAT(refusal(head + rows + "1,A,1,7\n"),
              Contains("study.csv:14: part 1, operator A, trial 1 is there twice, first in line 2"));
   CHECK_THAT(refusal(head + "1,A,1,x7\n"), Contains("study.csv:2: value: \"x7\" is not a number"));

@@ -1,3 +1,5 @@
+#include <signal.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -15,6 +17,7 @@ namespace {
 
 using Catch::Matchers::Contains;
 using test::Answer;
+using test::Program;
 using test::ScratchFolder;
 
 constexpr const char* self_test_and_calibrations =
@@ -54,7 +57,8 @@ class Station {
   std::filesystem::path only_run(const std::string& serial) const {
     return std::filesystem::directory_iterator(runs() / serial)->path();
   }
-  std::filesystem::path runs() const { return scratch_.path() / "runs"; }
+  std::filesystem::path runs() const { return folder() / "runs"; }
+  const std::filesystem::path& folder() const { return scratch_.path(); }
 
  private:
   ScratchFolder scratch_;
@@ -165,6 +169,26 @@ TEST_CASE("a self-test without its tap does not qualify, and is on record", "[sp
   CHECK(answer.code == 60);
   CHECK_THAT(answer.out, Contains("skipped") && Contains("nobody was there to tap"));
   CHECK_THAT(station.qualify({"status"}).out, Contains("failed") && Contains("was not passed"));
+}
+
+TEST_CASE("a self-test that is killed was not passed, one that is stopped says nothing",
+          "[spec][station]") {
+  Station station(R"("self_test": {"max_age_h": 24, "rest_s": 60})");
+  const auto end_one_by = [&](int signal) {
+    Program program(station.folder(), {test::rvbench_path(), "qualify", "--rig", "rig.json"});
+    REQUIRE(program.says("listen to the sensors at rest"));
+    CHECK(program.send(signal));
+    return program.wait().code;
+  };
+  REQUIRE(station.qualify({}).code == 0);
+  CHECK(end_one_by(SIGINT) == 50);
+  CHECK(station.qualify({"status"}).code == 0);
+  CHECK(end_one_by(SIGKILL) == -SIGKILL);
+  const Answer status = station.qualify({"status"});
+  CHECK(status.code == 60);
+  CHECK_THAT(status.out, Contains("has not come to its end: if none is at work, repeat it"));
+  REQUIRE(station.qualify({}).code == 0);
+  CHECK(station.qualify({"status"}).code == 0);
 }
 
 TEST_CASE("of a rig that asks for nothing nothing is asked", "[spec][station]") {
