@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <stop_token>
 #include <system_error>
 #include <thread>
 
@@ -64,7 +66,7 @@ class ServeCommand final : public Command {
  private:
   int print_token(Console& console) const;
   std::optional<StationFile> station(Console& console, int& refused);
-  int serve(Console& console, StationFile file);
+  int serve(Console& console, const StationFile& file);
 
   std::string station_, out_, bind_, new_user_;
   std::string role_ = "operator";
@@ -116,7 +118,7 @@ int ServeCommand::run(Console& console) {
   }
   if (!bind_.empty()) file->bind = bind_;
   try {
-    return serve(console, std::move(*file));
+    return serve(console, *file);
   } catch (const std::system_error& error) {
     return refuse_usage(console, "serve: " + reason_of(error));
   }
@@ -138,10 +140,61 @@ void begin_audit(Console& console, AuditLog& audit, const std::filesystem::path&
   if (!done) warn(console, done.error().where);
 }
 
-int ServeCommand::serve(Console& console, StationFile file) {
-  StopOnSignal signals;
-  EventHub hub;
-  const std::filesystem::path keep = Station::keep_of(file.runs);
+// The station and all that answers for it, in the order in which they need each other.
+class Service {
+ public:
+  /// @throws std::system_error
+  explicit Service(const StationFile& file)
+      : file_(file), station_(file, program_, hub_), audit_(audit_log_of(file.runs)) {}
+
+  Station& station() { return station_; }
+  AuditLog& audit() { return audit_; }
+
+  /// @return the port; 0 if it is not to be had
+  int bind() {
+    const int port = server_.bind(file_.bind, file_.port);
+    if (port == 0) return 0;
+    gate_.emplace(hosts_of(file_), port, sessions_);
+    api_.emplace(station_, hub_, sessions_, *gate_, audit_, program_);
+    return port;
+  }
+
+  void serve(const std::stop_token& stop) {
+    std::thread serving([this] { server_.serve(); });
+    while (!stop.stop_requested()) {
+      station_.tick();
+      std::this_thread::sleep_for(tick_every);
+    }
+    hub_.close();
+    api_->end();
+    server_.stop();
+    serving.join();
+  }
+
+ private:
+  const StationFile file_;
+  const std::string program_ = std::filesystem::read_symlink("/proc/self/exe").string();
+  EventHub hub_;
+  Station station_;
+  AuditLog audit_;
+  Sessions sessions_;
+  std::optional<Gate> gate_;
+  std::optional<StationApi> api_;
+  HttpServer server_{{.connections = static_cast<std::size_t>(file_.most_connections),
+                      .body_bytes = static_cast<std::size_t>(file_.most_body_bytes)},
+                     [this](const HttpRequest& request) { return gate_->refused(request); },
+                     [this](const HttpRequest& request) { return api_->answer(request); }};
+};
+
+void warn_of_log(Console& console, const std::filesystem::path& log) {
+  const auto checked = check_audit(log);
+  if (!checked || checked->broken_line == 0) return;
+  warn(console, fmt::format("{}:{}: {}", log.string(), checked->broken_line, checked->fault));
+}
+
+int ServeCommand::serve(Console& console, const StationFile& file) {
+  const StopOnSignal signals;
+  const std::filesystem::path keep = station_folder(file.runs);
   std::filesystem::create_directories(keep);
   const bool was_served = !std::filesystem::is_empty(keep);
   const auto alone = FileLock::take(keep / "serve.lock");
@@ -149,58 +202,32 @@ int ServeCommand::serve(Console& console, StationFile file) {
     return refuse_usage(console,
                         "serve: another rvbench serves " + file.runs.string() + " already");
   }
-  const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
-  Station station(file, program, hub);
-  const std::filesystem::path log = audit_log_of(file.runs);
-  AuditLog audit(log);
-  const auto checked = check_audit(log);
-  if (checked && checked->broken_line > 0) {
-    warn(console, fmt::format("{}:{}: {}", log.string(), checked->broken_line, checked->fault));
-  }
-  begin_audit(console, audit, log, was_served);
-  Sessions sessions;
-  std::unique_ptr<Gate> gate;
-  std::unique_ptr<StationApi> api;
-  const HttpLimits limits{.connections = static_cast<std::size_t>(file.most_connections),
-                          .body_bytes = static_cast<std::size_t>(file.most_body_bytes)};
-  HttpServer server(
-      limits, [&gate](const HttpRequest& request) { return gate->refused(request); },
-      [&api](const HttpRequest& request) { return api->answer(request); });
-  const int port = server.bind(file.bind, file.port);
+  Service service(file);
+  warn_of_log(console, audit_log_of(file.runs));
+  begin_audit(console, service.audit(), audit_log_of(file.runs), was_served);
+  const int port = service.bind();
   if (port == 0) {
     return refuse_usage(console, fmt::format("serve: port {} of {} is not to be had: another "
                                              "program has it, or it asks for more rights",
                                              file.port, file.bind));
   }
-  gate = std::make_unique<Gate>(hosts_of(file), port, sessions);
-  api = std::make_unique<StationApi>(station, hub, sessions, *gate, audit, program);
   if (!is_loopback(file.bind)) {
     warn(console, "other computers reach " + file.bind +
                       "; what they send can be read on its way unless a TLS proxy is before it");
   }
-  std::thread serving([&server] { server.serve(); });
+  const Station& station = service.station();
   if (station.is_running()) {
     console.err << "rvbench: serve: a test of " << station.serial() << " is running: found again\n";
   }
-  console.err << fmt::format(
-                     "rvbench: serve: {} at http://{}:{}/", file.name,
-                     file.bind.find(':') == std::string::npos ? file.bind : "[" + file.bind + "]",
-                     port)
+  const bool is_ipv6 = file.bind.find(':') != std::string::npos;
+  console.err << fmt::format("rvbench: serve: {} at http://{}:{}/", file.name,
+                             is_ipv6 ? "[" + file.bind + "]" : file.bind, port)
               << std::endl;
-  while (!signals.token().stop_requested()) {
-    station.tick();
-    std::this_thread::sleep_for(tick_every);
-  }
-  hub.close();
-  api->end();
-  server.stop();
-  serving.join();
-  if (station.is_running()) {
-    console.err << "rvbench: serve: ended; the test of " << station.serial()
-                << " goes on, and stops its shaft itself: serve finds it again\n";
-  } else {
-    console.err << "rvbench: serve: ended\n";
-  }
+  service.serve(signals.token());
+  console.err << (station.is_running()
+                      ? "rvbench: serve: ended; the test of " + station.serial() +
+                            " goes on, and stops its shaft itself: serve finds it again\n"
+                      : "rvbench: serve: ended\n");
   return exit_codes::done;
 }
 

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "bench/hash_chain.hpp"
+#include "bench/json_text.hpp"
 #include "bench/run_folder.hpp"
 
 namespace rvbench::bench {
@@ -58,10 +59,7 @@ void AuditLog::mend_end(const AuditCheck& there) {
       ::ftruncate(descriptor_, now.st_size - static_cast<off_t>(cut_short.size())) == 0;
   note_size();
   const nlohmann::json told{{"text", cut_short}};
-  if (is_out && add({"", "", "cut short",
-                     told.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace)})) {
-    return;
-  }
+  if (is_out && add({"", "", "cut short", ascii_json_line(told)})) return;
   if (is_out) (void)::write(descriptor_, cut_short.data(), cut_short.size());
   (void)::write(descriptor_, "\n", 1);
   note_size();
@@ -124,7 +122,7 @@ std::string AuditLog::last(std::size_t lines) {
     auto json = nlohmann::ordered_json::parse(line, nullptr, false);
     if (!json.is_discarded()) entries.push_back(std::move(json));
   }
-  return entries.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return json_line(entries);
 }
 
 std::optional<AuditCheck> check_audit(const std::filesystem::path& file) {

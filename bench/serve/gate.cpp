@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "bench/lower_case.hpp"
+
 namespace rvbench::bench {
 namespace {
 
@@ -27,14 +29,14 @@ std::string cookie_in(const std::string& header, const std::string& name) {
 Gate::Gate(std::vector<std::string> hosts, int port, Sessions& sessions)
     : hosts_(std::move(hosts)), sessions_(sessions) {
   for (std::string& host : hosts_) {
-    host = lower(host);
+    host = lower_case(host);
     if (host_and_port(host).port.empty() && port != port_of_http)
       host += ":" + std::to_string(port);
   }
 }
 
 bool Gate::is_host(const std::string& host) const {
-  return std::ranges::find(hosts_, lower(host)) != hosts_.end();
+  return std::ranges::find(hosts_, lower_case(host)) != hosts_.end();
 }
 
 std::optional<Session> Gate::session_of(const HttpRequest& request) const {
@@ -45,8 +47,9 @@ std::optional<Session> Gate::session_of(const HttpRequest& request) const {
 std::optional<HttpAnswer> Gate::refused(const HttpRequest& request) const {
   const std::string host = request.header("host");
   if (!is_host(host)) return refusal(403, "host");
-  const std::string origin = lower(request.header("origin"));
-  const bool is_own = origin == "http://" + lower(host) || origin == "https://" + lower(host);
+  const std::string origin = lower_case(request.header("origin"));
+  const bool is_own =
+      origin == "http://" + lower_case(host) || origin == "https://" + lower_case(host);
   if (!origin.empty() && !is_own) return refusal(403, "origin");
   if (!is_of_api(request)) return std::nullopt;
   const std::string site = request.header("sec-fetch-site");

@@ -1,14 +1,13 @@
 #include "bench/serve/http.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <nlohmann/json.hpp>
+
+#include "bench/json_text.hpp"
 
 namespace rvbench::bench {
 
 HttpAnswer json_answer(int status, const nlohmann::json& json) {
-  return {.status = status,
-          .body = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"};
+  return {.status = status, .body = json_line(json) + "\n"};
 }
 
 HttpAnswer refusal(int status, const std::string& word) {
@@ -19,10 +18,12 @@ HttpAnswer wrong_field(const std::string& name) {
   return json_answer(400, {{"error", "field"}, {"field", name}});
 }
 
-std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
+std::string wrong_parameter(const HttpRequest& request, const Parameters& parameters) {
+  for (const auto& [name, value] : request.query) {
+    const auto known = parameters.find(name);
+    if (known == parameters.end() || !(value.empty() || known->second(value))) return name;
+  }
+  return "";
 }
 
 HostAndPort host_and_port(const std::string& text) {

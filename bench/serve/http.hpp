@@ -48,8 +48,10 @@ HttpAnswer refusal(int status, const std::string& word);
 /// {"error": "field", "field": name}, 400: it is none of the call's, or holds something else.
 HttpAnswer wrong_field(const std::string& name);
 
-/// Of ASCII alone, as names of headers, hosts and types are.
-std::string lower(std::string text);
+/// What a call's query may hold, and whether a value is one; an empty value is none.
+using Parameters = std::map<std::string, bool (*)(const std::string&)>;
+/// The first of a query that is none of them, or holds something else; "" if there is none.
+std::string wrong_parameter(const HttpRequest& request, const Parameters& parameters);
 
 struct HostAndPort {
   std::string host;  ///< "localhost", "::1"

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <thread>
 
+#include "bench/lower_case.hpp"
 #include "bench/serve/timed_stream.hpp"
 
 namespace rvbench::bench {
@@ -44,7 +45,7 @@ class Workers final : public httplib::TaskQueue {
 
 HttpRequest plain(const httplib::Request& from) {
   HttpRequest request{from.method, from.path};
-  for (const auto& [name, value] : from.headers) request.headers.emplace(lower(name), value);
+  for (const auto& [name, value] : from.headers) request.headers.emplace(lower_case(name), value);
   for (const auto& [name, value] : from.params) request.query.emplace(name, value);
   request.body = from.body;
   request.address = from.remote_addr;
@@ -60,6 +61,10 @@ std::optional<HttpAnswer> refused_form(const httplib::Request& request, const Ht
   if (request.has_header("Range")) return refusal(416, "ranges");
   for (const char* name : {"Host", "Content-Length", "Content-Type", "Cookie", "Origin"}) {
     if (request.get_header_value_count(name) > 1) return refusal(400, "header_twice");
+  }
+  for (const auto& [name, value] : request.params) {
+    const bool is_cut = value.find('\0') != std::string::npos;  // where others end a text
+    if (is_cut || request.params.count(name) > 1) return wrong_field(name);
   }
   const bool is_post = request.method == "POST";
   const bool has_length = request.has_header("Content-Length");
@@ -78,7 +83,7 @@ std::optional<HttpAnswer> refused_form(const httplib::Request& request, const Ht
   if (!is_post) return std::nullopt;
   const std::string type = request.get_header_value("Content-Type");
   if (request.has_header("Content-Encoding") ||
-      lower(type.substr(0, type.find(';'))) != "application/json") {
+      lower_case(type.substr(0, type.find(';'))) != "application/json") {
     return refusal(415, "expected_json");
   }
   return std::nullopt;

@@ -1,6 +1,8 @@
 #include "bench/serve/json_fields.hpp"
 
 #include <nlohmann/json.hpp>
+#include <set>
+#include <vector>
 
 namespace rvbench::bench {
 namespace {
@@ -16,6 +18,23 @@ bool is_of(FieldKind kind, const nlohmann::json& value) {
 }
 
 }  // namespace
+
+nlohmann::json fields_of(const std::string& body) {
+  if (body.empty()) return nlohmann::json::object();
+  bool is_twice = false;
+  std::vector<std::set<std::string>> names;  // of each object that is not at its end
+  const auto note = [&](int, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
+    using Event = nlohmann::json::parse_event_t;
+    if (event == Event::object_start) names.emplace_back();
+    if (event == Event::object_end) names.pop_back();
+    if (event == Event::key && !names.back().insert(parsed.get<std::string>()).second) {
+      is_twice = true;
+    }
+    return true;
+  };
+  auto json = nlohmann::json::parse(body, note, false);
+  return is_twice ? nlohmann::json(nullptr) : json;
+}
 
 std::string misplaced_field(const nlohmann::json& body, const Fields& fields) {
   for (const auto& [key, value] : body.items()) {

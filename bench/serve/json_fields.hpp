@@ -11,6 +11,10 @@ enum class FieldKind { text, truth, object, version };  ///< a version is a text
 
 using Fields = std::map<std::string, FieldKind>;
 
+/// The object that a request's body is, {} of an empty one. Where it is no JSON, or holds a key twice,
+/// in whatever object, it is no object.
+nlohmann::json fields_of(const std::string& body);
+
 /// The first key that is none of these, or holds something else; "" if there is none.
 std::string misplaced_field(const nlohmann::json& body, const Fields& fields);
 

@@ -3,6 +3,7 @@
 #include <system_error>
 #include <vector>
 
+#include "bench/results/audit_index.hpp"
 #include "bench/serve/json_fields.hpp"
 #include "bench/serve/station_api.hpp"
 #include "bench/serve/tokens.hpp"
@@ -42,9 +43,10 @@ HttpAnswer StationApi::rejudge(const Call& call) {
 
 // All versions, or what one of them would change.
 HttpAnswer StationApi::limits(const Call& call) {
+  const std::string field = wrong_parameter(call.request, {{"version", is_word}});
+  if (!field.empty()) return wrong_field(field);
   const std::string version = call.request.parameter("version");
   if (!version.empty()) {
-    if (!is_word(version)) return wrong_field("version");
     return ask_long(
         {"limits", "effect", version, "--json", "--out=" + station_.file().runs.string()});
   }
@@ -75,7 +77,7 @@ HttpAnswer StationApi::propose_limits(const Call& call) {
     }
     // Of a name of its own: two may propose at once.
     const auto file =
-        Station::keep_of(station_.file().runs) / ("proposed-" + random_hex(8) + ".json");
+        station_folder(station_.file().runs) / ("proposed-" + random_hex(8) + ".json");
     write_file(file, call.body["limits"].dump() + "\n");
     HttpAnswer answer =
         ask({"limits", "propose", "--from=" + file.string(), "--by=" + call.session.user,

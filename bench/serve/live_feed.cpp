@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/spectrum.hpp"
+#include "bench/json_text.hpp"
 #include "hal/types/units.hpp"
 
 namespace rvbench::bench {
@@ -15,10 +16,6 @@ namespace {
 constexpr std::chrono::milliseconds strip_every{200};
 constexpr int strips_per_spectrum = 5;
 constexpr double quietest_g = 1e-6;  // -120 dB: below what any of these sensors tells from nothing
-
-std::string text_of(const nlohmann::json& json) {
-  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
 
 }  // namespace
 
@@ -81,9 +78,12 @@ void LiveFeed::take(const hal::AccelerationBlock& block, double rate_Hz,
   if (values_.sums_m_s2.size() != block.scans.cols()) {
     values_.sums_m_s2 = values_.squares = Eigen::VectorXd::Zero(block.scans.cols());
   }
+  // A spectrum knows no holes: neither blocks that were not waited for nor lost samples.
+  if (!(std::abs(block.t0_s - heard_until_s_) < 0.5 / rate_Hz)) latest_.clear();
+  heard_until_s_ = block.t0_s + double(block.scans.rows()) / rate_Hz;
   for (Eigen::Index row = 0; row < block.scans.rows(); ++row) {
     if (!block.scans.row(row).allFinite()) {
-      latest_.clear();  // a spectrum knows no holes
+      latest_.clear();
       continue;
     }
     for (Eigen::Index channel = 0; channel < block.scans.cols(); ++channel) {
@@ -96,7 +96,7 @@ void LiveFeed::take(const hal::AccelerationBlock& block, double rate_Hz,
   }
   rate_Hz_ = rate_Hz;
   if (channel_.empty()) channel_ = first_channel;
-  values_.newest_s = block.t0_s + double(block.scans.rows()) / rate_Hz;
+  values_.newest_s = heard_until_s_;
 }
 
 void LiveFeed::take_temperature(double degC) {
@@ -143,13 +143,14 @@ void LiveFeed::run(const std::stop_token& stop) {
 
 void LiveFeed::send_state() {
   const std::lock_guard lock(state_mutex_);
-  socket_.send(text_of({{"kind", "state"},
-                        {"run", run_},
-                        {"stage", stage_},
-                        {"text", text_},
-                        {"done", std::clamp(std::isfinite(done_) ? done_ : 0.0, 0.0, 1.0)},
-                        {"left_s", left_s_},
-                        {"points", points_}}));
+  socket_.send(
+      json_line(nlohmann::json({{"kind", "state"},
+                                {"run", run_},
+                                {"stage", stage_},
+                                {"text", text_},
+                                {"done", std::clamp(std::isfinite(done_) ? done_ : 0.0, 0.0, 1.0)},
+                                {"left_s", left_s_},
+                                {"points", points_}})));
 }
 
 void LiveFeed::send_strip(const Values& values) {
@@ -161,13 +162,13 @@ void LiveFeed::send_strip(const Values& values) {
   }
   const double speed_rad_s =
       (values.last_rad - values.first_rad) / (values.last_s - values.first_s);
-  socket_.send(text_of(
+  socket_.send(json_line(nlohmann::json(
       {{"kind", "strip"},
        {"t_s", values.newest_s},
        {"torque_Nm", values.torques > 0 ? values.torque_sum_Nm / values.torques : not_known},
        {"speed_rpm", units::rpm_from_rad_s(speed_rad_s)},
        {"temperature_C", values.temperature_degC},
-       {"vibration_g", vibration_g}}));
+       {"vibration_g", vibration_g}})));
 }
 
 void LiveFeed::send_spectrum(const Eigen::VectorXd& samples, double rate_Hz,
@@ -178,10 +179,10 @@ void LiveFeed::send_spectrum(const Eigen::VectorXd& samples, double rate_Hz,
     const double g = std::max(quietest_g, units::g_from_m_s2(amplitude_m_s2));
     levels_dB.push_back(std::round(200 * std::log10(g)) / 10);
   }
-  socket_.send(text_of({{"kind", "spectrum"},
-                        {"channel", channel},
-                        {"step_Hz", spectrum.resolution},
-                        {"levels_dB", std::move(levels_dB)}}));
+  socket_.send(json_line(nlohmann::json({{"kind", "spectrum"},
+                                         {"channel", channel},
+                                         {"step_Hz", spectrum.resolution},
+                                         {"levels_dB", std::move(levels_dB)}})));
 }
 
 }  // namespace rvbench::bench

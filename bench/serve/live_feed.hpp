@@ -74,6 +74,7 @@ class LiveFeed {
   Values values_;
   std::vector<double> latest_;  // of the first channel, at most spectrum_samples
   double rate_Hz_ = 0;
+  double heard_until_s_ = not_known;  // of the accelerations
   std::string channel_;
 
   std::condition_variable_any ending_;

@@ -136,7 +136,7 @@ std::string RunProcess::start(const std::vector<std::string>& words) {
       spawn(child_, words, {nothing.number, out.number, err.number, lock.number}, true);
   if (error != 0) return words.front() + ": " + std::strerror(error);
   const std::string number = std::to_string(child_) + "\n";
-  // Where the disk does not take its number, nobody can stop it from here: it runs all the same.
+  // Where the disk does not take its number, no later station can stop it: it runs all the same.
   if (::ftruncate(lock.number, 0) == 0) {
     [[maybe_unused]] const auto written = ::pwrite(lock.number, number.data(), number.size(), 0);
   }
@@ -150,9 +150,11 @@ bool RunProcess::is_alive() {
 }
 
 bool RunProcess::stop() {
-  const std::string text = read_file(lock_file()).value_or("");
-  pid_t process = -1;
-  std::from_chars(text.data(), text.data() + text.size(), process);
+  pid_t process = child_;
+  if (process <= 0) {  // of another station
+    const std::string text = read_file(lock_file()).value_or("");
+    std::from_chars(text.data(), text.data() + text.size(), process);
+  }
   if (process <= 0) return false;
   const Descriptor target(open_process(process));
   // Asked once the process is held: its number may have become somebody else's before.

@@ -6,6 +6,8 @@
 
 #include "bench/file_kind.hpp"
 #include "bench/find_plan.hpp"
+#include "bench/ledger.hpp"
+#include "bench/results/audit_index.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/serve/json_fields.hpp"
@@ -35,7 +37,7 @@ StationFile with_whole_paths(StationFile file) {
 Station::Station(StationFile file, std::filesystem::path program, EventHub& hub)
     : file_(with_whole_paths(std::move(file))),
       program_(std::move(program)),
-      keep_(made(keep_of(file_.runs))),
+      keep_(made(station_folder(file_.runs))),
       hub_(hub),
       process_(keep_),
       live_(LiveSocket::open(live_file())) {
@@ -99,6 +101,7 @@ std::string Station::start(const std::string& serial, bool is_retest, const Stat
     phase_ = Phase::running;
     progress_ = {.stage = "start", .text = ""};
     is_due_ = true;
+    is_told_to_stop_ = false;
   }
   tell_change();
   return "";
@@ -107,9 +110,10 @@ std::string Station::start(const std::string& serial, bool is_retest, const Stat
 std::string Station::stop() {
   const std::lock_guard lock(mutex_);
   if (phase_ != Phase::running) return "not_running";
+  is_told_to_stop_ = true;
   if (is_due_) {
     is_due_ = false;
-    fail("stopped_before", "stopped before it began", Outcome::aborted);
+    fail_before_it_began();
     return "";
   }
   return process_.stop() ? "" : "not_running";
@@ -158,7 +162,9 @@ void Station::look_after_qualification(bool has_ended) {
   if (!has_ended && now - judged_ < judge_again) return;
   judged_ = now;
   std::error_code none_yet;
-  const auto changed = std::filesystem::last_write_time(qualification_folder(file_.runs), none_yet);
+  const auto changed =
+      std::max(std::filesystem::last_write_time(file_.runs / ledger_name, none_yet),
+               std::filesystem::last_write_time(qualification_folder(file_.runs), none_yet));
   if (has_ended || changed != records_changed_ || now - gathered_ >= gather_again) {
     records_changed_ = changed;
     gathered_ = now;
@@ -207,7 +213,7 @@ void Station::read_plan() {
   auto rig = read_rig(file_.rig, {});
   rig_.reset();
   if (rig.index() == 0) rig_ = std::get<0>(std::move(rig));
-  point_states_.assign(points_.size(), 'o');
+  point_states_.resize(points_.size(), 'o');  // those of the verdict on show stay
 }
 
 }  // namespace rvbench::bench

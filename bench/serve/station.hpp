@@ -53,10 +53,6 @@ class Station {
   void tick();
 
   const StationFile& file() const { return file_; }
-  /// Where it keeps audit log and what tells of the run: below the runs, beside the units.
-  static std::filesystem::path keep_of(const std::filesystem::path& runs) {
-    return runs / ".station";
-  }
 
  private:
   enum class Phase { idle, ready, duplicate, running, ended };
@@ -80,6 +76,7 @@ class Station {
   void conclude();
   /// @param code  what the page has a sentence for
   void fail(const std::string& code, const std::string& reason, Outcome outcome = Outcome::error);
+  void fail_before_it_began();
   void tell_change();
   std::string why_not(bool is_retest, const StationViewer& viewer) const;
   std::string next_action(const StationViewer& viewer) const;
@@ -95,6 +92,7 @@ class Station {
   mutable std::mutex mutex_;
   Phase phase_ = Phase::idle;
   bool is_due_ = false;  // to be started by tick()
+  bool is_told_to_stop_ = false;
   std::string serial_;
   std::vector<KnownRun> known_;
   std::vector<std::string> faults_;   // of plan and rig

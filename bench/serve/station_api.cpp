@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "bench/json_text.hpp"
 #include "bench/serve/event_stream.hpp"
 #include "bench/serve/page_file.hpp"
 #include "bench/sha256.hpp"
@@ -25,7 +26,7 @@ std::string cookie_of(const std::string& value, int seconds) {
 std::string without_secrets(const nlohmann::json& body) {
   nlohmann::json kept = body;
   kept.erase("token");
-  return kept.empty() ? "" : kept.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  return kept.empty() ? "" : ascii_json_line(kept);
 }
 
 nlohmann::json json_of(const Session& session) {
@@ -38,7 +39,8 @@ bool is_from_afar(const HttpRequest& request) {
   for (const char* name : {"forwarded", "x-forwarded-for", "via", "x-real-ip"}) {
     if (request.headers.contains(name)) return true;
   }
-  // A proxy need not say that it is one, but it is not called by this computer's own name.
+  // A proxy that hands on no such header must hand on the name it is called by, or set its own: an
+  // asker from afar can call it by this computer's.
   return !is_loopback(request.address) || !is_loopback(host_and_port(request.header("host")).host);
 }
 
@@ -100,8 +102,7 @@ HttpAnswer StationApi::answer(const HttpRequest& request) {
   if (!request.path.starts_with("/api/")) {
     return method == "GET" ? page_file(request.path) : refusal(405, "method");
   }
-  auto body = nlohmann::json::object();
-  if (!request.body.empty()) body = nlohmann::json::parse(request.body, nullptr, false);
+  const auto body = fields_of(request.body);
   if (!body.is_object()) return refusal(400, "malformed");
   if (request.path == "/api/login") {
     return method == "POST" ? log_in(request, body) : refusal(405, "method");

@@ -3,6 +3,7 @@
 #include <system_error>
 #include <utility>
 
+#include "bench/json_text.hpp"
 #include "bench/serve/json_fields.hpp"
 #include "bench/serve/station.hpp"
 #include "bench/serve/station_state.hpp"
@@ -81,7 +82,7 @@ void Station::hear(const nlohmann::json& letter) {
   if (kind == "strip" || kind == "spectrum") {
     nlohmann::json event = letter;
     event.erase("kind");
-    hub_.publish(kind, event.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    hub_.publish(kind, json_line(event));
   }
   if (kind != "state") return;
   run_ = text_at(letter, "run");
@@ -107,6 +108,7 @@ void Station::conclude() {
   const auto answer =
       nlohmann::json::parse(read_file(process_.answer_file()).value_or(""), nullptr, false);
   if (!answer.is_object()) {
+    if (is_told_to_stop_ && run_.empty()) return fail_before_it_began();
     return fail("no_answer", "the run ended without an answer (see " +
                                  process_.log_file().string() +
                                  "); if the shaft turned, the drive's watchdog has stopped it");
@@ -126,6 +128,10 @@ void Station::conclude() {
   } catch (const nlohmann::json::exception& error) {
     fail("no_answer", std::string("the run's answer is none: ") + error.what());
   }
+}
+
+void Station::fail_before_it_began() {
+  fail("stopped_before", "stopped before it began", Outcome::aborted);
 }
 
 void Station::fail(const std::string& code, const std::string& reason, Outcome outcome) {

@@ -6,6 +6,7 @@
 #include <set>
 #include <system_error>
 
+#include "bench/json_text.hpp"
 #include "bench/serve/station.hpp"
 
 namespace rvbench::bench {
@@ -18,10 +19,6 @@ const char* word_of(char state) {
     case 'f': return "failed";
     default: return "open";
   }
-}
-
-std::string line_of(const nlohmann::json& json) {
-  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 }  // namespace
@@ -40,13 +37,14 @@ std::string verdict_of_answer(const nlohmann::json& answer, const std::string& r
   std::error_code unknown;
   const bool has_report =
       !run.empty() && std::filesystem::exists(runs / run / "report.html", unknown);
-  return line_of({{"word", has_word ? answer["verdict"] : nlohmann::json("ERROR")},
-                  {"exit_code", answer.value("exit_code", -1)},
-                  {"code", answer.value("code", answer.value("error_kind", "none"))},
-                  {"reason", answer.value("reason", "")},
-                  {"findings", findings},
-                  {"run", run},
-                  {"report", has_report ? "/api/runs/" + run + "/report" : ""}});
+  return json_line(
+      nlohmann::json({{"word", has_word ? answer["verdict"] : nlohmann::json("ERROR")},
+                      {"exit_code", answer.value("exit_code", -1)},
+                      {"code", answer.value("code", answer.value("error_kind", "none"))},
+                      {"reason", answer.value("reason", "")},
+                      {"findings", findings},
+                      {"run", run},
+                      {"report", has_report ? "/api/runs/" + run + "/report" : ""}}));
 }
 
 nlohmann::json matrix_of(const std::vector<hal::PlannedPoint>& points, const std::string& states) {
@@ -100,7 +98,7 @@ std::string Station::state(const StationViewer& viewer) const {
          {"started_utc", run.started_utc},
          {"verdict", run.verdict.empty() ? nlohmann::json() : nlohmann::json(run.verdict)}});
   }
-  return line_of(
+  return json_line(nlohmann::json(
       {{"station", {{"name", file_.name}, {"qualified", reasons_.empty()}, {"reasons", reasons_}}},
        {"phase", to_string(phase_)},
        {"serial", serial_},
@@ -114,7 +112,7 @@ std::string Station::state(const StationViewer& viewer) const {
          {"left_s", progress_.left_s}}},
        {"matrix", matrix_of(points_, point_states_)},
        {"verdict", nlohmann::json::parse(verdict_)},
-       {"next_action", next_action(viewer)}});
+       {"next_action", next_action(viewer)}}));
 }
 
 // Each listener is told in its own words: what it may do next differs.

@@ -1,9 +1,8 @@
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <charconv>
 #include <cstdint>
-#include <initializer_list>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -12,6 +11,7 @@
 #include "bench/serve/other_process.hpp"
 #include "bench/serve/station_api.hpp"
 #include "bench/text_file.hpp"
+#include "hal/types/outcome.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -66,22 +66,12 @@ std::string run_of(const std::string& serial, const std::string& time) {
 // An exit code that tells how a judgement ended, FAIL (10) to not qualified (60).
 bool is_verdict(int code) { return code >= 10 && code <= 60; }
 
-// "--serial=A17" of what the query holds.
-void add_options(std::vector<std::string>& words, const HttpRequest& request,
-                 const std::vector<std::string>& names) {
-  for (const std::string& name : names) {
-    const std::string value = request.parameter(name);
-    if (!value.empty()) words.push_back("--" + name + "=" + value);
-  }
-}
-
-// The newest alone, where nobody asks for more: an answer does not grow with the years.
+// Where nobody asks for more or fewer: an answer does not grow with the years.
 void add_last(std::vector<std::string>& words, const HttpRequest& request) {
-  const std::string last = request.parameter("last");
-  words.push_back("--last=" + (last.empty() ? newest_runs : last));
+  if (request.parameter("last").empty()) words.push_back("--last=" + newest_runs);
 }
 
-// What the commands would refuse in words of their own options; "" is no parameter.
+// What the commands would refuse in words of their own options.
 bool is_count(const std::string& text) {
   std::uint64_t count = 0;
   const char* end = text.data() + text.size();
@@ -91,20 +81,16 @@ bool is_count(const std::string& text) {
 bool is_time(const std::string& text) { return utc_of_text(text, false).has_value(); }
 bool is_point(const std::string& text) { return point_of_text(text).has_value(); }
 bool is_outcome(const std::string& text) {
-  constexpr std::array words{"PASS", "FAIL", "INVALID", "ERROR", "ABORTED"};
-  return std::ranges::find(words, text) != words.end();
+  return std::ranges::any_of(all_outcomes,
+                             [&](Outcome outcome) { return text == to_string(outcome); });
 }
+bool is_text(const std::string&) { return true; }
 
-using Parameter = std::pair<const char*, bool (*)(const std::string&)>;
-
-// The first that holds something else; "" if there is none.
-std::string misplaced_parameter(const HttpRequest& request,
-                                std::initializer_list<Parameter> parameters) {
-  for (const auto& [name, is_right] : parameters) {
-    const std::string value = request.parameter(name);
-    if (!value.empty() && !is_right(value)) return name;
+// "--serial=A17" of what the query holds.
+void add_options(std::vector<std::string>& words, const HttpRequest& request) {
+  for (const auto& [name, value] : request.query) {
+    if (!value.empty()) words.push_back("--" + name + "=" + value);
   }
-  return "";
 }
 
 }  // namespace
@@ -152,34 +138,40 @@ HttpAnswer StationApi::ask_long(std::vector<std::string> words) const {
 }
 
 HttpAnswer StationApi::history(const Call& call) {
-  const std::string field = misplaced_parameter(
-      call.request,
-      {{"from", is_time}, {"to", is_time}, {"verdict", is_outcome}, {"last", is_count}});
+  const std::string field = wrong_parameter(call.request, {{"serial", is_text},
+                                                           {"from", is_time},
+                                                           {"to", is_time},
+                                                           {"verdict", is_outcome},
+                                                           {"plan", is_text},
+                                                           {"last", is_count}});
   if (!field.empty()) return wrong_field(field);
   std::vector<std::string> words{"history", "--json", "--out=" + station_.file().runs.string()};
-  add_options(words, call.request, {"serial", "from", "to", "verdict", "plan"});
+  add_options(words, call.request);
   add_last(words, call.request);
   return ask(std::move(words));
 }
 
 HttpAnswer StationApi::trend(const Call& call) {
-  const std::string indicator = call.request.parameter("indicator");
+  HttpRequest request = call.request;
+  const std::string indicator = request.parameter("indicator");
   if (!is_plain_name(indicator)) return wrong_field("indicator");
-  const std::string field =
-      misplaced_parameter(call.request, {{"point", is_point}, {"last", is_count}});
+  request.query.erase("indicator");
+  const std::string field = wrong_parameter(
+      request,
+      {{"point", is_point}, {"channel", is_text}, {"serial", is_text}, {"last", is_count}});
   if (!field.empty()) return wrong_field(field);
   std::vector<std::string> words{"trend", indicator, "--json",
                                  "--runs=" + station_.file().runs.string()};
-  add_options(words, call.request, {"point", "channel", "serial"});
-  add_last(words, call.request);
+  add_options(words, request);
+  add_last(words, request);
   return ask(std::move(words));
 }
 
 HttpAnswer StationApi::audit(const Call& call) {
+  const std::string field = wrong_parameter(call.request, {{"last", is_count}});
+  if (!field.empty()) return wrong_field(field);
   const std::string last = call.request.parameter("last");
-  if (last.empty()) return {.body = "{\"entries\":" + audit_.last(100) + "}\n"};
-  if (!is_count(last)) return wrong_field("last");
-  const auto lines = std::min<std::uint64_t>(1000, std::stoull(last));
+  const auto lines = last.empty() ? 100 : std::min<std::uint64_t>(1000, std::stoull(last));
   return {.body = "{\"entries\":" + audit_.last(lines) + "}\n"};
 }
 

@@ -2,11 +2,12 @@
 """A station that only pretends: serves the operator page and answers its API from a script.
 
     fake_station.py --page bench/serve/page [--plots FOLDER with uplot.js, uplot.css] [--port N]
-                    [--keep FILE]
+                    [--keep FILE] [--loads-first] [--busy-words N]
 
 Prints its port. The serial number decides what comes: it begins with A and has digits; one that ends
 with 0 has a wrong check digit, with 7 is bad, with 9 strikes a bench fault, A16 was tested before.
-With --keep it finds a running test again when it is started anew, as the real one does.
+With --keep it finds a running test again when it is started anew, as the real one does. With
+--loads-first its plan has the same points in another order. The first N askers for words find it busy.
 """
 import argparse
 import http.server
@@ -26,30 +27,47 @@ ROLES = ["viewer", "operator", "engineer"]
 TYPES = {".html": "text/html", ".css": "text/css", ".js": "text/javascript", ".json": "application/json"}
 SPEEDS_RPM, LOADS_PCT, REPEATS = [605, 1210, 1815], [0, 25, 50, 75, 100, 125, 150], 3
 POINTS = [(s, l, r) for s in SPEEDS_RPM for l in LOADS_PCT for r in range(1, REPEATS + 1)]
+POINTS_LOADS_FIRST = sorted(POINTS, key=lambda point: (point[1], point[0], point[2]))
 ADVICE = "Stiffen, shorten or support the input shaft."
 
 
-def run_json(serial, utc, verdict, reason=""):
+def run_json(serial, utc, verdict, reason="", error_kind="none"):
     return {"folder": f"{serial}/{utc}", "serial": serial, "started_utc": utc,
-            "plan": "rv20e_acceptance", "verdict": verdict, "reason": reason,
-            "rejudged": []}
+            "plan": "rv20e_acceptance", "verdict": verdict, "error_kind": error_kind if verdict else None,
+            "reason": reason, "rejudged": []}
+
+
+def utc_of_text(text, rest):
+    """"20261121T114559Z" of a time as people write it; None if it is none."""
+    digits = re.sub(r"[-: TZ]", "", text)
+    if not re.fullmatch(r"\d{8}(\d\d){0,3}", digits) or len(digits) == 10:
+        return None
+    digits += rest[len(digits) - 14:] if len(digits) < 14 else ""
+    return f"{digits[:8]}T{digits[8:]}Z"
 
 
 class Station:
-    def __init__(self, keep, run_s):
+    def __init__(self, keep, run_s, points):
         self.lock = threading.RLock()
         self.keep = keep
         self.run_s = run_s
+        self.points = points
         self.number = 0  # of changes
         self.serial, self.phase, self.verdict, self.begun_s, self.stopped = "", "idle", None, 0.0, False
-        self.runs = [run_json(f"A{10 + i}", f"202611{20 + i:02}T0{i + 1}1500Z", v, r) for i, (v, r) in
-                     enumerate([("PASS", ""), ("FAIL", "input_shaft: misalignment"), ("PASS", ""),
-                                ("INVALID", "channel 3 clipped"), ("PASS", ""), ("ERROR", "torque sensor silent")])]
+        self.runs = [run_json(f"A{10 + i}", f"202611{20 + i:02}T0{i + 1}1500Z", *told) for i, told in
+                     enumerate([("PASS",), ("FAIL", "input_shaft: misalignment"), ("PASS",),
+                                ("INVALID", "channel 3 clipped"), ("PASS",),
+                                ("ERROR", "torque sensor silent", "device_lost")])]
         self.runs.append(run_json("A16", "20261126T071500Z", "PASS"))
+        self.runs.append(run_json("A21", "20261126T081500Z", None, "not finished: cut short"))
         self.versions = [{"limits_version": "1", "plan": "rv20e_acceptance", "status": "activated", "in_force": True,
                           "limits": self.limits(0.25),
                           "steps": [{"step": step, "utc": "20261101T080000Z", "by": "enzo"}
-                                    for step in ("proposed", "approved", "activated")]}]
+                                    for step in ("proposed", "approved", "activated")]},
+                         {"limits_version": "spoilt", "status": "damaged", "in_force": False,
+                          "fault": "runs/limits/spoilt.json cannot be read: rvbench check tells why"},
+                         {"limits_version": "gone", "status": "missing", "in_force": True,
+                          "fault": "runs/limits/gone.json is missing"}]
         if keep and keep.exists():
             self.__dict__.update(json.loads(keep.read_text()))
 
@@ -59,6 +77,7 @@ class Station:
         return [{"measure": "acceleration_rms", "unit": "m/s²", "max": most, "why": why},
                 {"measure": "kurtosis", "unit": "1", "max": 3.6, "why": why},
                 {"measure": "kurtosis", "unit": "1", "max": 3.4, "speed_rpm": 1815, "load_pct": 150, "why": why},
+                {"measure": "acceleration_rms", "unit": "m/s²", "component": "input_shaft", "max": 0.01, "why": why},
                 {"measure": "efficiency", "unit": "1", "min": 0.72, "why": why}]
 
     @staticmethod
@@ -92,17 +111,49 @@ class Station:
         elif self.serial.endswith("9"):
             word, code, why = "ERROR", 30, "device_lost"
             reason = "inverter: read speed: no reply within 100 ms; check its cable"
-        utc = time.strftime("%Y%m%dT%H%M%SZ", time.gmtime(self.begun_s))
-        self.runs.append(run_json(self.serial, utc, word, reason))
+        utc = self.begun_utc()
+        self.runs.append(run_json(self.serial, utc, word, reason, why))
         run = f"{self.serial}/{utc}"
         self.verdict = {"word": word, "exit_code": code, "code": why, "reason": reason, "findings": findings,
                         "run": run, "report": f"/api/runs/{run}/report"}
         self.phase = "ended"
         self.changed()
 
+    def begun_utc(self):
+        return time.strftime("%Y%m%dT%H%M%SZ", time.gmtime(self.begun_s))
+
+    def all_runs(self):
+        """Also the one that is running."""
+        with self.lock:
+            at_work = [run_json(self.serial, self.begun_utc(), None, "not finished: still at work")]
+            return self.runs + (at_work if self.phase == "running" else [])
+
+    def history(self, query):
+        """(status, answer), as rvbench history narrows."""
+        span = {"from": ("", "000000"), "to": ("~", "235959")}
+        for name, (none, rest) in span.items():
+            span[name] = utc_of_text(query[name], rest) if name in query else none
+            if span[name] is None:
+                return 400, {"error": "field", "field": name}
+        return 200, {"runs": [r for r in self.all_runs() if query.get("serial", r["serial"]) == r["serial"]
+                              and query.get("verdict", r["verdict"]) == r["verdict"]
+                              and span["from"] <= r["started_utc"] <= span["to"]]}
+
+    def trend(self, query):
+        """(status, answer): too few values for a trend."""
+        if query.get("indicator") == "none":
+            return 422, {"error": "refused", "exit_code": 2, "reason": "trend: no indicator none\n"}
+        judged = [r for r in self.runs if r["verdict"]]
+        values = [{"serial": r["serial"], "started_utc": r["started_utc"], "verdict": r["verdict"],
+                   "point": "1815 rpm, 100 %", "value": 0.17 + 0.03 * math.sin(2.1 * i) + (0.12 if r["verdict"] == "FAIL" else 0)}
+                  for i, r in enumerate(judged)]
+        why_not = f"{len(values)} runs, 10 are needed"
+        return 200, {"indicator": query.get("indicator"), "unit": "m/s²", "values": values,
+                     "trend": {"told": False, "why_not": why_not}, "sentence": f"no trend can be told: {why_not}"}
+
     def cells(self):
         done = len(POINTS) if self.phase == "ended" else int(self.share() * len(POINTS)) if self.phase == "running" else 0
-        for i, (speed, load, repeat) in enumerate(POINTS):
+        for i, (speed, load, repeat) in enumerate(self.points):
             status = "done" if i < done else "measuring" if i == done and self.phase == "running" else "open"
             if status == "done" and self.serial.endswith("7") and i % 11 == 5:
                 status = "failed"
@@ -117,7 +168,7 @@ class Station:
             action = actions[self.phase]
             if role == "viewer" and action in ("scan", "start", "decide_retest"):
                 action = "not_allowed"
-            at = POINTS[min(len(POINTS) - 1, int(share * len(POINTS)))]
+            at = self.points[min(len(POINTS) - 1, int(share * len(POINTS)))]
             return {"station": {"name": "Line 2 end of line", "qualified": True, "reasons": []},
                     "phase": self.phase, "serial": self.serial,
                     "known_runs": [{"run": r["folder"], "started_utc": r["started_utc"], "verdict": r["verdict"]} for r in known],
@@ -214,7 +265,7 @@ def spectrum(share):
 
 class Handler(http.server.BaseHTTPRequestHandler):
     protocol_version = "HTTP/1.1"
-    station, page, plots, sessions = None, None, None, {}
+    station, page, plots, sessions, busy_words = None, None, None, {}, 0
 
     def log_message(self, *_):
         pass
@@ -248,17 +299,9 @@ class Handler(http.server.BaseHTTPRequestHandler):
         if url.path == "/api/events":
             return self.send_events(session["role"])
         if url.path == "/api/history":
-            runs = [r for r in self.station.runs if query.get("serial", r["serial"]) == r["serial"]
-                    and query.get("verdict", r["verdict"]) == r["verdict"]]
-            return self.answer(200, {"runs": runs})
-        if url.path == "/api/trend" and query.get("indicator") == "none":
-            return self.answer(422, {"error": "refused", "exit_code": 2, "reason": "trend: no indicator none\n"})
+            return self.answer(*self.station.history(query))
         if url.path == "/api/trend":
-            values = [{"serial": r["serial"], "started_utc": r["started_utc"], "verdict": r["verdict"],
-                       "point": "1815 rpm, 100 %", "value": 0.17 + 0.03 * math.sin(2.1 * i) + (0.12 if r["verdict"] == "FAIL" else 0)}
-                      for i, r in enumerate(self.station.runs)]
-            return self.answer(200, {"indicator": query.get("indicator"), "unit": "m/s²", "values": values,
-                                     "sentence": "No trend can be told from 7 runs."})
+            return self.answer(*self.station.trend(query))
         if url.path == "/api/limits":
             known = {"effect": self.station.effect()} if "version" in query else {"versions": self.station.versions}
             return self.answer(200, known)
@@ -303,7 +346,16 @@ class Handler(http.server.BaseHTTPRequestHandler):
         self.sessions.pop(re.search(r"rvbench_session=(\w+)", self.headers["Cookie"])[1])
         return 200, {}
 
+    def send_busy(self):
+        self.send_response(503)
+        self.send_header("Content-Length", "0")
+        self.send_header("Connection", "close")
+        self.end_headers()
+
     def send_page(self, path):
+        if path.startswith("/words/") and Handler.busy_words > 0:
+            Handler.busy_words -= 1
+            return self.send_busy()
         name = "index.html" if path == "/" else path[1:]
         root = self.plots if name.startswith("uplot.") else self.page
         file = (root / name).resolve() if root else None
@@ -359,9 +411,12 @@ def main():
     parser.add_argument("--port", type=int, default=0)
     parser.add_argument("--keep", type=pathlib.Path)
     parser.add_argument("--run-s", type=float, default=4)
+    parser.add_argument("--loads-first", action="store_true")
+    parser.add_argument("--busy-words", type=int, default=0)
     options = parser.parse_args()
     Handler.page, Handler.plots = options.page, options.plots
-    Handler.station = Station(options.keep, options.run_s)
+    Handler.busy_words = options.busy_words
+    Handler.station = Station(options.keep, options.run_s, POINTS_LOADS_FIRST if options.loads_first else POINTS)
     server = Server(("127.0.0.1", options.port), Handler)
     print(server.server_address[1], flush=True)
     server.serve_forever()

@@ -1,8 +1,8 @@
 """Stations for the page to talk to: the fake one, and the real program."""
-import pathlib
 import json
+import pathlib
+import re
 import signal
-import socket
 import subprocess
 import sys
 import tempfile
@@ -15,10 +15,10 @@ HERE = pathlib.Path(__file__).parent
 class FakeStation:
     """Keeps its port and what it knows when it is killed and started anew."""
 
-    def __init__(self, options, with_plots, run_s):
+    def __init__(self, options, with_plots, run_s, *others):
         self.folder = tempfile.TemporaryDirectory()
         self.command = [sys.executable, str(HERE / "fake_station.py"), "--page", str(options.page),
-                        "--keep", str(pathlib.Path(self.folder.name) / "kept.json"), "--run-s", str(run_s)]
+                        "--keep", str(pathlib.Path(self.folder.name) / "kept.json"), "--run-s", str(run_s), *others]
         if with_plots and options.plots and (options.plots / "uplot.js").exists():
             self.command += ["--plots", str(options.plots)]
         self.port = 0
@@ -45,6 +45,21 @@ class FakeStation:
         self.folder.cleanup()
 
 
+class OtherPage:
+    """Somebody else at a station, who has logged in."""
+
+    def __init__(self, url, token):
+        self.url, self.csrf = url, ""
+        self.opener = urllib.request.build_opener(urllib.request.HTTPCookieProcessor())
+        self.csrf = self.act("login", token=token)["csrf"]
+
+    def act(self, path, **body):
+        headers = {"Content-Type": "application/json", "X-CSRF-Token": self.csrf}
+        asked = urllib.request.Request(f"{self.url}api/{path}", json.dumps(body).encode(), headers)
+        with self.opener.open(asked, timeout=10) as answer:
+            return json.load(answer)
+
+
 class RealStation:
     """rvbench serve with plan quick on the simulated bench; killed and started anew, it keeps its port."""
 
@@ -56,25 +71,32 @@ class RealStation:
         self.token, entry = token_and_entry(made)
         (self.path / "station.json").write_text(json.dumps(
             {"station": "Line 2", "plan": "quick", "rig": "sim", "serial": {"masks": ["A##"]}, "users": [entry]}))
-        with socket.socket() as free:
-            free.bind(("127.0.0.1", 0))
-            self.port = free.getsockname()[1]
-        self.url = f"http://127.0.0.1:{self.port}/"
+        self.port = 0
         self.start()
+        self.url = f"http://127.0.0.1:{self.port}/"
 
     def ask(self, *words):
         return subprocess.run([self.program, *words], capture_output=True, text=True, check=True).stdout
 
     def start(self):
-        self.process = subprocess.Popen([self.program, "serve", "--station", self.path / "station.json",
-                                         "--port", str(self.port)], stderr=subprocess.DEVNULL)
-        for _ in range(100):
-            try:
-                urllib.request.urlopen(self.url, timeout=1).close()
+        log = self.path / "stderr.txt"
+        log.unlink(missing_ok=True)  # a run of the one before may still write there
+        with log.open("w") as stderr:
+            self.process = subprocess.Popen([self.program, "serve", "--station", self.path / "station.json",
+                                             "--port", str(self.port)], stderr=stderr)
+        end_s = time.monotonic() + 30
+        while time.monotonic() < end_s:
+            has_ended = self.process.poll() is not None
+            told = re.search(r" at http://127\.0\.0\.1:(\d+)/\n", log.read_text(errors="replace"))
+            if told:
+                self.port = int(told[1])
                 return
-            except OSError:
-                time.sleep(0.05)
-        raise AssertionError("rvbench serve does not answer")
+            if has_ended:
+                break
+            time.sleep(0.05)
+        self.kill()
+        said = log.read_text(errors="replace")
+        raise AssertionError(f"rvbench serve does not answer, exit code {self.process.returncode}: {said}")
 
     def kill(self):
         self.process.kill()

@@ -137,7 +137,7 @@ TEST_CASE("a cookie is found among others, whole or not at all", "[bench][serve]
   CHECK(cookie_in(" ; ;", "b").empty());
 }
 
-TEST_CASE("who comes through a proxy comes from afar, also where the proxy does not say so",
+TEST_CASE("who comes through a proxy that hands on who asks, or by what name, comes from afar",
           "[bench][serve]") {
   HttpRequest request{.method = "POST", .path = "/api/start", .address = "127.0.0.1"};
   for (const char* host : {"localhost:8080", "127.0.0.1:8080", "[::1]:8080"}) {

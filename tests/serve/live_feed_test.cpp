@@ -71,6 +71,28 @@ TEST_CASE("a run's feed tells means, the liveliest channel and its spectrum", "[
   CHECK(levels[300] < -80);
 }
 
+TEST_CASE("no spectrum is made of samples on both sides of a hole", "[bench][serve]") {
+  const rvbench::test::ScratchFolder scratch;
+  LiveSocket mailbox = LiveSocket::open(scratch / "live.sock");
+  LiveFeed feed(LiveSocket::to(scratch / "live.sock"), "A17/20260102T030405Z", 3);
+  constexpr int scans = LiveFeed::spectrum_samples;
+  constexpr double g = 9.80665, rate_Hz = 4096, half_s = scans / 2 / rate_Hz;
+  const auto take = [&](double t0_s, double amplitude_m_s2) {
+    hal::AccelerationBlock half;
+    half.t0_s = t0_s;
+    half.scans.resize(scans / 2, 1);
+    for (int i = 0; i < scans / 2; ++i) {
+      half.scans(i, 0) = float(amplitude_m_s2 * std::sin(2 * std::numbers::pi * 100 * i / scans));
+    }
+    feed.take(half, rate_Hz, "accel_1x");
+  };
+  take(10, 0);
+  take(10 + 2 * half_s, g);  // between them one was not waited for
+  take(10 + 3 * half_s, g);
+  const auto levels = letter_of(mailbox, "spectrum").at("levels_dB").get<std::vector<double>>();
+  CHECK(levels.at(100) == Approx(0).margin(0.11));  // dB re 1 g; with the silence it would be -6
+}
+
 TEST_CASE("a feed tells how far the run and each point is, and where nothing came no strip",
           "[bench][serve]") {
   const rvbench::test::ScratchFolder scratch;

@@ -122,7 +122,8 @@ TEST_CASE("a station refuses who is not logged in, asks from elsewhere, or asks 
     CHECK(word_of(station.post("/api/scan", std::string(70'000, ' '))) == "413 body_too_large");
     for (const std::string& body : {std::string("{"), std::string("[]"), std::string("17"),
                                     std::string("{\"text\":\"\xff\"}"), std::string(60'000, '['),
-                                    std::string("{\"text\":\"A17\"}}"), std::string(10, '\0')}) {
+                                    std::string("{\"text\":\"A17\"}}"), std::string(10, '\0'),
+                                    std::string("{\"text\":\"A1\",\"text\":\"A2\"}")}) {
       CAPTURE(body.substr(0, 20));
       CHECK(word_of(station.post("/api/scan", body)) == "400 malformed");
     }
@@ -150,13 +151,21 @@ TEST_CASE("a station refuses who is not logged in, asks from elsewhere, or asks 
                                             {"history?verdict=good", "verdict"},
                                             {"trend?indicator=kurtosis&last=-1", "last"},
                                             {"trend?indicator=kurtosis&point=nan/50", "point"},
-                                            {"audit?last=nan", "last"}}) {
+                                            {"history?seral=A17", "seral"},
+                                            {"trend?indicator=kurtosis&json=1", "json"},
+                                            {"trend?last=5", "indicator"},
+                                            {"audit?last=nan", "last"},
+                                            {"audit?from=2026-11-21", "from"},
+                                            {"limits?verion=2026-11", "verion"},
+                                            {"limits?version=--yes", "version"},
+                                            {"history?serial=A17%00zzz", "serial"},
+                                            {"history?last=1&last=2", "last"}}) {
       CAPTURE(query);
       const HttpReply reply = station.get("/api/" + query);
       CHECK(reply.status == 400);
       CHECK(nlohmann::json::parse(reply.body).value("field", "") == field);
     }
-    CHECK(station.get("/api/history?from=2026-11-21&verdict=PASS&last=5").status == 200);
+    CHECK(station.get("/api/history?from=2026-11-21&verdict=PASS&last=5&serial=").status == 200);
   }
   SECTION("a second station on the same runs") {
     const auto second = test::rvbench(scratch.path(), {"serve", "--station", "station.json"});

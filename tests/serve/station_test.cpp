@@ -208,6 +208,33 @@ TEST_CASE("a station that is killed leaves the test running, and finds it again"
   CHECK_THAT(answer.err, Contains("rvbench: serve: ended\n"));
 }
 
+TEST_CASE("a test is stopped even where the station's log has been moved",
+          "[spec][serve][safety]") {
+  const ScratchFolder scratch;
+  ServedStation station(scratch, long_plan(scratch));
+  const test::Socket events = started(station);
+  test::received(events, tells("\"status\":\"measuring\""));
+  std::filesystem::rename(scratch.path() / "runs" / ".station" / "audit.jsonl",
+                          scratch.path() / "moved.jsonl");
+  CHECK(station.post("/api/stop").status == 202);
+  const auto ended = last_event(test::received(events, has_ended, longest_run), "state");
+  CHECK(ended.at("verdict").at("word") == "ABORTED");
+}
+
+TEST_CASE("a test that is stopped while it begins is no fault of the bench", "[spec][serve]") {
+  const ScratchFolder scratch;
+  ServedStation station(scratch, long_plan(scratch));
+  REQUIRE(station.log_in("otto").status == 200);
+  const test::Socket events = station.listen();
+  REQUIRE(station.post("/api/scan", R"({"text":"A17"})").status == 200);
+  REQUIRE(station.post("/api/start", R"({"serial":"A17","retest":false})").status == 202);
+  const auto lock = scratch.path() / "runs" / ".station" / "run.lock";
+  REQUIRE(test::wait_until([&] { return !bench::read_file(lock).value_or("").empty(); }));
+  CHECK(station.post("/api/stop").status == 202);
+  const auto ended = last_event(test::received(events, has_ended, longest_run), "state");
+  CHECK(ended.at("verdict").at("word") == "ABORTED");
+}
+
 TEST_CASE("an answer that another unit's run left is no verdict of this one",
           "[spec][serve][safety]") {
   const ScratchFolder scratch;

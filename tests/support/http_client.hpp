@@ -76,7 +76,9 @@ inline HttpReply parsed_reply(const std::string& text) {
 inline HttpReply ask_server(std::uint16_t port, const std::string& request) {
   const Socket socket = connected_to(port);
   (void)send_all(socket, request);
-  return parsed_reply(received(socket, [](const std::string&) { return false; }));
+  // A judgement is an answer, too, which takes a sanitized program some ten seconds.
+  const std::chrono::minutes limit(1);
+  return parsed_reply(received(socket, [](const std::string&) { return false; }, limit));
 }
 
 }  // namespace rvbench::test

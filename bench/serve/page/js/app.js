@@ -99,6 +99,7 @@ const tabs = make_tabs((name) => {
 await begin_words(() => {
   show();
   refresh_view();
+  if (!page.session) by_id("token").focus();  // its letters would choose another language
 });
 begin_live_plots();
 show_no_curves();

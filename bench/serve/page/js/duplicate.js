@@ -5,7 +5,7 @@ import { say, say_time } from "./words.js";
 import { chip } from "./chip.js";
 
 const dialog = by_id("duplicate");
-let asked_for = "";
+let asked_for = "";  // the unit that the dialogue names
 
 function fill(state) {
   by_id("duplicate_title").textContent = say("duplicate.title", { serial: state.serial });
@@ -23,13 +23,14 @@ export function show_duplicate(page) {
     return;
   }
   fill(state);
-  if (asked_for === state.serial || dialog.open) return;
+  if (asked_for === state.serial) return;
   asked_for = state.serial;
   open_duplicate();
 }
 
+// From another page a unit may be scanned while it is open: nobody answers for that one unawares.
 function open_duplicate() {
-  dialog.showModal();
+  if (!dialog.open) dialog.showModal();
   by_id("another").focus();
 }
 

@@ -5,12 +5,13 @@ import { chip } from "./chip.js";
 import { by_id, make, tell } from "./dom.js";
 import { last_step, standing_of } from "./limit_versions.js";
 import { fill_table, row_button } from "./table.js";
-import { told_by } from "./told.js";
+import { told_by, with_detail } from "./told.js";
 import { say, say_number, say_or, say_time } from "./words.js";
 
 const dialog = by_id("version");
 const step_of = { draft: "approve", approved: "activate" };
 let shown = null;
+const at_work = new Set();  // names of versions that a step is being taken of
 let page = null;
 
 const name_of = (version) => String(version.limits_version);
@@ -38,9 +39,14 @@ function show_effect() {
   const changes = shown.effect?.changes ?? [];
   tell(by_id("version_effect"), effect_of(shown));
   fill_table(by_id("version_changes"), ["limits.run", "limits.was", "limits.would_be", "history.reason"],
-    changes.map((change) => [change.folder, chip(change.was), chip(change.would_be), change.reason ?? ""]));
+    changes.map((change) => [change.folder, chip(change.was), chip(change.would_be), with_detail("", change.reason)]));
   by_id("version_changes").hidden = !changes.length;
-  by_id("version_go").disabled = !shown.effect;  // what it would change is seen before it counts
+  show_go();
+}
+
+// What a version would change is seen before it counts.
+function show_go() {
+  by_id("version_go").disabled = !shown.effect || at_work.has(name_of(shown));
 }
 
 async function effect_in(asked) {
@@ -53,8 +59,9 @@ async function ask_effect() {
   const version = shown;
   await told_by(by_id("version_told"), async () => {
     version.effect ??= await effect_in(ask("limits", { version: name_of(version) }, long_patience_ms));
+    if (at_work.has(name_of(version))) return say("wait");
     return version.effect ? "" : say("limits.no_effect");
-  });
+  }, () => shown === version);
   if (shown === version) show_effect();
 }
 
@@ -76,7 +83,7 @@ function open_version(version) {
 function row_of(version) {
   const standing = standing_of(version);
   const word = `limits.${step_of[version.status] ?? "show"}`;
-  const told = [say_or(`limits.${standing}`, standing), version.fault].filter(Boolean).join(": ");
+  const told = with_detail(say_or(`limits.${standing}`, standing), version.fault);
   return [name_of(version), told, version.plan ?? "",
     say_time(last_step(version, "proposed")?.utc), last_step(version, "approved")?.by ?? "",
     [row_button(word, name_of(version), () => open_version(version))]];
@@ -84,13 +91,29 @@ function row_of(version) {
 
 export async function show_limits() {
   by_id("propose").disabled = page.session?.role !== "engineer";
-  await told_by(by_id("limits_told"), async () => {
+  await told_by(by_id("limits_told"), async (is_newest) => {
     const versions = ((await ask("limits")).versions ?? []).slice().reverse();
+    if (!is_newest()) return;
     fill_table(by_id("limits"),
       ["limits.version", "limits.status", "limits.plan", "limits.proposed", "limits.approved_by", ""],
       versions.map(row_of));
     return versions.length ? "" : say("limits.none");
   });
+}
+
+// The dialogue may be closed meanwhile, and opened for another version.
+async function take_step(version) {
+  const name = name_of(version);
+  const is_shown = () => name_of(shown) === name;
+  at_work.add(name);
+  show_go();
+  await told_by(by_id("version_told"), async () => {
+    await act(`limits/${step_of[version.status]}`, { version: name }, long_patience_ms);
+    if (is_shown()) dialog.close("done");
+    await show_limits();
+  }, is_shown);
+  at_work.delete(name);
+  show_go();
 }
 
 export function begin_limits(of_page) {
@@ -101,12 +124,8 @@ export function begin_limits(of_page) {
       const version = new Date().toISOString().replace(/[-:]|\.\d+/g, "");  // as runs are named
       await act("limits/propose", { version }, long_patience_ms);
       has_proposed = true;
-    });
+    }, () => true);  // whatever the list was asked for meanwhile
     if (has_proposed) await show_limits();
   });
-  by_id("version_go").addEventListener("click", () => told_by(by_id("version_told"), async () => {
-    await act(`limits/${step_of[shown.status]}`, { version: name_of(shown) }, long_patience_ms);
-    dialog.close("done");
-    await show_limits();
-  }));
+  by_id("version_go").addEventListener("click", () => take_step(shown));
 }

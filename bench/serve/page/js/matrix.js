@@ -34,7 +34,8 @@ export function show_matrix(page) {
   const matrix = page.state?.matrix;
   if (!matrix) return;
   const { cells, speeds_rpm, loads_pct } = matrix;
-  const shape = JSON.stringify([document.documentElement.lang, speeds_rpm, loads_pct, cells.length]);
+  const keys = cells.map((cell) => key_of(cell.speed_rpm, cell.load_pct, cell.repeat));
+  const shape = JSON.stringify([document.documentElement.lang, speeds_rpm, loads_pct, keys]);
   if (shape !== built_for) build(matrix);
   built_for = shape;
   cells.forEach((cell, i) => {

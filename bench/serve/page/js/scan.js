@@ -1,6 +1,6 @@
-// The scan field. A scanner is a keyboard that types fast and ends with Enter: whatever it types
-// lands here, wherever the focus was. An empty Enter does nothing: a scanner that sends two must not
-// start a motor.
+// The scan field. A scanner is a keyboard that ends with Enter: what it types lands here wherever the
+// focus was, but for a field to type in: that keeps its text, as nothing tells a scan from typing. An
+// empty Enter does nothing: a scanner that sends two must not start a motor.
 import { act } from "./api.js";
 import { by_id, tell } from "./dom.js";
 
@@ -10,8 +10,9 @@ export function focus_scan() {
   if (document.body.dataset.view === "station" && !document.querySelector("dialog[open]")) field.focus();
 }
 
+// A list to choose from is no such field: by its first letters a scan would choose from it. Arrows do.
 function is_typing(element) {
-  return element.matches("input, textarea, select");
+  return element.matches("input, textarea");
 }
 
 // Space presses buttons; what is held with Ctrl, Alt or Meta is no text.
@@ -28,7 +29,10 @@ export function begin_scan(page, attempt, go_station) {
   document.addEventListener("keydown", (event) => {
     if (!page.session || !is_text(event) || is_typing(document.activeElement)) return;
     const dialog = document.querySelector("dialog[open]");
-    if (dialog && dialog.id !== "duplicate") return;
+    if (dialog && dialog.id !== "duplicate") {
+      if (document.activeElement.matches("select")) event.preventDefault();  // nor does it choose there
+      return;
+    }
     dialog?.close("scanned");
     go_station();
     field.focus();

@@ -3,15 +3,13 @@ import { make } from "./dom.js";
 import { say } from "./words.js";
 
 /**
- * @param columns  keys of words
- * @param rows     each a list of nodes or texts, one a column; the last column is for buttons
+ * @param columns  keys of words; "" is for buttons
+ * @param rows     each a list of nodes or texts, or lists of them, one a column
  */
 export function fill_table(table, columns, rows) {
   const head = make("tr", {}, ...columns.map((key) => make("th", { scope: "col" }, key ? say(key) : "")));
-  const body = rows.map((cells) => make("tr", {}, ...cells.map((cell, i) => {
-    const is_list = Array.isArray(cell);
-    return make("td", is_list && i === cells.length - 1 ? { class: "actions" } : {}, ...(is_list ? cell : [cell]));
-  })));
+  const body = rows.map((cells) => make("tr", {}, ...cells.map((cell, i) =>
+    make("td", columns[i] ? {} : { class: "actions" }, ...[cell].flat()))));
   table.replaceChildren(make("thead", {}, head), make("tbody", {}, ...body));
 }
 

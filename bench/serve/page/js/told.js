@@ -9,22 +9,46 @@ function sentence_of(refusal, values) {
   return say(key, { field: refusal.field, ...values });
 }
 
-/** Writes a sentence into an element, and beneath it what is only there in English. */
+/** What an element holds: a sentence, and beneath it what is only there in English; that alone where
+ *  no sentence fits. */
+export function with_detail(sentence, detail) {
+  if (!detail) return [sentence];
+  if (!sentence) return [make("span", { lang: "en" }, detail)];
+  return [sentence, make("small", { class: "detail", lang: "en" }, detail)];
+}
+
 export function tell_with_detail(element, sentence, detail, kind = "") {
-  tell(element, sentence, kind);
-  if (detail) element.append(make("small", { class: "detail", lang: "en" }, detail));
+  if (!detail) return tell(element, sentence, kind);
+  if (element.dataset.kind !== kind) element.dataset.kind = kind;
+  const told = make("p", {}, ...with_detail(sentence, detail));
+  if (element.textContent !== told.textContent) element.replaceChildren(...told.childNodes);
 }
 
 export function tell_refusal(element, refusal, values = {}) {
   tell_with_detail(element, sentence_of(refusal, values), refusal.reason?.trim(), "fault");
 }
 
-/** Runs a call; writes its refusal, or what it returns, into an element. */
-export async function told_by(element, call) {
+const newest = new WeakMap();
+
+/** Begins a call of an element's; tells from then on whether no other has begun since. */
+export function newest_of(element) {
+  const own = {};
+  newest.set(element, own);
+  return () => newest.get(element) === own;
+}
+
+/**
+ * Runs a call; writes its refusal, or what it returns, into an element: a sentence, or that and what
+ * is only there in English.
+ * @param is_meant  whether the element still waits for this answer: one that comes late is not written
+ * @param call      is given is_meant
+ */
+export async function told_by(element, call, is_meant = newest_of(element)) {
   tell(element, say("wait"));
   try {
-    tell(element, (await call()) ?? "");
+    const [sentence, detail] = [(await call(is_meant)) ?? ""].flat();
+    if (is_meant()) tell_with_detail(element, sentence, detail);
   } catch (refusal) {
-    tell_refusal(element, refusal);
+    if (is_meant()) tell_refusal(element, refusal);
   }
 }

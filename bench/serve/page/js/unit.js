@@ -18,7 +18,7 @@ function show_course(progress) {
   by_id("left").classList.toggle("unknown", !is_known);
   by_id("done").value = progress.done ?? 0;
   const stage = say_or(`stage.${progress.phase}`, progress.phase ?? "");
-  tell(by_id("stage"), [stage, progress.text].filter(Boolean).join(" · "));
+  tell_with_detail(by_id("stage"), stage, progress.text);
 }
 
 function show_findings(findings) {
@@ -32,7 +32,7 @@ function show_findings(findings) {
 function show_answer(verdict) {
   const none = verdict.word === "PASS" && !verdict.findings?.length ? say("findings.none") : "";
   const sentence = say_or(`reason.${verdict.code}`, "");
-  tell_with_detail(by_id("reason"), sentence || verdict.reason || none, sentence && verdict.reason);
+  tell_with_detail(by_id("reason"), sentence || (verdict.reason ? "" : none), verdict.reason);
   show_findings(verdict.findings ?? []);
   by_id("report").hidden = !verdict.report?.startsWith("/api/runs/");
   if (verdict.report) by_id("report").setAttribute("href", verdict.report);
@@ -48,7 +48,7 @@ export function show_unit(page) {
   by_id("decide").hidden = state.phase !== "duplicate";
   by_id("decide").disabled = !may_act || !may_start;
   by_id("stop").hidden = state.phase !== "running";
-  by_id("stop").disabled = !may_act;
+  by_id("stop").disabled = page.session?.role === "viewer";  // a call may get through where no state comes
   by_id("next").hidden = state.phase !== "ended";
   by_id("next").disabled = !may_act;
   by_id("scan_text").disabled = page.session?.role === "viewer";

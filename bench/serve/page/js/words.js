@@ -5,7 +5,10 @@ import { by_id } from "./dom.js";
 const languages = { en: "en", zh: "zh-Hans", ja: "ja" };
 const languages_of_times = { en: "en-GB", zh: "zh-Hans", ja: "ja" };
 const kept_at = "rvbench_language";
+const patience_ms = 5000;
+const retry_after_ms = 500;
 let words = {};
+let chosen = "";
 
 /** The text of a key; a key that is not there shows itself. */
 export function say(key, values = {}) {
@@ -41,8 +44,22 @@ function kept_language() {
   return wanted.find((language) => language in languages) ?? "en";
 }
 
-async function speak(language) {
-  words = await (await fetch(`/words/${language}.json`)).json();
+async function words_of(language) {
+  const response = await fetch(`/words/${language}.json`, { signal: AbortSignal.timeout(patience_ms) });
+  if (!response.ok) throw new Error(`words: status ${response.status}`);
+  return response.json();
+}
+
+// A station that begins, or is busy, gives no words: they are asked for until they come. Meanwhile
+// another language may be chosen.
+async function speak(wanted) {
+  chosen = wanted;
+  let language, found;
+  do {
+    language = chosen;
+    found = await words_of(language).catch(() => new Promise((resolve) => setTimeout(resolve, retry_after_ms)));
+  } while (!found || language !== chosen);
+  words = found;
   document.documentElement.lang = languages[language];
   by_id("language").value = language;
   say_all();
@@ -52,7 +69,7 @@ async function speak(language) {
 export async function begin_words(on_change) {
   by_id("language").addEventListener("change", async (event) => {
     localStorage.setItem(kept_at, event.target.value);
-    await speak(event.target.value).catch(() => {});  // no backend: the old words stay
+    await speak(event.target.value);  // without a backend the old words stay
     on_change();
   });
   await speak(kept_language());
