@@ -25,7 +25,7 @@ double worst_share(const analysis::Examination& seen, const analysis::Kinematics
 }  // namespace
 
 MatrixCell matrix_cell(const JudgedPoint& point, const analysis::Kinematics& kinematics) {
-  if (point.status == "not_recorded") return {"absent", "none"};
+  if (point.status == not_recorded) return {"absent", "none"};
   if (point.status != "ok") return {"spoiled", point.status};
   if (std::ranges::any_of(point.examination.quality, &analysis::QualityNote::invalidates)) {
     return {"spoiled", "data"};

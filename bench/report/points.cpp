@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
+#include "bench/findings_stand.hpp"
+#include "bench/limit_checks.hpp"
 #include "bench/report/html.hpp"
 #include "bench/report/sections.hpp"
 #include "hal/did_you_mean.hpp"
@@ -13,16 +16,34 @@ namespace rvbench::bench::report {
 namespace {
 
 constexpr std::size_t most_points = 6;
+constexpr std::size_t most_telling = 2;
 constexpr double full_load_pct = 100;
 
 bool is_good(const JudgedPoint& point) {
   return point.status == "ok" && !point.examination.channels.empty();
 }
 
+bool is_planned(const JudgedPoint& point) {
+  return std::isfinite(point.planned_speed_rpm) && std::isfinite(point.examination.load_pct);
+}
+
+// Whether a place is the point, or one of its channels: "recording.h5#004, accel_2x".
+bool is_at(const JudgedPoint& point, const std::string& place) {
+  const std::string& source = point.examination.source;
+  return !source.empty() && (place == source || place.starts_with(source + ", "));
+}
+
+bool contains(const std::vector<std::size_t>& points, std::size_t i) {
+  return std::ranges::find(points, i) != points.end();
+}
+
 struct Choice {
   std::vector<std::size_t> points;
   std::size_t good = 0;  // points there are to choose from
   std::vector<std::string> speeds_rpm, other_speeds_rpm;
+  // Captions of points that the verdict has its reasons from: beside those that stand for all, and
+  // in place of some of them.
+  std::vector<std::string> besides, replacing, replaced;
 };
 
 // The one with the least load and the one nearest to full load, which may be the same.
@@ -43,7 +64,8 @@ bool is_chosen(std::size_t i, std::size_t count, std::size_t most) {
   return count <= most;
 }
 
-Choice choice_of(const Judgement& judgement) {
+// Of each speed those that stand for it.
+Choice spread_out(const Judgement& judgement) {
   std::map<double, std::vector<std::size_t>> by_speed;
   std::vector<std::size_t> unplanned;
   Choice choice;
@@ -51,9 +73,7 @@ Choice choice_of(const Judgement& judgement) {
     const JudgedPoint& point = judgement.points[i];
     if (!is_good(point)) continue;
     ++choice.good;
-    const bool planned =
-        std::isfinite(point.planned_speed_rpm) && std::isfinite(point.examination.load_pct);
-    (planned ? by_speed[point.planned_speed_rpm] : unplanned).push_back(i);
+    (is_planned(point) ? by_speed[point.planned_speed_rpm] : unplanned).push_back(i);
   }
   std::size_t each = 1;
   for (auto& [speed, points] : by_speed) {
@@ -71,6 +91,88 @@ Choice choice_of(const Judgement& judgement) {
   return choice;
 }
 
+// The good point of a place, if it is one.
+std::optional<std::size_t> point_of(const Judgement& judgement, const std::string& place) {
+  const auto point = std::ranges::find_if(
+      judgement.points, [&](const JudgedPoint& there) { return is_at(there, place); });
+  if (point == judgement.points.end() || !is_good(*point)) return std::nullopt;
+  return static_cast<std::size_t>(point - judgement.points.begin());
+}
+
+// Where the verdict has its reasons: the good points that show each finding which stands, and where
+// each limit that was broken was left farthest.
+std::vector<std::vector<std::size_t>> reasons_of(const Judgement& judgement) {
+  std::vector<std::vector<std::string>> places;
+  if (findings_stand(judgement)) {
+    for (const analysis::Finding& finding : judgement.diagnosis.findings) {
+      places.push_back(finding.points);
+    }
+  }
+  for (const LimitCheck& check : judgement.limits) {
+    if (is_beyond(check)) places.push_back({check.where});
+  }
+  std::vector<std::vector<std::size_t>> reasons;
+  for (const std::vector<std::string>& of_one : places) {
+    std::vector<std::size_t> points;
+    for (const std::string& place : of_one) {
+      if (const auto point = point_of(judgement, place)) points.push_back(*point);
+    }
+    if (!points.empty()) reasons.push_back(std::move(points));
+  }
+  return reasons;
+}
+
+// Which of the points that stand for all gives way to another one: of those that no reason is read
+// at, one of the same speed rather than another's only one, and of these the last.
+std::optional<std::size_t> least_needed(const std::vector<std::size_t>& usual, std::size_t other,
+                                        const std::vector<std::vector<std::size_t>>& reasons,
+                                        const Judgement& judgement) {
+  const auto speed = [&](std::size_t i) { return judgement.points[i].planned_speed_rpm; };
+  const auto need = [&](std::size_t i) {
+    if (speed(i) == speed(other)) return 0;
+    const auto alike = [&](std::size_t one) { return speed(one) == speed(i); };
+    return std::ranges::count_if(usual, alike) > 1 ? 1 : 2;
+  };
+  std::optional<std::size_t> least;
+  for (const std::size_t i : usual) {
+    const bool is_reason =
+        std::ranges::any_of(reasons, [&](const auto& points) { return contains(points, i); });
+    if (!is_reason && (!least || need(i) <= need(*least))) least = i;
+  }
+  return least;
+}
+
+Choice choice_of(const Judgement& judgement) {
+  Choice choice = spread_out(judgement);
+  std::vector<std::size_t> usual = choice.points;
+  const auto reasons = reasons_of(judgement);
+  for (const std::vector<std::size_t>& points : reasons) {
+    const bool is_shown =
+        std::ranges::any_of(points, [&](std::size_t i) { return contains(choice.points, i); });
+    if (is_shown || choice.besides.size() + choice.replacing.size() == most_telling) continue;
+    const std::size_t telling = points.front();
+    const std::string caption = caption_of(judgement.points[telling]);
+    if (choice.points.size() < most_points) {
+      choice.besides.push_back(caption);
+    } else if (const auto least = least_needed(usual, telling, reasons, judgement)) {
+      std::erase(usual, *least);
+      std::erase(choice.points, *least);
+      choice.replacing.push_back(caption);
+      choice.replaced.push_back(caption_of(judgement.points[*least]));
+    } else {
+      continue;
+    }
+    choice.points.push_back(telling);
+    std::erase(choice.other_speeds_rpm,
+               fmt::format("{:g}", judgement.points[telling].planned_speed_rpm));
+  }
+  std::ranges::stable_sort(choice.points, {}, [&](std::size_t i) {
+    const double speed_rpm = judgement.points[i].planned_speed_rpm;
+    return std::isfinite(speed_rpm) ? speed_rpm : 0;
+  });
+  return choice;
+}
+
 }  // namespace
 
 std::vector<std::size_t> representative_points(const Judgement& judgement) {
@@ -80,13 +182,22 @@ std::vector<std::size_t> representative_points(const Judgement& judgement) {
 std::string shown_points(const Judgement& judgement, const std::string& others) {
   const Choice choice = choice_of(judgement);
   if (choice.points.size() == choice.good) return "";
-  const std::string count = fmt::format("{} of {}", choice.points.size(), choice.good);
-  if (choice.speeds_rpm.empty())
-    return paragraph("Shown are the first " + count + " records. " + others);
-  std::string text = fmt::format(
-      "Shown are {} points: at {} rpm, the first good record with the least load and the one "
-      "nearest to 100 % load. ",
-      count, hal::listed(choice.speeds_rpm));
+  const std::size_t usual = choice.points.size() - choice.besides.size();
+  std::string text =
+      choice.speeds_rpm.empty()
+          ? fmt::format("Shown are the first {} of {} records. ", usual, choice.good)
+          : fmt::format(
+                "Shown are {} of {} points: at {} rpm, the first good record with the least load "
+                "and the one nearest to 100 % load. ",
+                usual, choice.good, hal::listed(choice.speeds_rpm));
+  const char* const read = "where a finding or a broken limit was read";
+  if (!choice.besides.empty()) {
+    text += fmt::format("Besides, {}: {}. ", read, fmt::join(choice.besides, "; "));
+  }
+  if (!choice.replacing.empty()) {
+    text += fmt::format("In place of {}, {}: {}. ", fmt::join(choice.replaced, "; "), read,
+                        fmt::join(choice.replacing, "; "));
+  }
   if (!choice.other_speeds_rpm.empty()) {
     text += "None is at " + hal::listed(choice.other_speeds_rpm) + " rpm. ";
   }
@@ -114,9 +225,9 @@ std::string caption_of(const JudgedPoint& point) {
 
 std::string readable_place(const Judgement& judgement, const std::string& where) {
   for (const JudgedPoint& point : judgement.points) {
-    const std::string& source = point.examination.source;
-    if (!source.empty() && (where == source || where.starts_with(source + ", ")))
-      return caption_of(point) + where.substr(source.size());
+    if (is_at(point, where)) {
+      return caption_of(point) + where.substr(point.examination.source.size());
+    }
   }
   return where;
 }

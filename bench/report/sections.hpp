@@ -29,7 +29,8 @@ std::string plot_style_sheet();  ///< of its plots, complete without the page's
 
 /// Points that stand for all, six at most: of each speed, the first good record with the least load
 /// and the one nearest to 100 %; of more speeds, evenly from the lowest to the highest. Without
-/// planned speeds: the first six. Indices into judgement.points.
+/// planned speeds: the first six. Two at most give way, if need be, to points that the verdict has
+/// its reasons from. Indices into judgement.points.
 std::vector<std::size_t> representative_points(const Judgement& judgement);
 
 /// HTML: which points these are and which speeds are left out; empty if they are all good ones.

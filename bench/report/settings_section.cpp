@@ -126,7 +126,7 @@ std::string limits_section(const ReportInput& input) {
                      xml_escaped(note.what), note.invalidates ? "<b>invalid</b>" : "noted"});
   }
   for (const JudgedPoint& point : input.judgement.points) {
-    if (point.status == "ok" || point.status == "not_recorded") continue;
+    if (point.status == "ok" || point.status == not_recorded) continue;
     notes.push_back({xml_escaped(caption_of(point)), xml_escaped(point.status), "<b>invalid</b>"});
   }
   html += notes.empty() ? paragraph("No channel shows a fault of its own.")

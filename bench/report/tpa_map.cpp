@@ -82,7 +82,7 @@ std::string axis_svg(const PathMap& map, double bottom_px) {
 }
 
 std::string map_svg(const PathMap& map, const Places& paths, const std::string& unit) {
-  const double largest = map.amplitudes.maxCoeff();
+  const double largest = map.amplitudes.maxCoeff<Eigen::PropagateNumbers>();
   const double bottom_px = map_top_px + map_row_px * double(map.amplitudes.rows());
   const std::string title = fmt::format("{}, dark: {} {}", map.title, number(largest), unit);
   std::string svg = fmt::format(R"(<svg viewBox="0 0 {:.0f} {:.0f}" role="img" aria-label="{}">)"

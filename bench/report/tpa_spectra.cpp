@@ -30,7 +30,8 @@ PlotAxis frequency_axis(const analysis::LineGrid& grid) {
 }
 
 PlotAxis level_axis(const std::string& unit, const Spectrum& a, const Spectrum& b) {
-  const double largest = std::max(a.maxCoeff(), b.maxCoeff());
+  const double largest =
+      std::fmax(a.maxCoeff<Eigen::PropagateNumbers>(), b.maxCoeff<Eigen::PropagateNumbers>());
   const double top = largest > 0 ? 5 * std::ceil(20 * std::log10(largest) / 5) : 0;
   return {"level [dB re 1 " + unit + "]", top - shown_dB, top + 2};
 }

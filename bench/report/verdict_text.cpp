@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "bench/findings_stand.hpp"
+#include "bench/results/run_filter.hpp"
 
 namespace rvbench::bench::report {
 namespace {
@@ -40,15 +41,14 @@ const char* meaning_of(const Judgement& judgement) {
 }
 
 std::string readable_time(const std::string& utc) {
-  if (utc.size() < 16 || utc[8] != 'T') return utc;
-  return fmt::format("{}-{}-{} {}:{}:{} UTC", utc.substr(0, 4), utc.substr(4, 2), utc.substr(6, 2),
-                     utc.substr(9, 2), utc.substr(11, 2), utc.substr(13, 2));
+  const std::string readable = readable_utc(utc);
+  return readable == utc ? utc : readable + " UTC";
 }
 
 std::string points_text(const Judgement& judgement) {
   std::size_t recorded = 0;
   for (const JudgedPoint& point : judgement.points)
-    recorded += point.status != "not_recorded" ? 1 : 0;
+    recorded += point.status != not_recorded ? 1 : 0;
   return fmt::format("{} of {} recorded", recorded, judgement.points.size());
 }
 

@@ -1,69 +1,20 @@
 #include "bench/report/report.hpp"
 
 #include <catch2/catch.hpp>
-#include <cmath>
 #include <cstdlib>
 #include <random>
 #include <regex>
 
 #include "bench/report/order_spectrum.hpp"
-#include "hal/types/units.hpp"
 #include "tests/bench/judgements.hpp"
+#include "tests/bench/report_input.hpp"
 
 namespace rvbench::bench {
-namespace {
 
 using Catch::Matchers::Contains;
-
-constexpr double rate_Hz = 4960;
-
-analysis::Kinematics rv20e() {
-  analysis::Kinematics kinematics;
-  kinematics.machine = "RV-20E";
-  kinematics.period_turns = 121;
-  kinematics.orders = {
-      {"input shaft", 1, "1", "input_shaft", "Drive shaft frequency"},
-      {"sun-planet mesh", 1080.0 / 121, "1080/121", "sun_gear", "Planetary gear meshing frequency"},
-      {"cycloid orbit", 39.0 / 121, "39/121", "crank", "Cycloid meshing frequency"},
-      {"crank in carrier", 40.0 / 121, "40/121", "crank", ""},
-      {"pin pass", 78.0 / 121, "78/121", "pin_housing", "Pin tooth meshing frequency"}};
-  analysis::Signature signature;
-  signature.component = "input_shaft";
-  signature.depth_limit = 0.2;
-  kinematics.signatures = {signature};
-  return kinematics;
-}
-
-// A 700 Hz carrier whose amplitude swings once per turn of a shaft that speeds up from 9 to 11
-// turns a second.
-Recording chirped(double seconds) {
-  const auto count = static_cast<Eigen::Index>(seconds * rate_Hz);
-  Channel accel{{"accel_1x", "m/s²", "+X", not_known}, rate_Hz, 0, Eigen::VectorXd(count)};
-  Channel angle{{"input_angle", "rad", "", not_known}, rate_Hz, 0, Eigen::VectorXd(count)};
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const double t = double(i) / rate_Hz;
-    angle.samples[i] = units::two_pi * (9 * t + t * t / seconds);
-    accel.samples[i] = (1 + 0.5 * std::cos(angle.samples[i])) * std::sin(units::two_pi * 700 * t);
-  }
-  Recording record;
-  record.source = "recording.h5#000";
-  record.speed_rpm = 600;
-  record.channels = {accel, angle};
-  return record;
-}
-
-ReportInput failed_input() {
-  ReportInput input;
-  input.judgement = test::failed_run();
-  input.kinematics = rv20e();
-  input.load = [](std::size_t) { return std::optional<Recording>(chirped(4)); };
-  input.plan_json = "{ \"name\": \"<quick>\" }";
-  input.rig_json = "{}";
-  input.hashes = {{"plan.json", std::string(64, 'a')}};
-  return input;
-}
-
-}  // namespace
+using test::chirped;
+using test::failed_input;
+using test::rv20e;
 
 TEST_CASE("orders follow a shaft that changes its speed", "[bench]") {
   const Recording record = chirped(20);
@@ -241,58 +192,6 @@ TEST_CASE("the report shows beside each other what four ways find in an envelope
   SECTION("nothing but noise") {
     for (double& sample : x) sample = noise(generator);
     CHECK_THAT(heard_in(), Contains("None of them found any of the orders."));
-  }
-}
-
-TEST_CASE("the report shows the lines of each speed, and says whose signals it leaves out",
-          "[bench]") {
-  ReportInput input = failed_input();
-  input.load = {};
-  auto& points = input.judgement.points;
-  const auto test_at = [&points](std::size_t speeds, const std::vector<double>& loads) {
-    points.clear();
-    for (std::size_t i = 0; i < speeds; ++i) {
-      for (const double load : loads) {
-        JudgedPoint& point = points.emplace_back(test::recorded_point());
-        point.planned_speed_rpm = 500 + 100 * double(i);
-        point.examination.speed_rpm = point.planned_speed_rpm;
-        point.examination.load_pct = load;
-      }
-    }
-  };
-  SECTION("of three speeds it shows all") {
-    test_at(3, {0, 100});
-    CHECK_THAT(make_report(input), !Contains("Shown are"));
-  }
-  SECTION("loads in between are left out") {
-    test_at(1, {0, 50, 100});
-    CHECK_THAT(make_report(input),
-               Contains("Shown are 2 of 3 points: at 500 rpm, the first good record") &&
-                   !Contains("None is at"));
-  }
-  SECTION("of five speeds it shows signals from the lowest to the highest") {
-    test_at(5, {0, 100});
-    const std::string html = make_report(input);
-    CHECK_THAT(html, Contains("found [Hz]<br>500.0 rpm") && Contains("found [Hz]<br>900.0 rpm"));
-    CHECK_THAT(html, Contains("Shown are 6 of 10 points: at 500, 700, 900 rpm") &&
-                         Contains("None is at 600, 800 rpm.") && Contains("verdict.json"));
-  }
-  SECTION("of seven speeds at one load it shows six") {
-    test_at(7, {100});
-    const std::string html = make_report(input);
-    CHECK_THAT(html, Contains("Shown are 6 of 7 points") && Contains("None is at 1000 rpm."));
-  }
-  SECTION("of records of no plan it shows the first") {
-    test_at(8, {100});
-    for (JudgedPoint& point : points) point.planned_speed_rpm = not_known;
-    CHECK_THAT(make_report(input), Contains("Shown are the first 6 of 8 records."));
-  }
-  SECTION("of more speeds than can be read it says which are missing") {
-    test_at(20, {100});
-    const std::string html = make_report(input);
-    CHECK_THAT(html, Contains("found [Hz]<br>2000.0 rpm") && !Contains("<br>2100.0 rpm"));
-    CHECK_THAT(html, Contains("Shown are the 16 lowest of 20 speeds; the others are 2100.0 to "
-                              "2400.0 rpm."));
   }
 }
 

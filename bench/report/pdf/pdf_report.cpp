@@ -10,6 +10,7 @@
 #include "bench/report/pdf/verdict_page.hpp"
 #include "bench/report/sections.hpp"
 #include "bench/report/verdict_text.hpp"
+#include "bench/results/run_filter.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -20,11 +21,10 @@ constexpr const char* no_fonts =
     "there is no font to set it in: install one (Debian: fonts-dejavu-core, and "
     "fonts-droid-fallback for Chinese and Japanese)";
 
-// "20260102T030405Z" → "2026-01-02T03:04:05Z". Without a time the file must not tell today's.
+// Without a time the file must not tell today's.
 std::string iso_time(const std::string& utc) {
-  const std::string readable = readable_time(utc);
-  if (readable == utc) return "1970-01-01T00:00:00Z";
-  return readable.substr(0, 10) + "T" + readable.substr(11, 8) + "Z";
+  const std::string iso = iso_utc(utc);
+  return iso.empty() ? "1970-01-01T00:00:00Z" : iso;
 }
 
 // Of one line: what a serial or plan holds of line breaks would be outside of the frame.
