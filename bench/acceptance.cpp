@@ -151,7 +151,7 @@ Ending judge_points(Judgement& judgement, const Acceptance& acceptance, RunRecor
              fmt::format("{:.0f} rpm, {:.0f} %, repeat {}", planned.speed_rpm, planned.load_pct,
                          planned.repeat));
     if (!recordings.has(number)) {
-      judgement.points.push_back(unexamined_point(planned, number, "not_recorded"));
+      judgement.points.push_back(unexamined_point(planned, number, not_recorded));
     } else if (stop.stop_requested()) {
       judgement.points.push_back(unexamined_point(planned, number, "not_judged"));
       ending = {Outcome::aborted, ErrorKind::none, "stopped by the operator while judging"};

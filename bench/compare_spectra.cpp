@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "bench/compare_sections.hpp"
@@ -73,6 +75,15 @@ std::vector<Look> looks_of(const Comparison& comparison) {
   return looks;
 }
 
+// How many points there are at which a line changed.
+std::size_t points_of(const std::vector<Look>& looks) {
+  std::set<std::size_t> points;
+  for (const Look& look : looks) {
+    if (!look.changed.empty()) points.insert(look.point);
+  }
+  return points.size();
+}
+
 // Of each point the channel with most to be seen, of points those with most.
 std::vector<Look> chosen(std::vector<Look> looks) {
   std::ranges::stable_sort(looks, std::greater<>(), &Look::most);
@@ -131,17 +142,26 @@ std::string heading_of(const Look& look, const Comparison& comparison) {
 std::string compare_spectra_section(const Comparison& comparison, const CompareFacts& facts,
                                     const SpectrumLoader& spectra) {
   std::string body;
-  for (const Look& look : chosen(looks_of(comparison))) {
+  std::size_t shown = 0;
+  const std::vector<Look> looks = looks_of(comparison);
+  for (const Look& look : chosen(looks)) {
     const auto pair = spectra(look.point, comparison.channels[look.channel].name);
     if (!pair) continue;
     body += heading_of(look, comparison) + pair_of_figures(look, *pair, comparison);
+    ++shown;
   }
   if (body.empty()) return "";
+  const std::size_t changed = points_of(looks);
+  const std::string others =
+      changed <= shown
+          ? ""
+          : fmt::format(" Lines changed at {} points; shown are {} of them.", changed, shown);
   return section(
       "Spectra before and after",
       paragraph("Amplitude over orders of the input shaft of " + facts.kinematics.machine +
                 ", averaged in power over the repeats. Of each point the channel in "
-                "which most changed; marked are the lines that did, the five strongest.") +
+                "which most changed; marked are the lines that did, the five strongest." +
+                others) +
           body);
 }
 

@@ -13,9 +13,11 @@
 
 namespace rvbench::bench {
 
+inline constexpr const char* not_recorded = "not_recorded";
+
 /// One point of the matrix (or one stored file), judged.
 struct JudgedPoint {
-  std::string status = "ok";  ///< "not_recorded", or as the recording says: "unsettled", ...
+  std::string status = "ok";  ///< not_recorded, or as the recording says: "unsettled", ...
   double planned_speed_rpm = not_known;
   double torque_Nm = not_known;                        ///< measured mean input torque
   double acceleration_time_uncertainty_s = not_known;  ///< of when, on the rig's clock

@@ -39,7 +39,7 @@ TestCase case_of(const JudgedPoint& point) {
     test.name = fmt::format("{:.0f} rpm, {:.0f} %, repeat {}", point.planned_speed_rpm,
                             seen.load_pct, seen.repeat);
   }
-  if (point.status == "not_recorded")
+  if (point.status == not_recorded)
     return {test.group, test.name, CaseOutcome::skipped, "not recorded"};
   if (point.status != "ok") return {test.group, test.name, CaseOutcome::error, point.status};
   for (const analysis::QualityNote& note : seen.quality) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <sstream>
 
 #include "bench/limit_checks.hpp"
 #include "bench/results/run_filter.hpp"
@@ -222,6 +223,23 @@ Result<std::set<std::string>> rig_kinds_of(const ResultDatabase& database,
     if (teaches && is_as_entered(database.root(), row)) kinds.insert(row.rig_kind);
   }
   return kinds;
+}
+
+std::set<std::string> serials_in(const std::string& text) {
+  std::set<std::string> found;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.ends_with('\r')) line.pop_back();
+    if (!line.empty()) found.insert(line);
+  }
+  return found;
+}
+
+std::string kind_to_learn_from(const std::set<std::string>& kinds) {
+  for (const char* kind : {"bench", "replay", "sim"}) {
+    if (kinds.contains(kind)) return kind;
+  }
+  return "";
 }
 
 std::string learnt_text(const LearntLimits& learnt) {

@@ -51,6 +51,12 @@ Result<LearntLimits> learn_limits(const ResultDatabase& database, const Learning
 /// "replay", "sim".
 Result<std::set<std::string>> rig_kinds_of(const ResultDatabase& database, const std::string& plan);
 
+/// One a line, in a text with line ends of any computer; without the empty ones.
+std::set<std::string> serials_in(const std::string& text);
+
+/// Of these the one to learn from: real units before simulated ones. Empty: of none.
+std::string kind_to_learn_from(const std::set<std::string>& kinds);
+
 /// A table, a row each, with what is refused and why.
 std::string learnt_text(const LearntLimits& learnt);
 

@@ -46,7 +46,7 @@ Ending judge_recordings(Judgement& judgement, const StoredRun& run,
     const hal::PlannedPoint& planned = points[std::size_t(number)];
     progress(number / double(points.size()));
     if (!recordings.has(number)) {
-      judgement.points.push_back(unexamined_point(planned, number, "not_recorded"));
+      judgement.points.push_back(unexamined_point(planned, number, not_recorded));
     } else if (const Result<Recording> record = recordings.read(number)) {
       judgement.points.push_back(judge_point(record.value(), kinematics, options));
     } else {

@@ -125,14 +125,12 @@ Result<int> ResultDatabase::catch_up() {
 
 // Of stations: those whose files have come since.
 Status ResultDatabase::enter_new_records() {
-  StationRecords records = read_station_records(root_);
   std::set<std::string> known;
   SqlStatement query(file_, "SELECT file FROM calibrations UNION SELECT file FROM self_tests");
   while (query.next()) known.insert(query.text(0));
   if (!query.is_done()) return file_.failure("cannot be read");
-  const auto is_known = [&known](const auto& record) { return known.contains(record.file); };
-  std::erase_if(records.calibrations, is_known);
-  std::erase_if(records.self_tests, is_known);
+  StationRecords records = further_station_records(root_, known);
+  std::erase_if(records.self_tests, [](const auto& record) { return !record.has_ended(); });
   if (records.calibrations.empty() && records.self_tests.empty()) return Done{};
   SqlTransaction transaction(file_);
   if (!transaction.begun()) return file_.failure("cannot be written");

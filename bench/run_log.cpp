@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "bench/json_text.hpp"
 #include "bench/run_folder.hpp"
 
 namespace rvbench::bench {
@@ -53,7 +54,7 @@ void RunLog::progress(double done_s, double total_s, const std::string& doing) {
 void RunLog::event(double time_s, const std::string& text) {
   events_.emplace_back(time_s, text);
   const nlohmann::ordered_json line = {{"utc", utc_now()}, {"time_s", time_s}, {"event", text}};
-  write(line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  write(json_line(line) + "\n");
 }
 
 void RunLog::write(const std::string& text) {

@@ -135,9 +135,18 @@ void print_quality(Console& console, const std::vector<analysis::QualityNote>& n
   if (notes.size() > most_lines) console.out << "  and " << notes.size() - most_lines << " more\n";
 }
 
-void print_limits(Console& console, const std::vector<LimitCheck>& limits) {
-  if (!limits.empty()) console.out << "\nLimits:\n";
-  for (const LimitCheck& check : limits) {
+// Whether something is there to be held against them.
+bool has_measured(const Judgement& judgement) {
+  return std::ranges::any_of(judgement.points,
+                             [](const auto& point) { return point.status != not_recorded; }) ||
+         std::ranges::any_of(judgement.limits,
+                             [](const auto& check) { return std::isfinite(check.measured); });
+}
+
+void print_limits(Console& console, const Judgement& judgement) {
+  if (judgement.limits.empty() || !has_measured(judgement)) return;
+  console.out << "\nLimits:\n";
+  for (const LimitCheck& check : judgement.limits) {
     const std::string bound = bound_text(check);
     const std::string name = name_of(check);
     if (!is_measured(check)) {
@@ -201,7 +210,7 @@ void print_summary(Console& console, const Judgement& judgement,
   print_quality(console, diagnosis.quality);
   print_unexplained(console, diagnosis.unexplained);
   print_explained(console, judgement, kinematics);
-  print_limits(console, judgement.limits);
+  print_limits(console, judgement);
   print_findings(console, judgement, kinematics.period_turns);
   print_teardown(console, judgement.facts);
   print_twin(console, judgement.facts);

@@ -131,8 +131,7 @@ JudgedPoint point_from_json(const nlohmann::ordered_json& json) {
 
 Ending ending_from_json(const nlohmann::ordered_json& json) {
   Ending ending;
-  for (const Outcome outcome :
-       {Outcome::pass, Outcome::fail, Outcome::invalid, Outcome::error, Outcome::aborted}) {
+  for (const Outcome outcome : all_outcomes) {
     if (json.at("verdict") == to_string(outcome)) ending.outcome = outcome;
   }
   for (const ErrorKind kind : {ErrorKind::none, ErrorKind::device_lost, ErrorKind::safety_trip,

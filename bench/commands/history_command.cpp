@@ -13,6 +13,7 @@
 #include "bench/sha256.hpp"
 #include "hal/did_you_mean.hpp"
 #include "hal/types/measure.hpp"
+#include "hal/types/outcome.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -30,6 +31,12 @@ std::vector<RunRow> merged(std::vector<RunRow> judged, const std::vector<RunRow>
   }
   std::ranges::stable_sort(judged, {}, &RunRow::started_utc);
   return judged;
+}
+
+std::vector<std::string> outcome_words() {
+  std::vector<std::string> words;
+  for (const Outcome outcome : all_outcomes) words.emplace_back(to_string(outcome));
+  return words;
 }
 
 // What is entered of every run with a result; the runs of --indicator and --component alone.
@@ -76,11 +83,8 @@ class HistoryCommand final : public Command {
     return {{"--serial", "of this unit only", &filter_.serial},
             {"--from", "begun then or later [UTC], as 2026-11-21 or \"2026-11-21 11:45\"", &from_},
             {"--to", "begun then or earlier [UTC]; a day counts to its end", &to_},
-            {"--verdict",
-             "that were judged so when they ended",
-             &filter_.verdict,
-             false,
-             {"PASS", "FAIL", "INVALID", "ERROR", "ABORTED"}},
+            {"--verdict", "that were judged so when they ended", &filter_.verdict, false,
+             outcome_words()},
             {"--plan", "of this plan only", &filter_.plan},
             {"--indicator", "that have this measure, with its worst value", &indicator_},
             {"--component", "with a finding above its limit on this part", &component_},
@@ -154,7 +158,6 @@ int HistoryCommand::run(Console& console) {
   if (indicator_.empty() && component_.empty()) {
     history.runs = merged(std::move(history.runs), unfinished, out_);
   }
-  const bool any = !history.runs.empty();
   narrow(history.runs);
   if (json_) {
     console.out << history_to_json(history);
@@ -162,9 +165,8 @@ int HistoryCommand::run(Console& console) {
   }
   print_history(console, history);
   if (!history.runs.empty()) return exit_codes::done;
-  console.out << (filter_.serial.empty() ? any ? "no such run in " + out_ : "no run yet"
-                                         : "no run of " + filter_.serial + " in " + out_)
-              << '\n';
+  const bool asks_for_some = filter_ != RunFilter() || !indicator_.empty() || !component_.empty();
+  console.out << (asks_for_some ? "no such run in " : "no run yet in ") << out_ << '\n';
   return exit_codes::done;
 }
 

@@ -4,8 +4,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
-#include <sstream>
 #include <system_error>
 #include <utility>
 #include <variant>
@@ -13,6 +11,7 @@
 #include "bench/commands/commands.hpp"
 #include "bench/fault_lines.hpp"
 #include "bench/find_plan.hpp"
+#include "bench/json_text.hpp"
 #include "bench/limits_effect.hpp"
 #include "bench/limits_in_force.hpp"
 #include "bench/limits_learning.hpp"
@@ -127,29 +126,6 @@ class LimitsCommand final : public Command {
   std::optional<std::string> read_sha256_;  // of the version that is to come further; none: new
 };
 
-// Without the empty ones; also of a file with a carriage return before each line's end.
-std::set<std::string> lines_of(const std::string& text) {
-  std::set<std::string> found;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.ends_with('\r')) line.pop_back();
-    if (!line.empty()) found.insert(line);
-  }
-  return found;
-}
-
-// Real units before simulated ones.
-std::string kind_to_learn_from(const std::set<std::string>& kinds) {
-  for (const char* kind : {"bench", "replay", "sim"}) {
-    if (kinds.contains(kind)) return kind;
-  }
-  return "";
-}
-
-void print(Console& console, const nlohmann::ordered_json& json) {
-  console.out << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
-}
-
 std::vector<std::string> LimitsCommand::names() const {
   std::vector<std::string> names;
   for (const LimitsVersion& one : limits_versions(out_)) {
@@ -161,7 +137,7 @@ std::vector<std::string> LimitsCommand::names() const {
 int LimitsCommand::list(Console& console) const {
   const std::vector<LimitsVersion> versions = limits_versions(out_);
   if (json_) {
-    print(console, limits_json(versions));
+    console.out << json_text(limits_json(versions));
   } else {
     console.out << limits_text(versions);
     if (versions.empty()) console.out << "no limits in " << out_ << ": plans state their own\n";
@@ -206,7 +182,7 @@ std::variant<LearningTask, int> LimitsCommand::learning_task(Console& console) c
   if (serials_.empty()) return task;
   const auto text = read_file(serials_);
   if (!text) return refuse_usage(console, "limits: --serials " + serials_ + " cannot be read");
-  task.serials = lines_of(*text);
+  task.serials = serials_in(*text);
   if (task.serials.empty()) return refuse_usage(console, "limits: no serial in " + serials_);
   return task;
 }
@@ -275,7 +251,7 @@ int LimitsCommand::show_effect(Console& console, const LimitsFile& file) const {
       file, out_, runs.value(), [&](double share) { bar.show("effect", share, file.version); });
   bar.clear();
   if (json_) {
-    print(console, {{"effect", effect_json(effect)}});
+    console.out << json_text({{"effect", effect_json(effect)}});
   } else {
     console.out << effect_text(effect);
   }

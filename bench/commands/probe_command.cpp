@@ -1,5 +1,5 @@
 #include <fmt/format.h>
-#include <cmath>
+
 #include <nlohmann/json.hpp>
 #include <stop_token>
 #include <utility>
@@ -43,8 +43,6 @@ Probed open_bench(const BenchRig& bench) {
   return probed;
 }
 
-Json json_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json to_json(const Probed& probed, const DriveProbe& probe) {
   Json json{{"drive", probed.where},
             {"profile", probed.profile},
@@ -55,13 +53,13 @@ Json to_json(const Probed& probed, const DriveProbe& probe) {
     json["tripped"] = probe.status.tripped;
     json["fault_code"] = probe.status.fault_code;
     json["remote"] = probe.status.remote;
-    json["reading_s"] = {{"median", json_or_null(quantile_s(probe, 0.5))},
-                         {"p99", json_or_null(quantile_s(probe, 0.99))},
-                         {"longest", json_or_null(quantile_s(probe, 1))}};
+    json["reading_s"] = {{"median", quantile_s(probe, 0.5)},
+                         {"p99", quantile_s(probe, 0.99)},
+                         {"longest", quantile_s(probe, 1)}};
     json["readings"] = probe.cycles_s.size();
     json["lost"] = probe.lost;
     json["retries"] = probe.retries;
-    json["proposed_timeout_s"] = json_or_null(proposed_timeout_s(probe));
+    json["proposed_timeout_s"] = proposed_timeout_s(probe);
     json["watchdog"] = {{"timeout_s", probe.watchdog.timeout_s},
                         {"stops_motor", probe.watchdog.stops_motor}};
   }

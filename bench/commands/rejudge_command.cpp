@@ -7,6 +7,7 @@
 
 #include "bench/commands/commands.hpp"
 #include "bench/fault_lines.hpp"
+#include "bench/json_text.hpp"
 #include "bench/judging.hpp"
 #include "bench/limits_file.hpp"
 #include "bench/progress_bar.hpp"
@@ -51,6 +52,7 @@ class RejudgeCommand final : public Command {
  private:
   int judge(Console& console, const std::filesystem::path& folder);
   int check_limits(Console& console, const StoredRun& run) const;
+  Rejudgement judged(Console& console, const StoredRun& stored) const;
   void tell(Console& console, const StoredRun& run, const Rejudgement& again,
             const std::string& file);
 
@@ -76,13 +78,13 @@ int RejudgeCommand::run(Console& console) {
     const std::filesystem::path path = std::filesystem::path(folder) / "";
     refused = std::max(refused, judge(console, path.parent_path()));
   }
-  if (refused != exit_codes::done) return refused;
+  if (refused != exit_codes::done && told_.empty()) return refused;
   if (json_) {
-    console.out << nlohmann::ordered_json{{"runs", told_}}.dump(
-                       2, ' ', false, nlohmann::json::error_handler_t::replace)
-                << '\n';
+    nlohmann::ordered_json told{{"runs", told_}};
+    if (refused != exit_codes::done) told["refused"] = std::exchange(console.complaints, {});
+    console.out << json_text(told);
   }
-  return exit_code(gravest_);
+  return refused != exit_codes::done ? refused : exit_code(gravest_);
 }
 
 // Limits of another plan would ask for what was never measured.
@@ -113,20 +115,7 @@ int RejudgeCommand::judge(Console& console, const std::filesystem::path& folder)
   const std::vector<std::string> changed = changed_files(folder);
   for (const std::string& fault : changed) complain(console, (folder / fault).string());
   if (!changed.empty()) return exit_codes::bad_file;
-  Rejudgement again;
-  {
-    ProgressBar bar(console, progress_style(console, json_));
-    again.judgement =
-        judged_again(stored, limits_ ? limits_->limits : stored.plan.limits,
-                     [&](double share) { bar.show("judge", share, folder.string()); });
-    bar.clear();
-  }
-  again.judged_utc = utc_now();
-  if (limits_) {
-    again.limits_version = limits_->version;
-    again.judgement.facts.limits_version = limits_->version;
-    again.limits_sha256 = limits_hash(limits_->limits);
-  }
+  const Rejudgement again = judged(console, stored);
   std::string file;
   try {
     const std::optional<FileLock> alone = lock_run(folder);
@@ -139,6 +128,22 @@ int RejudgeCommand::judge(Console& console, const std::filesystem::path& folder)
   }
   tell(console, stored, again, file);
   return exit_codes::done;
+}
+
+Rejudgement RejudgeCommand::judged(Console& console, const StoredRun& stored) const {
+  Rejudgement again;
+  ProgressBar bar(console, progress_style(console, json_));
+  again.judgement =
+      judged_again(stored, limits_ ? limits_->limits : stored.plan.limits,
+                   [&](double share) { bar.show("judge", share, stored.folder.string()); });
+  bar.clear();
+  again.judged_utc = utc_now();
+  if (limits_) {
+    again.limits_version = limits_->version;
+    again.judgement.facts.limits_version = limits_->version;
+    again.limits_sha256 = limits_hash(limits_->limits);
+  }
+  return again;
 }
 
 void RejudgeCommand::tell(Console& console, const StoredRun& run, const Rejudgement& again,

@@ -23,8 +23,7 @@
 #include "bench/rig_file.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/run_start.hpp"
-#include "bench/serve/live_feed.hpp"
-#include "bench/serve/watched_rig.hpp"
+#include "bench/serve/tell_live.hpp"
 #include "bench/sha256.hpp"
 #include "bench/software_version.hpp"
 #include "bench/stop_on_signal.hpp"
@@ -34,6 +33,7 @@
 #include "bench/try_for.hpp"
 #include "bench/verdict_json.hpp"
 #include "hal/did_you_mean.hpp"
+#include "hal/formats/printable.hpp"
 #include "sequences/plan_on_rig.hpp"
 
 namespace rvbench::bench {
@@ -75,13 +75,13 @@ class RunCommand final : public Command {
   int run(Console& console) override;
 
  private:
+  std::string option_fault(bool is_rig_read) const;
+  int run_plan(Console& console, sequences::TestPlan& plan, hal::Rig& rig);
   int prepare_folder(Console& console, const sequences::TestPlan& plan);
   RunFacts facts(const sequences::TestPlan& plan) const;
   int measure(Console& console, const sequences::TestPlan& plan,
               const analysis::Kinematics& kinematics, hal::Rig& rig,
               const std::vector<hal::ConfigFault>& warnings);
-  void tell_live(const sequences::TestPlan& plan, hal::Rig& rig, Acceptance& acceptance,
-                 ProgressBar& bar) const;
   void hold_against_station(Console& console, Acceptance& acceptance) const;
   std::string enter_golden_result() const;
   void tell(Console& console, const Judgement& judgement, const analysis::Kinematics& kinematics,
@@ -104,26 +104,34 @@ class RunCommand final : public Command {
   RunPlace place_;  // locked until the command ends
 };
 
-int RunCommand::run(Console& console) {
-  if (serial_.empty() && !dry_run_) return refuse_usage(console, "run: --serial is required");
+// What the options ask and may not; "" if nothing.
+std::string RunCommand::option_fault(bool is_rig_read) const {
+  const std::string serial = "--serial " + hal::in_quotes(serial_);
+  if (serial_.empty() && !dry_run_) return "--serial is required";
   if (serial_.starts_with(' ') || serial_.ends_with(' ')) {
-    return refuse_usage(
-        console, "run: --serial " + hal::in_quotes(serial_) + ": no blank may begin or end it");
+    return serial + ": no blank may begin or end it";
   }
+  // Two of them would be one in every document.
+  if (hal::formats::printable(serial_) != serial_) return serial + ": it is not UTF-8";
+  if (!is_rig_read) return "";
+  if (!std::holds_alternative<SimRig>(file_) && !unit_.stated().empty()) {
+    return unit_.stated() + ": " + rig_ + " has a unit of its own, none is simulated";
+  }
+  return is_almost_golden(qualification_in(file_), serial_)
+             ? serial + " differs from the golden unit's only in capitals or blanks"
+             : "";
+}
+
+int RunCommand::run(Console& console) {
   auto plan = find_plan(plan_);
   auto file = read_rig(rig_, unit_.rig_options());
+  const bool is_rig_read = file.index() == 0;
+  if (is_rig_read) file_ = std::get<0>(std::move(file));
+  if (const std::string fault = option_fault(is_rig_read); !fault.empty()) {
+    return refuse_usage(console, "run: " + fault);
+  }
   std::variant<hal::Rig, std::vector<hal::ConfigFault>> rig;
-  if (file.index() == 0) {
-    file_ = std::get<0>(std::move(file));
-    if (!std::holds_alternative<SimRig>(file_) && !unit_.stated().empty()) {
-      return refuse_usage(console, "run: " + unit_.stated() + ": " + rig_ +
-                                       " has a unit of its own, none is simulated");
-    }
-    if (is_almost_golden(qualification_in(file_), serial_)) {
-      return refuse_usage(console,
-                          "run: --serial " + hal::in_quotes(serial_) +
-                              " differs from the golden unit's only in capitals or blanks");
-    }
+  if (is_rig_read) {
     rig = make_rig(file_, rig_);  // opens nothing
   } else {
     rig = std::get<1>(std::move(file));
@@ -131,19 +139,21 @@ int RunCommand::run(Console& console) {
   if (plan.index() == 1) refuse_file(console, plan_, std::get<1>(plan));
   if (rig.index() == 1) refuse_file(console, rig_, std::get<1>(rig));
   if (plan.index() == 1 || rig.index() == 1) return exit_codes::bad_file;
-  sequences::TestPlan& test = std::get<0>(plan);
-  plan_sha256_ = sha256_of_text(sequences::plan_to_json(test));
-  auto limits = put_in_force(out_, plan_, test);
+  return run_plan(console, std::get<0>(plan), std::get<0>(rig));
+}
+
+int RunCommand::run_plan(Console& console, sequences::TestPlan& plan, hal::Rig& rig) {
+  plan_sha256_ = sha256_of_text(sequences::plan_to_json(plan));
+  auto limits = put_in_force(out_, plan_, plan);
   if (limits.index() == 1) return refuse_usage(console, "run: " + std::get<1>(limits));
   limits_ = std::get<0>(std::move(limits));
   if (!limits_.version.empty()) console.err << "rvbench: note: " << note_of(limits_) << '\n';
-  auto kinematics = read_kinematics(test.specimen.kinematics);
+  auto kinematics = read_kinematics(plan.specimen.kinematics);
   if (kinematics.index() == 1) {
-    return refuse_file(console, test.specimen.kinematics, std::get<1>(kinematics));
+    return refuse_file(console, plan.specimen.kinematics, std::get<1>(kinematics));
   }
-  auto faults = limits_on_unknown_parts(test.limits, std::get<0>(kinematics));
-  std::ranges::move(sequences::faults_of_plan_on(std::get<0>(rig), test),
-                    std::back_inserter(faults));
+  auto faults = limits_on_unknown_parts(plan.limits, std::get<0>(kinematics));
+  std::ranges::move(sequences::faults_of_plan_on(rig, plan), std::back_inserter(faults));
   for (const auto& [path, told] : faults_by_file(faults, plan_, limits_))
     refuse_file(console, path, told);
   if (!faults.empty()) return exit_codes::bad_file;
@@ -153,13 +163,13 @@ int RunCommand::run(Console& console) {
     if (const auto refusal = qualification_now(file_, out_, serial_).refusal()) {
       console.err << "rvbench: warning: a run would end with exit 60: " << refusal->reason << '\n';
     }
-    console.out << (json_ ? timeline_json(test) : timeline_table(test));
+    console.out << (json_ ? timeline_json(plan) : timeline_table(plan));
     return exit_codes::done;
   }
   return measure(
-      console, test,
-      with_limits(of_specimen(std::get<0>(std::move(kinematics)), test.specimen), test.limits),
-      std::get<0>(rig), warnings);
+      console, plan,
+      with_limits(of_specimen(std::get<0>(std::move(kinematics)), plan.specimen), plan.limits), rig,
+      warnings);
 }
 
 // A new run folder with the resolved plan, rig and machine, or the one to go on with.
@@ -220,7 +230,7 @@ int RunCommand::measure(Console& console, const sequences::TestPlan& plan,
     acceptance.warnings.push_back(hal::describe(rig_, warning));
   }
   hold_against_station(console, acceptance);
-  if (!live_.empty()) tell_live(plan, rig, acceptance, bar);
+  if (!live_.empty()) tell_live(live_, rig, acceptance, bar);
   const Judgement judgement = run_acceptance(std::move(acceptance), rig, bar, signals.token());
   std::string not_entered;
   const auto enter = [&] {
@@ -253,22 +263,6 @@ void RunCommand::hold_against_station(Console& console, Acceptance& acceptance) 
       enter_golden_begin(out_, qualification_in(file_), place_.folder, plan_sha256_);
   if (!why.empty() && !acceptance.refusal) {
     acceptance.refusal = Ending{Outcome::error, ErrorKind::none, why};
-  }
-}
-
-// A run does not end because nobody can be told how it goes.
-void RunCommand::tell_live(const sequences::TestPlan& plan, hal::Rig& rig, Acceptance& acceptance,
-                           ProgressBar& bar) const {
-  try {
-    const auto run = place_.folder.parent_path().filename() / place_.folder.filename();
-    const auto feed =
-        std::make_shared<LiveFeed>(LiveSocket::to(live_), run.string(), plan.points().size());
-    watch(rig, feed);
-    acceptance.begin_recording = watched_recording(acceptance.begin_recording, feed);
-    bar.tell([feed](const std::string& stage, double fraction, double left_s,
-                    const std::string& doing) { feed->progress(stage, fraction, left_s, doing); });
-  } catch (const std::system_error& error) {
-    acceptance.warnings.push_back("--live: " + reason_of(error));
   }
 }
 

@@ -73,13 +73,19 @@ int TrendCommand::run(Console& console) {
     }
     asked_.at = *point;
   }
+  if (measure_ == measure_names::modulation_depth &&
+      !(asked_.at.is_any() && asked_.channel.empty())) {
+    return refuse_usage(console,
+                        "trend: a modulation depth is concluded from all points and channels "
+                        "together: leave out --point and --channel");
+  }
   std::error_code unknown;
   if (!std::filesystem::is_directory(runs_, unknown)) {
     return refuse_usage(console, "trend: no folder " + runs_);
   }
   OutFolder out;
   const std::string unusable = out_.empty() ? "" : out.make(out_, {"trend.json", "trend.html"});
-  if (!unusable.empty()) return refuse_usage(console, "trend: " + unusable);
+  if (!unusable.empty()) return refuse_usage(console, "trend: --out " + out_ + ": " + unusable);
   auto values = values_in(ResultDatabase::open(runs_), asked_);
   if (!values) {
     console.err << "rvbench: warning: " << describe(values.error())

@@ -56,8 +56,12 @@ Place skip_known(std::istream& in, const SqliteFile& file) {
 
 }  // namespace
 
+std::filesystem::path station_folder(const std::filesystem::path& runs) {
+  return runs / ".station";
+}
+
 std::filesystem::path audit_log_of(const std::filesystem::path& runs) {
-  return runs / ".station" / "audit.jsonl";
+  return station_folder(runs) / "audit.jsonl";
 }
 
 Status enter_audit_lines(SqliteFile& file, const std::filesystem::path& log) {

@@ -11,6 +11,9 @@
 /// not forget what is taken from that file's end. Errors  refused, as SqliteFile.
 namespace rvbench::bench {
 
+/// Where a station keeps its audit log and what tells of its run: below the runs, beside the units.
+std::filesystem::path station_folder(const std::filesystem::path& runs);
+
 /// Where the station's log lies.
 std::filesystem::path audit_log_of(const std::filesystem::path& runs);
 

@@ -150,9 +150,7 @@ std::string history_to_json(const History& history) {
                                 {"point", value->second.point},
                                 {"channel", json_or_null(value->second.channel)}};
   }
-  return nlohmann::ordered_json{{"runs", runs}}.dump(2, ' ', false,
-                                                     nlohmann::json::error_handler_t::replace) +
-         "\n";
+  return json_text({{"runs", runs}});
 }
 
 void print_history(Console& console, const History& history) {

@@ -80,6 +80,11 @@ std::string readable_utc(const std::string& utc) {
                      digits->substr(12, 2));
 }
 
+std::string iso_utc(const std::string& utc) {
+  const std::string readable = readable_utc(utc);
+  return readable == utc ? "" : readable.substr(0, 10) + "T" + readable.substr(11) + "Z";
+}
+
 std::optional<double> days_of_utc(const std::string& utc) {
   const auto digits = digits_of(utc);
   return digits ? days_of_digits(*digits) : std::nullopt;

@@ -14,6 +14,8 @@ struct RunFilter {
   std::string to_utc;    ///< likewise
   std::string verdict;   ///< "PASS", ...; a later judgement does not count
   std::string plan;
+
+  bool operator==(const RunFilter&) const = default;
 };
 
 /// Whether a run is one of those. One whose time cannot be read is in no span of time.
@@ -26,6 +28,9 @@ std::optional<std::string> utc_of_text(const std::string& text, bool last);
 
 /// "2026-11-21 11:45:59" of "20261121T114559Z"; as it is, if it is written otherwise.
 std::string readable_utc(const std::string& utc);
+
+/// "2026-11-21T11:45:59Z" of it; "" if it is written otherwise.
+std::string iso_utc(const std::string& utc);
 
 /// Days since 1970-01-01, UTC, of "20261121T114559Z"; nothing if it is no such time.
 std::optional<double> days_of_utc(const std::string& utc);

@@ -69,7 +69,8 @@ Trend trend_of(SeriesOf asked, std::vector<RunValue> values) {
     numbers.erase(numbers.begin(), numbers.begin() + old);
   }
   if (days.size() < analysis::fewest_for_slope) {
-    trend.why_not = fmt::format("{} runs, {} are needed", days.size(), analysis::fewest_for_slope);
+    trend.why_not = fmt::format("{} run{}, {} are needed", days.size(), days.size() == 1 ? "" : "s",
+                                analysis::fewest_for_slope);
   } else if (days.front() == days.back()) {
     trend.why_not = "all runs began at one time";
   } else {

@@ -12,6 +12,7 @@
 #include "tests/bench/answers.hpp"
 #include "tests/bench/entered_run.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/under_sanitizer.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -95,6 +96,7 @@ void learn_and_activate(const ScratchFolder& scratch, const std::string& version
 }  // namespace
 
 TEST_CASE("a run is judged by limits that were learnt, approved and activated", "[bench][limits]") {
+  if (test::too_long_under_sanitizer()) return;
   const ScratchFolder scratch;
   write_plan(scratch, "two");
   const Run first = run(scratch, "A17");

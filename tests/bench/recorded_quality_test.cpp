@@ -10,6 +10,7 @@
 #include "hal/formats/read_recordings.hpp"
 #include "tests/support/real_data.hpp"
 #include "tests/support/signals.hpp"
+#include "tests/support/under_sanitizer.hpp"
 
 // Channels that others recorded: sound machines and broken ones, none with a broken cable.
 namespace rvbench {
@@ -88,6 +89,7 @@ Recording bad_ball(const std::filesystem::path& data) {
 
 TEST_CASE("no channel of a real recording is called bad, of sound machines and of broken ones",
           "[bench][data]") {
+  if (test::too_long_under_sanitizer()) return;
   const auto folder = test::data_folder();
   if (!folder) return;
   const Source source = GENERATE(cwru, gear0, oedi);

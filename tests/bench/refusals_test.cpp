@@ -198,6 +198,10 @@ TEST_CASE("an option whose value is empty takes no other option for it", "[bench
       rvbench({"run", "quick", "--rig", "sim", "--out", runs, "--serial", "A1 "});
   CHECK(blank.code == 2);
   CHECK_THAT(blank.err, Contains("no blank may begin or end it"));
+  const CommandAnswer no_text =
+      rvbench({"run", "quick", "--rig", "sim", "--out", runs, "--serial", "A\xff"});
+  CHECK(no_text.code == 2);
+  CHECK_THAT(no_text.err, Contains("is not UTF-8"));
 }
 
 TEST_CASE("a unit is simulated on the simulated bench only", "[bench]") {

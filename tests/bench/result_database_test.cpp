@@ -228,7 +228,7 @@ TEST_CASE("history tells every run of a folder, also those nobody entered", "[be
   CHECK(runs[0].at("verdict") == "FAIL");
   const test::CommandAnswer none =
       test::rvbench({"history", "--out", root.path().string(), "--serial", "C"});
-  CHECK_THAT(none.out, Catch::Contains("no run of C in "));
+  CHECK_THAT(none.out, Catch::Contains("no such run in "));
   const test::CommandAnswer absent = test::rvbench({"history", "--out", (root / "no").string()});
   CHECK(absent.code == 2);
 }

@@ -10,6 +10,7 @@
 #include "bench/text_file.hpp"
 #include "tests/bench/answers.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/under_sanitizer.hpp"
 
 namespace rvbench::bench {
 
@@ -87,6 +88,7 @@ TEST_CASE("a run without report is whole, and the report is made later", "[bench
 }
 
 TEST_CASE("a run whose points are all measured is resumed by judging them", "[bench]") {
+  if (test::too_long_under_sanitizer()) return;
   const rvbench::test::ScratchFolder scratch;
   const std::string plan = (scratch.path() / "one.json").string();
   write_file(plan, one_point_plan());

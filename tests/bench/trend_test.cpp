@@ -102,6 +102,12 @@ TEST_CASE("the depth of a part is followed through findings", "[bench][results]"
       nlohmann::json::parse(trend(root, {"modulation_depth", "--of", "input_shaft", "--json"}).out);
   CHECK(json.at("values").size() == 3);  // of the other runs no finding says anything of it
   CHECK(json.at("values").at(0).at("value") == 0.6);
+  // Of all points and channels together: one of them has none.
+  for (const auto& [option, value] : {std::pair{"--point", "1210/50"}, {"--channel", "accel_1x"}}) {
+    const CommandAnswer answer = trend(root, {"modulation_depth", option, value});
+    CHECK(answer.code == 2);
+    CHECK_THAT(answer.err, Contains("from all points and channels together"));
+  }
 }
 
 TEST_CASE("the worst of all is the worst of the points and of the channels", "[bench][results]") {
