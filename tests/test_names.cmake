@@ -1,6 +1,6 @@
 # Fails where a test has a name that CMake or Catch would not take for one: at a ";" CMake splits it
 # in two, neither of which is a test, and one that begins with "-" is an option to Catch. Such a
-# test is never run.
+# test is never run, nor is one in a file that is not called ..._test.cpp.
 #   cmake -DROOT=<source dir> -P tests/test_names.cmake
 set(bad "")
 set(names 0)
@@ -15,6 +15,9 @@ foreach(file IN LISTS files)
   string(REPLACE "]" "<close>" text "${text}")
   string(REGEX MATCHALL "(TEST_CASE|SCENARIO)\\([ \n]*${name}"
          tests "${text}")
+  if(tests AND NOT file MATCHES "_test[.]cpp$")
+    string(APPEND bad "  ${file}: is not called ..._test.cpp\n")
+  endif()
   foreach(test IN LISTS tests)
     math(EXPR names "${names} + 1")
     if(test MATCHES "<semicolon>" OR test MATCHES "\\([ \n]*\"-")
@@ -28,5 +31,5 @@ if(names LESS 1000)
 endif()
 if(bad)
   string(REPLACE "<semicolon>" ";" bad "${bad}")
-  message(FATAL_ERROR "tests with names that hold \";\" or begin with \"-\":\n${bad}")
+  message(FATAL_ERROR "tests that would not be run, for their file's name, or one that holds \";\" or begins with \"-\":\n${bad}")
 endif()
