@@ -3,6 +3,7 @@
 #include "analysis/emd/emd.hpp"
 #include "tests/support/reference_data.hpp"
 #include "tests/support/signals.hpp"
+#include "tests/support/under_sanitizer.hpp"
 
 using namespace rvbench;
 using analysis::Emd;
@@ -173,6 +174,7 @@ TEST_CASE("on a gear's vibration the default end rule errs less than the mirror 
 }
 
 TEST_CASE("and so it does on noise", "[analysis][emd][law]") {
+  if (test::too_long_under_sanitizer()) return;
   constexpr Eigen::Index length = 4000;
   EmdOptions ours, mirrored = with(analysis::mirrored_ends());
   ours.imfs = mirrored.imfs = 6;

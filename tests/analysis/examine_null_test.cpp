@@ -104,6 +104,7 @@ TEST_CASE(
     "no part is significant oftener than stated in a record of nothing, though all sensors "
     "hear the same noise and all IMFs are of one signal",
     "[analysis][examine][null]") {
+  if (test::too_long_under_sanitizer()) return;
   const Machine machine = rv20e();
   const OrderSignals& t = machine.turning;
   const Eigen::VectorXd sound = 5 * t.tone(1080.0 / 121) + 2 * t.tone(1560.0 / 121, 1);

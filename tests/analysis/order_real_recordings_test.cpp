@@ -9,6 +9,7 @@
 #include "analysis/order/standing_lines.hpp"
 #include "hal/formats/read_recordings.hpp"
 #include "tests/support/real_data.hpp"
+#include "tests/support/under_sanitizer.hpp"
 
 using namespace rvbench;
 using namespace rvbench::analysis;
@@ -82,6 +83,7 @@ TEST_CASE("the gear rig's shaft is followed by its mesh, and its strangers are l
 
 // No file states this rig's sampling rate: speeds are turns per sample, and orders are ratios.
 TEST_CASE("two meshes of a gearbox tell the same shaft speed", "[analysis][order][data]") {
+  if (test::too_long_under_sanitizer()) return;
   const auto folder = test::data_folder();
   if (!folder) return;
   const std::string name = GENERATE(as<std::string>{}, "h30hz0", "h30hz30", "h30hz60", "h30hz90",

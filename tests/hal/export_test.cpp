@@ -100,6 +100,10 @@ TEST_CASE("what a format has no place for is said, and nothing else", "[hal][for
   CHECK(warnings("mat5", full).empty());
   CHECK(warnings("mat73", full).empty());
   CHECK(warnings("uff58", full) == "UFF 58 has no place for sensitivities of sensors: left out\n");
+  Recording told_at_length = full;
+  told_at_length.status = std::string(66, 'x');
+  CHECK_THAT(warnings("uff58b", told_at_length), Contains("65 bytes of the status: it is cut"));
+  CHECK(warnings("tdms", told_at_length).empty());
   CHECK_THAT(warnings("csv", full), Contains("directions") && Contains("sensitivities") &&
                                         Contains("the start time") &&
                                         Contains("speed, load, torque") && !Contains("units"));

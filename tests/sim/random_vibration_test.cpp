@@ -9,6 +9,7 @@
 #include "sim/simulate.hpp"
 #include "sim/term_library.hpp"
 #include "tests/support/bearing_seat.hpp"
+#include "tests/support/under_sanitizer.hpp"
 
 using namespace rvbench;
 
@@ -98,6 +99,7 @@ TEST_CASE("blows swell as their part goes through the load zone", "[sim]") {
 }
 
 TEST_CASE("two bearings shake twice as much as one, in a simulation too", "[sim]") {
+  if (test::too_long_under_sanitizer()) return;
   const sim::PlantSpec one = seat_with({});
   sim::PlantSpec two = one;
   two.terms.push_back(two.terms.back());
@@ -122,6 +124,7 @@ TEST_CASE("of a swell that is faster than the structure rings, less is left", "[
 }
 
 TEST_CASE("what is solved is what a long simulation shows", "[sim]") {
+  if (test::too_long_under_sanitizer()) return;
   sim::Parameters bearing = spall_on(2);
   bearing["load_zone_twice"] = {0.3, "1"};
   bearing["impact_scatter"] = {0.04, "1"};

@@ -86,6 +86,7 @@ TEST_CASE("a reducer that was replaced shows the lines of its bad part", "[spec]
 }
 
 TEST_CASE("a matrix that was measured in part is compared where it can be", "[spec][compare]") {
+  if (test::too_long_under_sanitizer()) return;
   const test::ScratchFolder scratch;
   run_unit(scratch.path() / "a", "healthy", 11, plan_with("[50, 100]", 1));
   run_unit(scratch.path() / "b", "healthy", 12, plan_with("[150, 50]", 1));

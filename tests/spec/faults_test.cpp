@@ -134,6 +134,7 @@ TEST_CASE("a fault during a record leaves the samples before it", "[spec][safety
 }
 
 TEST_CASE("a fault during teardown changes nothing about the stop, and is told", "[spec][safety]") {
+  if (test::too_long_under_sanitizer()) return;
   const std::string unsettled = test::unsettled_plan();  // teardown starts at 2.2 s
   SECTION("no fault") {
     BenchRun run;

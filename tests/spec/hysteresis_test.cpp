@@ -57,6 +57,7 @@ const std::string both_plan = R"({
 }  // namespace
 
 TEST_CASE("a plan of both a matrix and a winding passes a good reducer", "[spec]") {
+  if (test::too_long_under_sanitizer()) return;
   BenchRun run({}, sim::with_holding_brake(sim::rv20e_bench()));
   const bench::Judgement& judgement = run.go(both_plan);
   INFO(judgement.ending.reason);

@@ -7,6 +7,7 @@
 #include "tests/spec/bench_run.hpp"
 #include "tests/spec/rvbench.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/under_sanitizer.hpp"
 
 // A run on what another run recorded, as if that were hardware: the twin is the bench's plant.
 namespace rvbench {
@@ -60,6 +61,7 @@ TEST_CASE("a good unit is as its twin, and nothing is said of it", "[spec][twin]
 }
 
 TEST_CASE("a unit whose torque its twin does not have is told in one line", "[spec][twin]") {
+  if (test::too_long_under_sanitizer()) return;
   const Replayed bent("input_shaft");
   CHECK_THAT(bent.replayed.out,
              Contains("The run differs from its twin rv20e_bench: input_torque, order 1.983 "

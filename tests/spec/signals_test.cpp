@@ -15,6 +15,7 @@
 #include "tests/spec/bench_run.hpp"
 #include "tests/spec/rvbench.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/under_sanitizer.hpp"
 
 namespace rvbench {
 namespace {
@@ -169,6 +170,7 @@ TEST_CASE("whenever a signal comes, there is the whole answer or none", "[spec]"
 
 TEST_CASE("a run that is stopped while it judges claims no verdict, and advises nothing",
           "[spec]") {
+  if (test::too_long_under_sanitizer()) return;
   const ScratchFolder scratch;
   write_long_plan(scratch);
   Program program(scratch.path(), run_words({"--preset", "input_shaft"}));

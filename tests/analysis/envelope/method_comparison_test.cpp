@@ -118,6 +118,7 @@ TEST_CASE("no candidate, no evidence, one out of range throws", "[analysis][enve
 
 TEST_CASE("a spall of a race of the CWRU rig is found at its order, and no other",
           "[analysis][envelope][data]") {
+  if (test::too_long_under_sanitizer()) return;
   const auto folder = test::data_folder();
   if (!folder) return;
   static constexpr std::size_t inner = 0, outer = 1, nothing = 4;

@@ -7,6 +7,7 @@
 
 #include "analysis/fft.hpp"
 #include "tests/sim/robot/direct_solution.hpp"
+#include "tests/support/under_sanitizer.hpp"
 
 using namespace rvbench;
 using sim::RobotMotion;
@@ -115,6 +116,7 @@ SCENARIO("what the paths contribute adds up to what the targets do", "[sim][robo
 
 SCENARIO("the article's paths lead, by 10 to 30 %, in every motion of every robot",
          "[sim][robot]") {
+  if (test::too_long_under_sanitizer()) return;
   sim::RobotOptions options = short_records(static_cast<std::uint64_t>(GENERATE(range(1, 21))));
   options.record_s = 1;
   const VirtualRobot robot(options);
@@ -150,6 +152,7 @@ SCENARIO("contributions by the truth are those of the histories over the analyse
 }
 
 SCENARIO("each motion has the lines that the article saw at the flange", "[sim][robot]") {
+  if (test::too_long_under_sanitizer()) return;
   sim::RobotOptions options = short_records(14);
   options.record_s = 20;
   const VirtualRobot robot(options);
