@@ -20,6 +20,7 @@ constexpr milliseconds longest_taking{2};  // of a frame: the adapter only puts 
 constexpr milliseconds longest_open{2000};
 constexpr milliseconds longest_count{250};
 constexpr milliseconds idle{10};   // after that nobody receives
+constexpr milliseconds longest_close{100};
 constexpr milliseconds quiet{20};  // USB hands bytes on in bunches, 16 ms apart
 constexpr double flags_period_s = 0.1;
 constexpr double silence_s = 1;  // an adapter that owes an answer for so long is gone
@@ -171,6 +172,10 @@ BusCounters SlcanLink::counters() const {
 
 void SlcanLink::close() {
   const std::lock_guard lock(mutex_);
+  // Its answer shows that it heard: what it has not taken is thrown away with the line.
+  if (line_.is_open()) {
+    (void)command("C\r", LineKind::done, "close", RealClock::now() + longest_close);
+  }
   leave();
 }
 
