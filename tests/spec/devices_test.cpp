@@ -93,6 +93,35 @@ std::string reason_of(const ScratchFolder& folder) {
   return verdict_of(folder).at("reason").get<std::string>();
 }
 
+// The lines that a rig file names, held open: another bench is not given their names meanwhile.
+class HeldLines {
+ public:
+  explicit HeldLines(const ScratchFolder& folder) {
+    const auto values =
+        nlohmann::json::parse(bench::read_file(folder / "rig.json").value_or("null")).flatten();
+    for (const auto& value : values) {
+      if (!value.is_string() || !value.get<std::string>().starts_with("/dev/pts/")) continue;
+      files_.push_back(::open(value.get<std::string>().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC));
+      REQUIRE(files_.back() >= 0);
+    }
+    REQUIRE_FALSE(files_.empty());
+  }
+  ~HeldLines() {
+    for (const int file : files_) ::close(file);
+  }
+  HeldLines(const HeldLines&) = delete;
+  HeldLines& operator=(const HeldLines&) = delete;
+
+ private:
+  std::vector<int> files_;
+};
+
+void await(Program& run, const std::string& text) {
+  const bool is_said = run.says(text);
+  INFO(run.said());
+  REQUIRE(is_said);
+}
+
 }  // namespace
 
 TEST_CASE("devices write a rig file that can be checked and probed", "[spec][devices]") {
@@ -183,7 +212,7 @@ TEST_CASE("a bench that is at work is left alone", "[spec][devices]") {
   bench::write_file(folder / "plan.json", plan);
   Bench bench(folder);
   Program program(folder.path(), run_words());
-  REQUIRE(program.says("warm up"));
+  await(program, "warm up");
   const Answer second =
       test::rvbench(folder.path(), {"run", "plan.json", "--rig", "rig.json", "--serial", "Y"});
   CHECK(second.code == 2);
@@ -201,7 +230,8 @@ TEST_CASE("a bench that is gone in the middle of a run is missed at once", "[spe
   bench::write_file(folder / "plan.json", plan);
   Bench bench(folder);
   Program program(folder.path(), run_words());
-  REQUIRE(program.says("record 1815 rpm"));
+  await(program, "record 1815 rpm");
+  const HeldLines held(folder);
   bench.program().send(SIGKILL);
   bench.program().wait();
   const Answer answer = program.wait();
@@ -218,7 +248,7 @@ TEST_CASE("an emergency stop ends a run on real wires", "[spec][devices][safety]
   bench::write_file(folder / "plan.json", plan);
   Bench bench(folder);
   Program program(folder.path(), run_words());
-  REQUIRE(program.says("record 1815 rpm"));
+  await(program, "record 1815 rpm");
   bench.type("estop");
   Answer answer = program.wait();
   INFO(answer.err);
@@ -234,7 +264,7 @@ TEST_CASE("an emergency stop ends a run on real wires", "[spec][devices][safety]
   WHEN("it was released, a run that is lost its drive ends, too") {
     bench.type("heal");
     Program again(folder.path(), run_words());
-    REQUIRE(again.says("warm up"));
+    await(again, "warm up");
     bench.type("inverter silent");
     answer = again.wait();
     INFO(answer.err);
