@@ -70,6 +70,12 @@ class Browser:
                 self.type(Keys.TAB)
         raise AssertionError(f"Tab does not reach {name!r} from {self.focused()!r}")
 
+    def is_disabled(self, button):
+        return self.script("return document.getElementById(arguments[0]).disabled", button)
+
+    def wait_enabled(self, button):
+        self.wait(f"{button} to be pressed", lambda: not self.is_disabled(button))
+
     def overflows(self):
         """Elements that are cut off or reach beyond the window, by id or text."""
         return self.script("""

@@ -46,11 +46,9 @@ class LateAnswers(PageTest):
     def judge_again(self, serial):
         page = self.browser
         self.open_rejudge(serial)
+        self.browser.wait_enabled("rejudge_go")
         page.tab_to("rejudge_go")
         page.type(Keys.ENTER)
-
-    def is_disabled(self, button):
-        return self.browser.script("return document.getElementById(arguments[0]).disabled", button)
 
     def test_a_judgement_is_told_under_its_own_unit(self):
         page = self.browser
@@ -58,10 +56,10 @@ class LateAnswers(PageTest):
         page.script(self.hold, "rejudge")
         self.judge_again("A14")
         self.wait_held(1)
-        self.assertTrue(self.is_disabled("rejudge_go"))
+        self.assertTrue(self.browser.is_disabled("rejudge_go"))
         page.type(Keys.ESCAPE)
         self.open_rejudge("A12")
-        self.assertFalse(self.is_disabled("rejudge_go"))
+        self.browser.wait_enabled("rejudge_go")
         self.let_go(1)
         page.wait("the judgement in the history", lambda: "re-judged" in page.text("#history"))
         self.assertEqual("Re-judge A12", page.text("#rejudge_title"))
@@ -73,10 +71,19 @@ class LateAnswers(PageTest):
         page.type(Keys.ESCAPE)
         self.open_rejudge("A12")  # it is waited for still
         self.assertEqual("One moment …", page.text("#rejudge_told"))
-        self.assertTrue(self.is_disabled("rejudge_go"))
+        self.assertTrue(self.browser.is_disabled("rejudge_go"))
         self.let_go(2)
         page.wait("both judgements", lambda: page.text("#rejudge_told") == "As judged then: PASS. Re-judged: FAIL.")
-        self.assertFalse(self.is_disabled("rejudge_go"))
+        self.browser.wait_enabled("rejudge_go")
+
+    def test_nothing_is_judged_again_before_the_limits_are_listed(self):
+        self.go_to("history")
+        self.browser.script(self.hold, "/api/limits")
+        self.open_rejudge("A12")
+        self.wait_held(1)
+        self.assertTrue(self.browser.is_disabled("rejudge_go"))
+        self.let_go(1)
+        self.browser.wait_enabled("rejudge_go")
 
     def test_an_approval_closes_no_other_version(self):
         page = self.browser
@@ -91,7 +98,7 @@ class LateAnswers(PageTest):
         page.tab_to("version_go")
         page.type(Keys.ENTER)
         self.wait_held(1)
-        self.assertTrue(self.is_disabled("version_go"))
+        self.assertTrue(self.browser.is_disabled("version_go"))
         page.type(Keys.ESCAPE)
         page.script("document.querySelector('#limits tbody tr:nth-child(2) button').focus()")
         page.type(Keys.ENTER)
@@ -99,7 +106,7 @@ class LateAnswers(PageTest):
         self.let_go(1)
         page.wait("approved", lambda: "approved" in page.text("#limits tbody tr:first-child"))
         self.assertEqual(f"Limits, version {drafts[0]}", page.text("dialog[open] h2"))
-        self.assertFalse(self.is_disabled("version_go"))
+        self.assertFalse(self.browser.is_disabled("version_go"))
 
     def test_the_newest_question_is_answered(self):
         page = self.browser

@@ -73,6 +73,7 @@ class WholeWay(PageTest):
         page.tab_to(say["history.rejudge"])
         page.type(Keys.ENTER)
         page.wait("the dialogue", lambda: page.focused() == "rejudge_limits")
+        page.wait_enabled("rejudge_go")
         page.tab_to("rejudge_go")
         page.type(Keys.ENTER)
         told = say["rejudge.done"].replace("{before}", say["state.FAIL"]).replace("{now}", say["state.FAIL"])

@@ -7,3 +7,6 @@ export const last_step = (version, step) => (version.steps ?? []).findLast((one)
  *  "damaged" or "missing". */
 export const standing_of = (version) =>
   version.status === "activated" && !version.in_force ? "replaced" : version.status;
+
+/** What a limit is of; undefined if of every part. */
+export const part_of = (limit) => limit.of ?? limit.component;

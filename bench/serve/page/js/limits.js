@@ -3,7 +3,7 @@
 import { act, ask, long_patience_ms } from "./api.js";
 import { chip } from "./chip.js";
 import { by_id, make, tell } from "./dom.js";
-import { last_step, standing_of } from "./limit_versions.js";
+import { last_step, part_of, standing_of } from "./limit_versions.js";
 import { fill_table, row_button } from "./table.js";
 import { told_by, with_detail } from "./told.js";
 import { say, say_number, say_or, say_time } from "./words.js";
@@ -29,10 +29,9 @@ function bound(limit) {
 
 // What a limit is narrowed to: a part, or some points of the matrix, or both.
 function narrowed_to(limit) {
-  const of = limit.of ?? limit.component;
   const speed = Number.isFinite(limit.speed_rpm) ? `${say_number(limit.speed_rpm, 6)} rpm` : "";
   const load = Number.isFinite(limit.load_pct) ? `${say_number(limit.load_pct)} %` : "";
-  return [of, speed, load].filter(Boolean).join(", ");
+  return [part_of(limit), speed, load].filter(Boolean).join(", ");
 }
 
 function show_effect() {

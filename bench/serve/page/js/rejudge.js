@@ -10,11 +10,13 @@ const dialog = by_id("rejudge");
 let run = null;
 let then = () => {};
 const at_work = new Set();  // folders of runs
+let is_listed = false;  // which limits there are to judge by
 const unusable = ["draft", "damaged", "missing"];
 
 async function fill_limits() {
   const select = by_id("rejudge_limits");
   const is_newest = newest_of(select);
+  is_listed = false;
   const answer = await ask("limits").catch(() => ({}));
   if (!is_newest()) return;  // what was chosen since stays
   const usable = (answer.versions ?? []).filter((version) => !unusable.includes(standing_of(version)));
@@ -23,10 +25,12 @@ async function fill_limits() {
     return make("option", { value: version },
       say("rejudge.version", { version, status: say_or(`limits.${standing}`, standing) }));
   }));
+  is_listed = true;
+  show_work();
 }
 
 function show_work() {
-  by_id("rejudge_go").disabled = at_work.has(run.folder);
+  by_id("rejudge_go").disabled = !is_listed || at_work.has(run.folder);
 }
 
 /** @param judged  called when there is another judgement */
@@ -35,8 +39,8 @@ export function open_rejudge(which, judged) {
   then = judged;
   tell(by_id("rejudge_title"), say("rejudge.title", { serial: run.serial }));
   tell(by_id("rejudge_told"), at_work.has(run.folder) ? say("wait") : "");
-  show_work();
   fill_limits();
+  show_work();
   dialog.showModal();
   by_id("rejudge_limits").focus();
 }

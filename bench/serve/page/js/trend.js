@@ -2,7 +2,7 @@
 import { ask } from "./api.js";
 import { chip } from "./chip.js";
 import { by_id, make } from "./dom.js";
-import { standing_of } from "./limit_versions.js";
+import { part_of, standing_of } from "./limit_versions.js";
 import { make_plot } from "./strip.js";
 import { fill_table } from "./table.js";
 import { newest_of, told_by } from "./told.js";
@@ -14,9 +14,8 @@ let draw;
 // Of the limits in force on an indicator, those in the unit of its values, and that hold at all points
 // or at the very ones that are asked for.
 function lines_of(limits, { indicator, unit, speed_rpm, load_pct }) {
-  const is_of_all = (limit) => !(limit.of ?? limit.component);
   const holds = (limit) => (limit.speed_rpm ?? speed_rpm) === speed_rpm && (limit.load_pct ?? load_pct) === load_pct;
-  const meant = limits.filter((limit) => limit.measure === indicator && limit.unit === unit && is_of_all(limit) && holds(limit));
+  const meant = limits.filter((limit) => limit.measure === indicator && limit.unit === unit && !part_of(limit) && holds(limit));
   return meant.map((limit) => limit.max ?? limit.min).filter(Number.isFinite);
 }
 
