@@ -19,7 +19,7 @@ using RealClock = std::chrono::steady_clock;
 constexpr milliseconds longest_taking{2};  // of a frame: the adapter only puts it into its queue
 constexpr milliseconds longest_open{2000};
 constexpr milliseconds longest_count{250};
-constexpr milliseconds idle{10};   // after that nobody receives
+constexpr milliseconds idle{10};  // after that nobody receives
 constexpr milliseconds longest_close{100};
 constexpr milliseconds quiet{20};  // USB hands bytes on in bunches, 16 ms apart
 constexpr double flags_period_s = 0.1;
@@ -172,7 +172,9 @@ BusCounters SlcanLink::counters() const {
 
 void SlcanLink::close() {
   const std::lock_guard lock(mutex_);
-  // Its answer shows that it heard: what it has not taken is thrown away with the line.
+  // Its answer shows that it heard: what it has not taken is thrown away with the line. A frame's
+  // may look alike, and comes first.
+  await_answer(frame_asked_s_, RealClock::now() + longest_close);
   if (line_.is_open()) {
     (void)command("C\r", LineKind::done, "close", RealClock::now() + longest_close);
   }

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <functional>
 #include <string>
 #include <thread>
@@ -32,8 +33,12 @@ struct SlcanBench {
 /// An adapter that answers each command as it is told to: one of another make, or a broken one.
 class OddAdapter {
  public:
-  explicit OddAdapter(std::function<std::string(const std::string&)> answer)
-      : answer_(std::move(answer)), thread_([this](const std::stop_token& stop) { serve(stop); }) {}
+  /// @param rest  from an answer until it listens again
+  explicit OddAdapter(std::function<std::string(const std::string&)> answer,
+                      std::chrono::milliseconds rest = {})
+      : answer_(std::move(answer)),
+        rest_(rest),
+        thread_([this](const std::stop_token& stop) { serve(stop); }) {}
 
   const std::string& device() const { return terminal_.device(); }
 
@@ -51,10 +56,12 @@ class OddAdapter {
       const std::string answer = answer_(command);
       (void)!::write(line.fd, answer.data(), answer.size());
       command.clear();
+      std::this_thread::sleep_for(rest_);
     }
   }
 
   std::function<std::string(const std::string&)> answer_;
+  std::chrono::milliseconds rest_;
   sim::PseudoTerminal terminal_;
   std::jthread thread_;
 };

@@ -72,6 +72,22 @@ SCENARIO("an adapter of another make is understood", "[hal][can]") {
     CHECK(can.send(numbered(0x201, 1)));
     CHECK(send_next(can, numbered(0x201, 2)));
   }
+  WHEN("its answer to a frame looks like one to what comes next") {
+    std::atomic<bool> is_on_bus = false;
+    test::OddAdapter adapter(
+        [&](const std::string& command) -> std::string {
+          if (command == "O" || command == "C") is_on_bus = command == "O";
+          return command[0] == 't' ? "\r" : test::sound_answer(command);
+        },
+        std::chrono::milliseconds(5));
+    {
+      SlcanTransport can({.device = adapter.device()}, clock);
+      must_open(can);
+      CHECK(is_on_bus);
+      CHECK(can.send(numbered(0x201, 1)));
+    }
+    CHECK_FALSE(is_on_bus);
+  }
   WHEN("it declines a frame") {
     test::OddAdapter adapter([](const std::string& command) -> std::string {
       return command.starts_with('t') ? "\a" : test::sound_answer(command);
