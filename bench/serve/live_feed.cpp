@@ -78,8 +78,9 @@ void LiveFeed::take(const hal::AccelerationBlock& block, double rate_Hz,
   if (values_.sums_m_s2.size() != block.scans.cols()) {
     values_.sums_m_s2 = values_.squares = Eigen::VectorXd::Zero(block.scans.cols());
   }
-  // A spectrum knows no holes: neither blocks that were not waited for nor lost samples.
-  if (!(std::abs(block.t0_s - heard_until_s_) < 0.5 / rate_Hz)) latest_.clear();
+  // A spectrum knows no holes: neither blocks that were not waited for nor lost samples. Time
+  // stamps that follow the clock move by half a sample.
+  if (!(std::abs(block.t0_s - heard_until_s_) < 0.75 / rate_Hz)) latest_.clear();
   heard_until_s_ = block.t0_s + double(block.scans.rows()) / rate_Hz;
   for (Eigen::Index row = 0; row < block.scans.rows(); ++row) {
     if (!block.scans.row(row).allFinite()) {

@@ -93,6 +93,25 @@ TEST_CASE("no spectrum is made of samples on both sides of a hole", "[bench][ser
   CHECK(levels.at(100) == Approx(0).margin(0.11));  // dB re 1 g; with the silence it would be -6
 }
 
+// As a clock that is estimated better and better moves them.
+TEST_CASE("time stamps that move by half a sample are no hole", "[bench][serve]") {
+  const double moved = GENERATE(-0.5, 0.5);
+  const rvbench::test::ScratchFolder scratch;
+  LiveSocket mailbox = LiveSocket::open(scratch / "live.sock");
+  LiveFeed feed(LiveSocket::to(scratch / "live.sock"), "A17/20260102T030405Z", 3);
+  constexpr int blocks = 16, scans = LiveFeed::spectrum_samples / blocks;
+  constexpr double rate_Hz = 25600;
+  hal::AccelerationBlock block;
+  block.t0_s = 10;
+  block.scans.resize(scans, 1);
+  block.scans.setConstant(float(9.80665));
+  for (int i = 0; i < blocks; ++i) {
+    feed.take(block, rate_Hz, "accel_1x");
+    block.t0_s += (scans + moved) / rate_Hz;
+  }
+  CHECK_FALSE(letter_of(mailbox, "spectrum").is_null());
+}
+
 TEST_CASE("a feed tells how far the run and each point is, and where nothing came no strip",
           "[bench][serve]") {
   const rvbench::test::ScratchFolder scratch;
