@@ -19,7 +19,8 @@ struct LimitsInForce {
 
 /// Puts the active limits of the plan's name in place of its own, where there are any.
 /// @param root  folder of runs  @param plan_file  that states the plan
-/// Errors  why there are active limits that must not be used: active_limits()
+/// Errors  why there are active limits that must not be used: active_limits(), or that results.db
+///         knows of some that the ledger has lost
 std::variant<LimitsInForce, std::string> put_in_force(const std::filesystem::path& root,
                                                       const std::filesystem::path& plan_file,
                                                       sequences::TestPlan& plan);

@@ -119,13 +119,16 @@ Runs runs_of(std::vector<RunRow> rows, const std::filesystem::path& root,
 std::string why_of(const LearntLimit& learnt, const LearningTask& task, const std::string& utc) {
   const analysis::Coverage& coverage = task.coverage;
   const analysis::RobustLimit& robust = learnt.proposal.learnt;
-  return fmt::format(
-      "median {} {} {:.2f} robust sigma of {} good units ({:g} % of all with {:g} % "
-      "confidence), rig {}, {}",
-      with_unit(robust.median, learnt.limit.unit),
-      learnt.proposal.side == LimitSide::max ? "+" : "-", robust.factor, robust.units,
-      100 * coverage.content, 100 * coverage.confidence, task.rig_kind,
-      readable_utc(utc).substr(0, 10));
+  const std::string claim =
+      learnt.is_doubtful()
+          ? fmt::format("{} of them set aside: how many of all are within is not known",
+                        learnt.set_aside.size())
+          : fmt::format("{:g} % of all with {:g} % confidence if they scatter normally",
+                        100 * coverage.content, 100 * coverage.confidence);
+  return fmt::format("median {} {} {:.2f} robust sigma of {} good units ({}), rig {}, {}",
+                     with_unit(robust.median, learnt.limit.unit),
+                     learnt.proposal.side == LimitSide::max ? "+" : "-", robust.factor,
+                     robust.units, claim, task.rig_kind, readable_utc(utc).substr(0, 10));
 }
 
 // What judged runs and good units show of one limit.
@@ -266,6 +269,12 @@ std::string learnt_text(const LearntLimits& learnt) {
         with_unit(robust.limit, one.limit.unit), old, robust.units,
         with_unit(robust.median, one.limit.unit), with_unit(robust.mad, one.limit.unit),
         robust.factor, 100 * proposal.share_that_changes(), proposal.judged);
+    if (one.is_doubtful()) {
+      text += fmt::format(
+          "  {} of {} good units are unlike the others: these values are skewed, or not all units "
+          "are good; how many of all the limit leaves within is not known\n",
+          one.set_aside.size(), robust.units);
+    }
     for (const std::string& serial : one.set_aside) {
       text += "  set aside, unlike the others: " + serial + "\n";
     }

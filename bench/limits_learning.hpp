@@ -28,6 +28,10 @@ struct LearntLimit {
   double in_force = 0;                 ///< at its points, the strictest; NaN if there is none
   analysis::LimitProposal proposal;    ///< in the limit's unit
   std::vector<std::string> set_aside;  ///< serials of good units that are unlike the others
+
+  /// Whether so many are that the others' scatter does not tell how many of all the limit leaves
+  /// within: they are skewed, or of two kinds.
+  bool is_doubtful() const { return 10 * set_aside.size() > proposal.learnt.units; }
 };
 
 struct LearntLimits {

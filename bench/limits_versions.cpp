@@ -156,6 +156,12 @@ bool was_kept(const std::filesystem::path& root, const std::string& version) {
   return read_ledger(root).last_of(below_root(version)) != nullptr;
 }
 
+bool was_activated(const std::filesystem::path& root, const std::string& version) {
+  return std::ranges::any_of(read_ledger(root).lines, [&](const LedgerLine& line) {
+    return line.kind == kind_of("activated") && line.file == below_root(version);
+  });
+}
+
 void keep_limits(LedgerPen& pen, const LimitsFile& file) {
   pen.keep(kind_of(file.steps.back().step), file.plan, below_root(file.version),
            limits_file_to_json(file));

@@ -49,6 +49,9 @@ std::variant<std::optional<LimitsFile>, std::string> active_limits(
 /// Whether there was ever a version of that name, be its file there or not.
 bool was_kept(const std::filesystem::path& root, const std::string& version);
 
+/// Whether the ledger tells that the version was ever activated.
+bool was_activated(const std::filesystem::path& root, const std::string& version);
+
 /// Keeps the version with a further step, which the caller has put at the end of its steps.
 /// @throws std::system_error
 void keep_limits(LedgerPen& pen, const LimitsFile& file);

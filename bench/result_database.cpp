@@ -185,6 +185,16 @@ Result<std::vector<JudgementRow>> ResultDatabase::later_judgements() const {
   return rows;
 }
 
+Result<std::vector<std::string>> ResultDatabase::activated_limits(const std::string& plan) const {
+  SqlStatement query(
+      file_, "SELECT version FROM limits_versions WHERE plan = ?1 AND status = 'activated'");
+  query.bind(plan);
+  std::vector<std::string> versions;
+  while (query.next()) versions.push_back(query.text(0));
+  if (!query.is_done()) return file_.failure("cannot be read");
+  return versions;
+}
+
 Result<std::set<std::string>> ResultDatabase::runs_with_finding(
     const std::string& component) const {
   SqlStatement query(file_, get_with_finding);

@@ -75,6 +75,9 @@ class ResultDatabase {
   /// Oldest first. @param serial  empty: of every unit
   Result<std::vector<RunRow>> runs(const std::string& serial = "") const;
 
+  /// Versions of limits of that plan that were activated once.
+  Result<std::vector<std::string>> activated_limits(const std::string& plan) const;
+
   /// All that judged a run after its end, by run and in the order they were made.
   Result<std::vector<JudgementRow>> later_judgements() const;
 

@@ -190,9 +190,13 @@ std::variant<LearningTask, int> LimitsCommand::learning_task(Console& console) c
 int LimitsCommand::learn(Console& console) const {
   if (plan_.empty()) return refuse_usage(console, "limits: learn from runs of which plan? --plan");
   if (by_.empty()) return refuse_usage(console, "limits: by whom? give --by NAME");
-  if (!is_limits_version(version_) || std::filesystem::exists(limits_path(out_, version_))) {
+  if (!is_limits_version(version_)) {
     return refuse_usage(console, "limits: " + hal::in_quotes(version_) +
-                                     " is there already, or no name of a version");
+                                     " is no name of a version: up to 64 letters, digits, '.', '_' "
+                                     "and '-', the first no '.'");
+  }
+  if (std::filesystem::exists(limits_path(out_, version_))) {
+    return refuse_usage(console, "limits: " + version_ + " is there already");
   }
   auto task = learning_task(console);
   if (task.index() == 1) return std::get<1>(task);

@@ -5,6 +5,8 @@
 #include <catch2/catch.hpp>
 #include <numeric>
 
+#include "bench/find_plan.hpp"
+#include "bench/limits_in_force.hpp"
 #include "bench/limits_versions.hpp"
 #include "bench/text_file.hpp"
 #include "tests/bench/answers.hpp"
@@ -88,6 +90,52 @@ TEST_CASE("what is learnt is a draft that says where it comes from", "[bench][li
   CHECK(limits(root, {"approve", "v1", "--yes"}).code == 0);
   CHECK(limits(root, {"activate", "v1"}).code == 0);
   CHECK(std::get<0>(active_limits(root.path(), "quick"))->version == "v1");
+}
+
+TEST_CASE("of units that scatter otherwise than normally no share is promised", "[bench][limits]") {
+  const ScratchFolder root;
+  std::vector<double> skewed = good_peaks(24);
+  for (const std::size_t i : {3U, 11U, 20U}) skewed[i] = 3;  // an eighth
+  enter(root, skewed);
+  const test::CommandAnswer learnt = limits(root, {"learn", "v1", "--plan", "quick"});
+  CHECK(learnt.code == 0);
+  CHECK_THAT(learnt.out, Contains("3 of 24 good units are unlike the others"));
+  const auto file = std::get<0>(read_limits_file(limits_path(root.path(), "v1")));
+  CHECK_THAT(file.limits.at(0).why, Contains("3 of them set aside") && !Contains("confidence"));
+  const ScratchFolder normal;
+  enter(normal, good_peaks(24));
+  const test::CommandAnswer sound = limits(normal, {"learn", "v1", "--plan", "quick"});
+  CHECK_THAT(sound.out, !Contains("unlike the others"));
+}
+
+TEST_CASE("limits that the results remember are not forgotten with the ledger", "[bench][limits]") {
+  const ScratchFolder root;
+  enter(root, good_peaks(20));
+  REQUIRE(limits(root, {"learn", "v1", "--plan", "quick"}).code == 0);
+  REQUIRE(limits(root, {"approve", "v1", "--yes"}).code == 0);
+  REQUIRE(limits(root, {"activate", "v1"}).code == 0);
+  REQUIRE(test::rvbench({"history", "--out", root.path().string()}).code == 0);
+  const auto in_force = [&] {
+    auto plan = std::get<0>(find_plan("quick"));
+    return put_in_force(root.path(), "quick", plan);
+  };
+  CHECK(std::get<0>(in_force()).version == "v1");
+  const ScratchFolder elsewhere;
+  const std::string copy = (elsewhere / "v1.json").string();
+  std::filesystem::copy(limits_path(root.path(), "v1"), copy);
+  std::filesystem::remove_all(root / limits_folder_name);
+  std::filesystem::remove(root / ledger_name);
+  CHECK_THAT(std::get<1>(in_force()),
+             Contains("limits v1 of plan quick were activated, as results.db remembers"));
+  auto other = std::get<0>(find_plan("rv20e_acceptance"));
+  CHECK(std::get<0>(put_in_force(root.path(), "rv20e_acceptance", other)).version.empty());
+
+  CHECK(limits(root, {"learn", "v2", "--plan", "quick"}).code == 2);
+  REQUIRE(limits(root, {"propose", "--from", copy}).code == 0);
+  CHECK(in_force().index() == 1);  // nobody has approved it
+  REQUIRE(limits(root, {"approve", "v1", "--yes"}).code == 0);
+  REQUIRE(limits(root, {"activate", "v1"}).code == 0);
+  CHECK(std::get<0>(in_force()).version == "v1");
 }
 
 TEST_CASE("simulated units teach no limit where real ones do", "[bench][limits]") {
