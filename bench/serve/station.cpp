@@ -1,6 +1,7 @@
 #include "bench/serve/station.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -30,6 +31,14 @@ StationFile with_whole_paths(StationFile file) {
   std::filesystem::create_directories(file.runs);
   file.runs = std::filesystem::canonical(file.runs);
   return file;
+}
+
+bool is_same_point(const hal::PlannedPoint& a, const hal::PlannedPoint& b) {
+  const auto is_same = [](double x, double y) {
+    return x == y || (std::isnan(x) && std::isnan(y));
+  };
+  return is_same(a.speed_rpm, b.speed_rpm) && is_same(a.load_pct, b.load_pct) &&
+         a.repeat == b.repeat;
 }
 
 }  // namespace
@@ -204,7 +213,11 @@ void Station::read_plan() {
   faults_.clear();
   const auto plan = find_plan(file_.plan);
   if (plan.index() == 0) {
-    points_ = std::get<0>(plan).points();
+    const auto before = std::exchange(points_, std::get<0>(plan).points());
+    // Those of the verdict on show stay, but not with other points.
+    if (!std::ranges::equal(points_, before, is_same_point)) {
+      point_states_.assign(points_.size(), 'o');
+    }
   } else {
     faults_.push_back(hal::describe(file_.plan, std::get<1>(plan).front()));
   }
@@ -213,7 +226,6 @@ void Station::read_plan() {
   auto rig = read_rig(file_.rig, {});
   rig_.reset();
   if (rig.index() == 0) rig_ = std::get<0>(std::move(rig));
-  point_states_.resize(points_.size(), 'o');  // those of the verdict on show stay
 }
 
 }  // namespace rvbench::bench

@@ -123,6 +123,16 @@ class LateAnswers(PageTest):
         self.assertEqual(1, page.script("return document.querySelectorAll('#history tbody tr').length"))
         self.assertIn("The newest 1 runs", page.text("#history_told"))
 
+    def test_who_asks_for_no_indicator_is_told_nothing_of_the_one_before(self):
+        page = self.browser
+        self.go_to("trend")
+        page.wait("a sentence", lambda: page.text("#trend_told"))
+        page.tab_to("indicator")
+        page.script("document.querySelector('#trend_filter [name=indicator]').value = ''")
+        page.type(Keys.ENTER)
+        page.wait("nothing told", lambda: not page.text("#trend_told"))
+        self.assertEqual("", page.text("#trend tbody"))
+
     def test_a_refusal_leaves_nothing_of_the_question_before(self):
         page = self.browser
         self.go_to("trend")

@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <set>
 
 #include "bench/qualification/station_records.hpp"
 #include "bench/run_folder.hpp"
@@ -69,6 +70,46 @@ TEST_CASE("a station that is not qualified says why, starts nothing, and notices
   const auto ready = scanned(station, "G01");
   CHECK(ready.at("next_action") == "start");
   CHECK(scanned(station, "A17").at("next_action") == "station_not_qualified");
+}
+
+TEST_CASE("points of a plan that was edited since the verdict on show were not measured",
+          "[spec][serve][station]") {
+  const ScratchFolder scratch;
+  write_rig(scratch);
+  calibrate(scratch);
+  const std::string quick =
+      bench::read_file(RVBENCH_SOURCE_DIR "/sequences/plans/quick.json").value();
+  bench::write_file(scratch / "plan.json", quick);
+  ServedStation station(scratch, R"("plan": "plan.json")", "rig.json");
+  REQUIRE(station.log_in("otto").status == 200);
+  const test::Socket events = station.listen();
+  const auto statuses = [&] {
+    const auto is_whole = [](const std::string& stream) {
+      return stream.find("event: heartbeat") < stream.npos;
+    };
+    const std::string stream = test::received(station.listen(), is_whole);
+    std::set<std::string> all;
+    const auto snapshot = test::last_event(stream, "snapshot");
+    for (const auto& cell : snapshot.at("state").at("matrix").at("cells")) {
+      all.insert(cell.at("status"));
+    }
+    return all;
+  };
+  using Statuses = std::set<std::string>;
+  scanned(station, "G01");
+  REQUIRE(station.post("/api/start", R"({"serial":"G01"})").status == 202);
+  const auto has_ended = [](const std::string& stream) {
+    return stream.find("\"phase\":\"ended\"") < stream.npos;
+  };
+  (void)test::received(events, has_ended, std::chrono::seconds(120));
+  CHECK(statuses() == Statuses{"done"});
+  scanned(station, "g01");  // is refused: the verdict stays on show
+  CHECK(statuses() == Statuses{"done"});
+  std::string edited = quick;
+  edited.replace(edited.find("[50, 100]"), 9, "[25, 100]");
+  bench::write_file(scratch / "plan.json", edited);
+  scanned(station, "g01");
+  CHECK(statuses() == Statuses{"open"});
 }
 
 }  // namespace rvbench

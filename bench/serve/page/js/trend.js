@@ -1,7 +1,7 @@
 // How an indicator went from unit to unit.
 import { ask } from "./api.js";
 import { chip } from "./chip.js";
-import { by_id, make } from "./dom.js";
+import { by_id, make, tell } from "./dom.js";
 import { part_of, standing_of } from "./limit_versions.js";
 import { make_plot } from "./strip.js";
 import { fill_table } from "./table.js";
