@@ -56,6 +56,7 @@ class PublishCommand final : public Command {
  private:
   int publish(Console& console, const Broker& broker);
   int end(Console& console, const Broker& broker, const Outbox& outbox, const Ending& ending) const;
+  std::string waiting(std::size_t left) const;
 
   std::string out_ = "runs";
   std::string broker_;
@@ -118,24 +119,26 @@ int PublishCommand::publish(Console& console, const Broker& broker) {
   return end(console, broker, outbox, ending);
 }
 
+std::string PublishCommand::waiting(std::size_t left) const {
+  if (left == 0) return "nothing is left to be sent";
+  return fmt::format("{} in {}, to be sent the next time",
+                     left == 1 ? "1 result waits" : fmt::format("{} results wait", left),
+                     (std::filesystem::path(out_) / outbox_name).string());
+}
+
 // Also where not all was sent: what has been acknowledged is not told again.
 int PublishCommand::end(Console& console, const Broker& broker, const Outbox& outbox,
                         const Ending& ending) const {
-  const auto counted = outbox.left();
-  const std::size_t left = counted ? counted.value() : 0;
+  const Result<std::size_t> left = outbox.left();
   if (!ending.reason.empty()) {
-    const std::string waiting =
-        left == 0 ? "nothing is left to be sent"
-                  : fmt::format("{} in {}, to be sent the next time",
-                                left == 1 ? "1 result waits" : fmt::format("{} results wait", left),
-                                (std::filesystem::path(out_) / outbox_name).string());
-    console.err << fmt::format("rvbench: publish: {}; {}\n", ending.reason, waiting);
+    console.err << "rvbench: publish: " << ending.reason
+                << (left ? "; " + waiting(left.value()) : "") << '\n';
   }
   if (json_) {
     Json told{{"broker", broker.address()},
               {"topic", broker.topic},
               {"acknowledged", acknowledged_},
-              {"left", left},
+              {"left", left ? Json(left.value()) : Json()},
               {"skipped", skipped_}};
     if (!ending.reason.empty()) {  // as of any command that was refused
       told["verdict"] = nullptr;

@@ -39,6 +39,8 @@ struct Unanswered {
     REQUIRE(mosquitto.send(SIGSTOP));
     judged_run(root.path(), passed_run(), "A17");
     REQUIRE(wait_until([&] { return count_of(root, "sent") == 1; }));
+    // It is noted before it goes out; a ping has two bytes.
+    REQUIRE(wait_until([&] { return at.unread_bytes() > 100; }));
   }
 
   void kill() {

@@ -43,4 +43,22 @@ int Mosquitto::publications(const std::string& how, const std::string& topic) co
   return count;
 }
 
+// "  sl  local_address rem_address   st tx_queue:rx_queue ...", all hexadecimal: proc(5).
+unsigned long Mosquitto::unread_bytes() const {
+  constexpr const char* established = "01";
+  std::ifstream connections("/proc/net/tcp");
+  unsigned long bytes = 0;
+  for (std::string line; std::getline(connections, line);) {
+    std::istringstream words(line);
+    std::string number, local, remote, state, queues;
+    words >> number >> local >> remote >> state >> queues;
+    const std::size_t colon = local.find(':'), between = queues.find(':');
+    if (state != established || colon == std::string::npos || between == std::string::npos)
+      continue;
+    if (std::stoi(local.substr(colon + 1), nullptr, 16) != port()) continue;
+    bytes += std::stoul(queues.substr(between + 1), nullptr, 16);
+  }
+  return bytes;
+}
+
 }  // namespace rvbench::test

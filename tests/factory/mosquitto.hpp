@@ -26,6 +26,9 @@ class Mosquitto {
   /// sending at QoS 1, "d1, q2" a repeated one at QoS 2.
   int publications(const std::string& how, const std::string& topic) const;
 
+  /// What has arrived on its connections and it has not read, in bytes.
+  unsigned long unread_bytes() const;
+
  private:
   ScratchFolder folder_;
   Socket reserved_;

@@ -197,6 +197,17 @@ TEST_CASE("publish refuses what it cannot work with", "[factory][publish]") {
     CHECK(answer.code == 20);
     CHECK_THAT(answer.err, Contains("outbox.db cannot be used"));
   }
+  SECTION("an outbox that does not tell what waits there") {
+    sqlite3* other = nullptr;
+    REQUIRE(sqlite3_open((root / "outbox.db").c_str(), &other) == SQLITE_OK);
+    REQUIRE(sqlite3_exec(other, "CREATE TABLE results (state, place)", nullptr, nullptr, nullptr) ==
+            SQLITE_OK);
+    sqlite3_close(other);
+    const Answer answer = publish(root.path(), broker, {"--json"});
+    CHECK(answer.code == 30);
+    CHECK_THAT(answer.err, !Contains("nothing is left"));
+    CHECK(nlohmann::json::parse(answer.out).at("left").is_null());
+  }
 }
 
 }  // namespace rvbench::test
