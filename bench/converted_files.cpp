@@ -11,6 +11,7 @@
 #include "bench/rising_channels.hpp"
 #include "hal/formats/column_name.hpp"
 #include "hal/formats/time_column.hpp"
+#include "hal/recording_file.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -54,6 +55,20 @@ std::optional<std::string> prepare_for_writing(Recording& recording) {
   hal::formats::drop_time_column(recording);
   name_by_units(recording);
   return std::nullopt;
+}
+
+std::string made_from_fault(const std::string& out, const std::vector<std::string>& files) {
+  std::error_code none;
+  const bool is_one = std::ranges::any_of(
+      files, [&](const std::string& file) { return std::filesystem::equivalent(out, file, none); });
+  return is_one ? out + " is what it would be made from" : "";
+}
+
+void tell_left_out_events(Console& console, const std::string& file) {
+  const auto run = hal::RecordingReader::open(file);
+  if (!run || run.value()->events().empty()) return;
+  console.err << fmt::format("rvbench: warning: {}: the {} events of its run are left out\n", file,
+                             run.value()->events().size());
 }
 
 void tell_notes_of(Console& console, const std::vector<Recording>& recordings) {

@@ -23,6 +23,12 @@ PointSource point_source(const Recording& recording);
 /// @return why it must not be: "<source>: <what>", where its times say that samples are missing
 std::optional<std::string> prepare_for_writing(Recording& recording);
 
+/// "all.h5 is what it would be made from"; "" if it is not one of these files.
+std::string made_from_fault(const std::string& out, const std::vector<std::string>& files);
+
+/// Warns of a run's events in its recording: no format has a place for them.
+void tell_left_out_events(Console& console, const std::string& file);
+
 /// Prints how files were read, each note of a file once, and which recordings are not to be
 /// trusted.
 void tell_notes_of(Console& console, const std::vector<Recording>& recordings);

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "hal/did_you_mean.hpp"
+#include "hal/formats/printable.hpp"
 #include "hal/json_lines.hpp"
 
 namespace rvbench::hal {
@@ -186,7 +187,10 @@ std::string ConfigReader::text(std::string_view key) {
 std::string ConfigReader::text(std::string_view key, std::string fallback) {
   const JsonNode* json = node_->ask(key);
   if (json == nullptr) return fallback;
-  if (json->kind == Kind::text) return json->text;
+  if (json->kind == Kind::text) {
+    if (formats::has_control_character(json->text)) fault(key, "holds a control character");
+    return json->text;
+  }
   fault(key, "expected a text, found " + show(*json));
   return fallback;
 }

@@ -182,6 +182,10 @@ JsonTree parse_json_lines(std::string_view text) {
     tree.faults.push_back({0, "", "larger than 4 MiB: not a configuration file"});
     return tree;
   }
+  if (text.empty()) {
+    tree.faults.push_back({1, "", "is empty"});
+    return tree;
+  }
   Place place;
   TreeBuilder builder(tree, place);
   tree.complete =

@@ -83,9 +83,12 @@ int ExportCommand::run(Console& console) {
                                      " has no ending that says a format; give one with --format: " +
                                      hal::listed(format_keys()));
   }
+  if (const std::string fault = made_from_fault(to_, {file_}); !fault.empty()) {
+    return refuse_usage(console, "export: --to: " + fault);
+  }
   std::error_code unknown;
-  if (std::filesystem::equivalent(file_, to_, unknown)) {
-    return refuse_usage(console, "export: --to: " + to_ + " is what it would be made from");
+  if (std::filesystem::is_directory(to_, unknown)) {
+    return refuse_usage(console, "export: --to: " + to_ + " is a folder: name a file in it");
   }
   auto read = hal::read_recordings(file_, {.rate_Hz = rate_Hz_.value_or(not_known)});
   if (!read) return refuse_data(console, read.error().where);
@@ -104,6 +107,7 @@ int ExportCommand::run(Console& console) {
   const auto written = hal::write_recordings(points, to_, *writer, force_);
   if (!written) return refuse_writing(console, "export: --to", written.error());
   tell_notes_of(console, points);
+  tell_left_out_events(console, file_);
   tell_written(console, written.value());
   return exit_codes::done;
 }

@@ -45,6 +45,9 @@ int ImportCommand::run(Console& console) {
   if (!writer || writer->key != "hdf5") {
     return refuse_usage(console, "import: --out: must end in .h5: " + out_);
   }
+  if (const std::string fault = made_from_fault(out_, files_); !fault.empty()) {
+    return refuse_usage(console, "import: --out: " + fault);
+  }
   if (const Status place = hal::formats::check_place(out_, force_); !place) {
     return refuse_writing(console, "import: --out", place.error());
   }
@@ -61,6 +64,7 @@ int ImportCommand::run(Console& console) {
   const auto written = hal::write_recordings(points, out_, *writer, force_);
   if (!written) return refuse_writing(console, "import: --out", written.error());
   tell_notes_of(console, points);
+  for (const std::string& file : files_) tell_left_out_events(console, file);
   tell_written(console, written.value());
   return exit_codes::done;
 }

@@ -9,6 +9,7 @@
 #include "bench/campaign_points.hpp"
 #include "bench/campaign_source.hpp"
 #include "bench/commands/commands.hpp"
+#include "bench/converted_files.hpp"
 #include "bench/file_kind.hpp"
 #include "bench/find_plan.hpp"
 #include "bench/plan_files.hpp"
@@ -101,10 +102,7 @@ std::string why_not_written(const std::string& out, const std::vector<std::strin
   }
   if (!std::filesystem::exists(out, none)) return {};
   if (!std::filesystem::is_regular_file(out, none)) return out + " is no regular file";
-  for (const std::string& from : made_from) {
-    if (std::filesystem::equivalent(out, from, none)) return out + " is what it would be made from";
-  }
-  return {};
+  return made_from_fault(out, made_from);
 }
 
 std::string name_of(const Recording& recording) {

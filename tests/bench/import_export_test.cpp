@@ -248,6 +248,13 @@ TEST_CASE("export refuses what it cannot name or must not replace", "[bench][exp
   const CommandAnswer itself = test::rvbench({"export", run, "--to", run, "--force"});
   CHECK(itself.code == 2);
   CHECK_THAT(itself.err, Contains("is what it would be made from"));
+  const CommandAnswer into_itself = test::rvbench({"import", run, "--out", run, "--force"});
+  CHECK(into_itself.code == 2);
+  CHECK_THAT(into_itself.err, Contains("is what it would be made from"));
+  const CommandAnswer folder =
+      test::rvbench({"export", run, "--to", scratch.path().string(), "--format", "csv"});
+  CHECK(folder.code == 2);
+  CHECK_THAT(folder.err, Contains("is a folder"));
   const std::string out = (scratch / "a.uff").string();
   REQUIRE(test::rvbench({"export", run, "--point", "0", "--to", out}).code == 0);
   const CommandAnswer again = test::rvbench({"export", run, "--point", "0", "--to", out});

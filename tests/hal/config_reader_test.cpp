@@ -176,7 +176,11 @@ TEST_CASE("what is no JSON is one fault at the line where it goes wrong", "[hal]
     CHECK_THAT(fault.message, Catch::Contains("1e999"));
   }
   SECTION("cut off in the middle") { CHECK(fault_of("{\n\"a\": [1,\n").line == 2); }
-  SECTION("an empty file") { CHECK(fault_of("").line == 1); }
+  SECTION("an empty file") {
+    const auto fault = fault_of("");
+    CHECK(fault.line == 1);
+    CHECK(fault.message == "is empty");
+  }
   SECTION("bytes that are no UTF-8") { CHECK(fault_of("{\n\"a\": \"\xff\"}").line == 2); }
   SECTION("an array at the top") {
     const auto fault = fault_of("\n[1]");
@@ -205,6 +209,21 @@ TEST_CASE("text from the file is fit for a terminal when it is shown", "[hal][co
   root.number("a", any);
   CHECK(root.faults()[0].message ==
         "expected a number, found \"\\u001b[31m" + std::string(55, 'x') + "...\"");
+}
+
+TEST_CASE("a text that a terminal would obey is a fault", "[hal][config]") {
+  for (const char* text :
+       {R"({"a": "t\u001b[31mX"})", R"({"a": "nul\u0000"})", R"({"a": "\u007f"})"}) {
+    CAPTURE(text);
+    ConfigReader root = read(text);
+    root.text("a");
+    REQUIRE(root.faults().size() == 1);
+    CHECK(root.faults()[0].pointer == "/a");
+    CHECK(root.faults()[0].message == "holds a control character");
+  }
+  ConfigReader sound = read(R"({"a": "N·m, 中"})");
+  CHECK(sound.text("a") == "N·m, 中");
+  CHECK(sound.faults().empty());
 }
 
 TEST_CASE("a file that cannot be read is a fault without a line", "[hal][config]") {
