@@ -10,6 +10,7 @@
 #include "bench/results/keep_newest.hpp"
 #include "bench/results/run_filter.hpp"
 #include "bench/results/unentered_runs.hpp"
+#include "bench/run_folder.hpp"
 #include "bench/sha256.hpp"
 #include "hal/did_you_mean.hpp"
 #include "hal/types/measure.hpp"
@@ -31,6 +32,17 @@ std::vector<RunRow> merged(std::vector<RunRow> judged, const std::vector<RunRow>
   }
   std::ranges::stable_sort(judged, {}, &RunRow::started_utc);
   return judged;
+}
+
+// Of units whose folders nobody may read, nothing is known.
+void warn_of_unreadable(Console& console, const std::filesystem::path& root) {
+  for (const std::filesystem::path& unit : folders_in(root)) {
+    std::error_code error;
+    const std::filesystem::directory_iterator opened(unit, error);
+    if (!error) continue;
+    console.err << "rvbench: warning: " << unit.string() << " cannot be read: " << error.message()
+                << '\n';
+  }
 }
 
 std::vector<std::string> outcome_words() {
@@ -153,6 +165,7 @@ int HistoryCommand::run(Console& console) {
     entered = entered_in(ResultDatabase::in_memory(out_), series, component_);
   }
   if (!entered) return refuse_data(console, "history: " + describe(entered.error()));
+  warn_of_unreadable(console, out_);
   History history = std::move(entered).value();
   // A run without a result has neither a value nor a finding.
   if (indicator_.empty() && component_.empty()) {

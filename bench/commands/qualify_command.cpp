@@ -55,8 +55,9 @@ class QualifyCommand final : public Command {
            "  rvbench qualify clock --rig bench_a.json --by \"J. Weber\"   this computer's clock "
            "is right\n"
            "A rig file says in \"qualification\" what is asked of its station. Exit code 0 if the\n"
-           "self-test was passed, or status finds the station qualified; else 60, or 30 where the\n"
-           "bench does not answer or nothing can be kept.\n";
+           "self-test was passed, or status finds the station qualified; else 60, also where\n"
+           "ledger or clock let nothing be kept; 30 where the bench does not answer or the disk\n"
+           "takes no record.\n";
   }
   std::vector<Option> options() override {
     return {{"STEP",
@@ -88,6 +89,7 @@ class QualifyCommand final : public Command {
   int calibrate(Console& console) const;
   int records(Console& console) const;
   int clock(Console& console) const;
+  int refuse_to_keep(Console& console, const std::string& fault) const;
   void warn_of_rest(Console& console) const;
 
   const std::filesystem::path lock_folder_;
@@ -114,6 +116,11 @@ int QualifyCommand::run(Console& console) {
   return step_ == "records" ? records(console) : test(console);
 }
 
+int QualifyCommand::refuse_to_keep(Console& console, const std::string& fault) const {
+  complain(console, "rvbench: qualify: no record could be kept: " + fault);
+  return exit_code({Outcome::error, ErrorKind::not_qualified, ""});
+}
+
 int QualifyCommand::test(Console& console) {
   const auto& spec = qualification_in(file_)->self_test;
   if (!spec) {
@@ -128,8 +135,7 @@ int QualifyCommand::test(Console& console) {
     return refuse_file(console, rig_, with_lines(rig_, {{0, "/qualification/self_test", why}}));
   }
   if (const std::string fault = keeping_fault(out_); !fault.empty()) {
-    complain(console, "rvbench: qualify: no record could be kept: " + fault);
-    return exit_code({Outcome::error, ErrorKind::not_qualified, ""});
+    return refuse_to_keep(console, fault);
   }
   remark(console, "warning", rig_, remarks_on(file_, rig_).warnings);
   const StopOnSignal signals;
@@ -237,6 +243,9 @@ int QualifyCommand::calibrate(Console& console) const {
       calibration_record(calibration_, qualification_in(file_)->station, channels, utc_now());
   if (read.index() == 1) return refuse(std::get<1>(read));
   const CalibrationRecord& record = std::get<0>(read);
+  if (const std::string fault = keeping_fault(out_); !fault.empty()) {
+    return refuse_to_keep(console, fault);
+  }
   try {
     keep_record(out_, record);
   } catch (const std::system_error& error) {

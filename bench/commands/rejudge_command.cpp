@@ -17,6 +17,7 @@
 #include "bench/run_start.hpp"
 #include "bench/sha256.hpp"
 #include "bench/text_file.hpp"
+#include "bench/verdict_json.hpp"
 #include "hal/did_you_mean.hpp"
 
 namespace rvbench::bench {
@@ -80,8 +81,12 @@ int RejudgeCommand::run(Console& console) {
   }
   if (refused != exit_codes::done && told_.empty()) return refused;
   if (json_) {
-    nlohmann::ordered_json told{{"runs", told_}};
-    if (refused != exit_codes::done) told["refused"] = std::exchange(console.complaints, {});
+    nlohmann::ordered_json told = nlohmann::ordered_json::object();
+    if (refused != exit_codes::done) {  // what was judged is told beside
+      told = nlohmann::ordered_json::parse(
+          refusal_to_json(refused, std::exchange(console.complaints, {})));
+    }
+    told["runs"] = told_;
     console.out << json_text(told);
   }
   return refused != exit_codes::done ? refused : exit_code(gravest_);

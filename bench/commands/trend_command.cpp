@@ -50,6 +50,8 @@ class TrendCommand final : public Command {
   int run(Console& console) override;
 
  private:
+  std::string place_fault(bool is_point) const;
+
   std::string measure_;
   SeriesOf asked_;
   std::string point_;
@@ -59,26 +61,29 @@ class TrendCommand final : public Command {
   bool json_ = false;
 };
 
+// What is wrong with the point and channel that are asked for; "" if nothing.
+std::string TrendCommand::place_fault(bool is_point) const {
+  if (!point_.empty() && !is_point) {
+    return "--point " + hal::in_quotes(point_) +
+           ": state speed and load as 1210/50, in rpm up to 10000 and % up to 300";
+  }
+  if (measure_ == measure_names::modulation_depth && !(point_.empty() && asked_.channel.empty())) {
+    return "a modulation depth is concluded from all points and channels together: leave out "
+           "--point and --channel";
+  }
+  return "";
+}
+
 int TrendCommand::run(Console& console) {
   const Measure* measure = find_measure(measure_);
   if (measure == nullptr) return refuse_measure(console, "trend", measure_);
   asked_.measure = measure_;
   asked_.least = measure->worst_is_least;
-  if (const auto point = point_of_text(point_); !point_.empty()) {
-    if (!point) {
-      return refuse_usage(console,
-                          "trend: --point " + hal::in_quotes(point_) +
-                              ": state speed and load as 1210/50, in rpm up to 10000 and % up to "
-                              "300");
-    }
-    asked_.at = *point;
+  const auto point = point_of_text(point_);
+  if (const std::string fault = place_fault(point.has_value()); !fault.empty()) {
+    return refuse_usage(console, "trend: " + fault);
   }
-  if (measure_ == measure_names::modulation_depth &&
-      !(asked_.at.is_any() && asked_.channel.empty())) {
-    return refuse_usage(console,
-                        "trend: a modulation depth is concluded from all points and channels "
-                        "together: leave out --point and --channel");
-  }
+  if (!point_.empty()) asked_.at = *point;
   std::error_code unknown;
   if (!std::filesystem::is_directory(runs_, unknown)) {
     return refuse_usage(console, "trend: no folder " + runs_);

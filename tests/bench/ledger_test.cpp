@@ -1,7 +1,7 @@
 #include "bench/ledger.hpp"
 
+#include <atomic>
 #include <catch2/catch.hpp>
-#include <chrono>
 #include <fstream>
 #include <string>
 #include <system_error>
@@ -12,6 +12,7 @@
 #include "bench/text_file.hpp"
 #include "tests/bench/answers.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/wait_until.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -151,13 +152,18 @@ TEST_CASE("who reads a ledger with its files finds both alike, whoever keeps som
           "[bench][ledger]") {
   const ScratchFolder root;
   keep(root, "a/0.json", "0");
-  std::jthread other([&](const std::stop_token& stop) {
-    for (int i = 1; !stop.stop_requested(); ++i) {
+  constexpr int looks = 50;
+  std::atomic<int> looked = 0;
+  std::thread other([&] {
+    for (int i = 1; looked < looks; ++i) {
+      const int before = looked;
       keep(root, "a/" + std::to_string(i) + ".json", "");
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));  // or nobody else gets the lock
+      // Who writes without end lets nobody else have the lock.
+      (void)rvbench::test::wait_until([&] { return looked != before; });
     }
   });
-  for (int i = 0; i < 50; ++i) CHECK(ledger_faults(root.path()).empty());
+  for (; looked < looks; ++looked) CHECK(ledger_faults(root.path()).empty());
+  other.join();
 }
 
 TEST_CASE("of many who keep something at once none is lost", "[bench][ledger]") {

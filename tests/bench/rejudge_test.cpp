@@ -121,8 +121,9 @@ TEST_CASE("a stored run is judged again, and both judgements stay", "[bench][res
     const auto all = nlohmann::json::parse(both.out);
     REQUIRE(all.at("runs").size() == 1);
     CHECK(all.at("runs").at(0).at("file") == "rejudged-3.json");
-    REQUIRE(all.at("refused").size() >= 1);
-    CHECK_THAT(all.at("refused").at(0).get<std::string>(), Contains("A17"));
+    CHECK(all.at("verdict").is_null());
+    CHECK_THAT(all.at("reason").get<std::string>(), Contains("A17"));
+    CHECK(all.at("exit_code") == 3);
   }
   SECTION("limits of another plan, and faulty ones, are refused") {
     write_file(scratch / "limits.json", limits_text("strict", "1", "other"));

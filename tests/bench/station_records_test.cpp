@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bench/ledger.hpp"
+#include "bench/run_folder.hpp"
 #include "bench/text_file.hpp"
 #include "tests/bench/ledger_lines.hpp"
 #include "tests/bench/station_on_record.hpp"

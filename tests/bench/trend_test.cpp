@@ -104,7 +104,7 @@ TEST_CASE("the depth of a part is followed through findings", "[bench][results]"
   CHECK(json.at("values").at(0).at("value") == 0.6);
   // Of all points and channels together: one of them has none.
   for (const auto& [option, value] : {std::pair{"--point", "1210/50"}, {"--channel", "accel_1x"}}) {
-    const CommandAnswer answer = trend(root, {"modulation_depth", option, value});
+    const test::CommandAnswer answer = trend(root, {"modulation_depth", option, value});
     CHECK(answer.code == 2);
     CHECK_THAT(answer.err, Contains("from all points and channels together"));
   }
