@@ -8,6 +8,7 @@
 #include "bench/ledger.hpp"
 #include "bench/limits_versions.hpp"
 #include "bench/result_database.hpp"
+#include "bench/run_folder.hpp"
 
 namespace rvbench::bench {
 namespace {
