@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <system_error>
 
 #include "bench/fault_lines.hpp"
@@ -21,8 +22,9 @@ std::string lost_limits(const std::filesystem::path& root, const std::string& pl
   if (!results) return "";
   const auto versions = results.value().activated_limits(plan);
   if (!versions) return "";
+  const std::set<std::string> known = activated_versions(root);
   for (const std::string& version : versions.value()) {
-    if (was_activated(root, version)) continue;
+    if (known.contains(version)) continue;
     return "limits " + version + " of plan " + plan + " were activated, as " +
            result_database_name + " remembers, and " + ledger_name +
            " knows nothing of them: put back a copy of it and of " + limits_folder_name +

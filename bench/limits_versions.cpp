@@ -156,10 +156,14 @@ bool was_kept(const std::filesystem::path& root, const std::string& version) {
   return read_ledger(root).last_of(below_root(version)) != nullptr;
 }
 
-bool was_activated(const std::filesystem::path& root, const std::string& version) {
-  return std::ranges::any_of(read_ledger(root).lines, [&](const LedgerLine& line) {
-    return line.kind == kind_of("activated") && line.file == below_root(version);
-  });
+std::set<std::string> activated_versions(const std::filesystem::path& root) {
+  std::set<std::string> versions;
+  for (const LedgerLine& line : read_ledger(root).lines) {
+    if (line.kind == kind_of("activated")) {
+      versions.insert(std::filesystem::path(line.file).stem().string());
+    }
+  }
+  return versions;
 }
 
 void keep_limits(LedgerPen& pen, const LimitsFile& file) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -49,8 +50,8 @@ std::variant<std::optional<LimitsFile>, std::string> active_limits(
 /// Whether there was ever a version of that name, be its file there or not.
 bool was_kept(const std::filesystem::path& root, const std::string& version);
 
-/// Whether the ledger tells that the version was ever activated.
-bool was_activated(const std::filesystem::path& root, const std::string& version);
+/// Those of which the ledger tells that they were ever activated.
+std::set<std::string> activated_versions(const std::filesystem::path& root);
 
 /// Keeps the version with a further step, which the caller has put at the end of its steps.
 /// @throws std::system_error
