@@ -12,13 +12,7 @@ class Loss(PageTest):
         self.enter("operator-token")
         self.start("A41")
         page.wait_word("MEASURING")
-        page.script("window.was_here = true")
-        self.station.kill()
-        page.wait_word("NOT CONNECTED", 2.0)
-        self.look("not_connected")
-        self.station.start()
-        page.wait_word("LOG IN")  # the new one knows nobody yet
-        page.type("operator-token", Keys.ENTER)
+        self.lose_and_find_the_backend("operator-token", "not_connected")
         page.wait_word("PASS")
         self.look("pass")
         self.assertTrue(page.script("return window.was_here"))  # no refresh

@@ -39,6 +39,17 @@ class BrowserTest(unittest.TestCase):
         self.assertEqual([], self.browser.overflows(), name)
         self.assertFalse(self.browser.scrolls(), name)
 
+    def lose_and_find_the_backend(self, token, shot):
+        """Killed, it is missed within 2 s; started anew, it is found again without a refresh."""
+        page = self.browser
+        page.script("window.was_here = true")
+        self.station.kill()
+        page.wait_word("NOT CONNECTED", 2.0)
+        self.look(shot)
+        self.station.start()
+        page.wait_word("LOG IN")  # the new one knows nobody yet
+        page.type(token, Keys.ENTER)
+
 
 class PageTest(BrowserTest):
     """One browser for all, a station for each."""

@@ -105,13 +105,7 @@ class AgainstReal(BrowserTest):
     def lose_the_backend_during_a_unit_that_fails(self):
         page = self.browser
         self.start("A18")
-        page.script("window.was_here = true")
-        self.station.kill()
-        page.wait_word("NOT CONNECTED", 2.0)
-        self.look("real_not_connected")
-        self.station.start()
-        page.wait_word("LOG IN")  # the new one knows nobody yet
-        page.type(self.station.token, Keys.ENTER)
+        self.lose_and_find_the_backend(self.station.token, "real_not_connected")
         page.wait_word("MEASURING")  # the run went on
         self.assertEqual("A18", page.text("#serial"))
         page.wait_word("FAIL", 60)
