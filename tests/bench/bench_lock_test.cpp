@@ -13,6 +13,7 @@
 #include "bench/commands/commands.hpp"
 #include "bench/text_file.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/this_build.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -131,7 +132,7 @@ TEST_CASE("any user may lock what another user has locked before", "[bench][lock
 
 TEST_CASE("run, probe and qualify leave a bench alone that another process has", "[bench][lock]") {
   const rvbench::test::ScratchFolder folder;
-  std::string text = read_file(RVBENCH_SOURCE_DIR "/bench/rigs/rv20e_bench.json").value();
+  std::string text = read_file(test::source_dir() / "bench/rigs/rv20e_bench.json").value();
   const std::string host = "192.168.3.10";
   text.replace(text.find(host), host.size(), "127.0.0.1");  // nobody there, and refused at once
   const std::string plant = "\"plant\":";

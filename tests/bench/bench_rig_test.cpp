@@ -12,6 +12,7 @@
 #include "bench/text_file.hpp"
 #include "tests/bench/answers.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/this_build.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -27,7 +28,7 @@ BO_ 385 TorqueData: 8 Transducer
 )";
 
 Json example() {
-  return Json::parse(read_file(RVBENCH_SOURCE_DIR "/bench/rigs/rv20e_bench.json").value());
+  return Json::parse(read_file(test::source_dir() / "bench/rigs/rv20e_bench.json").value());
 }
 
 struct RigOnDisk {
@@ -306,7 +307,7 @@ TEST_CASE("what a plan asks for and the rig cannot do is told before anything tu
   rig["accelerometers"]["rate_Hz"] = 5120;
   rig["accelerometers"]["range_m_s2"] = 200;
   write_file(disk.path(), rig.dump(2));
-  Json plan = Json::parse(read_file(RVBENCH_SOURCE_DIR "/sequences/plans/quick.json").value());
+  Json plan = Json::parse(read_file(test::source_dir() / "sequences/plans/quick.json").value());
   plan["acceleration_rate_Hz"] = 4960;
   write_file(disk.path("plan.json"), plan.dump(2));
   for (const char* how : {"--dry-run", "--json"}) {

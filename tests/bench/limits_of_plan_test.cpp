@@ -7,6 +7,7 @@
 #include "sequences/plan.hpp"
 #include "tests/bench/answers.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/this_build.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -91,7 +92,7 @@ TEST_CASE("a limit on what the rig does not record is no fault of the plan, but 
 }
 
 TEST_CASE("the README tells of every measure", "[bench]") {
-  const std::string readme = read_file(RVBENCH_SOURCE_DIR "/README.md").value_or("");
+  const std::string readme = read_file(test::source_dir() / "README.md").value_or("");
   for (const Measure& measure : measures()) {
     CAPTURE(measure.name);
     CHECK_THAT(readme, Contains("`" + std::string(measure.name) + "`"));

@@ -6,6 +6,7 @@
 #include "bench/sha256.hpp"
 #include "bench/text_file.hpp"
 #include "bench/verdict_json.hpp"
+#include "tests/support/this_build.hpp"
 
 namespace rvbench::test {
 
@@ -31,7 +32,7 @@ std::string broker_file(const std::filesystem::path& folder, int port, const std
 std::vector<std::string> publish_words(const std::filesystem::path& root,
                                        const std::string& broker_file,
                                        std::vector<std::string> more) {
-  std::vector<std::string> words{RVBENCH_PROGRAM, "publish",  "--out",
+  std::vector<std::string> words{build_dir() / "rvbench", "publish",  "--out",
                                  root.string(),   "--broker", broker_file};
   words.insert(words.end(), more.begin(), more.end());
   return words;

@@ -10,6 +10,7 @@
 #include "hal/modbus/drive_profile_json.hpp"
 #include "hal/modbus/drive_words.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/this_build.hpp"
 
 using namespace rvbench;
 using namespace rvbench::hal;
@@ -24,7 +25,7 @@ std::string text_of(const std::string& drive) {
 }
 
 std::string text_in(const std::string& file) {
-  std::ifstream in(std::filesystem::path(RVBENCH_SOURCE_DIR) / file);
+  std::ifstream in(test::source_dir() / file);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 

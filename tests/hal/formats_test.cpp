@@ -6,6 +6,7 @@
 #include "hal/formats/read_recordings.hpp"
 #include "tests/hal/mat5_builder.hpp"
 #include "tests/hal/recording_fixture.hpp"
+#include "tests/support/this_build.hpp"
 
 namespace rvbench::hal {
 namespace {
@@ -229,7 +230,7 @@ TEST_CASE("rvbench's own recordings come through the same door", "[hal][formats]
 }
 
 TEST_CASE("a damaged heap of texts in an HDF5 file is refused, not followed", "[hal][formats]") {
-  const std::string corpus = RVBENCH_SOURCE_DIR "/tests/fuzz/corpus/recording/";
+  const std::string corpus = (test::source_dir() / "tests/fuzz/corpus/recording/").string();
   CHECK(read_recordings(corpus + "tiny.h5"));  // texts of variable length, as h5py writes them
   const auto read = read_recordings(corpus + "heap_of_texts.h5");
   REQUIRE_FALSE(read);

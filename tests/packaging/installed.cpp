@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "bench/text_file.hpp"
+#include "tests/support/this_build.hpp"
 
 namespace rvbench::test {
 
@@ -13,7 +14,8 @@ Answer bash(const std::filesystem::path& folder, const std::string& line) {
 Installed::Installed() {
   const Answer answer =
       bash(folder_.path(),
-           RVBENCH_CMAKE " --install " RVBENCH_BINARY_DIR " --prefix " + folder_.path().string());
+           build_setting("CMAKE_COMMAND") + " --install " + build_dir().string() + " --prefix " +
+               folder_.path().string());
   if (answer.code != 0) throw std::runtime_error("cmake --install: " + answer.err);
 }
 

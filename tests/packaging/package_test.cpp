@@ -2,6 +2,7 @@
 #include <string>
 
 #include "tests/packaging/installed.hpp"
+#include "tests/support/this_build.hpp"
 
 namespace rvbench {
 namespace {
@@ -17,9 +18,9 @@ TEST_CASE("the Debian package holds what belongs on a bench, and says what it ne
           "[packaging]") {
   const ScratchFolder folder;
   const Answer made =
-      bash(folder.path(), RVBENCH_CPACK
-           " -G DEB -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip -B $PWD --config " RVBENCH_BINARY_DIR
-           "/CPackConfig.cmake && mv rvbench_*.deb p.deb");
+      bash(folder.path(), test::build_setting("CMAKE_CPACK_COMMAND") +
+           " -G DEB -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip -B $PWD --config " +
+           test::build_dir().string() + "/CPackConfig.cmake && mv rvbench_*.deb p.deb");
   INFO(made.out << made.err);
   REQUIRE(made.code == 0);
   const std::string fields = bash(folder.path(), "dpkg-deb -f p.deb").out;

@@ -6,6 +6,7 @@
 #include "bench/command.hpp"
 #include "bench/text_file.hpp"
 #include "tests/packaging/installed.hpp"
+#include "tests/support/this_build.hpp"
 
 namespace rvbench {
 namespace {
@@ -62,7 +63,7 @@ TEST_CASE("the services may do little: an exposure of at most 2.5", "[packaging]
 TEST_CASE("the service leaves the supervisor its priority", "[packaging]") {
   const Installed installed;
   const std::string text = installed.text_of(unit);
-  const auto source = bench::read_file(RVBENCH_SOURCE_DIR "/hal/real_time.cpp");
+  const auto source = bench::read_file(test::source_dir() / "hal/real_time.cpp");
   REQUIRE(source);
   CHECK_THAT(*source, Contains("constexpr int priority = 40;"));
   CHECK_THAT(text, Contains("LimitRTPRIO=40\n") && Contains("RestrictRealtime=no\n"));

@@ -5,13 +5,14 @@
 #include "hal/modbus/modbus_inverter.hpp"
 #include "hal/steady_clock.hpp"
 #include "tests/support/program.hpp"
+#include "tests/support/this_build.hpp"
 #include "tests/support/wait_until.hpp"
 
 using namespace rvbench;
 
 namespace {
 
-const std::string standin_path = RVBENCH_SOURCE_DIR "/tests/peers/drive_standin.py";
+const std::string standin_path = test::source_dir() / "tests/peers/drive_standin.py";
 
 // A drive of one family, served by python3-pymodbus.
 class Standin {

@@ -6,6 +6,7 @@
 #include "hal/daq/iio_accelerometers.hpp"
 #include "tests/support/loopback.hpp"
 #include "tests/support/program.hpp"
+#include "tests/support/this_build.hpp"
 
 namespace rvbench::test {
 
@@ -15,7 +16,7 @@ class Iiod {
   /// @throws std::runtime_error with the reason, where it cannot run
   Iiod(double rate_Hz, int channels, const std::string& format = "le:s32/32>>0")
       : port_(reserved_port()),
-        program_(".", {RVBENCH_IIO_STANDIN, std::to_string(port_of(port_)), std::to_string(rate_Hz),
+        program_(".", {(build_dir() / "tests/peers/iio_standin").string(), std::to_string(port_of(port_)), std::to_string(rate_Hz),
                        std::to_string(channels), format}) {
     if (!program_.says("serving at ")) {
       throw std::runtime_error("iiod needs root and the package iiod: " + program_.said());

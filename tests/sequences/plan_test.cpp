@@ -7,6 +7,7 @@
 #include "hal/types/measure.hpp"
 #include "sequences/timeline.hpp"
 #include "tests/sequences/run_fixture.hpp"
+#include "tests/support/this_build.hpp"
 
 using namespace rvbench;
 using sequences::TestPlan;
@@ -15,7 +16,7 @@ namespace {
 
 TestPlan shipped(const std::string& name) {
   auto read =
-      sequences::read_plan(std::string(RVBENCH_SOURCE_DIR "/sequences/plans/") + name + ".json");
+      sequences::read_plan((test::source_dir() / "sequences/plans/").string() + name + ".json");
   REQUIRE(std::holds_alternative<TestPlan>(read));
   return std::get<TestPlan>(std::move(read));
 }

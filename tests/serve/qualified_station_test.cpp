@@ -6,6 +6,7 @@
 #include "bench/text_file.hpp"
 #include "tests/serve/served_station.hpp"
 #include "tests/spec/rvbench.hpp"
+#include "tests/support/this_build.hpp"
 #include "tests/support/wait_until.hpp"
 
 namespace rvbench {
@@ -78,7 +79,7 @@ TEST_CASE("points of a plan that was edited since the verdict on show were not m
   write_rig(scratch);
   calibrate(scratch);
   const std::string quick =
-      bench::read_file(RVBENCH_SOURCE_DIR "/sequences/plans/quick.json").value();
+      bench::read_file(test::source_dir() / "sequences/plans/quick.json").value();
   bench::write_file(scratch / "plan.json", quick);
   ServedStation station(scratch, R"("plan": "plan.json")", "rig.json");
   REQUIRE(station.log_in("otto").status == 200);

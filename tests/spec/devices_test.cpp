@@ -139,7 +139,7 @@ TEST_CASE("devices write a rig file that can be checked and probed", "[spec][dev
 TEST_CASE("devices whose standard input is closed end when they are told to", "[spec][devices]") {
   const ScratchFolder folder;
   Program program(folder.path(),
-                  {"/bin/sh", "-c", "exec " RVBENCH_PROGRAM " devices --rig sim <&-"});
+                  {"/bin/sh", "-c", "exec " + test::rvbench_path() + " devices --rig sim <&-"});
   REQUIRE(program.says("Ctrl-C ends it"));
   program.send(SIGINT);
   CHECK(program.wait().code == 0);

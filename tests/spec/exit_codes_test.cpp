@@ -8,6 +8,7 @@
 #include "tests/spec/bench_run.hpp"
 #include "tests/spec/rvbench.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/this_build.hpp"
 
 namespace rvbench {
 namespace {
@@ -267,7 +268,7 @@ TEST_CASE("a run folder whose recording was cut is told, and nothing judges it",
 TEST_CASE("what libiio says of a front end is told in the reason, and nowhere else", "[spec]") {
   const ScratchFolder scratch;
   auto rig = nlohmann::json::parse(
-      bench::read_file(RVBENCH_SOURCE_DIR "/bench/rigs/rv20e_bench.json").value());
+      bench::read_file(test::source_dir() / "bench/rigs/rv20e_bench.json").value());
   rig["drive"]["tcp"] = {{"host", "127.0.0.1"}, {"port", 1}};
   rig["safety"]["tcp"] = rig["drive"]["tcp"];
   rig["safety"]["unit_id"] = 2;

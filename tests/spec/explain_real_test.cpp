@@ -12,6 +12,7 @@
 #include "tests/spec/rvbench.hpp"
 #include "tests/support/real_data.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/this_build.hpp"
 #include "tests/support/under_sanitizer.hpp"
 
 // What a model leaves out of real machines, which others have measured and identified.
@@ -23,7 +24,7 @@ using nlohmann::json;
 // A campaign with the recordings where they are.
 json campaign_in(const std::filesystem::path& folder, const std::string& campaign) {
   std::ostringstream text;
-  text << std::ifstream(RVBENCH_SOURCE_DIR "/tests/campaigns/" + campaign + ".json").rdbuf();
+  text << std::ifstream(test::source_dir() / "tests/campaigns" / (campaign + ".json")).rdbuf();
   json named = json::parse(text.str());
   const auto place = [&](json& name) {
     const std::string beside = "../../../shared/data", path = name;
@@ -226,7 +227,7 @@ TEST_CASE("a plant that shows the speed itself is not compared with a relative o
   const auto folder = test::data_folder();
   if (!folder) return;
   std::ostringstream text;
-  text << std::ifstream(RVBENCH_SOURCE_DIR "/sim/plants/oedi_gearbox.json").rdbuf();
+  text << std::ifstream(test::source_dir() / "sim/plants/oedi_gearbox.json").rdbuf();
   json plant = json::parse(text.str());
   plant["outputs"][0]["unit"] = "rad/s";
   plant["outputs"][0]["gain"] = {{"value", 1}, {"unit", "1"}};

@@ -1,9 +1,11 @@
 #include "tests/spec/rvbench.hpp"
 
+#include "tests/support/this_build.hpp"
+
 namespace rvbench::test {
 
 const std::string& rvbench_path() {
-  static const std::string path = RVBENCH_PROGRAM;
+  static const std::string path = build_dir() / "rvbench";
   return path;
 }
 

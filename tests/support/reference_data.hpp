@@ -8,6 +8,8 @@
 #include <optional>
 #include <string>
 
+#include "tests/support/this_build.hpp"
+
 namespace rvbench::test {
 
 /// Little-endian float64 from the folder RVBENCH_REFERENCE (default <source>/../shared/reference).
@@ -16,7 +18,7 @@ inline std::optional<Eigen::VectorXd> reference_data(const std::string& file) {
   const char* folder = std::getenv("RVBENCH_REFERENCE");
   const std::filesystem::path path =
       (folder ? std::filesystem::path(folder)
-              : std::filesystem::path(RVBENCH_SOURCE_DIR) / "../shared/reference") /
+              : source_dir() / "../shared/reference") /
       file;
   std::ifstream in(path, std::ios::binary);
   if (!in) {
