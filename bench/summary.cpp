@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <ranges>
 
 #include "analysis/spectral_lines.hpp"
 #include "bench/findings_stand.hpp"
@@ -202,7 +204,55 @@ void print_twin(Console& console, const RunFacts& facts) {
   if (!last.empty()) console.out << "\nThe run " << last << '\n';
 }
 
+void print_verdict(Console& console, const Judgement& judgement) {
+  const Outcome outcome = judgement.ending.outcome;
+  console.out << paint(console, tone_of(outcome), to_string(outcome)) << "  "
+              << judgement.ending.reason << '\n';
+}
+
+void print_place_of_report(Console& console, const std::filesystem::path& folder) {
+  const std::filesystem::path report = folder / "report.html";
+  if (!folder.empty() && std::filesystem::exists(report)) {
+    console.out << "Report: " << report.string() << '\n';
+  }
+}
+
+// Measured share of each limit, largest first, and the line that shows it.
+std::multimap<double, std::string, std::greater<>> shares_of_limits(const Judgement& judgement) {
+  std::multimap<double, std::string, std::greater<>> shares;
+  const analysis::Diagnosis& diagnosis = judgement.diagnosis;
+  for (const auto* findings : {&diagnosis.findings, &diagnosis.below_limit}) {
+    for (const analysis::Finding& finding : *findings) {
+      shares.emplace(finding.severity / finding.limit,
+                     fmt::format("{}: {}, depth {} (max {:.3f})", finding.component,
+                                 finding.mechanism, report::severity_text(finding), finding.limit));
+    }
+  }
+  for (const LimitCheck& check : judgement.limits) {
+    if (std::isnan(check.measured)) continue;
+    const double bound = bound_of(check);
+    shares.emplace(std::isfinite(check.min) ? bound / check.measured : check.measured / bound,
+                   fmt::format("{}: {} ({})", name_of(check), with_unit(check.measured, check.unit),
+                               bound_text(check)));
+  }
+  return shares;
+}
+
 }  // namespace
+
+void print_brief(Console& console, const Judgement& judgement,
+                 const std::filesystem::path& folder) {
+  constexpr std::size_t most_limits = 3;
+  print_verdict(console, judgement);
+  const auto shares = shares_of_limits(judgement);
+  if (!shares.empty() && findings_stand(judgement)) {
+    console.out << "Nearest limits, and what was measured of each:\n";
+    for (const auto& [share, text] : shares | std::views::take(most_limits)) {
+      console.out << fmt::format("  {:4.0f} %  {}\n", 100 * share, text);
+    }
+  }
+  print_place_of_report(console, folder);
+}
 
 void print_summary(Console& console, const Judgement& judgement,
                    const analysis::Kinematics& kinematics, const std::filesystem::path& folder) {
@@ -214,14 +264,9 @@ void print_summary(Console& console, const Judgement& judgement,
   print_findings(console, judgement, kinematics.period_turns);
   print_teardown(console, judgement.facts);
   print_twin(console, judgement.facts);
-  const Outcome outcome = judgement.ending.outcome;
-  console.out << '\n'
-              << paint(console, tone_of(outcome), to_string(outcome)) << "  "
-              << judgement.ending.reason << '\n';
-  const std::filesystem::path report = folder / "report.html";
-  if (!folder.empty() && std::filesystem::exists(report)) {
-    console.out << "Report: " << report.string() << '\n';
-  }
+  console.out << '\n';
+  print_verdict(console, judgement);
+  print_place_of_report(console, folder);
 }
 
 void print_unwritten(Console& console, const Judgement& judgement) {

@@ -70,6 +70,7 @@ class RunCommand final : public Command {
         {"--resume", "go on with the newest unfinished run of this serial", &resume_},
         {"--live", "tell how the run goes to this socket, which serve listens at", &live_},
         {"--no-report", "no report.html: rvbench report makes it later", &no_report_},
+        {"--brief", "print verdict, reason, the nearest limits and where the report is", &brief_},
         {"--json", "one JSON document on standard output", &json_}};
   }
   int run(Console& console) override;
@@ -96,6 +97,7 @@ class RunCommand final : public Command {
   bool dry_run_ = false;
   bool resume_ = false;
   bool no_report_ = false;
+  bool brief_ = false;
   bool json_ = false;
   std::string plan_sha256_;  // of its text, before limits are put in force
   LimitsInForce limits_;
@@ -273,6 +275,8 @@ void RunCommand::tell(Console& console, const Judgement& judgement,
                       const std::string& not_entered) const {
   if (json_) {
     console.out << judgement_to_json(judgement);
+  } else if (brief_) {
+    print_brief(console, judgement, place_.folder);
   } else {
     print_summary(console, judgement, kinematics, place_.folder);
   }
