@@ -80,7 +80,7 @@ std::string page_of(const Example& example, const std::string& source) {
 std::string index_of(const std::vector<Example>& examples) {
   std::string page =
       "# examples: each method at work on a signal that is known\n\n"
-      "Written by `build/dev/rvbench_examples analysis/examples`; a test holds them to what it "
+      "Written by `build/release/rvbench_examples analysis/examples`; a test holds them to what it "
       "writes.\nA new one is a source file here, a line in `examples.hpp` and in "
       "`example.cpp`.\n\n";
   for (const Example& example : examples) {

@@ -87,6 +87,23 @@ TEST_CASE("a run without report is whole, and the report is made later", "[bench
   CHECK(verify_sums(folder).empty());
 }
 
+TEST_CASE("a brief ending has the verdict first and the limits that are nearest to it", "[bench]") {
+  const rvbench::test::ScratchFolder scratch;
+  write_file(scratch.path() / "one.json", one_point_plan());
+  const CommandAnswer answer = test::rvbench(
+      {"run", (scratch.path() / "one.json").string(), "--rig", "sim", "--serial", "A17", "--preset",
+       "input_shaft", "--seed", "3", "--out", (scratch.path() / "runs").string(), "--brief"});
+  CHECK(answer.code == 10);
+  CHECK(answer.out.starts_with("FAIL  "));
+  CHECK(std::ranges::count(answer.out, '\n') <= 6);
+  // The part that made it fail exceeds its limit most.
+  const std::size_t nearest = answer.out.find(" %  ");
+  REQUIRE(nearest != std::string::npos);
+  CHECK(answer.out.substr(nearest + 4).starts_with("input_shaft: "));
+  CHECK(std::stod(answer.out.substr(answer.out.rfind('\n', nearest))) > 100);
+  CHECK_THAT(answer.out, Catch::Contains("Report: ") && !Catch::Contains("kinematics explains"));
+}
+
 TEST_CASE("a run whose points are all measured is resumed by judging them", "[bench]") {
   if (test::too_long_under_sanitizer()) return;
   const rvbench::test::ScratchFolder scratch;
