@@ -13,6 +13,7 @@
 
 #include "bench/misfit.hpp"
 #include "hal/did_you_mean.hpp"
+#include "hal/json_object.hpp"
 #include "hal/steady_clock.hpp"
 
 namespace rvbench::bench {
@@ -48,9 +49,9 @@ hal::DaqInput read_input(hal::ConfigReader& entry, bool is_board) {
 }
 
 nlohmann::ordered_json to_json(const hal::DaqInput& input) {
-  nlohmann::ordered_json json{{"name", input.info.name},
-                              {"channel", input.device_channel},
-                              {"direction", input.info.direction}};
+  nlohmann::ordered_json json = hal::json_object({{"name", input.info.name},
+                                                  {"channel", input.device_channel},
+                                                  {"direction", input.info.direction}});
   if (std::isfinite(input.info.sensitivity))
     json["sensitivity_V_per_m_s2"] = input.info.sensitivity;
   return json;
@@ -101,11 +102,12 @@ hal::ComediOptions read_comedi(hal::ConfigReader& accelerometers) {
 }
 
 nlohmann::ordered_json start_of(const hal::IioOptions& options) {
-  return {{"backend", "iio"}, {"uri", options.uri}, {"device", options.device}};
+  return hal::json_object({{"backend", "iio"}, {"uri", options.uri}, {"device", options.device}});
 }
 
 nlohmann::ordered_json start_of(const hal::ComediOptions& options) {
-  return {{"backend", "comedi"}, {"device", options.device}, {"volts", options.range_V}};
+  return hal::json_object(
+      {{"backend", "comedi"}, {"device", options.device}, {"volts", options.range_V}});
 }
 
 std::string place_of(const hal::IioOptions& options) {

@@ -9,6 +9,7 @@
 
 #include "hal/can/can_dispatcher.hpp"
 #include "hal/can/can_frames.hpp"
+#include "hal/json_object.hpp"
 #include "hal/steady_clock.hpp"
 
 namespace rvbench::bench {
@@ -78,7 +79,7 @@ BenchRig read_bench_rig(hal::ConfigReader& root) {
 }
 
 nlohmann::ordered_json to_json(const BenchRig& rig) {
-  nlohmann::ordered_json json{{"rig", "bench"}, {"drive", to_json(rig.drive)}};
+  nlohmann::ordered_json json = hal::json_object({{"rig", "bench"}, {"drive", to_json(rig.drive)}});
   if (rig.can) json["can"] = to_json(*rig.can);
   if (rig.torque) json["torque"] = to_json(*rig.torque);
   if (rig.brake) json["brake"] = to_json(*rig.brake);

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hal/can/can_frames.hpp"
+#include "hal/json_object.hpp"
 
 namespace rvbench::bench {
 
@@ -18,9 +19,9 @@ BrakeSection read_brake_section(hal::ConfigReader& brake) {
 }
 
 nlohmann::ordered_json to_json(const BrakeSection& brake) {
-  return {{"max_torque_Nm", brake.options.limits.max_torque_Nm},
-          {"residual_torque_pct", brake.options.limits.residual_torque_pct},
-          {"deadline_s", brake.options.deadline_s}};
+  return hal::json_object({{"max_torque_Nm", brake.options.limits.max_torque_Nm},
+                           {"residual_torque_pct", brake.options.limits.residual_torque_pct},
+                           {"deadline_s", brake.options.deadline_s}});
 }
 
 }  // namespace rvbench::bench

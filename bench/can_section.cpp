@@ -11,6 +11,7 @@
 #include "hal/can/slcan_frames.hpp"
 #include "hal/can/socketcan_counters.hpp"
 #include "hal/can/socketcan_transport.hpp"
+#include "hal/json_object.hpp"
 #include "hal/steady_clock.hpp"
 
 namespace rvbench::bench {
@@ -55,12 +56,12 @@ CanSection read_can_section(hal::ConfigReader& can) {
 
 nlohmann::ordered_json to_json(const CanSection& can) {
   if (const auto* interface = std::get_if<std::string>(&can.bus)) {
-    return {{"socketcan", *interface}};
+    return hal::json_object({{"socketcan", *interface}});
   }
   const auto& slcan = std::get<hal::SlcanOptions>(can.bus);
-  return {
-      {"slcan",
-       {{"device", slcan.device}, {"bitrate_kbit_s", slcan.bitrate_kbit_s}, {"baud", slcan.baud}}}};
+  return hal::json_object({{"slcan", hal::json_object({{"device", slcan.device},
+                                                       {"bitrate_kbit_s", slcan.bitrate_kbit_s},
+                                                       {"baud", slcan.baud}})}});
 }
 
 std::string address_of(const CanSection& can) {

@@ -7,6 +7,7 @@
 
 #include "bench/misfit.hpp"
 #include "bench/modbus_path_section.hpp"
+#include "hal/json_object.hpp"
 #include "hal/modbus/drive_profile_json.hpp"
 #include "hal/steady_clock.hpp"
 
@@ -53,7 +54,7 @@ DriveSection read_drive_section(hal::ConfigReader& rig) {
 
 nlohmann::ordered_json to_json(const DriveSection& drive) {
   const hal::ModbusInverterOptions& options = drive.options;
-  nlohmann::ordered_json json{{"profile", drive.profile}};
+  nlohmann::ordered_json json = hal::json_object({{"profile", drive.profile}});
   add_modbus_path(json, options.path);
   json["unit_id"] = options.unit_id;
   json["response_timeout_s"] = options.response_timeout_s;

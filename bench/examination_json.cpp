@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "bench/indicators_json.hpp"
+#include "hal/json_object.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -34,7 +35,8 @@ std::vector<double> numbers_from(const Json& json) {
 }
 
 Json json_of_note(const QualityNote& note) {
-  return {{"where", note.where}, {"what", note.what}, {"invalidates", note.invalidates}};
+  return hal::json_object(
+      {{"where", note.where}, {"what", note.what}, {"invalidates", note.invalidates}});
 }
 
 QualityNote note_from(const Json& json) {
@@ -42,11 +44,11 @@ QualityNote note_from(const Json& json) {
 }
 
 Json json_of_line(const SpectralLine& line) {
-  return {{"order", line.order},
-          {"frequency_Hz", line.frequency_Hz},
-          {"amplitude", line.amplitude},
-          {"p_value", line.p_value},
-          {"meaning", line.meaning}};
+  return hal::json_object({{"order", line.order},
+                           {"frequency_Hz", line.frequency_Hz},
+                           {"amplitude", line.amplitude},
+                           {"p_value", line.p_value},
+                           {"meaning", line.meaning}});
 }
 
 SpectralLine line_from(const Json& json) {
@@ -57,7 +59,7 @@ SpectralLine line_from(const Json& json) {
 
 Json json_of_growth(const Growth& growth) {
   if (!std::isfinite(growth.exponent)) return nullptr;
-  return {{"exponent", growth.exponent}, {"error", growth.error}};
+  return hal::json_object({{"exponent", growth.exponent}, {"error", growth.error}});
 }
 
 Growth growth_from(const Json& json) {
@@ -66,29 +68,30 @@ Growth growth_from(const Json& json) {
 }
 
 Json json_of_finding(const Finding& finding) {
-  Json json = {{"component", finding.component},
-               {"mechanism", finding.mechanism},
-               {"table4_item", nullptr},
-               {"order", finding.order},
-               {"frequency_Hz", finding.frequency_Hz},
-               {"points", finding.points},
-               {"imfs", finding.imfs},
-               {"statistic", finding.log_likelihood_ratio},
-               {"p_value", finding.p_value},
-               {"severity", finding.severity},
-               {"severity_interval", {finding.severity_low, finding.severity_high}},
-               {"confidence", finding.confidence},
-               {"advice", finding.advice},
-               {"limit", finding.limit},
-               {"of_limit", nullptr},
-               {"line_orders", finding.line_orders},
-               {"line_depths", finding.line_depths},
-               {"growth_with_load", json_of_growth(finding.growth.load)},
-               {"growth_with_speed", json_of_growth(finding.growth.speed)},
-               {"growth_fits", nullptr},
-               {"growth_p_value", nullptr},
-               {"cannot_tell_from", finding.cannot_tell_from},
-               {"may_follow_from", nullptr}};
+  Json json =
+      hal::json_object({{"component", finding.component},
+                        {"mechanism", finding.mechanism},
+                        {"table4_item", nullptr},
+                        {"order", finding.order},
+                        {"frequency_Hz", finding.frequency_Hz},
+                        {"points", finding.points},
+                        {"imfs", finding.imfs},
+                        {"statistic", finding.log_likelihood_ratio},
+                        {"p_value", finding.p_value},
+                        {"severity", finding.severity},
+                        {"severity_interval", {finding.severity_low, finding.severity_high}},
+                        {"confidence", finding.confidence},
+                        {"advice", finding.advice},
+                        {"limit", finding.limit},
+                        {"of_limit", nullptr},
+                        {"line_orders", finding.line_orders},
+                        {"line_depths", finding.line_depths},
+                        {"growth_with_load", json_of_growth(finding.growth.load)},
+                        {"growth_with_speed", json_of_growth(finding.growth.speed)},
+                        {"growth_fits", nullptr},
+                        {"growth_p_value", nullptr},
+                        {"cannot_tell_from", finding.cannot_tell_from},
+                        {"may_follow_from", nullptr}});
   if (!finding.points.empty()) json["of_limit"] = finding.severity / finding.limit;
   if (std::isfinite(finding.growth.load.exponent)) {
     json["growth_fits"] = finding.growth_fits;
@@ -136,17 +139,17 @@ Finding finding_from(const Json& json) {
 }
 
 Json json_of_score(const SignatureScore& score) {
-  return {{"signature", score.signature},
-          {"order", score.order},
-          {"depth", score.depth},
-          {"depth2_variance", score.depth2_variance},
-          {"statistic", score.log_likelihood_ratio},
-          {"p_value", score.p_value},
-          {"imf", score.imf},
-          {"channel", score.channel},
-          {"line_orders", score.line_orders},
-          {"line_depths", score.line_depths},
-          {"channel_depths", score.channel_depths}};
+  return hal::json_object({{"signature", score.signature},
+                           {"order", score.order},
+                           {"depth", score.depth},
+                           {"depth2_variance", score.depth2_variance},
+                           {"statistic", score.log_likelihood_ratio},
+                           {"p_value", score.p_value},
+                           {"imf", score.imf},
+                           {"channel", score.channel},
+                           {"line_orders", score.line_orders},
+                           {"line_depths", score.line_depths},
+                           {"channel_depths", score.channel_depths}});
 }
 
 SignatureScore score_from(const Json& json) {
@@ -166,14 +169,14 @@ SignatureScore score_from(const Json& json) {
 }
 
 Json json_of_channel(const ChannelExamination& channel) {
-  return {{"name", channel.name},
-          {"unit", channel.unit},
-          {"rms", channel.rms},
-          {"peak", channel.peak},
-          {"kurtosis", channel.kurtosis},
-          {"imf_correlation", channel.imf_correlation},
-          {"lines", list_of(channel.lines, json_of_line)},
-          {"indicators", indicators_to_json(channel.indicators)}};
+  return hal::json_object({{"name", channel.name},
+                           {"unit", channel.unit},
+                           {"rms", channel.rms},
+                           {"peak", channel.peak},
+                           {"kurtosis", channel.kurtosis},
+                           {"imf_correlation", channel.imf_correlation},
+                           {"lines", list_of(channel.lines, json_of_line)},
+                           {"indicators", indicators_to_json(channel.indicators)}});
 }
 
 ChannelExamination channel_from(const Json& json) {
@@ -194,27 +197,27 @@ ChannelExamination channel_from(const Json& json) {
 double number_or_nan(const Json& json) { return json.is_null() ? not_known : json.get<double>(); }
 
 Json json_of(const analysis::Diagnosis& diagnosis) {
-  return {{"findings", list_of(diagnosis.findings, json_of_finding)},
-          {"quality", list_of(diagnosis.quality, json_of_note)},
-          {"resolvable", diagnosis.resolvable},
-          {"below_limit", list_of(diagnosis.below_limit, json_of_finding)},
-          {"not_shown", list_of(diagnosis.not_shown, json_of_finding)},
-          {"unexplained", list_of(diagnosis.unexplained, json_of_line)}};
+  return hal::json_object({{"findings", list_of(diagnosis.findings, json_of_finding)},
+                           {"quality", list_of(diagnosis.quality, json_of_note)},
+                           {"resolvable", diagnosis.resolvable},
+                           {"below_limit", list_of(diagnosis.below_limit, json_of_finding)},
+                           {"not_shown", list_of(diagnosis.not_shown, json_of_finding)},
+                           {"unexplained", list_of(diagnosis.unexplained, json_of_line)}});
 }
 
 Json json_of(const analysis::Examination& examination) {
-  return {{"source", examination.source},
-          {"speed_rpm", examination.speed_rpm},
-          {"angle_measured", examination.angle_measured},
-          {"load_pct", examination.load_pct},
-          {"repeat", examination.repeat},
-          {"periods", examination.periods},
-          {"resolvable", examination.resolvable},
-          {"quality", list_of(examination.quality, json_of_note)},
-          {"scores", list_of(examination.scores, json_of_score)},
-          {"channels", list_of(examination.channels, json_of_channel)},
-          {"indicators", indicators_to_json(examination.indicators)},
-          {"of_hysteresis", examination.of_hysteresis}};
+  return hal::json_object({{"source", examination.source},
+                           {"speed_rpm", examination.speed_rpm},
+                           {"angle_measured", examination.angle_measured},
+                           {"load_pct", examination.load_pct},
+                           {"repeat", examination.repeat},
+                           {"periods", examination.periods},
+                           {"resolvable", examination.resolvable},
+                           {"quality", list_of(examination.quality, json_of_note)},
+                           {"scores", list_of(examination.scores, json_of_score)},
+                           {"channels", list_of(examination.channels, json_of_channel)},
+                           {"indicators", indicators_to_json(examination.indicators)},
+                           {"of_hysteresis", examination.of_hysteresis}});
 }
 
 analysis::Diagnosis diagnosis_from_json(const Json& json) {

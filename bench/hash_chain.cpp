@@ -34,7 +34,7 @@ std::string hash_of_line(const std::string& line) {
 }
 
 std::string chain_fault(const std::string& line, const std::string& previous) {
-  const auto json = nlohmann::json::parse(line, nullptr, false);
+  const auto json = json_or_discarded(line);
   if (!json.is_object() || !json.contains("previous")) return "is no line of such a log";
   const std::string hash = hash_of_line(line);
   if (hash.empty()) return "has no hash at its end";

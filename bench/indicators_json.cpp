@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "hal/json_object.hpp"
+
 namespace rvbench::bench {
 namespace {
 
@@ -15,9 +17,9 @@ nlohmann::ordered_json indicators_to_json(const std::vector<analysis::Indicator>
     const bool known = !list.empty() && list.back()["name"] == indicator.measure &&
                        list.back()["unit"] == indicator.unit;
     if (!known) {
-      list.push_back({{"name", indicator.measure},
-                      {"unit", indicator.unit},
-                      {"values", nlohmann::ordered_json::object()}});
+      list.push_back(hal::json_object({{"name", indicator.measure},
+                                       {"unit", indicator.unit},
+                                       {"values", nlohmann::ordered_json::object()}}));
     }
     const std::string of = indicator.of.empty() ? whole : indicator.of;
     list.back()["values"][of] = indicator.value;

@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "bench/hash_chain.hpp"
+#include "bench/json_text.hpp"
 #include "bench/limits_versions.hpp"
 #include "bench/on_disk.hpp"
 #include "bench/qualification/ages.hpp"
@@ -44,7 +45,7 @@ std::string text_of(const LedgerLine& line, const std::string& previous) {
 }
 
 LedgerLine line_from(const std::string& text) {
-  const auto json = nlohmann::json::parse(text);
+  const auto json = parse_json(text);
   return {json.at("number").get<int>(),
           json.at("utc"),
           json.at("kind"),

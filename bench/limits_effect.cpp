@@ -9,6 +9,7 @@
 #include "bench/rejudging.hpp"
 #include "bench/results/run_filter.hpp"
 #include "bench/stored_run.hpp"
+#include "hal/json_object.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -66,12 +67,13 @@ std::string effect_text(const LimitsEffect& effect) {
 nlohmann::ordered_json effect_json(const LimitsEffect& effect) {
   auto changes = nlohmann::ordered_json::array();
   for (const VerdictChange& change : effect.changes) {
-    changes.push_back({{"folder", change.run.folder},
-                       {"was", change.run.verdict},
-                       {"would_be", change.verdict},
-                       {"reason", change.reason}});
+    changes.push_back(hal::json_object({{"folder", change.run.folder},
+                                        {"was", change.run.verdict},
+                                        {"would_be", change.verdict},
+                                        {"reason", change.reason}}));
   }
-  return {{"runs", effect.runs}, {"left_out", effect.left_out}, {"changes", changes}};
+  return hal::json_object(
+      {{"runs", effect.runs}, {"left_out", effect.left_out}, {"changes", changes}});
 }
 
 }  // namespace rvbench::bench

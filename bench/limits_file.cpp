@@ -5,6 +5,7 @@
 
 #include "bench/json_text.hpp"
 #include "bench/sha256.hpp"
+#include "hal/json_object.hpp"
 #include "sequences/limits_json.hpp"
 
 namespace rvbench::bench {
@@ -33,16 +34,16 @@ std::variant<LimitsFile, std::vector<hal::ConfigFault>> read_limits_file(
 std::string limits_file_to_json(const LimitsFile& file) {
   auto steps = nlohmann::ordered_json::array();
   for (const LimitsStep& step : file.steps) {
-    steps.push_back({{"step", step.step},
-                     {"utc", step.utc},
-                     {"by", step.by},
-                     {"limits_sha256", step.limits_sha256}});
+    steps.push_back(hal::json_object({{"step", step.step},
+                                      {"utc", step.utc},
+                                      {"by", step.by},
+                                      {"limits_sha256", step.limits_sha256}}));
   }
-  const nlohmann::ordered_json json{
-      {"limits_version", file.version},
-      {"plan", file.plan},
-      {"steps", steps},
-      {"limits", nlohmann::ordered_json::parse(sequences::limits_to_json(file.limits))}};
+  const nlohmann::ordered_json json =
+      hal::json_object({{"limits_version", file.version},
+                        {"plan", file.plan},
+                        {"steps", steps},
+                        {"limits", parse_ordered_json(sequences::limits_to_json(file.limits))}});
   return json_text(json);
 }
 

@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/console.hpp"
+#include "bench/json_text.hpp"
 #include "bench/results/run_filter.hpp"
+#include "hal/json_object.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -35,16 +37,16 @@ std::string limits_text(const std::vector<LimitsVersion>& versions) {
 nlohmann::ordered_json limits_json(const std::vector<LimitsVersion>& versions) {
   auto told = nlohmann::ordered_json::array();
   for (const LimitsVersion& version : versions) {
-    nlohmann::ordered_json json{{"limits_version", version.version}};
+    nlohmann::ordered_json json = hal::json_object({{"limits_version", version.version}});
     if (!version.file.version.empty()) {
-      json = nlohmann::ordered_json::parse(limits_file_to_json(version.file));
+      json = parse_ordered_json(limits_file_to_json(version.file));
     }
     json["status"] = version.status;
     json["in_force"] = version.is_in_force;
     if (!version.fault.empty()) json["fault"] = version.fault;
     told.push_back(std::move(json));
   }
-  return {{"versions", told}};
+  return hal::json_object({{"versions", told}});
 }
 
 }  // namespace rvbench::bench

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hal/did_you_mean.hpp"
+#include "hal/json_object.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -61,14 +62,14 @@ hal::ModbusPath read_modbus_path(hal::ConfigReader& section, const std::string& 
 
 void add_modbus_path(nlohmann::ordered_json& section, const hal::ModbusPath& path) {
   if (const auto* tcp = std::get_if<hal::ModbusTcp>(&path)) {
-    section["tcp"] = {{"host", tcp->host}, {"port", tcp->port}};
+    section["tcp"] = hal::json_object({{"host", tcp->host}, {"port", tcp->port}});
     return;
   }
   const auto& rtu = std::get<hal::ModbusRtu>(path);
-  section["serial"] = {{"device", rtu.device},
-                       {"baud", rtu.baud},
-                       {"parity", std::string(1, rtu.parity)},
-                       {"stop_bits", rtu.stop_bits}};
+  section["serial"] = hal::json_object({{"device", rtu.device},
+                                        {"baud", rtu.baud},
+                                        {"parity", std::string(1, rtu.parity)},
+                                        {"stop_bits", rtu.stop_bits}});
 }
 
 std::string shown(const hal::ModbusPath& path) {

@@ -9,6 +9,7 @@
 #include "bench/file_kind.hpp"
 #include "bench/rig_file.hpp"
 #include "bench/sim_world.hpp"
+#include "hal/json_object.hpp"
 #include "hal/replay_rig.hpp"
 #include "hal/simulated_rig.hpp"
 #include "sim/bench_world.hpp"
@@ -79,9 +80,11 @@ std::vector<hal::ConfigFault> check(const BenchRig& rig) {
 nlohmann::ordered_json to_json(const SimRig& rig) {
   auto faults = nlohmann::ordered_json::array();
   for (const ScheduledFault& fault : rig.faults) {
-    faults.push_back({{"at_s", fault.at_s}, {"device", fault.device}, {"fault", fault.fault}});
+    faults.push_back(
+        hal::json_object({{"at_s", fault.at_s}, {"device", fault.device}, {"fault", fault.fault}}));
   }
-  nlohmann::ordered_json json{{"rig", "sim"}, {"preset", rig.preset}, {"seed", rig.seed}};
+  nlohmann::ordered_json json =
+      hal::json_object({{"rig", "sim"}, {"preset", rig.preset}, {"seed", rig.seed}});
   if (rig.severity) json["severity"] = *rig.severity;
   json["plant"] = rig.plant;
   json["watchdog_s"] = rig.watchdog_s;
@@ -92,11 +95,11 @@ nlohmann::ordered_json to_json(const SimRig& rig) {
 }
 
 nlohmann::ordered_json to_json(const ReplayRig& rig) {
-  return {{"rig", "replay"},
-          {"recording", rig.recording},
-          {"pace", rig.pace},
-          {"rated_output_torque_Nm", rig.rated_output_torque_Nm},
-          {"plant", rig.plant}};
+  return hal::json_object({{"rig", "replay"},
+                           {"recording", rig.recording},
+                           {"pace", rig.pace},
+                           {"rated_output_torque_Nm", rig.rated_output_torque_Nm},
+                           {"plant", rig.plant}});
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ bool is_plain(char c) {
 
 // Discarded if it is none.
 nlohmann::json json_in(const std::filesystem::path& file) {
-  return nlohmann::json::parse(read_file(file).value_or(""), nullptr, false);
+  return json_or_discarded(read_file(file).value_or(""));
 }
 
 std::string text_in(const nlohmann::json& json, const char* key) {

@@ -9,6 +9,7 @@
 
 #include "bench/json_text.hpp"
 #include "bench/run_folder.hpp"
+#include "hal/json_object.hpp"
 
 namespace rvbench::bench {
 
@@ -27,7 +28,7 @@ std::vector<std::pair<double, std::string>> events_in(const std::filesystem::pat
   std::vector<std::pair<double, std::string>> events;
   std::ifstream in(file);
   for (std::string text; std::getline(in, text);) {
-    const auto line = nlohmann::json::parse(text, nullptr, false);
+    const auto line = json_or_discarded(text);
     if (!line.is_object() || !line.contains("event") || !line.contains("time_s")) continue;
     if (!line["event"].is_string() || !line["time_s"].is_number()) continue;
     events.emplace_back(line["time_s"].get<double>(), line["event"].get<std::string>());
@@ -53,7 +54,8 @@ void RunLog::progress(double done_s, double total_s, const std::string& doing) {
 
 void RunLog::event(double time_s, const std::string& text) {
   events_.emplace_back(time_s, text);
-  const nlohmann::ordered_json line = {{"utc", utc_now()}, {"time_s", time_s}, {"event", text}};
+  const nlohmann::ordered_json line =
+      hal::json_object({{"utc", utc_now()}, {"time_s", time_s}, {"event", text}});
   write(json_line(line) + "\n");
 }
 

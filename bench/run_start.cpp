@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "bench/json_text.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/text_file.hpp"
 #include "hal/lock_alone.hpp"
@@ -16,7 +17,7 @@ std::filesystem::path log_of(const std::filesystem::path& folder) { return folde
 
 // However they are laid out, and in whatever order their keys are.
 bool say_the_same(const nlohmann::json& a, const std::string& b) {
-  return a == nlohmann::json::parse(b, nullptr, false);
+  return a == json_or_discarded(b);
 }
 
 }  // namespace
@@ -64,7 +65,7 @@ std::variant<RunPlace, std::string> resume_run(const std::filesystem::path& root
   for (const auto& [name, text] : resolved) {
     const auto there = read_file(place.folder / name);
     if (there == text) continue;
-    const auto said = nlohmann::json::parse(there.value_or(""), nullptr, false);
+    const auto said = json_or_discarded(there.value_or(""));
     if (said.is_discarded()) {
       return (place.folder / name).string() + " is damaged: nobody knows what the run was";
     }

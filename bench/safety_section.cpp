@@ -7,6 +7,7 @@
 
 #include "bench/misfit.hpp"
 #include "bench/modbus_path_section.hpp"
+#include "hal/json_object.hpp"
 #include "hal/steady_clock.hpp"
 
 namespace rvbench::bench {
@@ -43,7 +44,7 @@ hal::TemperatureRegister read_temperature(hal::ConfigReader temperature) {
 }
 
 nlohmann::ordered_json to_json(const hal::SafetyContact& contact) {
-  return {{"input", contact.address}, {"closed", contact.closed ? 1 : 0}};
+  return hal::json_object({{"input", contact.address}, {"closed", contact.closed ? 1 : 0}});
 }
 
 }  // namespace

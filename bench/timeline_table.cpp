@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/console.hpp"
+#include "bench/json_text.hpp"
+#include "hal/json_object.hpp"
 #include "hal/types/units.hpp"
 #include "sequences/timeline.hpp"
 
@@ -83,25 +85,27 @@ std::string timeline_table(const TestPlan& plan) {
 std::string timeline_json(const TestPlan& plan) {
   const std::vector<Segment> segments = sequences::timeline(plan);
   const Envelope most = envelope_of(segments, plan);
-  nlohmann::ordered_json json = {{"plan", plan.name},
-                                 {"total_s", most.total_s},
-                                 {"recorded_s", most.recorded_s},
-                                 {"points", plan.points().size()},
-                                 {"max_speed_rpm", most.max_speed_rpm},
-                                 {"max_output_torque_Nm", most.max_output_torque_Nm},
-                                 {"max_input_torque_Nm", most.max_input_torque_Nm},
-                                 {"max_input_power_W", most.max_input_power_W},
-                                 {"timeline", nlohmann::json::array()}};
+  nlohmann::ordered_json json =
+      hal::json_object({{"plan", plan.name},
+                        {"total_s", most.total_s},
+                        {"recorded_s", most.recorded_s},
+                        {"points", plan.points().size()},
+                        {"max_speed_rpm", most.max_speed_rpm},
+                        {"max_output_torque_Nm", most.max_output_torque_Nm},
+                        {"max_input_torque_Nm", most.max_input_torque_Nm},
+                        {"max_input_power_W", most.max_input_power_W},
+                        {"timeline", nlohmann::ordered_json::array()}});
   for (const Segment& segment : segments) {
-    json["timeline"].push_back({{"what", segment.what},
-                                {"duration_s", segment.duration_s},
-                                {"speed_rpm", segment.speed_rpm},
-                                {"output_torque_Nm", segment.output_torque_Nm},
-                                {"input_torque_Nm", input_torque_Nm(segment, plan)},
-                                {"input_power_W", input_power_W(segment, plan)},
-                                {"recorded", segment.recorded}});
+    json["timeline"].push_back(
+        hal::json_object({{"what", segment.what},
+                          {"duration_s", segment.duration_s},
+                          {"speed_rpm", segment.speed_rpm},
+                          {"output_torque_Nm", segment.output_torque_Nm},
+                          {"input_torque_Nm", input_torque_Nm(segment, plan)},
+                          {"input_power_W", input_power_W(segment, plan)},
+                          {"recorded", segment.recorded}}));
   }
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace rvbench::bench

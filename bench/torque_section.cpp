@@ -12,6 +12,7 @@
 #include "hal/can/can_frames.hpp"
 #include "hal/can/can_torque_sensor.hpp"
 #include "hal/did_you_mean.hpp"
+#include "hal/json_object.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -98,17 +99,19 @@ void read_frames(hal::ConfigReader& torque, TorqueSection& section) {
 Json to_json(const Rvbench&) { return "rvbench"; }
 
 Json to_json(const Dbc& dbc) {
-  Json json{{"file", dbc.file},
-            {"message", dbc.names.message},
-            {"torque", dbc.names.torque},
-            {"angle", dbc.names.angle},
-            {"counter", dbc.names.counter}};
+  Json json = hal::json_object({{"file", dbc.file},
+                                {"message", dbc.names.message},
+                                {"torque", dbc.names.torque},
+                                {"angle", dbc.names.angle},
+                                {"counter", dbc.names.counter}});
   if (!dbc.names.status.empty()) json["status"] = dbc.names.status;
-  return {{"dbc", json}};
+  return hal::json_object({{"dbc", json}});
 }
 
 Json to_json(const Canopen& canopen) {
-  return {{"canopen", {{"node", canopen.node}, {"Nm_per_count", canopen.Nm_per_count}}}};
+  return hal::json_object(
+      {{"canopen",
+        hal::json_object({{"node", canopen.node}, {"Nm_per_count", canopen.Nm_per_count}})}});
 }
 
 }  // namespace
@@ -122,9 +125,10 @@ TorqueSection read_torque_section(hal::ConfigReader& torque) {
 }
 
 Json to_json(const TorqueSection& torque) {
-  return {{"frames", std::visit([](const auto& kind) { return to_json(kind); }, torque.frames)},
-          {"rate_Hz", torque.rate_Hz},
-          {"deadline_s", torque.deadline_s}};
+  return hal::json_object(
+      {{"frames", std::visit([](const auto& kind) { return to_json(kind); }, torque.frames)},
+       {"rate_Hz", torque.rate_Hz},
+       {"deadline_s", torque.deadline_s}});
 }
 
 std::string shown(const TorqueSection& torque) {

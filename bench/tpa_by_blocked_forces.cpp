@@ -44,7 +44,7 @@ class ByBlockedForces final : public ByInverse {
   std::vector<std::string> source_;
 };
 
-void read(hal::ConfigReader& json, TpaProject& project) {
+void read_by_blocked_forces(hal::ConfigReader& json, TpaProject& project) {
   need_indicators(json, project);
   project.source = json.texts("source");
   for (const auto* role : {&project.indicators, &project.targets, &project.validation}) {
@@ -56,8 +56,8 @@ void read(hal::ConfigReader& json, TpaProject& project) {
   }
 }
 
-MadeTpaMethod make(const TpaProject& project, const TpaFrfs& frfs,
-                   analysis::OperatingSpectra motion) {
+MadeTpaMethod make_by_blocked_forces(const TpaProject& project, const TpaFrfs& frfs,
+                                     analysis::OperatingSpectra motion) {
   return std::make_unique<ByBlockedForces>(project, frfs, std::move(motion));
 }
 
@@ -67,7 +67,7 @@ NamedTpaMethod blocked_forces_method() {
   return {"blocked_forces",
           "Blocked forces, which are the source's own whatever carries it, are found line by line "
           "from indicators outside the source, by an inverse of the FRFs from its interface.",
-          true, read, make};
+          true, read_by_blocked_forces, make_by_blocked_forces};
 }
 
 }  // namespace rvbench::bench

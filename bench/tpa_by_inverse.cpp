@@ -9,10 +9,12 @@
 namespace rvbench::bench {
 namespace {
 
-void read(hal::ConfigReader& json, TpaProject& project) { need_indicators(json, project); }
+void read_by_inverse(hal::ConfigReader& json, TpaProject& project) {
+  need_indicators(json, project);
+}
 
-MadeTpaMethod make(const TpaProject& project, const TpaFrfs& frfs,
-                   analysis::OperatingSpectra motion) {
+MadeTpaMethod make_by_inverse(const TpaProject& project, const TpaFrfs& frfs,
+                              analysis::OperatingSpectra motion) {
   return std::make_unique<ByInverse>(project, frfs, std::move(motion));
 }
 
@@ -54,7 +56,7 @@ void need_indicators(hal::ConfigReader& json, const TpaProject& project) {
 NamedTpaMethod inverse_method() {
   return {"matrix_inverse",
           "Forces are found line by line from the indicators, by an inverse of their FRFs.", true,
-          read, make};
+          read_by_inverse, make_by_inverse};
 }
 
 }  // namespace rvbench::bench

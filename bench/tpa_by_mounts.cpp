@@ -144,7 +144,7 @@ class ByMounts final : public TpaMethod {
   std::vector<analysis::MountPlaces> mounts_;
 };
 
-void read(hal::ConfigReader& json, TpaProject& project) {
+void read_by_mounts(hal::ConfigReader& json, TpaProject& project) {
   project.active = read_places(json, "active");
   if (json.has("rule")) json.fault("rule", "mounts are fitted, not inverted: there is no rule");
   if (project.active.size() != project.paths.size()) {
@@ -153,8 +153,8 @@ void read(hal::ConfigReader& json, TpaProject& project) {
   }
 }
 
-MadeTpaMethod make(const TpaProject& project, const TpaFrfs& frfs,
-                   analysis::OperatingSpectra motion) {
+MadeTpaMethod make_by_mounts(const TpaProject& project, const TpaFrfs& frfs,
+                             analysis::OperatingSpectra motion) {
   const analysis::FrfMatrix& matrix = frfs.matrix;
   if (matrix.response_unit != "m/s²" || matrix.excitation_unit != "N") {
     return "parameters of mounts need FRFs in (m/s²)/N, not in \"" + matrix.response_unit +
@@ -175,7 +175,7 @@ NamedTpaMethod mounts_method() {
           "Forces are what mounts pass on, of the motion between both their sides and of one "
           "stiffness, damping and mass each, which are fitted to the indicators at every other "
           "line and held against the lines between.",
-          true, read, make};
+          true, read_by_mounts, make_by_mounts};
 }
 
 }  // namespace rvbench::bench

@@ -82,7 +82,7 @@ class ByOperation final : public TpaMethod {
   analysis::RegularisationRule rule_;
 };
 
-void read(hal::ConfigReader& json, TpaProject& project) {
+void read_by_operation(hal::ConfigReader& json, TpaProject& project) {
   project.step_Hz = json.number("step_Hz", steps);
   project.paths = project.indicators;
   for (const char* key : {"frfs", "hammer", "paths", "least_coherence"}) {
@@ -93,7 +93,8 @@ void read(hal::ConfigReader& json, TpaProject& project) {
   }
 }
 
-MadeTpaMethod make(const TpaProject& project, const TpaFrfs&, analysis::OperatingSpectra motion) {
+MadeTpaMethod make_by_operation(const TpaProject& project, const TpaFrfs&,
+                                analysis::OperatingSpectra motion) {
   const Index learnt = learnt_of(motion.values.columns);
   const Index needed = blocks_per_reference * Index(project.indicators.size());
   constexpr Index fewest_held_out = 2;
@@ -114,7 +115,7 @@ NamedTpaMethod operational_method() {
           "two thirds of the blocks of operation, cross-talk cancelled by their singular values, "
           "and held against the rest. A source that no reference is near is handed to those that "
           "move with it.",
-          false, read, make};
+          false, read_by_operation, make_by_operation};
 }
 
 }  // namespace rvbench::bench

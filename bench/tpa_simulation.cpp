@@ -10,10 +10,12 @@
 
 #include "bench/acceptance.hpp"
 #include "bench/find_plan.hpp"
+#include "bench/json_text.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/simulated_recording.hpp"
 #include "bench/stop_on_signal.hpp"
 #include "bench/text_file.hpp"
+#include "hal/json_object.hpp"
 #include "sequences/silent_observer.hpp"
 #include "sim/robot/hammer_test.hpp"
 #include "sim/robot/operation.hpp"
@@ -78,7 +80,7 @@ class SessionWriter {
         if (Status written = write_reducer(is_replaced); !written) return written;
       }
     }
-    write_file(folder_ / "project.json", project_of(robot).dump(1) + "\n");
+    write_file(folder_ / "project.json", json_text(project_of(robot), 1));
     return Done{};
   }
 
@@ -140,7 +142,7 @@ class SessionWriter {
   }
 
   static ordered_json places(const std::vector<std::string>& points) {
-    return {{"points", points}, {"directions", {"+X", "+Y", "+Z"}}};
+    return hal::json_object({{"points", points}, {"directions", {"+X", "+Y", "+Z"}}});
   }
 
   // The points of a stretch of the robot's places, each once.
@@ -157,13 +159,13 @@ class SessionWriter {
   ordered_json hammer_of(const sim::VirtualRobot& robot) const {
     ordered_json hits = ordered_json::array();
     for (const DegreeOfFreedom& path : robot.path_places()) {
-      hits.push_back(
-          {{"file", hits_file(path)}, {"point", path.point}, {"direction", path.direction}});
+      hits.push_back(hal::json_object(
+          {{"file", hits_file(path)}, {"point", path.point}, {"direction", path.direction}}));
     }
-    return {{"channel", hammer_channel},
-            {"range_N", robot.options().force_range_N},
-            {"acceleration_range_m_s2", robot.options().acceleration_range_m_s2},
-            {"hits", hits}};
+    return hal::json_object({{"channel", hammer_channel},
+                             {"range_N", robot.options().force_range_N},
+                             {"acceleration_range_m_s2", robot.options().acceleration_range_m_s2},
+                             {"hits", hits}});
   }
 
   ordered_json project_of(const sim::VirtualRobot& robot) const {
@@ -171,26 +173,29 @@ class SessionWriter {
     const auto& sensors = robot.sensor_places();
     ordered_json motions = ordered_json::array();
     for (const sim::RobotMotion motion : sim::robot_motions) {
-      ordered_json entry{{"name", sim::card_of(motion).name},
-                         {"recording", motion_file(motion, false)},
-                         {"after", motion_file(motion, true)}};
+      ordered_json entry = hal::json_object({{"name", sim::card_of(motion).name},
+                                             {"recording", motion_file(motion, false)},
+                                             {"after", motion_file(motion, true)}});
       if (session_.with_reducer) {
-        entry["reducer"] = {{"joint", "J3"},
-                            {"recording", reducer_file(false)},
-                            {"after", reducer_file(true)},
-                            {"kinematics", "rv20e"}};
+        entry["reducer"] = hal::json_object({{"joint", "J3"},
+                                             {"recording", reducer_file(false)},
+                                             {"after", reducer_file(true)},
+                                             {"kinematics", "rv20e"}});
       }
       motions.push_back(std::move(entry));
     }
-    return {{"tpa", "virtual robot " + std::to_string(session_.seed)},
-            {"hammer", hammer_of(robot)},
-            {"paths", places(points_of(robot.path_places(), 0, Robot::paths))},
-            {"sensors",
-             {{"indicators", places(points_of(sensors, 0, Robot::indicators))},
-              {"targets", places(points_of(sensors, Robot::first_target, Robot::first_validation))},
-              {"validation", places(points_of(sensors, Robot::first_validation, Robot::sensors))}}},
-            {"bands", {{{"from_Hz", from_Hz}, {"to_Hz", to_Hz}}}},
-            {"motions", motions}};
+    return hal::json_object(
+        {{"tpa", "virtual robot " + std::to_string(session_.seed)},
+         {"hammer", hammer_of(robot)},
+         {"paths", places(points_of(robot.path_places(), 0, Robot::paths))},
+         {"sensors", hal::json_object(
+                         {{"indicators", places(points_of(sensors, 0, Robot::indicators))},
+                          {"targets", places(points_of(sensors, Robot::first_target,
+                                                       Robot::first_validation))},
+                          {"validation",
+                           places(points_of(sensors, Robot::first_validation, Robot::sensors))}})},
+         {"bands", {{{"from_Hz", from_Hz}, {"to_Hz", to_Hz}}}},
+         {"motions", motions}});
   }
 
   std::filesystem::path folder_;

@@ -9,6 +9,7 @@
 #include "bench/json_text.hpp"
 #include "bench/sha256.hpp"
 #include "bench/text_file.hpp"
+#include "hal/json_object.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -26,22 +27,23 @@ std::optional<double> number_if_there(const nlohmann::ordered_json& json, const 
 }
 
 nlohmann::ordered_json to_json(const RunFacts& facts) {
-  nlohmann::ordered_json events = nlohmann::json::array();
+  nlohmann::ordered_json events = nlohmann::ordered_json::array();
   for (const auto& [time_s, text] : facts.events)
-    events.push_back({{"time_s", time_s}, {"event", text}});
-  nlohmann::ordered_json json = {{"serial", facts.serial},
-                                 {"started_utc", facts.started_utc},
-                                 {"judged_utc", json_or_null(facts.judged_utc)},
-                                 {"plan", facts.plan},
-                                 {"limits_version", json_or_null(facts.limits_version)},
-                                 {"rig", facts.rig},
-                                 {"preset", facts.preset},
-                                 {"duration_s", facts.duration_s},
-                                 {"drive_retries", facts.drive_retries},
-                                 {"shaft_stopped", facts.shaft_stopped},
-                                 {"brake_released", facts.brake_released},
-                                 {"resumed_at_point", nullptr},
-                                 {"events", events}};
+    events.push_back(hal::json_object({{"time_s", time_s}, {"event", text}}));
+  nlohmann::ordered_json json =
+      hal::json_object({{"serial", facts.serial},
+                        {"started_utc", facts.started_utc},
+                        {"judged_utc", json_or_null(facts.judged_utc)},
+                        {"plan", facts.plan},
+                        {"limits_version", json_or_null(facts.limits_version)},
+                        {"rig", facts.rig},
+                        {"preset", facts.preset},
+                        {"duration_s", facts.duration_s},
+                        {"drive_retries", facts.drive_retries},
+                        {"shaft_stopped", facts.shaft_stopped},
+                        {"brake_released", facts.brake_released},
+                        {"resumed_at_point", nullptr},
+                        {"events", events}});
   if (facts.resumed_at_point) json["resumed_at_point"] = *facts.resumed_at_point;
   return json;
 }
@@ -69,20 +71,20 @@ RunFacts facts_from_json(const nlohmann::ordered_json& json) {
 }
 
 nlohmann::ordered_json to_json(const LimitCheck& check) {
-  return {{"measure", check.measure},
-          {"component", json_or_null(check.component)},
-          {"unit", check.unit},
-          {"max", check.max},
-          {"measured", check.measured},
-          {"where", json_or_null(check.where)},
-          {"passed", check.passed},
-          {"why", check.why},
-          {"of", json_or_null(check.of)},
-          {"min", check.min},
-          {"points", check.points},
-          {"not_measured_at", check.lacking},
-          {"speed_rpm", json_or_null(check.at.speed_rpm)},
-          {"load_pct", json_or_null(check.at.load_pct)}};
+  return hal::json_object({{"measure", check.measure},
+                           {"component", json_or_null(check.component)},
+                           {"unit", check.unit},
+                           {"max", check.max},
+                           {"measured", check.measured},
+                           {"where", json_or_null(check.where)},
+                           {"passed", check.passed},
+                           {"why", check.why},
+                           {"of", json_or_null(check.of)},
+                           {"min", check.min},
+                           {"points", check.points},
+                           {"not_measured_at", check.lacking},
+                           {"speed_rpm", json_or_null(check.at.speed_rpm)},
+                           {"load_pct", json_or_null(check.at.load_pct)}});
 }
 
 LimitCheck limit_from_json(const nlohmann::ordered_json& json) {
@@ -106,12 +108,12 @@ LimitCheck limit_from_json(const nlohmann::ordered_json& json) {
 }
 
 nlohmann::ordered_json to_json(const JudgedPoint& point) {
-  nlohmann::ordered_json json = {
-      {"status", point.status},
-      {"planned_speed_rpm", point.planned_speed_rpm},
-      {"torque_Nm", point.torque_Nm},
-      {"acceleration_time_uncertainty_s", point.acceleration_time_uncertainty_s},
-      {"torque_time_uncertainty_s", point.torque_time_uncertainty_s}};
+  nlohmann::ordered_json json =
+      hal::json_object({{"status", point.status},
+                        {"planned_speed_rpm", point.planned_speed_rpm},
+                        {"torque_Nm", point.torque_Nm},
+                        {"acceleration_time_uncertainty_s", point.acceleration_time_uncertainty_s},
+                        {"torque_time_uncertainty_s", point.torque_time_uncertainty_s}});
   json.update(json_of(point.examination));
   return json;
 }
@@ -172,19 +174,20 @@ void withdraw_advice(nlohmann::ordered_json& json, bool stand) {
 std::string refusal_to_json(int exit_code, const std::vector<std::string>& complaints) {
   std::string reason;
   for (const std::string& line : complaints) reason += (reason.empty() ? "" : "\n") + line;
-  nlohmann::ordered_json json = {{"verdict", nullptr},
-                                 {"reason", reason},
-                                 {"exit_code", exit_code},
-                                 {"error_kind", to_string(ErrorKind::none)}};
+  nlohmann::ordered_json json = hal::json_object({{"verdict", nullptr},
+                                                  {"reason", reason},
+                                                  {"exit_code", exit_code},
+                                                  {"error_kind", to_string(ErrorKind::none)}});
   if (exit_code == exit_codes::data_refused) json["verdict"] = to_string(Outcome::invalid);
   return json_text(json);
 }
 
 std::string judgement_to_json(const Judgement& judgement) {
-  nlohmann::ordered_json json = {{"verdict", to_string(judgement.ending.outcome)},
-                                 {"reason", judgement.ending.reason},
-                                 {"exit_code", exit_code(judgement.ending)},
-                                 {"error_kind", to_string(judgement.ending.error_kind)}};
+  nlohmann::ordered_json json =
+      hal::json_object({{"verdict", to_string(judgement.ending.outcome)},
+                        {"reason", judgement.ending.reason},
+                        {"exit_code", exit_code(judgement.ending)},
+                        {"error_kind", to_string(judgement.ending.error_kind)}});
   json.update(json_of(judgement.diagnosis));
   withdraw_advice(json, findings_stand(judgement));
   json["machine"] = judgement.machine;
@@ -192,16 +195,16 @@ std::string judgement_to_json(const Judgement& judgement) {
   json["seed"] = nullptr;
   if (judgement.facts.seed) json["seed"] = *judgement.facts.seed;
   json["run"] = to_json(judgement.facts);
-  json["limits"] = nlohmann::json::array();
+  json["limits"] = nlohmann::ordered_json::array();
   for (const LimitCheck& check : judgement.limits) json["limits"].push_back(to_json(check));
-  json["points"] = nlohmann::json::array();
+  json["points"] = nlohmann::ordered_json::array();
   for (const JudgedPoint& point : judgement.points) json["points"].push_back(to_json(point));
   return json_text(json);
 }
 
 std::optional<Judgement> judgement_from_json(const std::string& text) {
   try {
-    return parsed(nlohmann::ordered_json::parse(text));
+    return parsed(parse_ordered_json(text));
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hal/did_you_mean.hpp"
+#include "hal/json_object.hpp"
 #include "hal/types/measure.hpp"
 #include "sequences/limits_json.hpp"
 #include "sequences/limits_on_plan.hpp"
@@ -190,7 +191,8 @@ nlohmann::ordered_json limits_json(const std::vector<Limit>& limits) {
   auto json = nlohmann::ordered_json::array();
   for (const Limit& limit : limits) {
     const bool from_below = std::isfinite(limit.min);
-    nlohmann::ordered_json item = {{"measure", limit.measure}, {"component", limit.component}};
+    nlohmann::ordered_json item =
+        hal::json_object({{"measure", limit.measure}, {"component", limit.component}});
     if (!limit.of.empty()) item["of"] = limit.of;
     item["unit"] = limit.unit;
     if (limit.at.speed_rpm) item["speed_rpm"] = *limit.at.speed_rpm;
@@ -265,26 +267,24 @@ std::variant<TestPlan, std::vector<hal::ConfigFault>> parse_plan(hal::ConfigRead
 
 std::string plan_to_json(const TestPlan& plan) {
   const Interlocks& limits = plan.interlocks;
-  const nlohmann::ordered_json json = {
-      {"name", plan.name},
-      {"description", plan.description},
-      {"specimen",
-       {{"kinematics", plan.specimen.kinematics},
-        {"gear_ratio", plan.specimen.gear_ratio},
-        {"rated_output_torque_Nm", plan.specimen.rated_output_torque_Nm}}},
-      {"acceleration_rate_Hz", plan.acceleration_rate_Hz},
-      {"interlocks",
-       {{"input_speed_rpm", limits.input_speed_rpm},
-        {"input_torque_Nm", limits.input_torque_Nm},
-        {"acceleration_m_s2", limits.acceleration_m_s2},
-        {"housing_temp_degC", limits.housing_temp_degC},
-        {"stale_after_s", limits.stale_after_s}}},
-      {"setup", phases_json(plan.setup)},
-      {"main", phases_json(plan.main)},
-      {"teardown",
-       {{"standstill_timeout_s", plan.teardown.standstill_timeout_s},
-        {"standstill_rpm", plan.teardown.standstill_rpm}}},
-      {"limits", limits_json(plan.limits)}};
+  const nlohmann::ordered_json json = hal::json_object(
+      {{"name", plan.name},
+       {"description", plan.description},
+       {"specimen",
+        hal::json_object({{"kinematics", plan.specimen.kinematics},
+                          {"gear_ratio", plan.specimen.gear_ratio},
+                          {"rated_output_torque_Nm", plan.specimen.rated_output_torque_Nm}})},
+       {"acceleration_rate_Hz", plan.acceleration_rate_Hz},
+       {"interlocks", hal::json_object({{"input_speed_rpm", limits.input_speed_rpm},
+                                        {"input_torque_Nm", limits.input_torque_Nm},
+                                        {"acceleration_m_s2", limits.acceleration_m_s2},
+                                        {"housing_temp_degC", limits.housing_temp_degC},
+                                        {"stale_after_s", limits.stale_after_s}})},
+       {"setup", phases_json(plan.setup)},
+       {"main", phases_json(plan.main)},
+       {"teardown", hal::json_object({{"standstill_timeout_s", plan.teardown.standstill_timeout_s},
+                                      {"standstill_rpm", plan.teardown.standstill_rpm}})},
+       {"limits", limits_json(plan.limits)}});
   return json.dump(2) + "\n";
 }
 

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "hal/json_object.hpp"
 #include "sim/plant_json.hpp"
 #include "sim/plant_words.hpp"
 
@@ -10,7 +11,7 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json json_of(const Quantity& quantity) {
-  ordered_json json{{"value", quantity.value}, {"unit", quantity.unit}};
+  ordered_json json = hal::json_object({{"value", quantity.value}, {"unit", quantity.unit}});
   if (std::isinf(quantity.tolerance_pct)) {
     json["tolerance_pct"] = "free";
   } else {
@@ -30,8 +31,8 @@ ordered_json json_of(const BodySpec& body) {
 }
 
 ordered_json json_of(const TermSpec& term, const TermLibrary& library) {
-  ordered_json json{
-      {"name", term.name}, {"type", term.type}, {"body_a", term.body_a}, {"body_b", term.body_b}};
+  ordered_json json = hal::json_object(
+      {{"name", term.name}, {"type", term.type}, {"body_a", term.body_a}, {"body_b", term.body_b}});
   const TermType* type = library.find(term.type);
   if (type != nullptr && type->gate.reference != ReferenceKind::none) {
     json[type->gate.reference_key] = term.reference;
@@ -43,10 +44,10 @@ ordered_json json_of(const TermSpec& term, const TermLibrary& library) {
 }
 
 ordered_json json_of(const InputSpec& input) {
-  ordered_json json{{"name", input.name},
-                    {"channel", input.channel},
-                    {"unit", input.unit},
-                    {"is", word_of(input_words, input.kind)}};
+  ordered_json json = hal::json_object({{"name", input.name},
+                                        {"channel", input.channel},
+                                        {"unit", input.unit},
+                                        {"is", word_of(input_words, input.kind)}});
   if (input.kind != InputKind::signal) json["body"] = input.body;
   json["gain"] = json_of(input.gain);
   json["offset"] = json_of(input.offset);
@@ -59,9 +60,9 @@ ordered_json json_of(const InputSpec& input) {
 }
 
 ordered_json json_of(const Hum& hum) {
-  return {{"amplitude", json_of(hum.amplitude)},
-          {"phase", json_of(hum.phase)},
-          {"frequency", json_of(hum.frequency)}};
+  return hal::json_object({{"amplitude", json_of(hum.amplitude)},
+                           {"phase", json_of(hum.phase)},
+                           {"frequency", json_of(hum.frequency)}});
 }
 
 ordered_json json_of(const OutputSpec& output) {
@@ -84,7 +85,7 @@ ordered_json json_of(const OutputSpec& output) {
 }  // namespace
 
 std::string write_plant(const PlantSpec& plant, const TermLibrary& library) {
-  ordered_json json{{"plant", plant.name}, {"about", plant.about}};
+  ordered_json json = hal::json_object({{"plant", plant.name}, {"about", plant.about}});
   for (const char* list : {"bodies", "terms", "inputs", "outputs"}) {
     json[list] = ordered_json::array();
   }

@@ -13,6 +13,7 @@
 #include "bench/rig_factory.hpp"
 #include "bench/rig_file.hpp"
 #include "bench/stop_on_signal.hpp"
+#include "hal/json_object.hpp"
 #include "hal/steady_clock.hpp"
 #include "hal/types/outcome.hpp"
 
@@ -44,24 +45,25 @@ Probed open_bench(const BenchRig& bench) {
 }
 
 Json to_json(const Probed& probed, const DriveProbe& probe) {
-  Json json{{"drive", probed.where},
-            {"profile", probed.profile},
-            {"answers", !probe.failed},
-            {"error", probe.failed ? Json(describe(*probe.failed)) : Json(nullptr)}};
+  Json json =
+      hal::json_object({{"drive", probed.where},
+                        {"profile", probed.profile},
+                        {"answers", !probe.failed},
+                        {"error", probe.failed ? Json(describe(*probe.failed)) : Json(nullptr)}});
   if (!probe.failed) {
     json["running"] = probe.status.running;
     json["tripped"] = probe.status.tripped;
     json["fault_code"] = probe.status.fault_code;
     json["remote"] = probe.status.remote;
-    json["reading_s"] = {{"median", quantile_s(probe, 0.5)},
-                         {"p99", quantile_s(probe, 0.99)},
-                         {"longest", quantile_s(probe, 1)}};
+    json["reading_s"] = hal::json_object({{"median", quantile_s(probe, 0.5)},
+                                          {"p99", quantile_s(probe, 0.99)},
+                                          {"longest", quantile_s(probe, 1)}});
     json["readings"] = probe.cycles_s.size();
     json["lost"] = probe.lost;
     json["retries"] = probe.retries;
     json["proposed_timeout_s"] = proposed_timeout_s(probe);
-    json["watchdog"] = {{"timeout_s", probe.watchdog.timeout_s},
-                        {"stops_motor", probe.watchdog.stops_motor}};
+    json["watchdog"] = hal::json_object(
+        {{"timeout_s", probe.watchdog.timeout_s}, {"stops_motor", probe.watchdog.stops_motor}});
   }
   json["unverified"] = probed.unverified;
   const std::string refusal = refusal_to_arm(probe);
@@ -211,7 +213,7 @@ int ProbeCommand::probe(Console& console, const Probed& probed) {
     const PlugTest test =
         pull_the_plug(*probed.rig.drive, *probed.rig.clock, options, tell, signals.token());
     passed = test.passed;
-    json["plug_pulled"] = {{"passed", test.passed}, {"finding", test.finding}};
+    json["plug_pulled"] = hal::json_object({{"passed", test.passed}, {"finding", test.finding}});
     if (!json_) {
       console.out << (test.passed
                           ? paint(console, Tone::good, "Plug pulled: " + test.finding + ".")

@@ -10,6 +10,7 @@
 #include "bench/file_lock.hpp"
 #include "bench/json_text.hpp"
 #include "bench/stop_on_signal.hpp"
+#include "hal/json_object.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -17,11 +18,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json json_of(const OutboxEntry& entry) {
-  return {{"result_id", entry.result_id},
-          {"folder", entry.folder},
-          {"message_id", entry.message_id},
-          {"payload_sha256", entry.payload_sha256},
-          {"sends", entry.sends}};
+  return hal::json_object({{"result_id", entry.result_id},
+                           {"folder", entry.folder},
+                           {"message_id", entry.message_id},
+                           {"payload_sha256", entry.payload_sha256},
+                           {"sends", entry.sends}});
 }
 
 class PublishCommand final : public Command {
@@ -99,7 +100,7 @@ int PublishCommand::publish(Console& console, const Broker& broker) {
     }
   };
   const auto skipped = [&](const SkippedRun& run) {
-    skipped_.push_back({{"folder", run.folder}, {"reason", run.why}});
+    skipped_.push_back(hal::json_object({{"folder", run.folder}, {"reason", run.why}}));
     console.err << "rvbench: warning: not sent: " << run.folder << ": " << run.why << '\n';
   };
   const auto link = [&](const std::string& how) {
@@ -135,11 +136,11 @@ int PublishCommand::end(Console& console, const Broker& broker, const Outbox& ou
                 << (left ? "; " + waiting(left.value()) : "") << '\n';
   }
   if (json_) {
-    Json told{{"broker", broker.address()},
-              {"topic", broker.topic},
-              {"acknowledged", acknowledged_},
-              {"left", left ? Json(left.value()) : Json()},
-              {"skipped", skipped_}};
+    Json told = hal::json_object({{"broker", broker.address()},
+                                  {"topic", broker.topic},
+                                  {"acknowledged", acknowledged_},
+                                  {"left", left ? Json(left.value()) : Json()},
+                                  {"skipped", skipped_}});
     if (!ending.reason.empty()) {  // as of any command that was refused
       told["verdict"] = nullptr;
       told["reason"] = ending.reason;

@@ -19,15 +19,16 @@
 #include "bench/text_file.hpp"
 #include "bench/verdict_json.hpp"
 #include "hal/did_you_mean.hpp"
+#include "hal/json_object.hpp"
 
 namespace rvbench::bench {
 namespace {
 
 nlohmann::ordered_json json_of(const Ending& ending, const std::string& software) {
-  return {{"verdict", to_string(ending.outcome)},
-          {"reason", ending.reason},
-          {"error_kind", to_string(ending.error_kind)},
-          {"software", software}};
+  return hal::json_object({{"verdict", to_string(ending.outcome)},
+                           {"reason", ending.reason},
+                           {"error_kind", to_string(ending.error_kind)},
+                           {"software", software}});
 }
 
 class RejudgeCommand final : public Command {
@@ -83,8 +84,7 @@ int RejudgeCommand::run(Console& console) {
   if (json_) {
     nlohmann::ordered_json told = nlohmann::ordered_json::object();
     if (refused != exit_codes::done) {  // what was judged is told beside
-      told = nlohmann::ordered_json::parse(
-          refusal_to_json(refused, std::exchange(console.complaints, {})));
+      told = parse_ordered_json(refusal_to_json(refused, std::exchange(console.complaints, {})));
     }
     told["runs"] = told_;
     console.out << json_text(told);
@@ -166,10 +166,10 @@ void RejudgeCommand::tell(Console& console, const StoredRun& run, const Rejudgem
   const Ending& then = run.as_judged.ending;
   const Ending& now = again.judgement.ending;
   gravest_ = graver(gravest_, now);
-  told_.push_back({{"folder", run.folder.string()},
-                   {"file", file},
-                   {"as_judged", json_of(then, run.as_judged.facts.software)},
-                   {"rejudged", json_of(now, again.judgement.facts.software)}});
+  told_.push_back(hal::json_object({{"folder", run.folder.string()},
+                                    {"file", file},
+                                    {"as_judged", json_of(then, run.as_judged.facts.software)},
+                                    {"rejudged", json_of(now, again.judgement.facts.software)}}));
   told_.back()["limits_version"] = nullptr;
   if (!again.limits_version.empty()) told_.back()["limits_version"] = again.limits_version;
   if (json_) return;

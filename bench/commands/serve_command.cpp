@@ -10,12 +10,14 @@
 #include "bench/commands/commands.hpp"
 #include "bench/fault_lines.hpp"
 #include "bench/file_lock.hpp"
+#include "bench/json_text.hpp"
 #include "bench/results/audit_index.hpp"
 #include "bench/serve/http_server.hpp"
 #include "bench/serve/station_api.hpp"
 #include "bench/stop_on_signal.hpp"
 #include "bench/text_file.hpp"
 #include "hal/did_you_mean.hpp"
+#include "hal/json_object.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -79,10 +81,10 @@ int ServeCommand::print_token(Console& console) const {
                                      ": expected letters, digits, '-' and '_', at most 32");
   }
   const std::string token = make_token(new_user_);
-  const nlohmann::ordered_json entry{
-      {"name", new_user_}, {"role", role_}, {"token_hash", hash_of_token(token)}};
+  const nlohmann::ordered_json entry = hal::json_object(
+      {{"name", new_user_}, {"role", role_}, {"token_hash", hash_of_token(token)}});
   console.out << "Token, to be kept by " << new_user_ << " alone; it is not kept here:\n  " << token
-              << "\nEntry for \"users\" of the station file:\n  " << entry.dump() << '\n';
+              << "\nEntry for \"users\" of the station file:\n  " << json_line(entry) << '\n';
   return exit_codes::done;
 }
 

@@ -13,6 +13,7 @@
 #include "bench/sha256.hpp"
 #include "bench/text_file.hpp"
 #include "bench/verdict_json.hpp"
+#include "hal/json_object.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -55,7 +56,7 @@ std::string sum_of_verdict(const std::filesystem::path& folder) {
 
 // Whether it was a simulated bench or a replay; nothing if the run does not say.
 Json is_simulated(const std::filesystem::path& folder) {
-  const Json rig = Json::parse(read_file(folder / "rig.json").value_or(""), nullptr, false);
+  const Json rig = ordered_json_or_discarded(read_file(folder / "rig.json").value_or(""));
   if (!rig.is_object() || !rig.contains("rig") || !rig["rig"].is_string()) return nullptr;
   return rig["rig"] != "bench";
 }
@@ -76,31 +77,32 @@ Json uris_of(const std::filesystem::path& folder) {
 
 Json processing_times(const std::string& started, const std::string& judged) {
   if (started.empty() || judged.empty()) return nullptr;
-  return {{"StartTime", started}, {"EndTime", judged}};
+  return hal::json_object({{"StartTime", started}, {"EndTime", judged}});
 }
 
 Json meta_data(const std::filesystem::path& folder, const std::string& job,
                const Judgement& judgement, const std::string& step) {
   const Ending& ending = judgement.ending;
   const std::string judged = iso_utc(judgement.facts.judged_utc);
-  Json meta = {{"ResultId", ""},  // the caller's
-               {"HasTransferableDataOnFile", false},
-               {"IsPartial", false},
-               {"IsSimulated", is_simulated(folder)},
-               {"ResultState", state_of(ending.outcome)},
-               {"StepId", json_or_null(step)},
-               {"PartId", judgement.facts.serial},
-               {"ExternalRecipeId", json_or_null(judgement.facts.plan)},
-               {"InternalRecipeId", id_of_file(folder / "plan.json")},
-               {"ProductId", json_or_null(judgement.machine)},
-               {"InternalConfigurationId", id_of_file(folder / "rig.json")},
-               {"JobId", job},
-               {"CreationTime", json_or_null(judged)},
-               {"ProcessingTimes", processing_times(iso_utc(judgement.facts.started_utc), judged)},
-               {"ResultUri", uris_of(folder)},
-               {"ResultEvaluation", evaluation_of(ending.outcome)},
-               {"ResultEvaluationCode", exit_code(ending)},
-               {"ResultEvaluationDetails", {{"Locale", "en"}, {"Text", ending.reason}}}};
+  Json meta = hal::json_object(
+      {{"ResultId", ""},  // the caller's
+       {"HasTransferableDataOnFile", false},
+       {"IsPartial", false},
+       {"IsSimulated", is_simulated(folder)},
+       {"ResultState", state_of(ending.outcome)},
+       {"StepId", json_or_null(step)},
+       {"PartId", judgement.facts.serial},
+       {"ExternalRecipeId", json_or_null(judgement.facts.plan)},
+       {"InternalRecipeId", id_of_file(folder / "plan.json")},
+       {"ProductId", json_or_null(judgement.machine)},
+       {"InternalConfigurationId", id_of_file(folder / "rig.json")},
+       {"JobId", job},
+       {"CreationTime", json_or_null(judged)},
+       {"ProcessingTimes", processing_times(iso_utc(judgement.facts.started_utc), judged)},
+       {"ResultUri", uris_of(folder)},
+       {"ResultEvaluation", evaluation_of(ending.outcome)},
+       {"ResultEvaluationCode", exit_code(ending)},
+       {"ResultEvaluationDetails", hal::json_object({{"Locale", "en"}, {"Text", ending.reason}})}});
   // All but ResultId are optional: what is not known is not there.
   for (auto field = meta.begin(); field != meta.end();) {
     field = field->is_null() ? meta.erase(field) : std::next(field);
@@ -155,16 +157,16 @@ Result<OutboxEntry> result_message(const std::filesystem::path& root,
   OutboxEntry due{.result_id = result_id_of(root, folder), .folder = job, .payload = ""};
   Json meta = meta_data(folder, job, *judgement, step);
   meta["ResultId"] = due.result_id;
-  const Json content = content_of(Json::parse(text));
-  due.payload =
-      json_line(Json{{"ResultMetaData", meta}, {"ResultContent", Json::array({content})}});
+  const Json content = content_of(parse_ordered_json(text));
+  due.payload = json_line(
+      hal::json_object({{"ResultMetaData", meta}, {"ResultContent", Json::array({content})}}));
   return due;
 }
 
 std::string payload_to_send(const OutboxEntry& due) {
-  Json payload = Json::parse(due.payload);
+  Json payload = parse_ordered_json(due.payload);
   payload["PossibleDuplicate"] = due.sends > 0;
-  return payload.dump();
+  return json_line(payload);
 }
 
 }  // namespace rvbench::bench

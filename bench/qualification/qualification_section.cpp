@@ -7,10 +7,12 @@
 #include <utility>
 
 #include "analysis/station/control_chart.hpp"
+#include "bench/json_text.hpp"
 #include "bench/lower_case.hpp"
 #include "bench/results/run_filter.hpp"
 #include "hal/did_you_mean.hpp"
 #include "hal/formats/printable.hpp"
+#include "hal/json_object.hpp"
 #include "hal/types/measure.hpp"
 
 namespace rvbench::bench {
@@ -121,7 +123,7 @@ GoldenUnitDemand read_golden_unit(hal::ConfigReader& section) {
 }
 
 nlohmann::ordered_json to_json(const SelfTestSpec& spec) {
-  nlohmann::ordered_json json{{"tap", spec.tap}};
+  nlohmann::ordered_json json = hal::json_object({{"tap", spec.tap}});
   for (const auto& [key, value, bounds] : spec_numbers) json[key] = spec.*value;
   return json;
 }
@@ -129,16 +131,17 @@ nlohmann::ordered_json to_json(const SelfTestSpec& spec) {
 nlohmann::ordered_json to_json(const GoldenUnitDemand& demand) {
   auto indicators = nlohmann::ordered_json::array();
   for (const ChartedIndicator& indicator : demand.indicators) {
-    indicators.push_back({{"measure", indicator.measure}, {"of", indicator.of}});
+    indicators.push_back(hal::json_object({{"measure", indicator.measure}, {"of", indicator.of}}));
   }
   auto points = nlohmann::ordered_json::array();
   for (const SetPoint& point : demand.points) {
-    points.push_back({{"speed_rpm", *point.speed_rpm}, {"load_pct", *point.load_pct}});
+    points.push_back(
+        hal::json_object({{"speed_rpm", *point.speed_rpm}, {"load_pct", *point.load_pct}}));
   }
-  nlohmann::ordered_json json{{"serial", demand.serial},
-                              {"plan", demand.plan},
-                              {"max_age_h", demand.max_age_h},
-                              {"baseline_runs", demand.baseline_runs}};
+  nlohmann::ordered_json json = hal::json_object({{"serial", demand.serial},
+                                                  {"plan", demand.plan},
+                                                  {"max_age_h", demand.max_age_h},
+                                                  {"baseline_runs", demand.baseline_runs}});
   if (!demand.since_utc.empty()) json["since"] = demand.since_utc;
   json["indicators"] = indicators;
   json["points"] = points;
@@ -176,15 +179,15 @@ bool is_almost_golden(const QualificationSection* section, const std::string& se
 std::string limits_of(const SelfTestSpec& spec) {
   nlohmann::ordered_json json = to_json(spec);
   json.erase("max_age_h");
-  return json.dump();
+  return json_line(json);
 }
 
 nlohmann::ordered_json to_json(const QualificationSection& section) {
-  nlohmann::ordered_json json{{"station", section.station}};
+  nlohmann::ordered_json json = hal::json_object({{"station", section.station}});
   if (section.self_test) json["self_test"] = to_json(*section.self_test);
   if (section.calibration) {
-    json["calibration"] = {{"channels", section.calibration->channels},
-                           {"warn_days", section.calibration->warn_days}};
+    json["calibration"] = hal::json_object({{"channels", section.calibration->channels},
+                                            {"warn_days", section.calibration->warn_days}});
   }
   if (section.golden_unit) json["golden_unit"] = to_json(*section.golden_unit);
   return json;

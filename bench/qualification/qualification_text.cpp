@@ -8,6 +8,7 @@
 #include "bench/json_text.hpp"
 #include "bench/qualification/ages.hpp"
 #include "bench/qualification/self_test_json.hpp"
+#include "hal/json_object.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -42,14 +43,15 @@ std::string self_test_text(const Console& console, const SelfTestRecord& record)
 
 std::string self_test_to_json(const SelfTestRecord& record, const Ending& ending, int exit_code) {
   const bool was_ended = ending.outcome != Outcome::pass;
-  return json_text({{"station", record.station},
-                    {"utc", record.utc},
-                    {"software", record.software},
-                    {"passed", record.passed},
-                    {"reason", record.reason},
-                    {"ended", was_ended ? Json(to_string(ending.outcome)) : Json()},
-                    {"steps", json_of(record.steps)},
-                    {"exit_code", exit_code}});
+  return json_text(
+      hal::json_object({{"station", record.station},
+                        {"utc", record.utc},
+                        {"software", record.software},
+                        {"passed", record.passed},
+                        {"reason", record.reason},
+                        {"ended", was_ended ? Json(to_string(ending.outcome)) : Json()},
+                        {"steps", json_of(record.steps)},
+                        {"exit_code", exit_code}}));
 }
 
 std::string qualification_text(const Console& console, const Qualification& qualification) {
@@ -74,16 +76,16 @@ std::string qualification_text(const Console& console, const Qualification& qual
 std::string qualification_to_json(const Qualification& qualification, const std::string& station) {
   Json requirements = Json::array();
   for (const RequirementState& state : qualification.requirements) {
-    requirements.push_back({{"requirement", state.requirement},
-                            {"word", state.word},
-                            {"sentence", state.sentence},
-                            {"blocks", state.blocks}});
+    requirements.push_back(hal::json_object({{"requirement", state.requirement},
+                                             {"word", state.word},
+                                             {"sentence", state.sentence},
+                                             {"blocks", state.blocks}}));
   }
   const auto refusal = qualification.refusal();
-  return json_text({{"station", station},
-                    {"qualified", !refusal},
-                    {"requirements", std::move(requirements)},
-                    {"exit_code", refusal ? exit_code(*refusal) : 0}});
+  return json_text(hal::json_object({{"station", station},
+                                     {"qualified", !refusal},
+                                     {"requirements", std::move(requirements)},
+                                     {"exit_code", refusal ? exit_code(*refusal) : 0}}));
 }
 
 std::string calibrations_text(const std::vector<CalibrationRecord>& records) {
@@ -103,17 +105,17 @@ std::string calibrations_text(const std::vector<CalibrationRecord>& records) {
 std::string calibrations_to_json(const std::vector<CalibrationRecord>& records) {
   Json all = Json::array();
   for (const CalibrationRecord& record : records) {
-    all.push_back({{"station", record.station},
-                   {"channel", record.channel},
-                   {"sensitivity", record.sensitivity},
-                   {"certificate", record.certificate},
-                   {"calibrated", day_of(record.calibrated_utc)},
-                   {"valid_until", day_of(record.valid_until_utc)},
-                   {"by", record.by},
-                   {"entered_utc", record.entered_utc},
-                   {"file", record.file}});
+    all.push_back(hal::json_object({{"station", record.station},
+                                    {"channel", record.channel},
+                                    {"sensitivity", record.sensitivity},
+                                    {"certificate", record.certificate},
+                                    {"calibrated", day_of(record.calibrated_utc)},
+                                    {"valid_until", day_of(record.valid_until_utc)},
+                                    {"by", record.by},
+                                    {"entered_utc", record.entered_utc},
+                                    {"file", record.file}}));
   }
-  return json_text({{"calibrations", std::move(all)}});
+  return json_text(hal::json_object({{"calibrations", std::move(all)}}));
 }
 
 }  // namespace rvbench::bench

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/examination_json.hpp"
+#include "hal/json_object.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -18,9 +19,12 @@ SelfTestWord word_of(const std::string& text) {
 }
 
 Json json_of(const SelfTestReading& reading) {
-  return {{"of", reading.of},       {"value", reading.value},
-          {"limit", reading.limit}, {"bound", reading.is_least ? "min" : "max"},
-          {"unit", reading.unit},   {"word", to_string(reading.word)}};
+  return hal::json_object({{"of", reading.of},
+                           {"value", reading.value},
+                           {"limit", reading.limit},
+                           {"bound", reading.is_least ? "min" : "max"},
+                           {"unit", reading.unit},
+                           {"word", to_string(reading.word)}});
 }
 
 SelfTestReading reading_from_json(const Json& json) {
@@ -39,10 +43,10 @@ Json json_of(const std::vector<SelfTestResult>& steps) {
   for (const SelfTestResult& step : steps) {
     Json readings = Json::array();
     for (const SelfTestReading& reading : step.readings) readings.push_back(json_of(reading));
-    all.push_back({{"step", step.step},
-                   {"word", to_string(step.word)},
-                   {"reason", step.reason},
-                   {"readings", std::move(readings)}});
+    all.push_back(hal::json_object({{"step", step.step},
+                                    {"word", to_string(step.word)},
+                                    {"reason", step.reason},
+                                    {"readings", std::move(readings)}}));
   }
   return all;
 }

@@ -14,6 +14,7 @@
 #include "bench/results/run_filter.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/text_file.hpp"
+#include "hal/json_object.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -27,23 +28,23 @@ constexpr const char* set_aside_kind = "set aside";
 constexpr const char* suffix = ".json";
 
 Json to_json(const CalibrationRecord& record) {
-  return {{"record", calibration},
-          {"station", record.station},
-          {"channel", record.channel},
-          {"sensitivity", record.sensitivity},
-          {"certificate", record.certificate},
-          {"by", record.by},
-          {"calibrated_utc", record.calibrated_utc},
-          {"valid_until_utc", record.valid_until_utc},
-          {"entered_utc", record.entered_utc},
-          {"software", record.software}};
+  return hal::json_object({{"record", calibration},
+                           {"station", record.station},
+                           {"channel", record.channel},
+                           {"sensitivity", record.sensitivity},
+                           {"certificate", record.certificate},
+                           {"by", record.by},
+                           {"calibrated_utc", record.calibrated_utc},
+                           {"valid_until_utc", record.valid_until_utc},
+                           {"entered_utc", record.entered_utc},
+                           {"software", record.software}});
 }
 
 Json to_json(const SelfTestRecord& record) {
   return {{"record", self_test},           {"station", record.station},
           {"rig", record.rig_kind},        {"utc", record.utc},
           {"software", record.software},   {"passed", record.passed},
-          {"reason", record.reason},       {"judged_by", Json::parse(record.judged_by)},
+          {"reason", record.reason},       {"judged_by", parse_ordered_json(record.judged_by)},
           {"steps", json_of(record.steps)}};
 }
 
@@ -69,7 +70,7 @@ SelfTestRecord self_test_from(const Json& json) {
   json.at("software").get_to(record.software);
   json.at("passed").get_to(record.passed);
   json.at("reason").get_to(record.reason);
-  record.judged_by = json.at("judged_by").dump();
+  record.judged_by = json_line(json.at("judged_by"));
   record.steps = self_test_from_json(json.at("steps"));
   return record;
 }
@@ -88,7 +89,7 @@ std::string without_name(const std::string& what) {
 // @return why it cannot be used; "" if it can
 std::string why_not_taken(StationRecords& records, const std::filesystem::path& file) {
   try {
-    const Json json = Json::parse(read_file(file).value_or(""));
+    const Json json = parse_ordered_json(read_file(file).value_or(""));
     const std::string kind = json.at("record").get<std::string>();
     const std::string name = file.filename().string();
     if (kind == calibration) {

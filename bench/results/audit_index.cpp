@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/hash_chain.hpp"
+#include "bench/json_text.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -31,7 +32,7 @@ std::vector<AuditLine> lines_after(std::istream& in, Place place) {
   for (std::string text; std::getline(in, text);) {
     if (!chain_fault(text, place.hash).empty()) break;
     place = {place.line + 1, hash_of_line(text)};
-    const auto json = nlohmann::json::parse(text);
+    const auto json = parse_json(text);
     const auto text_at = [&](const char* key) {
       return json.contains(key) && json[key].is_string() ? json[key].get<std::string>() : "";
     };

@@ -9,6 +9,7 @@
 #include "bench/json_text.hpp"
 #include "bench/limit_checks.hpp"
 #include "bench/results/run_filter.hpp"
+#include "hal/json_object.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -25,13 +26,13 @@ nlohmann::ordered_json later_json(const History& history, const std::string& fol
   const auto later = history.later.find(folder);
   if (later == history.later.end()) return list;
   for (const JudgementRow& row : later->second) {
-    list.push_back({{"file", row.file},
-                    {"judged_utc", row.judged_utc},
-                    {"verdict", row.verdict},
-                    {"error_kind", row.error_kind},
-                    {"reason", row.reason},
-                    {"software", row.software},
-                    {"limits_version", json_or_null(row.limits_version)}});
+    list.push_back(hal::json_object({{"file", row.file},
+                                     {"judged_utc", row.judged_utc},
+                                     {"verdict", row.verdict},
+                                     {"error_kind", row.error_kind},
+                                     {"reason", row.reason},
+                                     {"software", row.software},
+                                     {"limits_version", json_or_null(row.limits_version)}}));
   }
   return list;
 }
@@ -133,24 +134,24 @@ class HistoryTable {
 std::string history_to_json(const History& history) {
   auto runs = nlohmann::ordered_json::array();
   for (const RunRow& row : history.runs) {
-    runs.push_back({{"folder", row.folder},
-                    {"serial", row.serial},
-                    {"started_utc", row.started_utc},
-                    {"plan", row.plan},
-                    {"verdict", json_or_null(row.verdict)},
-                    {"error_kind", json_or_null(row.error_kind)},
-                    {"reason", row.reason},
-                    {"software", json_or_null(row.software)},
-                    {"rejudged", later_json(history, row.folder)}});
+    runs.push_back(hal::json_object({{"folder", row.folder},
+                                     {"serial", row.serial},
+                                     {"started_utc", row.started_utc},
+                                     {"plan", row.plan},
+                                     {"verdict", json_or_null(row.verdict)},
+                                     {"error_kind", json_or_null(row.error_kind)},
+                                     {"reason", row.reason},
+                                     {"software", json_or_null(row.software)},
+                                     {"rejudged", later_json(history, row.folder)}}));
     const auto value = history.values.find(row.folder);
     if (value == history.values.end()) continue;
-    runs.back()["indicator"] = {{"value", value->second.value},
-                                {"unit", value->second.unit},
-                                {"of", json_or_null(value->second.of)},
-                                {"point", value->second.point},
-                                {"channel", json_or_null(value->second.channel)}};
+    runs.back()["indicator"] = hal::json_object({{"value", value->second.value},
+                                                 {"unit", value->second.unit},
+                                                 {"of", json_or_null(value->second.of)},
+                                                 {"point", value->second.point},
+                                                 {"channel", json_or_null(value->second.channel)}});
   }
-  return json_text({{"runs", runs}});
+  return json_text(hal::json_object({{"runs", runs}}));
 }
 
 void print_history(Console& console, const History& history) {

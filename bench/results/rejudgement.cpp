@@ -10,6 +10,7 @@
 
 #include "bench/json_text.hpp"
 #include "bench/verdict_json.hpp"
+#include "hal/json_object.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -44,10 +45,10 @@ std::vector<int> numbers_in(const std::filesystem::path& folder) {
 }  // namespace
 
 std::string rejudgement_to_json(const Rejudgement& rejudgement) {
-  auto json = nlohmann::ordered_json::parse(judgement_to_json(rejudgement.judgement));
-  json["rejudged"] = {{"utc", rejudgement.judged_utc},
-                      {"limits_version", rejudgement.limits_version},
-                      {"limits_sha256", rejudgement.limits_sha256}};
+  auto json = parse_ordered_json(judgement_to_json(rejudgement.judgement));
+  json["rejudged"] = hal::json_object({{"utc", rejudgement.judged_utc},
+                                       {"limits_version", rejudgement.limits_version},
+                                       {"limits_sha256", rejudgement.limits_sha256}});
   return json_text(json);
 }
 
@@ -55,7 +56,7 @@ std::optional<Rejudgement> rejudgement_from_json(const std::string& text) {
   auto judgement = judgement_from_json(text);
   if (!judgement) return std::nullopt;
   try {
-    const auto json = nlohmann::json::parse(text).at("rejudged");
+    const auto json = parse_json(text).at("rejudged");
     return Rejudgement{*std::move(judgement), json.at("utc"), json.at("limits_version"),
                        json.at("limits_sha256")};
   } catch (const nlohmann::json::exception&) {

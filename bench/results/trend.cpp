@@ -12,6 +12,7 @@
 #include "bench/json_text.hpp"
 #include "bench/limit_checks.hpp"
 #include "bench/results/run_filter.hpp"
+#include "hal/json_object.hpp"
 #include "hal/types/measure.hpp"
 
 namespace rvbench::bench {
@@ -28,13 +29,13 @@ std::optional<double> number_of(std::string_view text, double most) {
 }
 
 nlohmann::ordered_json slope_json(const Trend& trend) {
-  if (!trend.per_day) return {{"told", false}, {"why_not", trend.why_not}};
+  if (!trend.per_day) return hal::json_object({{"told", false}, {"why_not", trend.why_not}});
   const analysis::SlopeOverTime& line = *trend.per_day;
-  return {{"told", line.is_told()},
-          {"slope_per_day", line.slope},
-          {"ci95_per_day", {line.low, line.high}},
-          {"level", line.level},
-          {"variance_widened_by", line.dependence}};
+  return hal::json_object({{"told", line.is_told()},
+                           {"slope_per_day", line.slope},
+                           {"ci95_per_day", {line.low, line.high}},
+                           {"level", line.level},
+                           {"variance_widened_by", line.dependence}});
 }
 
 }  // namespace
@@ -107,26 +108,27 @@ std::string trend_title(const Trend& trend) {
 std::string trend_to_json(const Trend& trend) {
   auto values = nlohmann::ordered_json::array();
   for (const RunValue& value : trend.values) {
-    values.push_back({{"folder", value.folder},
-                      {"serial", value.serial},
-                      {"started_utc", value.started_utc},
-                      {"verdict", value.verdict},
-                      {"value", value.value},
-                      {"of", json_or_null(value.of)},
-                      {"point", value.point},
-                      {"channel", json_or_null(value.channel)}});
+    values.push_back(hal::json_object({{"folder", value.folder},
+                                       {"serial", value.serial},
+                                       {"started_utc", value.started_utc},
+                                       {"verdict", value.verdict},
+                                       {"value", value.value},
+                                       {"of", json_or_null(value.of)},
+                                       {"point", value.point},
+                                       {"channel", json_or_null(value.channel)}}));
   }
   const SeriesOf& asked = trend.asked;
-  const nlohmann::ordered_json json{{"indicator", asked.measure},
-                                    {"unit", json_or_null(trend.unit)},
-                                    {"of", json_or_null(asked.of)},
-                                    {"speed_rpm", json_or_null(asked.at.speed_rpm)},
-                                    {"load_pct", json_or_null(asked.at.load_pct)},
-                                    {"channel", json_or_null(asked.channel)},
-                                    {"serial", json_or_null(asked.serial)},
-                                    {"trend", slope_json(trend)},
-                                    {"sentence", trend_sentence(trend)},
-                                    {"values", values}};
+  const nlohmann::ordered_json json =
+      hal::json_object({{"indicator", asked.measure},
+                        {"unit", json_or_null(trend.unit)},
+                        {"of", json_or_null(asked.of)},
+                        {"speed_rpm", json_or_null(asked.at.speed_rpm)},
+                        {"load_pct", json_or_null(asked.at.load_pct)},
+                        {"channel", json_or_null(asked.channel)},
+                        {"serial", json_or_null(asked.serial)},
+                        {"trend", slope_json(trend)},
+                        {"sentence", trend_sentence(trend)},
+                        {"values", values}});
   return json_text(json);
 }
 

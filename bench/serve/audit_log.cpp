@@ -17,17 +17,18 @@
 #include "bench/hash_chain.hpp"
 #include "bench/json_text.hpp"
 #include "bench/run_folder.hpp"
+#include "hal/json_object.hpp"
 
 namespace rvbench::bench {
 namespace {
 
 std::string line_of_entry(const AuditEntry& entry, const std::string& previous) {
-  nlohmann::ordered_json json{{"time_utc", utc_now()},
-                              {"user", entry.user},
-                              {"address", entry.address},
-                              {"action", entry.action}};
+  nlohmann::ordered_json json = hal::json_object({{"time_utc", utc_now()},
+                                                  {"user", entry.user},
+                                                  {"address", entry.address},
+                                                  {"action", entry.action}});
   if (!entry.detail.empty()) {
-    json["detail"] = nlohmann::ordered_json::parse(entry.detail, nullptr, false);
+    json["detail"] = ordered_json_or_discarded(entry.detail);
     if (json["detail"].is_discarded()) json["detail"] = entry.detail;
   }
   return chained_line(std::move(json), previous);
@@ -119,7 +120,7 @@ std::string AuditLog::last(std::size_t lines) {
   }
   auto entries = nlohmann::ordered_json::array();
   for (const std::string& line : kept) {
-    auto json = nlohmann::ordered_json::parse(line, nullptr, false);
+    auto json = ordered_json_or_discarded(line);
     if (!json.is_discarded()) entries.push_back(std::move(json));
   }
   return json_line(entries);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "bench/json_text.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/text_file.hpp"
 
@@ -11,8 +12,7 @@ namespace rvbench::bench {
 namespace {
 
 std::string verdict_in(const std::filesystem::path& folder) {
-  const auto json =
-      nlohmann::json::parse(read_file(folder / "verdict.json").value_or(""), nullptr, false);
+  const auto json = json_or_discarded(read_file(folder / "verdict.json").value_or(""));
   if (!json.is_object() || !json.contains("verdict") || !json["verdict"].is_string()) return "";
   return json["verdict"].get<std::string>();
 }

@@ -3,6 +3,7 @@
 #include <system_error>
 #include <vector>
 
+#include "bench/json_text.hpp"
 #include "bench/results/audit_index.hpp"
 #include "bench/serve/json_fields.hpp"
 #include "bench/serve/station_api.hpp"
@@ -78,7 +79,7 @@ HttpAnswer StationApi::propose_limits(const Call& call) {
     // Of a name of its own: two may propose at once.
     const auto file =
         station_folder(station_.file().runs) / ("proposed-" + random_hex(8) + ".json");
-    write_file(file, call.body["limits"].dump() + "\n");
+    write_file(file, json_line(call.body["limits"]) + "\n");
     HttpAnswer answer =
         ask({"limits", "propose", "--from=" + file.string(), "--by=" + call.session.user,
              "--plan=" + station_.file().plan, "--out=" + station_.file().runs.string()});

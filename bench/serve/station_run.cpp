@@ -19,8 +19,7 @@ constexpr const char* unit_file = "unit.json";  // what of the unit outlives the
 
 // A run that another station began, and that goes on or has ended since.
 void Station::find_run() {
-  const auto unit =
-      nlohmann::json::parse(read_file(keep_ / unit_file).value_or(""), nullptr, false);
+  const auto unit = json_or_discarded(read_file(keep_ / unit_file).value_or(""));
   if (!unit.is_object() || text_at(unit, "serial").empty()) return;
   serial_ = text_at(unit, "serial");
   known_ = known_runs(file_.runs, serial_);
@@ -35,7 +34,7 @@ void Station::find_run() {
 void Station::keep_unit() const {
   const nlohmann::json unit{{"serial", serial_},
                             {"newest_before", known_.empty() ? "" : known_.back().run}};
-  write_file(keep_ / unit_file, unit.dump() + "\n");
+  write_file(keep_ / unit_file, json_line(unit) + "\n");
 }
 
 void Station::forget_unit() {
@@ -72,7 +71,7 @@ void Station::spawn() {
 
 void Station::hear() {
   while (const auto letter = live_.next()) {
-    const auto json = nlohmann::json::parse(*letter, nullptr, false);
+    const auto json = json_or_discarded(*letter);
     if (json.is_object() && phase_ == Phase::running) hear(json);
   }
 }
@@ -105,8 +104,7 @@ std::string Station::newest_run() const {
 
 void Station::conclude() {
   if (run_.empty()) run_ = newest_run();
-  const auto answer =
-      nlohmann::json::parse(read_file(process_.answer_file()).value_or(""), nullptr, false);
+  const auto answer = json_or_discarded(read_file(process_.answer_file()).value_or(""));
   if (!answer.is_object()) {
     if (is_told_to_stop_ && run_.empty()) return fail_before_it_began();
     return fail("no_answer", "the run ended without an answer (see " +

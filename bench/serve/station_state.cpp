@@ -111,7 +111,7 @@ std::string Station::state(const StationViewer& viewer) const {
          {"done", progress_.done},
          {"left_s", progress_.left_s}}},
        {"matrix", matrix_of(points_, point_states_)},
-       {"verdict", nlohmann::json::parse(verdict_)},
+       {"verdict", parse_json(verdict_)},
        {"next_action", next_action(viewer)}}));
 }
 

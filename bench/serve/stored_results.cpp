@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "bench/json_text.hpp"
 #include "bench/results/run_filter.hpp"
 #include "bench/results/trend.hpp"
 #include "bench/serve/other_process.hpp"
@@ -125,7 +126,7 @@ HttpAnswer StationApi::ask(std::vector<std::string> words, double longest_s) con
   if (answer.code < 0 && ending_.stop_requested()) return refusal(503, "ending");
   if (answer.code < 0) return refusal(504, "no_answer");
   const bool is_answer = answer.code == 0 || is_verdict(answer.code);
-  if (is_answer && nlohmann::json::accept(answer.out)) return {.body = answer.out};
+  if (is_answer && !json_or_discarded(answer.out).is_discarded()) return {.body = answer.out};
   if (answer.code == 0) return json_answer(200, {{"text", answer.out}});
   return json_answer(422,
                      {{"error", "refused"}, {"exit_code", answer.code}, {"reason", answer.err}});

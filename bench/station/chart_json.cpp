@@ -4,6 +4,7 @@
 
 #include "bench/json_text.hpp"
 #include "bench/software_version.hpp"
+#include "hal/json_object.hpp"
 
 namespace rvbench::bench {
 namespace {
@@ -16,28 +17,29 @@ ordered_json or_null(const std::optional<double>& value) {
 
 ordered_json index_json(const std::optional<analysis::CapabilityIndex>& index) {
   if (!index) return nullptr;
-  return {{"value", index->value},
-          {"interval", ordered_json::array({index->interval.low, index->interval.high})}};
+  return hal::json_object(
+      {{"value", index->value},
+       {"interval", ordered_json::array({index->interval.low, index->interval.high})}});
 }
 
 ordered_json capability_json(const ChartAnswer& answer) {
   if (!answer.capability) return nullptr;
   const analysis::Capability& of = *answer.capability;
-  return {{"lower", or_null(answer.limits.lower)},
-          {"upper", or_null(answer.limits.upper)},
-          {"cp", index_json(of.cp)},
-          {"cpk", index_json(of.cpk)},
-          {"pp", index_json(of.pp)},
-          {"ppk", index_json(of.ppk)},
-          {"normality_p", of.normality_p}};
+  return hal::json_object({{"lower", or_null(answer.limits.lower)},
+                           {"upper", or_null(answer.limits.upper)},
+                           {"cp", index_json(of.cp)},
+                           {"cpk", index_json(of.cpk)},
+                           {"pp", index_json(of.pp)},
+                           {"ppk", index_json(of.ppk)},
+                           {"normality_p", of.normality_p}});
 }
 
 ordered_json event_json(const ChartEvent& event, const ChartAnswer& answer) {
-  return {{"at", answer.data.labels[std::size_t(event.at)]},
-          {"index", event.at},
-          {"value", answer.data.values[event.at]},
-          {"rule", event.rule},
-          {"meaning", event.meaning}};
+  return hal::json_object({{"at", answer.data.labels[std::size_t(event.at)]},
+                           {"index", event.at},
+                           {"value", answer.data.values[event.at]},
+                           {"rule", event.rule},
+                           {"meaning", event.meaning}});
 }
 
 }  // namespace
@@ -50,30 +52,28 @@ std::string chart_to_json(const ChartAnswer& answer) {
     signals.push_back(event_json(event, answer));
     if (event.at == newest) at_newest.push_back(event.rule);
   }
-  const ordered_json json{
-      {"verdict", answer.is_in_control() ? "in_control" : "out_of_control"},
-      {"summary", chart_sentence(answer)},
-      {"file", answer.file},
-      {"unit", answer.data.unit.empty() ? ordered_json(nullptr) : ordered_json(answer.data.unit)},
-      {"values", answer.data.values.size()},
-      {"baseline",
-       {{"values", baseline.points},
-        {"centre", baseline.centre},
-        {"sigma", baseline.sigma},
-        {"lower", baseline.lower()},
-        {"upper", baseline.upper()},
-        {"mean_range", baseline.mean_range},
-        {"upper_range", baseline.upper_range()}}},
-      {"signals", signals},
-      {"newest",
-       {{"at", answer.data.labels[std::size_t(newest)]},
-        {"value", answer.data.values[newest]},
-        {"ewma", answer.ewma.means[newest]},
-        {"in_control", at_newest.empty()},
-        {"rules", at_newest}}},
-      {"capability", capability_json(answer)},
-      {"warnings", chart_warnings(answer)},
-      {"software", software_version()}};
+  const ordered_json json = hal::json_object(
+      {{"verdict", answer.is_in_control() ? "in_control" : "out_of_control"},
+       {"summary", chart_sentence(answer)},
+       {"file", answer.file},
+       {"unit", answer.data.unit.empty() ? ordered_json(nullptr) : ordered_json(answer.data.unit)},
+       {"values", answer.data.values.size()},
+       {"baseline", hal::json_object({{"values", baseline.points},
+                                      {"centre", baseline.centre},
+                                      {"sigma", baseline.sigma},
+                                      {"lower", baseline.lower()},
+                                      {"upper", baseline.upper()},
+                                      {"mean_range", baseline.mean_range},
+                                      {"upper_range", baseline.upper_range()}})},
+       {"signals", signals},
+       {"newest", hal::json_object({{"at", answer.data.labels[std::size_t(newest)]},
+                                    {"value", answer.data.values[newest]},
+                                    {"ewma", answer.ewma.means[newest]},
+                                    {"in_control", at_newest.empty()},
+                                    {"rules", at_newest}})},
+       {"capability", capability_json(answer)},
+       {"warnings", chart_warnings(answer)},
+       {"software", software_version()}});
   return json_text(json);
 }
 

@@ -136,7 +136,7 @@ void state_units(Recording& recording) {
   }
 }
 
-bool recognises(std::string_view head) {
+bool is_csv(std::string_view head) {
   const auto is_text = [](char c) {
     return static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\r' || c == '\t';
   };
@@ -144,7 +144,7 @@ bool recognises(std::string_view head) {
          csv_separator(head.substr(0, head.find('\n'))).has_value();
 }
 
-Result<std::vector<Recording>> read(const std::filesystem::path& file) {
+Result<std::vector<Recording>> read_csv(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   Table table;
   if (const Fault fault = fill(stream, table)) return bad_file(file, *fault);
@@ -177,6 +177,6 @@ Result<std::vector<Recording>> read(const std::filesystem::path& file) {
 
 }  // namespace
 
-Format csv_format() { return {"CSV", recognises, {".csv", ".txt"}, read}; }
+Format csv_format() { return {"CSV", is_csv, {".csv", ".txt"}, read_csv}; }
 
 }  // namespace rvbench::hal::formats

@@ -27,7 +27,7 @@ std::string head_of(const Recording& recording) {
 }
 
 // Numbers in the fewest digits that read back as they are.
-Status write(const std::vector<Recording>& recordings, FileDraft& draft) {
+Status write_csv(const std::vector<Recording>& recordings, FileDraft& draft) {
   const Recording& recording = recordings.front();
   const Channel& first = recording.channels.front();
   std::string text = head_of(recording);
@@ -52,7 +52,7 @@ Writer csv_writer() {
           "CSV",
           {".csv", ".txt"},
           {.directions = false, .sensitivities = false, .start_time = false, .facts = false},
-          write};
+          write_csv};
 }
 
 }  // namespace rvbench::hal::formats

@@ -173,13 +173,13 @@ struct Decoded {
   }
 };
 
-struct Delete {
+struct DeleteDecoder {
   void operator()(FLAC__StreamDecoder* decoder) const { FLAC__stream_decoder_delete(decoder); }
 };
 
 // Whether the samples' checksum is right, or not stated.
 bool decode(Decoded& file) {
-  const std::unique_ptr<FLAC__StreamDecoder, Delete> decoder(FLAC__stream_decoder_new());
+  const std::unique_ptr<FLAC__StreamDecoder, DeleteDecoder> decoder(FLAC__stream_decoder_new());
   FLAC__stream_decoder_set_md5_checking(decoder.get(), true);
   FLAC__stream_decoder_set_metadata_respond(decoder.get(), FLAC__METADATA_TYPE_VORBIS_COMMENT);
   const auto begun = FLAC__stream_decoder_init_stream(
@@ -249,12 +249,12 @@ Channel channel_of(const Decoded& file, std::size_t index, std::vector<std::stri
   return channel;
 }
 
-bool recognises(std::string_view head) { return head.starts_with("fLaC"); }
+bool is_flac(std::string_view head) { return head.starts_with("fLaC"); }
 
-Result<std::vector<Recording>> read(const std::filesystem::path& file) {
+Result<std::vector<Recording>> read_flac(const std::filesystem::path& file) {
   Decoded decoded;
   decoded.bytes = bytes_of(file);
-  if (!recognises(decoded.bytes)) return bad_file(file, "does not begin as a FLAC file does");
+  if (!is_flac(decoded.bytes)) return bad_file(file, "does not begin as a FLAC file does");
   const bool checksum_is_right = decode(decoded);
   if (!decoded.fault.empty()) return bad_file(file, decoded.fault);
   if (decoded.channels.empty()) return bad_file(file, "holds no frame of samples");
@@ -271,6 +271,6 @@ Result<std::vector<Recording>> read(const std::filesystem::path& file) {
 
 }  // namespace
 
-Format flac_format() { return {"FLAC", recognises, {".flac"}, read}; }
+Format flac_format() { return {"FLAC", is_flac, {".flac"}, read_flac}; }
 
 }  // namespace rvbench::hal::formats

@@ -20,7 +20,7 @@ constexpr double most_steps = (1 << (bits - 1)) - 1;
 constexpr unsigned compression = 5;  // that of the program flac
 constexpr Eigen::Index samples_at_once = 4096;
 
-struct Delete {
+struct DeleteWritten {
   void operator()(FLAC__StreamEncoder* encoder) const { FLAC__stream_encoder_delete(encoder); }
   void operator()(FLAC__StreamMetadata* block) const { FLAC__metadata_object_delete(block); }
 };
@@ -31,9 +31,9 @@ double step_of(const Channel& channel) {
   return peak > 0 && std::isnormal(peak / most_steps) ? peak / most_steps : 1;
 }
 
-class Comments {
+class CommentsBlock {
  public:
-  Comments() : block_(FLAC__metadata_object_new(FLAC__METADATA_TYPE_VORBIS_COMMENT)) {}
+  CommentsBlock() : block_(FLAC__metadata_object_new(FLAC__METADATA_TYPE_VORBIS_COMMENT)) {}
 
   void add(const std::string& name, const std::string& value) {
     if (value.empty()) return;
@@ -50,11 +50,11 @@ class Comments {
   FLAC__StreamMetadata* block() const { return block_.get(); }
 
  private:
-  std::unique_ptr<FLAC__StreamMetadata, Delete> block_;
+  std::unique_ptr<FLAC__StreamMetadata, DeleteWritten> block_;
 };
 
-Comments comments_of(const Recording& recording) {
-  Comments comments;
+CommentsBlock comments_of(const Recording& recording) {
+  CommentsBlock comments;
   comments.add(facts_of(recording), "");
   for (std::size_t i = 0; i < recording.channels.size(); ++i) {
     const Channel& channel = recording.channels[i];
@@ -114,7 +114,7 @@ bool encode(FLAC__StreamEncoder* encoder, const std::vector<Channel>& channels) 
   return FLAC__stream_encoder_finish(encoder);
 }
 
-Status write(const std::vector<Recording>& recordings, FileDraft& draft) {
+Status write_flac(const std::vector<Recording>& recordings, FileDraft& draft) {
   const Recording& recording = recordings.front();
   const Channel& first = recording.channels.front();
   const auto refused = [&draft](const std::string& why) {
@@ -124,9 +124,9 @@ Status write(const std::vector<Recording>& recordings, FileDraft& draft) {
     return refused(fmt::format("{:g} Hz is more than the {} Hz that FLAC takes", first.rate_Hz,
                                FLAC__MAX_SAMPLE_RATE));
   }
-  const Comments comments = comments_of(recording);
+  const CommentsBlock comments = comments_of(recording);
   FLAC__StreamMetadata* blocks[] = {comments.block()};
-  const std::unique_ptr<FLAC__StreamEncoder, Delete> encoder(FLAC__stream_encoder_new());
+  const std::unique_ptr<FLAC__StreamEncoder, DeleteWritten> encoder(FLAC__stream_encoder_new());
   FLAC__stream_encoder_set_channels(encoder.get(),
                                     static_cast<unsigned>(recording.channels.size()));
   FLAC__stream_encoder_set_bits_per_sample(encoder.get(), bits);
@@ -160,7 +160,7 @@ Writer flac_writer() {
            .doubles = false,
            .floats = false,
            .any_rate = false},
-          write};
+          write_flac};
 }
 
 }  // namespace rvbench::hal::formats

@@ -5,9 +5,9 @@
 namespace rvbench::hal::formats {
 namespace {
 
-bool recognises(std::string_view head) { return head.starts_with("\x89HDF\r\n\x1a\n"); }
+bool is_hdf5(std::string_view head) { return head.starts_with("\x89HDF\r\n\x1a\n"); }
 
-Result<std::vector<Recording>> read(const std::filesystem::path& file) {
+Result<std::vector<Recording>> read_hdf5(const std::filesystem::path& file) {
   // After a crash the file may hold zeros where its journal has samples.
   const bool is_repaired = hdf5::is_left_behind(hdf5::journal_of(file));
   if (is_repaired) {
@@ -29,6 +29,6 @@ Result<std::vector<Recording>> read(const std::filesystem::path& file) {
 
 }  // namespace
 
-Format hdf5_format() { return {"HDF5", recognises, {".h5", ".hdf5"}, read}; }
+Format hdf5_format() { return {"HDF5", is_hdf5, {".h5", ".hdf5"}, read_hdf5}; }
 
 }  // namespace rvbench::hal::formats

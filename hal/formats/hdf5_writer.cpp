@@ -116,7 +116,7 @@ void fill(const std::vector<Recording>& recordings, const std::filesystem::path&
 
 // A recording of rvbench's own format, laid out as its RecordingWriter does, for any channels: with
 // float samples where these are exact, with a start of its own for each group.
-Status write(const std::vector<Recording>& recordings, FileDraft& draft) {
+Status write_hdf5(const std::vector<Recording>& recordings, FileDraft& draft) {
   return guarded(draft.file(), [&]() -> Status {
     fill(recordings, draft.path());
     return Done{};
@@ -126,7 +126,7 @@ Status write(const std::vector<Recording>& recordings, FileDraft& draft) {
 }  // namespace
 
 Writer hdf5_writer() {
-  return {"hdf5", "HDF5", {".h5", ".hdf5"}, {.recordings = true, .clocks = true}, write};
+  return {"hdf5", "HDF5", {".h5", ".hdf5"}, {.recordings = true, .clocks = true}, write_hdf5};
 }
 
 }  // namespace rvbench::hal::formats

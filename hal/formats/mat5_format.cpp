@@ -52,7 +52,7 @@ std::optional<Eigen::MatrixXd> numbers_in(const matvar_t& variable) {
 }
 
 // Text as matio hands it over.
-std::string text_in(const matvar_t& variable) {
+std::string text_of(const matvar_t& variable) {
   if (variable.class_type != MAT_C_CHAR || variable.data == nullptr) return "";
   if (variable.data_size == 2) {
     const auto* units = static_cast<const std::uint16_t*>(variable.data);
@@ -71,13 +71,13 @@ MatStructure structure_of(const std::string& name, const matvar_t& variable) {
     const matvar_t* field =
         Mat_VarGetStructFieldByName(const_cast<matvar_t*>(&variable), names[i], 0);
     if (field == nullptr) continue;
-    if (field->class_type == MAT_C_CHAR) structure.texts[names[i]] = text_in(*field);
+    if (field->class_type == MAT_C_CHAR) structure.texts[names[i]] = text_of(*field);
     if (auto values = numbers_in(*field)) structure.numbers[names[i]] = *std::move(values);
   }
   return structure;
 }
 
-bool recognises(std::string_view head) { return head.starts_with("MATLAB 5.0"); }
+bool is_mat5(std::string_view head) { return head.starts_with("MATLAB 5.0"); }
 
 std::optional<std::string> find_fault(const std::filesystem::path& file) {
   return find_mat5_fault(bytes_of(file));
@@ -98,7 +98,7 @@ std::optional<std::string> read_variables(mat_t* mat, MatVariables& variables) {
   return std::nullopt;
 }
 
-Result<std::vector<Recording>> read(const std::filesystem::path& file) {
+Result<std::vector<Recording>> read_mat5(const std::filesystem::path& file) {
   // matio believes the sizes that it finds, and reads or allocates by them.
   if (const auto fault = find_fault(file)) return bad_file(file, *fault);
   hdf5::prepare_thread();  // matio starts HDF5 as well
@@ -113,6 +113,6 @@ Result<std::vector<Recording>> read(const std::filesystem::path& file) {
 
 }  // namespace
 
-Format mat5_format() { return {"MAT v5", recognises, {".mat"}, read}; }
+Format mat5_format() { return {"MAT v5", is_mat5, {".mat"}, read_mat5}; }
 
 }  // namespace rvbench::hal::formats

@@ -17,7 +17,7 @@ enum Type : std::uint32_t { int8 = 1, int32 = 5, uint32 = 6, float64 = 9, matrix
 enum Class : std::uint32_t { structure_class = 2, char_class = 4, double_class = 6 };
 
 constexpr std::size_t field_bytes = 32;  // a field's name, ended by 0
-constexpr std::uint16_t version = 0x0100;
+constexpr std::uint16_t mat5_version = 0x0100;
 
 std::string element(Type type, std::string data) {
   std::string bytes;
@@ -71,9 +71,9 @@ std::string array_of(const MatStructure& structure) {
                              element(int8, names) + fields);
 }
 
-Status write(const std::vector<Recording>& recordings, FileDraft& draft) {
+Status write_mat5(const std::vector<Recording>& recordings, FileDraft& draft) {
   constexpr std::size_t most = std::numeric_limits<std::int32_t>::max() - 4096U;
-  if (Status written = draft.write(mat_header("MATLAB 5.0 MAT-file", version)); !written) {
+  if (Status written = draft.write(mat_header("MATLAB 5.0 MAT-file", mat5_version)); !written) {
     return written;
   }
   for (const Channel& channel : recordings.front().channels) {
@@ -92,6 +92,6 @@ Status write(const std::vector<Recording>& recordings, FileDraft& draft) {
 
 }  // namespace
 
-Writer mat5_writer() { return {"mat5", "MAT v5", {".mat"}, {.clocks = true}, write}; }
+Writer mat5_writer() { return {"mat5", "MAT v5", {".mat"}, {.clocks = true}, write_mat5}; }
 
 }  // namespace rvbench::hal::formats

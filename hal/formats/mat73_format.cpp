@@ -19,7 +19,7 @@ using namespace hdf5;
 
 constexpr std::size_t longest_text = 65536;
 
-bool recognises(std::string_view head) { return head.starts_with("MATLAB 7.3"); }
+bool is_mat73(std::string_view head) { return head.starts_with("MATLAB 7.3"); }
 
 bool is_number_class(const std::string& kind) {
   static constexpr std::array<std::string_view, 10> kinds = {
@@ -103,7 +103,7 @@ class Reading {
   std::size_t file_bytes_;
 };
 
-Result<std::vector<Recording>> read(const std::filesystem::path& file) {
+Result<std::vector<Recording>> read_mat73(const std::filesystem::path& file) {
   return guarded(file, [&]() -> Result<std::vector<Recording>> {
     std::error_code error;
     const auto bytes = std::filesystem::file_size(file, error);
@@ -121,6 +121,6 @@ Result<std::vector<Recording>> read(const std::filesystem::path& file) {
 
 }  // namespace
 
-Format mat73_format() { return {"MAT v7.3", recognises, {}, read}; }
+Format mat73_format() { return {"MAT v7.3", is_mat73, {}, read_mat73}; }
 
 }  // namespace rvbench::hal::formats

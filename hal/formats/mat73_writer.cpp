@@ -18,7 +18,7 @@ namespace {
 using namespace hdf5;
 
 constexpr hsize_t user_block_bytes = 512;
-constexpr std::uint16_t version = 0x0200;
+constexpr std::uint16_t mat73_version = 0x0200;
 constexpr int text_of_uint16 = 2;  // MATLAB_int_decode
 
 Handle ascii_type(std::size_t bytes) {
@@ -97,15 +97,15 @@ void fill(const Recording& recording, const std::filesystem::path& path) {
   if (!file.close()) check(-1, "close");
 }
 
-Status write(const std::vector<Recording>& recordings, FileDraft& draft) {
+Status write_mat73(const std::vector<Recording>& recordings, FileDraft& draft) {
   return guarded(draft.file(), [&]() -> Status {
     fill(recordings.front(), draft.path());
-    return draft.write_first(mat_header("MATLAB 7.3 MAT-file, HDF5 schema 1.00 .", version));
+    return draft.write_first(mat_header("MATLAB 7.3 MAT-file, HDF5 schema 1.00 .", mat73_version));
   });
 }
 
 }  // namespace
 
-Writer mat73_writer() { return {"mat73", "MAT v7.3", {}, {.clocks = true}, write}; }
+Writer mat73_writer() { return {"mat73", "MAT v7.3", {}, {.clocks = true}, write_mat73}; }
 
 }  // namespace rvbench::hal::formats

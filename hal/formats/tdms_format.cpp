@@ -14,9 +14,7 @@
 namespace rvbench::hal::formats {
 namespace {
 
-bool recognises(std::string_view head) {
-  return head.starts_with("TDSm") || head.starts_with("TDSh");
-}
+bool is_tdms(std::string_view head) { return head.starts_with("TDSm") || head.starts_with("TDSh"); }
 
 // A waveform over something else than time is a spectrum, say.
 bool is_over_time(const TdmsChannel& channel) {
@@ -112,7 +110,7 @@ Recording& recording_of(const std::string& group, const TdmsFile& tdms,
   return recording;
 }
 
-Result<std::vector<Recording>> read(const std::filesystem::path& file) {
+Result<std::vector<Recording>> read_tdms_recordings(const std::filesystem::path& file) {
   const std::string bytes = bytes_of(file);
   const auto parsed = read_tdms(bytes);
   if (const auto* fault = std::get_if<std::string>(&parsed)) return bad_file(file, *fault);
@@ -140,6 +138,6 @@ Result<std::vector<Recording>> read(const std::filesystem::path& file) {
 
 }  // namespace
 
-Format tdms_format() { return {"TDMS", recognises, {".tdms"}, read}; }
+Format tdms_format() { return {"TDMS", is_tdms, {".tdms"}, read_tdms_recordings}; }
 
 }  // namespace rvbench::hal::formats

@@ -14,7 +14,7 @@ namespace rvbench::hal::formats {
 namespace {
 
 constexpr std::uint32_t contents = 1U << 1U | 1U << 2U | 1U << 3U;  // metadata, new list, raw data
-constexpr std::uint32_t version = 4713;
+constexpr std::uint32_t tdms_version = 4713;
 constexpr std::uint32_t no_data = 0xFFFFFFFF, index_bytes = 20;
 
 void put_text(std::string& bytes, std::string_view text) {
@@ -148,11 +148,11 @@ std::uint64_t raw_bytes(const std::vector<Recording>& recordings) {
 }
 
 // One segment: lead-in, metadata, and the samples channel by channel.
-Status write(const std::vector<Recording>& recordings, FileDraft& draft) {
+Status write_tdms(const std::vector<Recording>& recordings, FileDraft& draft) {
   const std::string metadata = metadata_of(recordings);
   std::string lead_in = "TDSm";
   put(lead_in, contents);
-  put(lead_in, version);
+  put(lead_in, tdms_version);
   put(lead_in, metadata.size() + raw_bytes(recordings));
   put(lead_in, static_cast<std::uint64_t>(metadata.size()));
   if (Status written = draft.write(lead_in + metadata); !written) return written;
@@ -167,7 +167,7 @@ Status write(const std::vector<Recording>& recordings, FileDraft& draft) {
 }  // namespace
 
 Writer tdms_writer() {
-  return {"tdms", "TDMS", {".tdms"}, {.recordings = true, .clocks = true}, write};
+  return {"tdms", "TDMS", {".tdms"}, {.recordings = true, .clocks = true}, write_tdms};
 }
 
 }  // namespace rvbench::hal::formats

@@ -184,7 +184,7 @@ std::string holds_instead(const std::vector<UffDataset>& datasets, const std::se
   return fmt::format("holds {}{}, no time record", contents_of(datasets), functions);
 }
 
-Result<std::vector<Recording>> read(const std::filesystem::path& file) {
+Result<std::vector<Recording>> read_uff(const std::filesystem::path& file) {
   const std::string bytes = bytes_of(file);
   const std::vector<UffDataset> datasets = uff_datasets(bytes);
   const auto units = read_uff_units(file, datasets);
@@ -218,6 +218,6 @@ Result<std::vector<Recording>> read(const std::filesystem::path& file) {
 
 }  // namespace
 
-Format uff_format() { return {"UFF", is_uff, {".uff", ".unv"}, read}; }
+Format uff_format() { return {"UFF", is_uff, {".uff", ".unv"}, read_uff}; }
 
 }  // namespace rvbench::hal::formats

@@ -33,7 +33,7 @@ struct Chunks {
   std::uint64_t declared_by_ds64 = 0;
 };
 
-bool recognises(std::string_view head) {
+bool is_wav(std::string_view head) {
   const bool is_riff = head.starts_with("RIFF") || head.starts_with("RF64");
   return is_riff && head.size() >= 12 && head.substr(8, 4) == "WAVE";
 }
@@ -137,9 +137,9 @@ void describe(const Chunks& chunks, Recording& recording) {
   }
 }
 
-Result<std::vector<Recording>> read(const std::filesystem::path& file) {
+Result<std::vector<Recording>> read_wav(const std::filesystem::path& file) {
   const std::string bytes = bytes_of(file);
-  if (!recognises(bytes)) return bad_file(file, "does not begin as a WAV file does");
+  if (!is_wav(bytes)) return bad_file(file, "does not begin as a WAV file does");
   const Chunks chunks = chunks_of(bytes);
   if (const auto fault = find_fault(chunks)) return bad_file(file, *fault);
   Recording recording;
@@ -153,6 +153,6 @@ Result<std::vector<Recording>> read(const std::filesystem::path& file) {
 
 }  // namespace
 
-Format wav_format() { return {"WAV", recognises, {".wav"}, read}; }
+Format wav_format() { return {"WAV", is_wav, {".wav"}, read_wav}; }
 
 }  // namespace rvbench::hal::formats

@@ -11,7 +11,7 @@
 namespace rvbench::hal::formats {
 namespace {
 
-constexpr std::uint16_t ieee_float = 3;
+constexpr std::uint16_t float_samples = 3;
 constexpr std::size_t header_bytes = 4 + 8 + 18 + 8 + 4 + 8;  // behind the file's length
 
 template <typename Number>
@@ -25,14 +25,14 @@ std::string header_of(std::uint32_t rate_Hz, std::uint16_t channels, std::uint32
                       std::uint32_t data_bytes) {
   const auto frame_bytes = static_cast<std::uint16_t>(channels * sizeof(float));
   std::string bytes = "RIFF" + packed(static_cast<std::uint32_t>(header_bytes + data_bytes));
-  bytes += "WAVEfmt " + packed(std::uint32_t{18}) + packed(ieee_float) + packed(channels);
+  bytes += "WAVEfmt " + packed(std::uint32_t{18}) + packed(float_samples) + packed(channels);
   bytes += packed(rate_Hz) + packed(rate_Hz * frame_bytes) + packed(frame_bytes);
   bytes += packed(std::uint16_t{8 * sizeof(float)}) + packed(std::uint16_t{0});
   bytes += "fact" + packed(std::uint32_t{4}) + packed(samples);
   return bytes + "data" + packed(data_bytes);
 }
 
-Status write(const std::vector<Recording>& recordings, FileDraft& draft) {
+Status write_wav(const std::vector<Recording>& recordings, FileDraft& draft) {
   constexpr double most = std::numeric_limits<std::uint32_t>::max();
   const std::vector<Channel>& channels = recordings.front().channels;
   const Eigen::Index samples = channels.front().samples.size();
@@ -69,7 +69,7 @@ Writer wav_writer() {
            .facts = false,
            .doubles = false,
            .any_rate = false},
-          write};
+          write_wav};
 }
 
 }  // namespace rvbench::hal::formats

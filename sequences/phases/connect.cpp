@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "hal/json_object.hpp"
 #include "hal/rig.hpp"
 #include "sequences/bench_loop.hpp"
 #include "sequences/interlock_check.hpp"
@@ -60,7 +61,7 @@ class Connect final : public Phase {
   std::string_view kind() const override { return "connect"; }
 
   std::string to_json() const override {
-    return nlohmann::ordered_json{{"phase", kind()}, {"watchdog_max_s", watchdog_max_s_}}.dump();
+    return hal::json_object({{"phase", kind()}, {"watchdog_max_s", watchdog_max_s_}}).dump();
   }
 
   std::vector<Segment> timeline(const Specimen&) const override { return {}; }

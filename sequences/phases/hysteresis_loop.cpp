@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "hal/json_object.hpp"
 #include "sequences/bench_loop.hpp"
 #include "sequences/plan.hpp"
 
@@ -64,14 +65,14 @@ class HysteresisLoop final : public Phase {
   }
 
   std::string to_json() const override {
-    return nlohmann::ordered_json{{"phase", kind()},
-                                  {"hold_pct", spec_.hold_pct},
-                                  {"peak_pct", spec_.peak_pct},
-                                  {"speed_rpm", spec_.speed_rpm},
-                                  {"least_speed_rpm", spec_.least_speed_rpm},
-                                  {"ramp_rpm_per_s", spec_.ramp_rpm_per_s},
-                                  {"loops", spec_.loops},
-                                  {"timeout_s", spec_.timeout_s}}
+    return hal::json_object({{"phase", kind()},
+                             {"hold_pct", spec_.hold_pct},
+                             {"peak_pct", spec_.peak_pct},
+                             {"speed_rpm", spec_.speed_rpm},
+                             {"least_speed_rpm", spec_.least_speed_rpm},
+                             {"ramp_rpm_per_s", spec_.ramp_rpm_per_s},
+                             {"loops", spec_.loops},
+                             {"timeout_s", spec_.timeout_s}})
         .dump();
   }
 

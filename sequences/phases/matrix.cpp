@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "hal/json_object.hpp"
 #include "sequences/bench_loop.hpp"
 #include "sequences/plan.hpp"
 #include "sequences/settling.hpp"
@@ -51,20 +52,20 @@ class Matrix final : public Phase {
 
   std::string to_json() const override {
     const SettlingRule& rule = spec_.settling;
-    nlohmann::ordered_json json = {{"phase", kind()},
-                                   {"speeds_rpm", spec_.speeds_rpm},
-                                   {"loads_pct", spec_.loads_pct},
-                                   {"repeats", spec_.repeats},
-                                   {"order", spec_.order}};
+    nlohmann::ordered_json json = hal::json_object({{"phase", kind()},
+                                                    {"speeds_rpm", spec_.speeds_rpm},
+                                                    {"loads_pct", spec_.loads_pct},
+                                                    {"repeats", spec_.repeats},
+                                                    {"order", spec_.order}});
     if (spec_.order == "randomised") json["seed"] = spec_.seed;
-    json["settling"] = {{"speed_tolerance_pct", rule.speed_tolerance_pct},
-                        {"load_tolerance_pct", rule.load_tolerance_pct},
-                        {"speed_band_pct", rule.speed_band_pct},
-                        {"torque_band_pct", rule.torque_band_pct},
-                        {"torque_band_Nm", rule.torque_band_Nm},
-                        {"hold_s", rule.hold_s},
-                        {"timeout_s", rule.timeout_s}};
-    json["record"] = {{"output_turns", spec_.output_turns}};
+    json["settling"] = hal::json_object({{"speed_tolerance_pct", rule.speed_tolerance_pct},
+                                         {"load_tolerance_pct", rule.load_tolerance_pct},
+                                         {"speed_band_pct", rule.speed_band_pct},
+                                         {"torque_band_pct", rule.torque_band_pct},
+                                         {"torque_band_Nm", rule.torque_band_Nm},
+                                         {"hold_s", rule.hold_s},
+                                         {"timeout_s", rule.timeout_s}});
+    json["record"] = hal::json_object({{"output_turns", spec_.output_turns}});
     return json.dump();
   }
 

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "hal/json_object.hpp"
 #include "sequences/bench_loop.hpp"
 #include "sequences/plan.hpp"
 
@@ -18,10 +19,10 @@ class WarmUp final : public Phase {
   std::string_view kind() const override { return "warm_up"; }
 
   std::string to_json() const override {
-    return nlohmann::ordered_json{{"phase", kind()},
-                                  {"duration_s", duration_s_},
-                                  {"speed_rpm", speed_rpm_},
-                                  {"load_pct", load_pct_}}
+    return hal::json_object({{"phase", kind()},
+                             {"duration_s", duration_s_},
+                             {"speed_rpm", speed_rpm_},
+                             {"load_pct", load_pct_}})
         .dump();
   }
 

@@ -6,9 +6,9 @@
 namespace rvbench::bench::pdf {
 namespace {
 
-using Row = std::vector<std::string>;
+using TableRow = std::vector<std::string>;
 
-constexpr double gap_pt = 8;      // between columns
+constexpr double column_gap_pt = 8;
 constexpr double air_pt = 1.5;    // above and below the text of a row
 constexpr int unbroken_rows = 8;  // a row of as many lines is kept on one page
 
@@ -16,17 +16,17 @@ constexpr int unbroken_rows = 8;  // a row of as many lines is kept on one page
 std::vector<double> wanted_widths_pt(const Typesetter& typesetter, const Table& table,
                                      const TextStyle& style) {
   std::size_t count = table.head.size();
-  for (const Row& row : table.rows) count = std::max(count, row.size());
+  for (const TableRow& row : table.rows) count = std::max(count, row.size());
   std::vector<double> widths_pt(count, 0);
-  const auto widen = [&](const Row& row, const TextStyle& in) {
+  const auto widen = [&](const TableRow& row, const TextStyle& in) {
     for (std::size_t c = 0; c < row.size(); ++c) {
-      widths_pt[c] = std::max(widths_pt[c], typesetter.width_pt(row[c], in) + gap_pt);
+      widths_pt[c] = std::max(widths_pt[c], typesetter.width_pt(row[c], in) + column_gap_pt);
     }
   };
   TextStyle bold = style;
   bold.bold = true;
   widen(table.head, bold);
-  for (const Row& row : table.rows) widen(row, style);
+  for (const TableRow& row : table.rows) widen(row, style);
   return widths_pt;
 }
 
@@ -53,11 +53,11 @@ struct Layout {
   double width_pt() const { return std::accumulate(widths_pt.begin(), widths_pt.end(), 0.0); }
 
   // One block per line of text, across all columns.
-  Blocks row(const Row& cells, const TextStyle& style, const char* ground) const {
+  Blocks row(const TableRow& cells, const TextStyle& style, const char* ground) const {
     std::vector<std::vector<TextLine>> columns;
     std::size_t count = 1;
     for (std::size_t c = 0; c < cells.size(); ++c) {
-      columns.push_back(typesetter.lines(cells[c], style, widths_pt[c] - gap_pt));
+      columns.push_back(typesetter.lines(cells[c], style, widths_pt[c] - column_gap_pt));
       count = std::max(count, columns.back().size());
     }
     Blocks blocks;
@@ -75,7 +75,7 @@ struct Layout {
     const double below_pt = k + 1 == count ? air_pt : 0;
     double text_pt = 0;
     std::vector<std::pair<double, TextLine>> pieces;
-    double x_pt = gap_pt / 2;
+    double x_pt = column_gap_pt / 2;
     for (std::size_t c = 0; c < columns.size(); ++c) {
       if (k < columns[c].size()) {
         pieces.emplace_back(x_pt, columns[c][k]);
@@ -113,7 +113,7 @@ Blocks table_blocks(const Typesetter& typesetter, const Table& table, const Text
     for (Block& block : blocks) block.keeps_next = true;
     head = std::make_shared<const Blocks>(blocks);
   }
-  for (const Row& row : table.rows) {
+  for (const TableRow& row : table.rows) {
     Blocks lines = layout.row(row, style, nullptr);
     for (Block& line : lines) line.head = head;
     append(blocks, lines);
