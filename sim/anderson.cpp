@@ -1,6 +1,6 @@
 #include "sim/anderson.hpp"
 
-#include <Eigen/QR>
+#include "hal/types/linear_algebra.hpp"
 
 namespace rvbench::sim {
 
@@ -21,7 +21,7 @@ Eigen::VectorXd AndersonMixing::mixed(const Eigen::VectorXd& step) {
       changes.col(i) = changes_[static_cast<std::size_t>(i)];
       moves.col(i) = moves_[static_cast<std::size_t>(i)];
     }
-    move -= (moves + changes) * changes.completeOrthogonalDecomposition().solve(step).eval();
+    move -= (moves + changes) * algebra::MinimumNorm(changes).solve(step);
   }
   last_step_ = step;
   last_move_ = move;

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SVD>
 #include <cmath>
 #include <limits>
 
+#include "hal/types/linear_algebra.hpp"
 #include "hal/types/units.hpp"
 
 namespace rvbench::sim {
@@ -22,14 +22,14 @@ constexpr double rounding = 1e-6;
 
 std::variant<Eigen::VectorXd, ConfigFault> common_motion(const PlantModel& model) {
   const Eigen::Index n = model.inertia.size();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(linear_parts(model).stiffness, Eigen::ComputeFullV);
-  const Eigen::VectorXd& held = svd.singularValues();
+  const algebra::RightSingular ways = algebra::right_singular(linear_parts(model).stiffness);
+  const Eigen::VectorXd& held = ways.values;
   const Eigen::Index free = (held.array() <= held_together * held[0]).count();
   if (free != 1) {
     return ConfigFault{0, "/bodies",
                        fmt::format("{} bodies that can turn by themselves, not 1", free)};
   }
-  Eigen::VectorXd common = svd.matrixV().col(n - 1);
+  Eigen::VectorXd common = ways.vectors.col(n - 1);
   const double turning = held_together * common.cwiseAbs().maxCoeff();
   double slowest = std::numeric_limits<double>::infinity();
   for (double& turns : common) {

@@ -1,8 +1,8 @@
 #include "sim/housing_path.hpp"
 
 #include <stdexcept>
-#include <unsupported/Eigen/MatrixFunctions>
 
+#include "hal/types/linear_algebra.hpp"
 #include "hal/types/units.hpp"
 
 namespace rvbench::sim {
@@ -34,7 +34,7 @@ HousingPath::HousingPath(const std::vector<HousingMode>& modes, double rate_Hz) 
 
     Eigen::Matrix3d block = Eigen::Matrix3d::Zero();
     block.topRows<2>() << 0, 1, 0, -spring_[m], -damper_[m], 1;
-    const Eigen::Matrix3d step = (block / rate_Hz).exp();
+    const Eigen::MatrixXd step = algebra::exponential(block / rate_Hz);
     a11_[m] = step(0, 0);
     a12_[m] = step(0, 1);
     a21_[m] = step(1, 0);

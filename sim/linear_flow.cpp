@@ -1,6 +1,6 @@
 #include "sim/linear_flow.hpp"
 
-#include <unsupported/Eigen/MatrixFunctions>
+#include "hal/types/linear_algebra.hpp"
 
 namespace rvbench::sim {
 
@@ -14,7 +14,7 @@ LinearFlow::LinearFlow(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, doubl
   block.block(0, n, n, m) = b * step_s;
   block.block(n, n + m, m, m).setIdentity();
   block.block(n + m, n + 2 * m, m, m).setIdentity();
-  const Eigen::MatrixXd exponential = block.exp();
+  const Eigen::MatrixXd exponential = algebra::exponential(block);
   phi = exponential.topLeftCorner(n, n);
   gamma0 = exponential.block(0, n, n, m);
   gamma1 = exponential.block(0, n + m, n, m);

@@ -1,11 +1,11 @@
 #include "sim/plant_model.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
 
+#include "hal/types/linear_algebra.hpp"
 #include "hal/types/units.hpp"
 #include "sim/linear_flow.hpp"
 #include "sim/named.hpp"
@@ -123,7 +123,7 @@ double fastest_mode_rad_s(const PlantModel& model) {
     damping.row(body).setZero();
   }
   const LinearBodies bodies(model.inertia, stiffness, damping);
-  return bodies.a.eigenvalues().cwiseAbs().maxCoeff();
+  return algebra::eigenvalues(bodies.a).cwiseAbs().maxCoeff();
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #include "sim/push_response.hpp"
 
-#include <Eigen/LU>
 #include <complex>
 
+#include "hal/types/linear_algebra.hpp"
 #include "hal/types/units.hpp"
 #include "sim/named.hpp"
 #include "sim/steady_sensors.hpp"
@@ -110,7 +110,7 @@ std::optional<PushResponse> push_response(const PlantSpec& plant, const PlantMod
                                    Complex(0, omega_rad_s) * slopes.of_speed.cast<Complex>() -
                                    omega_rad_s * omega_rad_s * slopes.of_acceleration;
     response.lines.emplace_back(
-        shown * motion.impedance(omega_rad_s).partialPivLu().solve(pushes.on_bodies) +
+        shown * algebra::ComplexLu(motion.impedance(omega_rad_s)).solve(pushes.on_bodies) +
         pushes.passed);
   }
   const Eigen::VectorXd drag = motion.impedance(1).imag() * motion.common();
@@ -118,9 +118,9 @@ std::optional<PushResponse> push_response(const PlantSpec& plant, const PlantMod
   balance.topLeftCorner(n, n) = motion.impedance(0).real();
   balance.topRightCorner(n, 1) = drag;
   balance.bottomLeftCorner(1, n) = motion.common().transpose();
-  const Eigen::FullPivLU<Eigen::MatrixXd> parts(balance);
-  if (!parts.isInvertible()) return std::nullopt;
-  const Eigen::MatrixXd answer = parts.inverse().leftCols(n);
+  const std::optional<Eigen::MatrixXd> inverse = algebra::inverse_if_regular(balance);
+  if (!inverse) return std::nullopt;
+  const Eigen::MatrixXd answer = inverse->leftCols(n);
   response.slowest_rad_s = answer.row(n);
   response.means =
       slopes.of_way * answer.topRows(n) + slopes.of_speed * motion.common() * answer.row(n);

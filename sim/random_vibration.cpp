@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "hal/types/linear_algebra.hpp"
 #include "hal/types/units.hpp"
 #include "sim/linear_flow.hpp"
 #include "sim/named.hpp"
@@ -82,19 +81,18 @@ std::variant<RandomVibration, hal::ConfigFault> RandomVibration::make(const Plan
   const Eigen::Index n = model.inertia.size();
   const auto [stiffness, damping] = linear_parts(model);
   const LinearBodies bodies(model.inertia, stiffness, damping);
-  const Eigen::EigenSolver<Eigen::MatrixXd> modes(bodies.a);
-  vibration.poles_rad_s_ = modes.eigenvalues();
+  const algebra::EigenPairs modes = algebra::eigen_pairs(bodies.a);
+  vibration.poles_rad_s_ = modes.values;
   const double fastest_rad_s = vibration.poles_rad_s_.cwiseAbs().maxCoeff();
   if (!(vibration.poles_rad_s_.real().maxCoeff() < told_apart * fastest_rad_s)) {
     return hal::ConfigFault{0, "/terms", "not stable: a vibration grows without end"};
   }
-  const Eigen::MatrixXcd vectors = modes.eigenvectors();
-  const Eigen::PartialPivLU<Eigen::MatrixXcd> inverse(vectors);
-  if (!(inverse.rcond() > told_apart * told_apart)) {
+  const algebra::ComplexLu inverse(modes.vectors);
+  if (!(inverse.reciprocal_condition() > told_apart * told_apart)) {
     return hal::ConfigFault{0, "/terms", "two modes are one and the same: they have no shapes"};
   }
-  vibration.shapes_ = vectors.topRows(n);
-  vibration.participation_ = inverse.solve(bodies.b.cast<Complex>());
+  vibration.shapes_ = modes.vectors.topRows(n);
+  vibration.participation_ = inverse.solve(Eigen::MatrixXcd(bodies.b.cast<Complex>()));
   return vibration;
 }
 

@@ -1,7 +1,5 @@
 #include "sim/steady_motion.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "hal/types/linear_algebra.hpp"
 #include "hal/types/units.hpp"
 #include "sim/order_lines.hpp"
 
@@ -255,14 +254,11 @@ Eigen::MatrixXcd SteadyMotion::unbalanced(const Eigen::MatrixXcd& remainder) con
 
 bool SteadyMotion::come_to_rest(const Rest& rest) {
   AndersonMixing mixing(steps_mixed);
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> held;
-  held.setThreshold(slopes_known_to);
-  held.compute(stiffness_);
+  const algebra::MinimumNorm held(stiffness_, slopes_known_to);
   Signals pushes(n_, samples());
   Eigen::VectorXd push(n_);
   // About the speed of the first round: that it is a little off costs a part of a round.
-  std::vector<std::optional<Eigen::PartialPivLU<Eigen::MatrixXcd>>> answers(
-      orders_.orders().size());
+  std::vector<std::optional<algebra::ComplexLu>> answers(orders_.orders().size());
   for (int round = 0; round < most_rounds; ++round) {
     go_round([&](Eigen::Index i, PlantState& s) {
       add_forces(s, true, push);
@@ -286,7 +282,7 @@ bool SteadyMotion::come_to_rest(const Rest& rest) {
       if (open.col(k).squaredNorm() < std::pow(negligible_line * largest_push, 2)) continue;
       auto& answer = answers[static_cast<std::size_t>(k - 1)];
       if (!answer) answer.emplace(impedance(omega_rad_s(k)));
-      step.col(k) = answer->solve(open.col(k));
+      step.col(k) = answer->solve(Eigen::VectorXcd(open.col(k)));
     }
     move(mixing, step, common_.dot(mean) / common_.dot(damping_ * common_));
     if (at_rest && round + 1 >= rest.rounds) return true;

@@ -1,10 +1,10 @@
 #include "sim/steady_state.hpp"
 
-#include <Eigen/LU>
 #include <complex>
 #include <functional>
 #include <set>
 
+#include "hal/types/linear_algebra.hpp"
 #include "hal/types/units.hpp"
 #include "sim/common_motion.hpp"
 #include "sim/order_lines.hpp"
@@ -119,7 +119,7 @@ struct Rhythm {
   }
 
   Eigen::VectorXcd answer(int times, const Eigen::VectorXcd& push) const {
-    return motion.impedance(units::two_pi * times * rhythm_Hz).partialPivLu().solve(push);
+    return algebra::ComplexLu(motion.impedance(units::two_pi * times * rhythm_Hz)).solve(push);
   }
 
   Eigen::VectorXcd shown(int times, const Eigen::VectorXcd& way) const {

@@ -1,12 +1,11 @@
 #include "analysis/evidence/growth_law.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "analysis/statistics.hpp"
+#include "hal/types/linear_algebra.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -85,9 +84,8 @@ GrowthLaw growth_law(const std::vector<const Examination*>& points, std::size_t 
       a(i, static_cast<Eigen::Index>(k) + 1) = row.*terms[k].what;
     }
   }
-  if (Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(a).rank() < unknowns) return law;
-  const Eigen::MatrixXd inverse =
-      (a.transpose() * a).ldlt().solve(Eigen::MatrixXd::Identity(unknowns, unknowns));
+  if (algebra::rank(a) < unknowns) return law;
+  const Eigen::MatrixXd inverse = algebra::SymmetricFactors(a.transpose() * a).inverse();
   const Eigen::VectorXd x = inverse * (a.transpose() * y);
   const auto freedom = static_cast<double>(n - unknowns);
   const double variance = (y - a * x).squaredNorm() / freedom;

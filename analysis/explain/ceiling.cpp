@@ -1,7 +1,8 @@
 #include "analysis/explain/ceiling.hpp"
 
-#include <Eigen/Cholesky>
 #include <cmath>
+
+#include "hal/types/linear_algebra.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -70,7 +71,7 @@ Ceiling flexible_ceiling(const Tryout& on, const Standing& standing) {
       power += r.squaredNorm();
     }
     squares.diagonal().array() += ridge * count;
-    const Eigen::VectorXd weights = squares.ldlt().solve(products);
+    const Eigen::VectorXd weights = algebra::SymmetricFactors(squares).solve(products);
     const double left = power - 2 * weights.dot(products) + weights.dot(squares * weights);
     const double scatter = std::max(left, 1e-12 * power) / count;
     for (std::size_t u = 0; u < fold.held_out.size(); ++u) {

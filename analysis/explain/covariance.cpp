@@ -1,10 +1,10 @@
 #include "analysis/explain/covariance.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "analysis/explain/wave.hpp"
+#include "hal/types/linear_algebra.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -17,8 +17,7 @@ Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& information) {
   Eigen::VectorXd scale = information.diagonal().cwiseSqrt();
   scale = (scale.array() > 0).select(scale.cwiseInverse(), 1.0);
   const Eigen::MatrixXd even = scale.asDiagonal() * information * scale.asDiagonal();
-  return scale.asDiagonal() * even.completeOrthogonalDecomposition().pseudoInverse() *
-         scale.asDiagonal();
+  return scale.asDiagonal() * algebra::MinimumNorm(even).pseudo_inverse() * scale.asDiagonal();
 }
 
 // Slopes of a fit with respect to as_waves(values): a wave whose phase leaves no trace has none in

@@ -1,6 +1,5 @@
 #include "analysis/explain/held_out.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -11,6 +10,7 @@
 #include <stdexcept>
 
 #include "analysis/explain/fit_problem.hpp"
+#include "hal/types/linear_algebra.hpp"
 #include "hal/types/parallel_for.hpp"
 
 namespace rvbench::analysis {
@@ -44,15 +44,15 @@ class Open {
     slopes_ = slopes * even.asDiagonal();
     learned_ = even.asDiagonal() * learned * even.asDiagonal();
     learned_.diagonal().array() += not_told;
-    log_volume_ = log_volume(Eigen::LDLT<Eigen::MatrixXd>(learned_));
+    log_volume_ = algebra::SymmetricFactors(learned_).log_determinant();
   }
 
   // By how much the numbers add to the sum of squares of a unit's residuals that scatter by one.
   double expected_more(const ObservedUnit& unit, double counts_as) const {
     if (learned_.size() == 0) return 0;
     const auto j = slopes_.middleRows(unit.first, unit.size);
-    const Eigen::LDLT<Eigen::MatrixXd> learned(learned_);
-    return (j * learned.solve(j.transpose())).trace() / counts_as;
+    const algebra::SymmetricFactors learned(learned_);
+    return (j * learned.solve(Eigen::MatrixXd(j.transpose()))).trace() / counts_as;
   }
 
   // What the log density of a unit's residuals gains by it over one with all numbers known.
@@ -60,18 +60,14 @@ class Open {
               double counts_as) const {
     if (learned_.size() == 0) return 0;
     const auto j = slopes_.middleRows(unit.first, unit.size);
-    const Eigen::LDLT<Eigen::MatrixXd> with(learned_ + j.transpose() * j);
+    const algebra::SymmetricFactors with(learned_ + j.transpose() * j);
     const Eigen::VectorXd gradient = j.transpose() * residuals.segment(unit.first, unit.size);
     return 0.5 * (counts_as / mean_square * gradient.dot(with.solve(gradient)) -
-                  (log_volume(with) - log_volume_));
+                  (with.log_determinant() - log_volume_));
   }
 
  private:
   static constexpr double not_told = 1e-10;  // of what all units tell of a number
-
-  static double log_volume(const Eigen::LDLT<Eigen::MatrixXd>& of) {
-    return of.vectorD().array().log().sum();
-  }
 
   Eigen::MatrixXd slopes_, learned_;
   double log_volume_ = 0;

@@ -1,12 +1,12 @@
 #include "analysis/explain/predictive_error.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
 
 #include "analysis/statistics.hpp"
+#include "hal/types/linear_algebra.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -47,7 +47,7 @@ std::map<std::string, Condition> conditions_of(const ForwardModel& model,
 }
 
 Eigen::MatrixXd inverse(const Eigen::MatrixXd& m) {
-  return m.size() > 0 ? Eigen::MatrixXd(m.completeOrthogonalDecomposition().pseudoInverse()) : m;
+  return m.size() > 0 ? algebra::MinimumNorm(m).pseudo_inverse() : m;
 }
 
 }  // namespace

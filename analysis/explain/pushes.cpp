@@ -1,6 +1,5 @@
 #include "analysis/explain/pushes.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -8,6 +7,7 @@
 #include <utility>
 
 #include "analysis/statistics.hpp"
+#include "hal/types/linear_algebra.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -97,7 +97,7 @@ Wanted wanted_of(const Group& group, std::size_t site, const Eigen::MatrixXd& la
 // Goes back and forth: phases of the force found so far to the measured amplitudes, the force that
 // comes nearest to these. No step makes the misfit larger, so only where it begins counts.
 Eigen::VectorXcd settled_from(Eigen::VectorXcd force, const Wanted& wanted,
-                              const Eigen::ColPivHouseholderQR<Eigen::MatrixXcd>& nearest) {
+                              const algebra::ComplexLeastSquares& nearest) {
   for (int round = 0; round < most_rounds; ++round) {
     const Eigen::VectorXcd line = wanted.predicted + wanted.adds * force;
     const Eigen::VectorXcd way =
@@ -120,8 +120,7 @@ struct LineFit {
 LineFit fit(const Group& group, std::size_t site) {
   const Eigen::MatrixXd laws = laws_of(group);
   const Wanted wanted = wanted_of(group, site, laws);
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXcd> nearest(wanted.weight.asDiagonal() *
-                                                             wanted.adds);
+  const algebra::ComplexLeastSquares nearest(wanted.weight.asDiagonal() * wanted.adds);
   const double answer = wanted.weight.cwiseProduct(wanted.adds.col(0)).norm();
   LineFit best{squares_before(group), 0};
   if (answer == 0) return best;

@@ -1,11 +1,11 @@
 #include "analysis/explain/screen.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "analysis/explain/fit_problem.hpp"
 #include "analysis/statistics.hpp"
+#include "hal/types/linear_algebra.hpp"
 #include "hal/types/parallel_for.hpp"
 
 namespace rvbench::analysis {
@@ -25,8 +25,7 @@ class Projector {
       const double norm = scaled.col(i).norm();
       if (norm > 0) scaled.col(i) /= norm;
     }
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(scaled);
-    basis_ = qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
+    basis_ = algebra::basis_of_columns(scaled);
   }
 
   Eigen::VectorXd remainder(const Eigen::VectorXd& x) const {
@@ -291,7 +290,7 @@ double pair_p_value(const Screened& a, const Screened& b) {
   const Eigen::Vector2d mean = scores.colwise().mean();
   const Eigen::MatrixX2d away = scores.rowwise() - mean.transpose();
   const Eigen::Matrix2d covariance = away.transpose() * away / (n - 1);
-  const double t2 = n * mean.dot(covariance.completeOrthogonalDecomposition().solve(mean));
+  const double t2 = n * mean.dot(algebra::MinimumNorm(covariance).solve(mean));
   // T² (n − 2) / (2 (n − 1)) is F(2, n − 2), whose tail has a closed form.
   return std::pow(1 + t2 / (n - 1), -(n - 2) / 2);
 }

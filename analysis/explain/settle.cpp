@@ -1,6 +1,5 @@
 #include "analysis/explain/settle.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +7,7 @@
 #include <utility>
 
 #include "analysis/explain/wave.hpp"
+#include "hal/types/linear_algebra.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -45,10 +45,9 @@ Eigen::VectorXd step_within_bounds(const std::vector<ModelParameter>& parameters
   const Eigen::MatrixXd scaled = scale.asDiagonal() * information * scale.asDiagonal();
   while (!open.empty()) {
     const Eigen::VectorXd pull = -(gradient + information * step).cwiseProduct(scale);
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-    solver.setThreshold(no_slope);
-    solver.compute(scaled(open, open));
-    const Eigen::VectorXd more = solver.solve(pull(open)).cwiseProduct(scale(open));
+    const Eigen::VectorXd more = algebra::MinimumNorm(scaled(open, open), no_slope)
+                                     .solve(pull(open))
+                                     .cwiseProduct(scale(open));
     std::vector<Eigen::Index> within;
     for (std::size_t k = 0; k < open.size(); ++k) {
       const auto i = static_cast<std::size_t>(open[k]);

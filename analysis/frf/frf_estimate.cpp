@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "hal/types/linear_algebra.hpp"
 #include "hal/types/parallel_for.hpp"
 #include "hal/types/require.hpp"
 
@@ -28,8 +27,7 @@ double smallest_eigenvalue(const Eigen::MatrixXcd& gxx) {
   const Eigen::VectorXd scale = gxx.diagonal().real().cwiseSqrt().cwiseInverse();
   if (!scale.allFinite()) return 0;
   const Eigen::MatrixXcd scaled = scale.asDiagonal() * gxx * scale.asDiagonal();
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd>(scaled, Eigen::EigenvaluesOnly)
-      .eigenvalues()[0];
+  return algebra::hermitian_eigenvalues(scaled)[0];
 }
 
 Eigen::RowVectorXcd total_least_squares(const Eigen::MatrixXcd& gxx, const Eigen::RowVectorXcd& gyx,
@@ -40,8 +38,7 @@ Eigen::RowVectorXcd total_least_squares(const Eigen::MatrixXcd& gxx, const Eigen
   const Eigen::VectorXd scale = all.diagonal().real().cwiseSqrt();
   const Eigen::VectorXd inverse = scale.cwiseInverse();
   all = inverse.asDiagonal() * all * inverse.asDiagonal();
-  const Eigen::VectorXcd null =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd>(all).eigenvectors().col(0);
+  const Eigen::VectorXcd null = algebra::hermitian_eigenvectors(all).col(0);
   return (-null.head(e).conjugate() / std::conj(null[e]) * scale[e])
       .cwiseProduct(inverse.head(e))
       .transpose();
@@ -54,7 +51,7 @@ LineEstimate estimate_line(const Eigen::MatrixXcd& gxx, const Eigen::MatrixXcd& 
                     Eigen::VectorXd::Constant(r, not_known),
                     Eigen::MatrixXd::Constant(r, e, not_known), smallest_eigenvalue(gxx)};
   if (!(line.independence > least_independence)) return line;
-  const Eigen::MatrixXcd inverse = gxx.llt().solve(Eigen::MatrixXcd::Identity(e, e));
+  const Eigen::MatrixXcd inverse = algebra::inverse_of_positive(gxx);
   const Eigen::MatrixXcd h1 = gyx * inverse;
   for (Eigen::Index i = 0; i < r; ++i) {
     const double explained = (h1.row(i) * gyx.row(i).adjoint())(0).real();

@@ -1,9 +1,9 @@
 #include "analysis/frf/mode_indicator.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <limits>
 
+#include "hal/types/linear_algebra.hpp"
 #include "hal/types/parallel_for.hpp"
 #include "hal/types/require.hpp"
 
@@ -62,7 +62,7 @@ Eigen::MatrixXd mode_indicator(const std::vector<FrequencyResponse>& responses) 
     } else if (indicator.cols() == 1) {
       indicator(k, 0) = matrix.norm();
     } else {
-      indicator.row(k) = Eigen::JacobiSVD<Eigen::MatrixXcd>(matrix).singularValues().transpose();
+      indicator.row(k) = algebra::singular_values(matrix).transpose();
     }
   });
   return indicator;

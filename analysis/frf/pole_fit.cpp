@@ -1,12 +1,10 @@
 #include "analysis/frf/pole_fit.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <cmath>
 #include <complex>
 #include <vector>
 
+#include "hal/types/linear_algebra.hpp"
 #include "hal/types/require.hpp"
 #include "hal/types/units.hpp"
 
@@ -26,7 +24,7 @@ Eigen::VectorXcd roots(const Eigen::VectorXcd& a) {
   Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(m, m);
   if (m > 1) companion.diagonal(-1).setOnes();
   companion.col(m - 1) = -a;
-  return Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(companion, false).eigenvalues();
+  return algebra::eigenvalues(companion);
 }
 
 // The band over x in [-1, 1]; the denominator is Π (x - root).
@@ -68,7 +66,7 @@ class BandFit {
     Eigen::VectorXcd slope(poles_);
     for (Eigen::Index j = 0; j < poles_; ++j) slope[j] = std::pow(roots_[i], int(j));
     const Complex variance =
-        (slope.transpose() * normal_.fullPivLu().inverse() * slope.conjugate())(0);
+        (slope.transpose() * algebra::inverse_by_full_pivots(normal_) * slope.conjugate())(0);
     return std::sqrt(0.5 * noise * std::abs(variance)) / std::abs(apart(i));
   }
 
@@ -83,9 +81,7 @@ class BandFit {
  private:
   // One step of the denominator's coefficients, with the numerators' span taken out.
   void step_poles(bool halved) {
-    const Eigen::MatrixXcd span = weight_.asDiagonal() * powers_;
-    const Eigen::MatrixXcd q = Eigen::HouseholderQR<Eigen::MatrixXcd>(span).householderQ() *
-                               Eigen::MatrixXcd::Identity(span.rows(), span.cols());
+    const Eigen::MatrixXcd q = algebra::orthonormal_columns(weight_.asDiagonal() * powers_);
     const auto columns = [&](const Eigen::MatrixXcd& of, Eigen::Index power) {
       Eigen::MatrixXcd c = (weight_.cwiseProduct(powers_.col(power).real())).asDiagonal() * of;
       c -= q * (q.adjoint() * c).eval();
@@ -104,7 +100,8 @@ class BandFit {
           normal_(i, j) = z.conjugate().cwiseProduct(instruments[std::size_t(j)]).sum();
       }
     }
-    const Eigen::VectorXcd next = cross.leftCols(poles_).fullPivLu().solve(-cross.col(poles_));
+    const Eigen::VectorXcd next =
+        algebra::solve_by_full_pivots(cross.leftCols(poles_), -cross.col(poles_));
     coefficients_ = halved ? Eigen::VectorXcd(0.5 * (coefficients_ + next)) : next;
     if (coefficients_.allFinite()) {
       roots_ = roots(coefficients_);
@@ -120,7 +117,7 @@ class BandFit {
 
   void fit_numerators() {
     const Eigen::MatrixXcd basis = denominator_.cwiseInverse().asDiagonal() * powers_;
-    numerators_ = basis.householderQr().solve(values_);
+    numerators_ = algebra::least_squares(basis, values_);
     model_ = basis * numerators_;
   }
 

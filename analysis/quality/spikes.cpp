@@ -1,11 +1,11 @@
 #include "analysis/quality/spikes.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "analysis/smallest_step.hpp"
+#include "hal/types/linear_algebra.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -35,7 +35,8 @@ Eigen::MatrixXd beside_cubic() {
   Eigen::MatrixXd powers(at.size(), 4);
   for (Eigen::Index p = 0; p < 4; ++p) powers.col(p) = (at / margin).array().pow(double(p));
   const Eigen::MatrixXd around = powers.topRows(2 * nearby);
-  const Eigen::MatrixXd fit = (around.transpose() * around).ldlt().solve(around.transpose());
+  const Eigen::MatrixXd fit = algebra::SymmetricFactors(around.transpose() * around)
+                                  .solve(Eigen::MatrixXd(around.transpose()));
   Eigen::MatrixXd left = Eigen::MatrixXd::Identity(at.size(), at.size());
   left.leftCols(2 * nearby) -= powers * fit;
   return left;

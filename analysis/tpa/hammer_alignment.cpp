@@ -1,12 +1,12 @@
 #include "analysis/tpa/hammer_alignment.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <utility>
 #include <vector>
+
+#include "hal/types/linear_algebra.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -82,7 +82,7 @@ class Reciprocity {
   // Of what is left when this mixing has been taken out.
   Told ask(const Eigen::MatrixXd& known, Lines lines) const {
     const Eigen::MatrixXcd inverse =
-        (Eigen::MatrixXd::Identity(count_, count_) + known).inverse().cast<Complex>();
+        algebra::inverse(Eigen::MatrixXd::Identity(count_, count_) + known).cast<Complex>();
     const Index unknowns = Index(unknowns_.size());
     Eigen::MatrixXd square = Eigen::MatrixXd::Zero(unknowns, unknowns);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns);
@@ -137,7 +137,7 @@ class Reciprocity {
     const double largest = square.diagonal().maxCoeff();
     square += largest * strength * strength.transpose();
     square.diagonal().array() += 1e-9 * largest;
-    const Eigen::VectorXd found = square.ldlt().solve(right);
+    const Eigen::VectorXd found = algebra::SymmetricFactors(square).solve(right);
     Eigen::MatrixXd mixing = Eigen::MatrixXd::Zero(count_, count_);
     for (std::size_t i = 0; i < unknowns_.size(); ++i) {
       mixing(unknowns_[i].part, unknowns_[i].of) = found[Index(i)];
@@ -203,7 +203,7 @@ void mix_errors(const Eigen::MatrixXd& squares, Index rows, Eigen::MatrixXd& err
 
 FrfMatrix without(FrfMatrix frfs, const Eigen::MatrixXd& mixing) {
   const Index n = mixing.rows();
-  const Eigen::MatrixXd inverse = (Eigen::MatrixXd::Identity(n, n) + mixing).inverse();
+  const Eigen::MatrixXd inverse = algebra::inverse(Eigen::MatrixXd::Identity(n, n) + mixing);
   for (Index line = 0; line < frfs.values.lines; ++line) {
     frfs.values[line] = Eigen::MatrixXcd(frfs.values[line]) * inverse.cast<Complex>();
   }

@@ -1,6 +1,5 @@
 #include "analysis/tpa/parametric_mounts.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -8,6 +7,7 @@
 #include <utility>
 
 #include "analysis/frf/signed_axis.hpp"
+#include "hal/types/linear_algebra.hpp"
 #include "hal/types/require.hpp"
 #include "hal/types/units.hpp"
 
@@ -88,8 +88,7 @@ Solution solve(const NormalEquations& sums) {
   const Eigen::VectorXd sizes = sums.square.diagonal().cwiseSqrt();
   const Eigen::VectorXd scales = (sizes.array() > 0).select(sizes.cwiseInverse(), 0.0);
   const Eigen::MatrixXd scaled = scales.asDiagonal() * sums.square * scales.asDiagonal();
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposed(scaled);
-  const Eigen::MatrixXd inverse = decomposed.pseudoInverse();
+  const Eigen::MatrixXd inverse = algebra::MinimumNorm(scaled).pseudo_inverse();
   const Eigen::VectorXd x = scales.cwiseProduct(inverse * scales.cwiseProduct(sums.right));
   const double left_over =
       std::max(0.0, sums.power - 2 * x.dot(sums.right) + x.dot(sums.square * x));

@@ -1,7 +1,5 @@
 #include "analysis/tpa/smoothed_frfs.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "analysis/statistics.hpp"
+#include "hal/types/linear_algebra.hpp"
 #include "hal/types/parallel_for.hpp"
 #include "hal/types/require.hpp"
 
@@ -79,8 +78,7 @@ struct LineFit {
 };
 
 WindowMatrix projector(const Eigen::MatrixXcd& columns) {
-  const Eigen::HouseholderQR<Eigen::MatrixXcd> qr(columns);
-  const Eigen::MatrixXcd q = qr.householderQ() * Eigen::MatrixXcd::Identity(window, columns.cols());
+  const Eigen::MatrixXcd q = algebra::orthonormal_columns(columns);
   return q * q.adjoint();
 }
 
@@ -99,7 +97,8 @@ Eigen::VectorXcd inverse_denominator(const WindowMatrix& gram, const Eigen::Matr
     Eigen::MatrixXcd square = normal.bottomRightCorner(denominator, denominator);
     // One line's noise: a flat response has no poles, and D must not be drawn by chance.
     square.diagonal().array() += elements;
-    const Eigen::VectorXcd d = square.partialPivLu().solve(-normal.col(0).tail(denominator));
+    const Eigen::VectorXcd d =
+        algebra::ComplexLu(square).solve(Eigen::VectorXcd(-normal.col(0).tail(denominator)));
     const Eigen::VectorXcd values =
         Eigen::VectorXcd::Ones(window) + powers.middleCols(1, denominator) * d;
     for (Index k = 0; k < window; ++k) {

@@ -1,7 +1,6 @@
 #include "sim/robot/modes.hpp"
 
-#include <Eigen/Eigenvalues>
-
+#include "hal/types/linear_algebra.hpp"
 #include "hal/types/require.hpp"
 #include "hal/types/units.hpp"
 
@@ -10,13 +9,13 @@ namespace rvbench::sim {
 Modes modes_of(const Structure& structure) {
   constexpr Require require{"modes_of"};
   require_sound(structure);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-      stiffness_matrix(structure), mass_matrix(structure));
-  const Eigen::VectorXd& squares = solver.eigenvalues();
-  require(solver.info() == Eigen::Success && squares[0] > 1e-11 * squares[squares.size() - 1],
+  const auto pairs =
+      algebra::generalised_pairs(stiffness_matrix(structure), mass_matrix(structure));
+  require(pairs && pairs->values[0] > 1e-11 * pairs->values[pairs->values.size() - 1],
           "the structure is not held: it moves without any spring giving");
+  const Eigen::VectorXd& squares = pairs->values;
   Modes modes{squares.cwiseSqrt() / units::two_pi, Eigen::VectorXd::Zero(squares.size()),
-              solver.eigenvectors()};
+              pairs->vectors};
   for (const FlexibleJoint& joint : structure.joints) {
     const Eigen::VectorXd lost = joint.stiffness.cwiseProduct(joint.loss_factor);
     const Eigen::MatrixXd give = give_of(structure, joint) * modes.shapes;
