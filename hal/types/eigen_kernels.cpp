@@ -1,0 +1,2 @@
+#define RVBENCH_KERNEL template
+#include "hal/types/eigen_kernels.hpp"
