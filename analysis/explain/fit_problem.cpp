@@ -5,6 +5,7 @@
 
 #include "analysis/explain/wave.hpp"
 #include "hal/types/parallel_for.hpp"
+#include "hal/types/products.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -94,7 +95,7 @@ Eigen::MatrixXd information_of(const FitProblem& on, const Eigen::MatrixXd& slop
   for (std::size_t u = 0; u < on.trained.size(); ++u) {
     if (!on.trained[u]) continue;
     const auto j = slopes.middleRows(on.model.units()[u].first, on.model.units()[u].size);
-    information.noalias() += j.transpose() * j;
+    information += gram(j);
   }
   const Prior prior(on);
   for (std::size_t p = 0; p < prior.of.size(); ++p) {

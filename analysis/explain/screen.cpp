@@ -7,6 +7,7 @@
 #include "analysis/statistics.hpp"
 #include "hal/types/linear_algebra.hpp"
 #include "hal/types/parallel_for.hpp"
+#include "hal/types/products.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -285,11 +286,11 @@ bool pair_is_admissible(const ForwardModel& model, const Screened& a, const Scre
 double pair_p_value(const Screened& a, const Screened& b) {
   const auto n = static_cast<double>(a.scores.size());
   if (n < 4) return 1;
-  Eigen::MatrixX2d scores(a.scores.size(), 2);
+  Eigen::MatrixXd scores(a.scores.size(), 2);
   scores << a.scores, b.scores;
-  const Eigen::Vector2d mean = scores.colwise().mean();
-  const Eigen::MatrixX2d away = scores.rowwise() - mean.transpose();
-  const Eigen::Matrix2d covariance = away.transpose() * away / (n - 1);
+  const Eigen::VectorXd mean = scores.colwise().mean();
+  const Eigen::MatrixXd away = scores.rowwise() - mean.transpose();
+  const Eigen::MatrixXd covariance = gram(away) / (n - 1);
   const double t2 = n * mean.dot(algebra::MinimumNorm(covariance).solve(mean));
   // T² (n − 2) / (2 (n − 1)) is F(2, n − 2), whose tail has a closed form.
   return std::pow(1 + t2 / (n - 1), -(n - 2) / 2);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hal/types/linear_algebra.hpp"
+#include "hal/types/products.hpp"
 #include "hal/types/require.hpp"
 #include "hal/types/units.hpp"
 
@@ -118,7 +119,7 @@ class BandFit {
   void fit_numerators() {
     const Eigen::MatrixXcd basis = denominator_.cwiseInverse().asDiagonal() * powers_;
     numerators_ = algebra::least_squares(basis, values_);
-    model_ = basis * numerators_;
+    model_ = product(basis, numerators_);
   }
 
   Eigen::RowVectorXcd numerators_at(Complex x) const {

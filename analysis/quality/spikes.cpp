@@ -6,6 +6,7 @@
 
 #include "analysis/smallest_step.hpp"
 #include "hal/types/linear_algebra.hpp"
+#include "hal/types/products.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -35,10 +36,10 @@ Eigen::MatrixXd beside_cubic() {
   Eigen::MatrixXd powers(at.size(), 4);
   for (Eigen::Index p = 0; p < 4; ++p) powers.col(p) = (at / margin).array().pow(double(p));
   const Eigen::MatrixXd around = powers.topRows(2 * nearby);
-  const Eigen::MatrixXd fit = algebra::SymmetricFactors(around.transpose() * around)
-                                  .solve(Eigen::MatrixXd(around.transpose()));
+  const Eigen::MatrixXd fit =
+      algebra::SymmetricFactors(gram(around)).solve(Eigen::MatrixXd(around.transpose()));
   Eigen::MatrixXd left = Eigen::MatrixXd::Identity(at.size(), at.size());
-  left.leftCols(2 * nearby) -= powers * fit;
+  left.leftCols(2 * nearby) -= product(powers, fit);
   return left;
 }
 

@@ -3,9 +3,9 @@
 #include <Eigen/Core>
 #include <complex>
 
-// Eigen's kernels of matrix products, compiled once: eigen_kernels.cpp defines RVBENCH_KERNEL as
-// `template` and instantiates them. Any file may multiply matrices without this header, which is
-// precompiled: it only takes the compiler longer.
+// Eigen's kernels of matrix products, compiled once. The precompiled header declares them here;
+// eigen_kernels.cpp defines RVBENCH_KERNEL as `template` and instantiates them. A file without this
+// header compiles its own copies, which the linker merges.
 //
 // Source  Eigen 3.4, src/Core/products/{GeneralMatrixMatrix,GeneralMatrixVector}.h
 #ifndef RVBENCH_KERNEL

@@ -4,9 +4,9 @@
 #include <memory>
 #include <optional>
 
-/// Eigen's decompositions of matrices of any size. Each is compiled once, in the .cpp files beside
-/// this header: it takes the compiler seconds in every file that names it. A matrix of a small
-/// fixed size compiles soon, so it needs nothing of this.
+/// Eigen's decompositions of matrices of any size, compiled once in the algebra_*.cpp files beside
+/// this header. A decomposition takes seconds to compile in every file that names its type; one of
+/// a small fixed size does not.
 ///
 /// Source  Golub & Van Loan, Matrix Computations (4th ed., 2013)
 namespace rvbench::algebra {
