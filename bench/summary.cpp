@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <ranges>
+#include <vector>
 
 #include "analysis/spectral_lines.hpp"
 #include "bench/findings_stand.hpp"
@@ -217,24 +218,34 @@ void print_place_of_report(Console& console, const std::filesystem::path& folder
   }
 }
 
-// Measured share of each limit, largest first, and the line that shows it.
-std::multimap<double, std::string, std::greater<>> shares_of_limits(const Judgement& judgement) {
-  std::multimap<double, std::string, std::greater<>> shares;
-  const analysis::Diagnosis& diagnosis = judgement.diagnosis;
-  for (const auto* findings : {&diagnosis.findings, &diagnosis.below_limit}) {
-    for (const analysis::Finding& finding : *findings) {
-      shares.emplace(finding.severity / finding.limit,
-                     fmt::format("{}: {}, depth {} (max {:.3f})", finding.component,
-                                 finding.mechanism, report::severity_text(finding), finding.limit));
-    }
+struct ShareOfLimit {
+  double share = 0;  // of the limit, measured
+  std::string text;
+};
+
+ShareOfLimit share_of(const analysis::Finding& finding) {
+  return {finding.severity / finding.limit,
+          fmt::format("{}: {}, depth {} (max {:.3f})", finding.component, finding.mechanism,
+                      report::severity_text(finding), finding.limit)};
+}
+
+// What is above its limit in the order of the diagnosis, then the rest, nearest first.
+std::vector<ShareOfLimit> shares_of_limits(const Judgement& judgement) {
+  std::vector<ShareOfLimit> shares;
+  for (const auto& finding : judgement.diagnosis.findings) shares.push_back(share_of(finding));
+  const auto found = static_cast<std::ptrdiff_t>(shares.size());
+  for (const auto& finding : judgement.diagnosis.below_limit) {
+    if (std::isfinite(finding.severity)) shares.push_back(share_of(finding));
   }
   for (const LimitCheck& check : judgement.limits) {
     if (std::isnan(check.measured)) continue;
     const double bound = bound_of(check);
-    shares.emplace(std::isfinite(check.min) ? bound / check.measured : check.measured / bound,
-                   fmt::format("{}: {} ({})", name_of(check), with_unit(check.measured, check.unit),
-                               bound_text(check)));
+    shares.push_back(
+        {std::isfinite(check.min) ? bound / check.measured : check.measured / bound,
+         fmt::format("{}: {} ({})", name_of(check), with_unit(check.measured, check.unit),
+                     bound_text(check))});
   }
+  std::ranges::sort(shares.begin() + found, shares.end(), std::greater{}, &ShareOfLimit::share);
   return shares;
 }
 
@@ -244,7 +255,7 @@ void print_brief(Console& console, const Judgement& judgement,
                  const std::filesystem::path& folder) {
   constexpr std::size_t most_limits = 3;
   print_verdict(console, judgement);
-  const auto shares = shares_of_limits(judgement);
+  const std::vector<ShareOfLimit> shares = shares_of_limits(judgement);
   if (!shares.empty() && findings_stand(judgement)) {
     console.out << "Nearest limits, and what was measured of each:\n";
     for (const auto& [share, text] : shares | std::views::take(most_limits)) {
