@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <ranges>
 #include <vector>
 
 #include "analysis/spectral_lines.hpp"
@@ -258,8 +257,8 @@ void print_brief(Console& console, const Judgement& judgement,
   const std::vector<ShareOfLimit> shares = shares_of_limits(judgement);
   if (!shares.empty() && findings_stand(judgement)) {
     console.out << "Nearest limits, and what was measured of each:\n";
-    for (const auto& [share, text] : shares | std::views::take(most_limits)) {
-      console.out << fmt::format("  {:4.0f} %  {}\n", 100 * share, text);
+    for (std::size_t i = 0; i < std::min(most_limits, shares.size()); ++i) {
+      console.out << fmt::format("  {:4.0f} %  {}\n", 100 * shares[i].share, shares[i].text);
     }
   }
   print_place_of_report(console, folder);
