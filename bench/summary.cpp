@@ -228,7 +228,7 @@ ShareOfLimit share_of(const analysis::Finding& finding) {
                       report::severity_text(finding), finding.limit)};
 }
 
-// What is above its limit in the order of the diagnosis, then the rest, nearest first.
+// Findings above their limit in the order of the diagnosis, then the rest, nearest first.
 std::vector<ShareOfLimit> shares_of_limits(const Judgement& judgement) {
   std::vector<ShareOfLimit> shares;
   for (const auto& finding : judgement.diagnosis.findings) shares.push_back(share_of(finding));
