@@ -1,2 +1,0 @@
-#define RVBENCH_KERNEL template
-#include "hal/types/eigen_kernels.hpp"
