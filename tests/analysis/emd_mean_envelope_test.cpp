@@ -1,7 +1,7 @@
-#include <Eigen/Dense>
 #include <catch2/catch.hpp>
 
 #include "analysis/emd/mean_envelope.hpp"
+#include "hal/types/linear_algebra.hpp"
 #include "tests/support/signals.hpp"
 
 using namespace rvbench;
@@ -32,7 +32,7 @@ Eigen::VectorXd natural_spline(const Eigen::VectorXd& at, const Eigen::VectorXd&
   }
   a(row++, 2) = 1;
   a.row(row).tail(2) << 1, 3 * (at[segments] - at[segments - 1]);
-  const Eigen::VectorXd coefficients = a.colPivHouseholderQr().solve(b);
+  const Eigen::VectorXd coefficients = algebra::MinimumNorm(a).solve(b);
 
   Eigen::VectorXd out(samples);
   for (Eigen::Index i = 0, s = 0; i < samples; ++i) {

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "hal/types/linear_algebra.hpp"
 #include "tests/analysis/tpa/coupled_masses.hpp"
 
 using namespace rvbench;
@@ -35,7 +36,7 @@ struct Assembly {
       z.topLeftCorner(carrying, carrying) = carrier.dynamic_stiffness(omega);
       const auto own = coordinates();
       z(own, own) += source.dynamic_stiffness(omega);
-      const Eigen::MatrixXcd accelerance = -omega * omega * z.inverse();
+      const Eigen::MatrixXcd accelerance = -omega * omega * algebra::inverse_by_full_pivots(z);
       frfs.values[line] = accelerance.leftCols(interface);
       operating.values[line] = accelerance.rightCols(inside) * internal[line];
     }
@@ -56,7 +57,8 @@ struct Assembly {
     for (Index line = 0; line < internal.lines; ++line) {
       const Eigen::MatrixXcd z = source.dynamic_stiffness(test::omega_of(line));
       forces[line] = -z.topRightCorner(interface, inside) *
-                     z.bottomRightCorner(inside, inside).inverse() * internal[line];
+                     algebra::inverse_by_full_pivots(z.bottomRightCorner(inside, inside)) *
+                     internal[line];
     }
     return forces;
   }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/LU>
-
 #include "analysis/tpa/matrix_inverse.hpp"
 #include "hal/types/units.hpp"
 #include "tests/analysis/tpa/random_matrices.hpp"
@@ -14,18 +12,9 @@ struct SpringBody {
   Eigen::MatrixXd stiffness;
   Eigen::VectorXd masses;
 
-  SpringBody(Eigen::Index n, unsigned seed) {
-    const Eigen::MatrixXd links = complex_noise(n, 2 * n, seed).real();
-    stiffness = 2e4 * links * links.transpose();
-    stiffness.diagonal().array() += 1e4;
-    masses = 1 + complex_noise(n, 1, seed + 1).real().array().square();
-  }
+  SpringBody(Eigen::Index n, unsigned seed);
 
-  Eigen::MatrixXcd dynamic_stiffness(double omega) const {
-    Eigen::MatrixXcd z = stiffness * std::complex<double>(1, 0.05);
-    z.diagonal() -= omega * omega * masses.cast<std::complex<double>>();
-    return z;
-  }
+  Eigen::MatrixXcd dynamic_stiffness(double omega) const;
 };
 
 inline const analysis::LineGrid& coupled_grid() {

@@ -1,12 +1,12 @@
 #include "analysis/tpa/deconvolution_filters.hpp"
 
-#include <Eigen/LU>
 #include <catch2/catch.hpp>
 #include <complex>
 #include <vector>
 
 #include "analysis/tpa/linear_phase_filters.hpp"
 #include "analysis/tpa/mimo_convolver.hpp"
+#include "hal/types/linear_algebra.hpp"
 #include "hal/types/units.hpp"
 #include "tests/support/signals.hpp"
 
@@ -36,7 +36,7 @@ struct Structure {
     const double omega = units::two_pi * frequency_Hz;
     const Eigen::MatrixXcd dynamic = (stiffness_N_m - omega * omega * mass_kg).cast<Complex>() +
                                      Complex(0, omega) * damping_Ns_m.cast<Complex>();
-    return -omega * omega * dynamic.inverse();
+    return -omega * omega * algebra::inverse_by_full_pivots(dynamic);
   }
   LineMatrices accelerances() const {
     LineMatrices lines(mass_kg.rows(), mass_kg.rows(), length / 2);
@@ -63,7 +63,7 @@ Structure two_masses() {
 }
 
 LineMatrices inverted(LineMatrices lines) {
-  for (Index line = 0; line < lines.lines; ++line) lines[line] = lines[line].inverse().eval();
+  for (Index line = 0; line < lines.lines; ++line) lines[line] = algebra::inverse_by_full_pivots(lines[line]);
   return lines;
 }
 

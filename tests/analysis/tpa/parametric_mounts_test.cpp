@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "hal/types/linear_algebra.hpp"
 #include "tests/analysis/tpa/coupled_masses.hpp"
 
 using namespace rvbench;
@@ -39,7 +40,7 @@ struct MountedMasses {
     for (Index line = 0; line < grid.lines; ++line) {
       const double omega = test::omega_of(line);
       const Eigen::MatrixXcd alone = carrier.dynamic_stiffness(omega);
-      frfs.values[line] = -omega * omega * alone.inverse().leftCols(mounts);
+      frfs.values[line] = -omega * omega * algebra::inverse_by_full_pivots(alone).leftCols(mounts);
       Eigen::MatrixXcd z = Eigen::MatrixXcd::Zero(carrying + mounts, carrying + mounts);
       z.topLeftCorner(carrying, carrying) = alone;
       for (Index i = 0; i < mounts; ++i) {
@@ -53,7 +54,7 @@ struct MountedMasses {
       Eigen::MatrixXcd push = Eigen::MatrixXcd::Zero(carrying + mounts, blocks);
       push.bottomRows(mounts) =
           force * test::complex_noise(mounts, blocks, seed + 1000 + unsigned(line));
-      const Eigen::MatrixXcd x = z.partialPivLu().solve(push);
+      const Eigen::MatrixXcd x = algebra::ComplexLu(z).solve(push);
       operating.values[line] = -omega * omega * x;
       for (Index i = 0; i < mounts; ++i) {
         true_forces[line].row(i) = mount(i, line) * (x.row(carrying + i) - x.row(i));
