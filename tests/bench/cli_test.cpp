@@ -4,6 +4,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/bench/answers.hpp"
+
 namespace rvbench::bench {
 namespace {
 

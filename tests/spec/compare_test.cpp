@@ -69,20 +69,21 @@ TEST_CASE("a unit that is measured again has not changed", "[spec][compare]") {
 
 TEST_CASE("a reducer that was replaced shows the lines of its bad part", "[spec][compare]") {
   if (test::too_long_under_sanitizer()) return;
-  const auto [preset, component] =
-      GENERATE(table<std::string, std::string>({{"input_shaft", "input_shaft"},
-                                                {"planet_tooth", "planet_gear"},
-                                                {"cycloid_pin", "pin_housing"},
-                                                {"crank_bearing", "bearing_inner"}}));
-  CAPTURE(preset);
   const test::ScratchFolder scratch;
-  run_unit(scratch.path() / "a", preset, 11, plan_with("[100]", 3));
   run_unit(scratch.path() / "b", "healthy", 12, plan_with("[100]", 3));
-  const auto told = compared(scratch);
-  CHECK(told.at("verdict") == "changed");
-  REQUIRE_FALSE(told.at("families").empty());
-  CHECK(told.at("families").at(0).at("component") == component);
-  CHECK(told.at("families").at(0).at("median_dB") < -3);  // the new one is better
+  for (const auto& [preset, component] : {std::pair{"input_shaft", "input_shaft"},
+                                          {"planet_tooth", "planet_gear"},
+                                          {"cycloid_pin", "pin_housing"},
+                                          {"crank_bearing", "bearing_inner"}}) {
+    CAPTURE(preset);
+    std::filesystem::remove_all(scratch.path() / "a");
+    run_unit(scratch.path() / "a", preset, 11, plan_with("[100]", 3));
+    const auto told = compared(scratch);
+    CHECK(told.at("verdict") == "changed");
+    REQUIRE_FALSE(told.at("families").empty());
+    CHECK(told.at("families").at(0).at("component") == component);
+    CHECK(told.at("families").at(0).at("median_dB") < -3);  // the new one is better
+  }
 }
 
 TEST_CASE("a matrix that was measured in part is compared where it can be", "[spec][compare]") {
