@@ -9,8 +9,8 @@ namespace rvbench::bench {
 /// A JSON document as files and standard output have it: indented, with a line's end. Names
 /// out of foreign files need not be UTF-8: what is not is replaced, not thrown.
 ///
-/// Call these functions rather than json.parse() and json.dump(): the parser takes two seconds to
-/// compile in each file that calls it, the printer one.
+/// These functions replace json.parse() and json.dump(): the parser takes two seconds to compile in
+/// each file that calls it, the printer one. serve/json_fields parses with a callback of its own.
 std::string json_text(const nlohmann::ordered_json& json, int indent = 2);
 
 /// The same in one line, without its end.
@@ -30,11 +30,11 @@ nlohmann::ordered_json parse_ordered_json(const std::string& text);
 nlohmann::json json_or_discarded(const std::string& text);
 nlohmann::ordered_json ordered_json_or_discarded(const std::string& text);
 
-/// Of an empty text, or no number, null: there is none.
+/// Null if the text is empty or there is no number.
 nlohmann::ordered_json json_or_null(const std::string& text);
 nlohmann::ordered_json json_or_null(const std::optional<double>& number);
 
-/// Of NaN and infinity null.
+/// Null if the number is NaN or infinite.
 nlohmann::ordered_json finite_or_null(double number);
 
 }  // namespace rvbench::bench

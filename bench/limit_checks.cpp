@@ -83,6 +83,13 @@ bool is_beyond(const LimitCheck& check) {
 
 double bound_of(const LimitCheck& check) { return is_from_below(check) ? check.min : check.max; }
 
+double share_of_bound(const LimitCheck& check) {
+  if (!is_measured(check)) return HUGE_VAL;
+  const double bound = bound_of(check);
+  if (check.measured == bound) return 1;
+  return is_from_below(check) ? bound / check.measured : check.measured / bound;
+}
+
 const char* bound_name(const LimitCheck& check) { return is_from_below(check) ? "min" : "max"; }
 
 const char* beyond(const LimitCheck& check) { return is_from_below(check) ? "below" : "above"; }

@@ -7,6 +7,12 @@ trap 'rm -f "$minutes_scratch"' EXIT
 # Processor seconds that the machine has been busy, for anybody.
 busy_s() { awk '$1 == "cpu" { print ($2 + $3 + $4 + $7 + $8 + $9) / 100 }' /proc/stat; }
 
+# Adds a line with the sums of those above it; REMARK stands behind them.
+sum_of_minutes() {
+  minutes+=$(awk -v remark="${1:+; $1}" '{ cpu += $2; elapsed += $4 } END {
+    printf "%-9s %6.1f CPU-min %6.1f min elapsed%s", "in all", cpu, elapsed, remark }' <<<"${minutes%$'\n'}")$'\n'
+}
+
 since_s=$EPOCHREALTIME since_cpu_s=0 since_busy_s=$(busy_s)
 spent() {
   local now_s=$EPOCHREALTIME now_busy_s now_cpu_s

@@ -7,6 +7,7 @@
 
 #include "bench/fault_lines.hpp"
 #include "bench/file_kind.hpp"
+#include "bench/json_text.hpp"
 #include "bench/rig_file.hpp"
 #include "bench/sim_world.hpp"
 #include "hal/json_object.hpp"
@@ -139,7 +140,7 @@ RigRemarks remarks_on(const std::string& file) {
 }
 
 std::string rig_to_json(const RigFile& file) {
-  return std::visit([](const auto& kind) { return to_json(kind); }, file).dump(2) + "\n";
+  return json_text(std::visit([](const auto& kind) { return to_json(kind); }, file));
 }
 
 std::string rig_to_json(const std::string& rig, const RigOptions& options) {

@@ -218,12 +218,12 @@ void print_place_of_report(Console& console, const std::filesystem::path& folder
 }
 
 struct ShareOfLimit {
-  double share = 0;  // of the limit, measured
+  double share = 0;  // measured over limit; infinite above a limit of 0
   std::string text;
 };
 
 ShareOfLimit share_of(const analysis::Finding& finding) {
-  return {finding.severity / finding.limit,
+  return {finding.limit > 0 ? finding.severity / finding.limit : HUGE_VAL,
           fmt::format("{}: {}, depth {} (max {:.3f})", finding.component, finding.mechanism,
                       report::severity_text(finding), finding.limit)};
 }
@@ -238,11 +238,9 @@ std::vector<ShareOfLimit> shares_of_limits(const Judgement& judgement) {
   }
   for (const LimitCheck& check : judgement.limits) {
     if (std::isnan(check.measured)) continue;
-    const double bound = bound_of(check);
-    shares.push_back(
-        {std::isfinite(check.min) ? bound / check.measured : check.measured / bound,
-         fmt::format("{}: {} ({})", name_of(check), with_unit(check.measured, check.unit),
-                     bound_text(check))});
+    shares.push_back({share_of_bound(check), fmt::format("{}: {} ({})", name_of(check),
+                                                         with_unit(check.measured, check.unit),
+                                                         bound_text(check))});
   }
   std::ranges::sort(shares.begin() + found, shares.end(), std::greater{}, &ShareOfLimit::share);
   return shares;
@@ -258,7 +256,9 @@ void print_brief(Console& console, const Judgement& judgement,
   if (!shares.empty() && findings_stand(judgement)) {
     console.out << "Nearest limits, and what was measured of each:\n";
     for (std::size_t i = 0; i < std::min(most_limits, shares.size()); ++i) {
-      console.out << fmt::format("  {:4.0f} %  {}\n", 100 * shares[i].share, shares[i].text);
+      const double percent = 100 * shares[i].share;
+      console.out << (std::isfinite(percent) ? fmt::format("  {:4.0f} %  ", percent) : "     -    ")
+                  << shares[i].text << '\n';
     }
   }
   print_place_of_report(console, folder);

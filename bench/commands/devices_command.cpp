@@ -13,6 +13,7 @@
 #include "bench/commands/sim_choice.hpp"
 #include "bench/fault_lines.hpp"
 #include "bench/file_kind.hpp"
+#include "bench/json_text.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/rig_file.hpp"
 #include "bench/served_bench.hpp"
@@ -156,7 +157,7 @@ int DevicesCommand::serve(Console& console, const SimRig& rig) {
                     tell);
   console.out << bench.addresses() << std::flush;
   if (!written_rig_.empty()) {
-    write_file(written_rig_, to_json(bench.rig()).dump(2) + "\n");
+    write_file(written_rig_, json_text(to_json(bench.rig())));
     console.out << "  rvbench run quick --rig " << written_rig_ << " --serial A17\n";
   }
   console.out << std::flush;

@@ -9,6 +9,7 @@
 #include "bench/commands/shaft_question.hpp"
 #include "bench/drive_probe.hpp"
 #include "bench/fault_lines.hpp"
+#include "bench/json_text.hpp"
 #include "bench/plug_test.hpp"
 #include "bench/rig_factory.hpp"
 #include "bench/rig_file.hpp"
@@ -221,7 +222,7 @@ int ProbeCommand::probe(Console& console, const Probed& probed) {
                   << '\n';
     }
   }
-  if (json_) console.out << json.dump(2) << '\n';
+  if (json_) console.out << json_text(json);
   if (signals.token().stop_requested()) return exit_codes::aborted;
   return passed ? exit_codes::done : exit_code({Outcome::error, ErrorKind::device_lost, ""});
 }

@@ -88,13 +88,6 @@ std::string nothing_found(const Judgement& judgement) {
                                         : "Nothing could be judged, so nothing was found.";
 }
 
-// 1 at the limit, more beyond; what was not measured comes before all that was.
-double urgency(const LimitCheck& check) {
-  if (!is_measured(check)) return HUGE_VAL;
-  if (check.measured == bound_of(check)) return 1;
-  return std::isfinite(check.min) ? check.min / check.measured : check.measured / check.max;
-}
-
 std::vector<std::string> limit_row(const LimitCheck& check, const Judgement& judgement) {
   return {xml_escaped(name_of(check)),
           std::isnan(check.measured) ? "–" : xml_escaped(with_unit(check.measured, check.unit)),
@@ -201,7 +194,7 @@ Blocks findings_in_words(const Typesetter& typesetter, const Judgement& judgemen
 Blocks limits_in_short(const Typesetter& typesetter, const Judgement& judgement, std::size_t most) {
   std::vector<LimitCheck> checks = judgement.limits;
   if (checks.empty()) return {};
-  std::ranges::stable_sort(checks, std::greater{}, urgency);
+  std::ranges::stable_sort(checks, std::greater{}, share_of_bound);
   const std::size_t shown = std::min(most, checks.size());
   Blocks blocks = part_heading(typesetter, "Limits of the plan");
   if (shown > 0) {
