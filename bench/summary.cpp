@@ -238,9 +238,9 @@ std::vector<ShareOfLimit> shares_of_limits(const Judgement& judgement) {
   }
   for (const LimitCheck& check : judgement.limits) {
     if (std::isnan(check.measured)) continue;
-    shares.push_back({share_of_bound(check), fmt::format("{}: {} ({})", name_of(check),
-                                                         with_unit(check.measured, check.unit),
-                                                         bound_text(check))});
+    shares.push_back({share_of_bound(check),
+                      fmt::format("{}: {} ({})", name_of(check),
+                                  with_unit(check.measured, check.unit), bound_text(check))});
   }
   std::ranges::sort(shares.begin() + found, shares.end(), std::greater{}, &ShareOfLimit::share);
   return shares;

@@ -15,8 +15,8 @@ namespace rvbench::bench {
 void print_summary(Console& console, const Judgement& judgement,
                    const analysis::Kinematics& kinematics, const std::filesystem::path& folder);
 
-/// The same in at most ten lines: verdict, reason, the limits that are nearest to what was measured or
-/// exceeded by it, and the report's path.
+/// The same in at most ten lines: verdict, reason, the limits that are nearest to what was measured
+/// or exceeded by it, and the report's path.
 void print_brief(Console& console, const Judgement& judgement, const std::filesystem::path& folder);
 
 /// Result files that are missing, and why, on standard error.

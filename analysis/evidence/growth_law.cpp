@@ -6,7 +6,6 @@
 
 #include "analysis/statistics.hpp"
 #include "hal/types/linear_algebra.hpp"
-#include "hal/types/products.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -86,7 +85,7 @@ GrowthLaw growth_law(const std::vector<const Examination*>& points, std::size_t 
     }
   }
   if (algebra::rank(a) < unknowns) return law;
-  const Eigen::MatrixXd inverse = algebra::SymmetricFactors(gram(a)).inverse();
+  const Eigen::MatrixXd inverse = algebra::SymmetricFactors(algebra::gram(a)).inverse();
   const Eigen::VectorXd x = inverse * (a.transpose() * y);
   const auto freedom = static_cast<double>(n - unknowns);
   const double variance = (y - a * x).squaredNorm() / freedom;

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "hal/types/linear_algebra.hpp"
-#include "hal/types/products.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -66,7 +65,7 @@ Ceiling flexible_ceiling(const Tryout& on, const Standing& standing) {
       const ObservedUnit& unit = on.model.units()[u];
       const auto f = features.middleRows(unit.first, unit.size);
       const auto r = residuals.segment(unit.first, unit.size);
-      squares += gram(f);
+      squares += algebra::gram(f);
       products.noalias() += f.transpose() * r;
       count += static_cast<double>(unit.size);
       power += r.squaredNorm();

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "analysis/explain/wave.hpp"
+#include "hal/types/linear_algebra.hpp"
 #include "hal/types/parallel_for.hpp"
-#include "hal/types/products.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -95,7 +95,7 @@ Eigen::MatrixXd information_of(const FitProblem& on, const Eigen::MatrixXd& slop
   for (std::size_t u = 0; u < on.trained.size(); ++u) {
     if (!on.trained[u]) continue;
     const auto j = slopes.middleRows(on.model.units()[u].first, on.model.units()[u].size);
-    information += gram(j);
+    information += algebra::gram(j);
   }
   const Prior prior(on);
   for (std::size_t p = 0; p < prior.of.size(); ++p) {

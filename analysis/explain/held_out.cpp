@@ -12,7 +12,6 @@
 #include "analysis/explain/fit_problem.hpp"
 #include "hal/types/linear_algebra.hpp"
 #include "hal/types/parallel_for.hpp"
-#include "hal/types/products.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -61,7 +60,7 @@ class Open {
               double counts_as) const {
     if (learned_.size() == 0) return 0;
     const auto j = slopes_.middleRows(unit.first, unit.size);
-    const algebra::SymmetricFactors with(learned_ + gram(j));
+    const algebra::SymmetricFactors with(learned_ + algebra::gram(j));
     const Eigen::VectorXd gradient = j.transpose() * residuals.segment(unit.first, unit.size);
     return 0.5 * (counts_as / mean_square * gradient.dot(with.solve(gradient)) -
                   (with.log_determinant() - log_volume_));

@@ -7,7 +7,6 @@
 
 #include "analysis/statistics.hpp"
 #include "hal/types/linear_algebra.hpp"
-#include "hal/types/products.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -41,7 +40,7 @@ std::map<std::string, Condition> conditions_of(const ForwardModel& model,
     Condition& condition = conditions.try_emplace(unit.condition, none).first->second;
     const auto j = slopes.middleRows(unit.first, unit.size);
     condition.units.push_back(&unit);
-    condition.squares += gram(j);
+    condition.squares += algebra::gram(j);
     condition.gradient += j.transpose() * residuals.segment(unit.first, unit.size);
   }
   return conditions;
@@ -61,7 +60,7 @@ PredictiveError::PredictiveError(const ForwardModel& model, const Fit& fit) {
   const auto conditions = conditions_of(model, slopes, fit.residuals);
   const auto count = static_cast<double>(conditions.size());
   freedom_ = std::max(count - static_cast<double>(n), 1.0);
-  const Eigen::MatrixXd squares = gram(slopes);
+  const Eigen::MatrixXd squares = algebra::gram(slopes);
   covariance_ = Eigen::MatrixXd::Zero(n, n);
   Eigen::VectorXd left_out = fit.residuals;
   for (const auto& [name, condition] : conditions) {
@@ -72,7 +71,8 @@ PredictiveError::PredictiveError(const ForwardModel& model, const Fit& fit) {
           slopes.middleRows(unit->first, unit->size) * away;
     }
   }
-  const Eigen::ArrayXd known = product(slopes, covariance_).cwiseProduct(slopes).rowwise().sum();
+  const Eigen::ArrayXd known =
+      algebra::product(slopes, covariance_).cwiseProduct(slopes).rowwise().sum();
   const Line line = line_through(known, left_out.array().square());
   everywhere_ = line.a;
   grows_ = line.b;

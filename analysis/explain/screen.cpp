@@ -7,7 +7,6 @@
 #include "analysis/statistics.hpp"
 #include "hal/types/linear_algebra.hpp"
 #include "hal/types/parallel_for.hpp"
-#include "hal/types/products.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -290,7 +289,7 @@ double pair_p_value(const Screened& a, const Screened& b) {
   scores << a.scores, b.scores;
   const Eigen::VectorXd mean = scores.colwise().mean();
   const Eigen::MatrixXd away = scores.rowwise() - mean.transpose();
-  const Eigen::MatrixXd covariance = gram(away) / (n - 1);
+  const Eigen::MatrixXd covariance = algebra::gram(away) / (n - 1);
   const double t2 = n * mean.dot(algebra::MinimumNorm(covariance).solve(mean));
   // T² (n − 2) / (2 (n − 1)) is F(2, n − 2), whose tail has a closed form.
   return std::pow(1 + t2 / (n - 1), -(n - 2) / 2);

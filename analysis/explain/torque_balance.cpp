@@ -6,7 +6,6 @@
 
 #include "analysis/statistics.hpp"
 #include "hal/types/linear_algebra.hpp"
-#include "hal/types/products.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -30,7 +29,7 @@ Regression regression(const Eigen::MatrixXd& laws, const Eigen::VectorXd& torque
   const Eigen::VectorXd weight = error_Nm.cwiseInverse();
   const Eigen::MatrixXd x = weight.asDiagonal() * laws(Eigen::all, columns);
   const Eigen::VectorXd y = weight.cwiseProduct(torque_Nm);
-  const Eigen::MatrixXd covariance = algebra::SymmetricFactors(gram(x)).inverse();
+  const Eigen::MatrixXd covariance = algebra::SymmetricFactors(algebra::gram(x)).inverse();
   Regression result{std::move(columns), covariance * x.transpose() * y, {}, 0};
   result.freedom = static_cast<double>(x.rows() - x.cols());
   const double scatter = (y - x * result.value).squaredNorm() / result.freedom;

@@ -7,7 +7,6 @@
 
 #include "hal/types/linear_algebra.hpp"
 #include "hal/types/parallel_for.hpp"
-#include "hal/types/products.hpp"
 #include "hal/types/require.hpp"
 
 namespace rvbench::analysis {
@@ -53,7 +52,7 @@ LineEstimate estimate_line(const Eigen::MatrixXcd& gxx, const Eigen::MatrixXcd& 
                     Eigen::MatrixXd::Constant(r, e, not_known), smallest_eigenvalue(gxx)};
   if (!(line.independence > least_independence)) return line;
   const Eigen::MatrixXcd inverse = algebra::inverse_of_positive(gxx);
-  const Eigen::MatrixXcd h1 = product(gyx, inverse);
+  const Eigen::MatrixXcd h1 = algebra::product(gyx, inverse);
   for (Eigen::Index i = 0; i < r; ++i) {
     const double explained = (h1.row(i) * gyx.row(i).adjoint())(0).real();
     if (!(gyy[i] > 0)) {  // a silent response answers nothing, and that is certain

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "hal/types/linear_algebra.hpp"
-#include "hal/types/products.hpp"
 #include "hal/types/require.hpp"
 #include "hal/types/units.hpp"
 
@@ -119,7 +118,7 @@ class BandFit {
   void fit_numerators() {
     const Eigen::MatrixXcd basis = denominator_.cwiseInverse().asDiagonal() * powers_;
     numerators_ = algebra::least_squares(basis, values_);
-    model_ = product(basis, numerators_);
+    model_ = algebra::product(basis, numerators_);
   }
 
   Eigen::RowVectorXcd numerators_at(Complex x) const {

@@ -6,7 +6,6 @@
 
 #include "analysis/smallest_step.hpp"
 #include "hal/types/linear_algebra.hpp"
-#include "hal/types/products.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -37,9 +36,9 @@ Eigen::MatrixXd beside_cubic() {
   for (Eigen::Index p = 0; p < 4; ++p) powers.col(p) = (at / margin).array().pow(double(p));
   const Eigen::MatrixXd around = powers.topRows(2 * nearby);
   const Eigen::MatrixXd fit =
-      algebra::SymmetricFactors(gram(around)).solve(Eigen::MatrixXd(around.transpose()));
+      algebra::SymmetricFactors(algebra::gram(around)).solve(Eigen::MatrixXd(around.transpose()));
   Eigen::MatrixXd left = Eigen::MatrixXd::Identity(at.size(), at.size());
-  left.leftCols(2 * nearby) -= product(powers, fit);
+  left.leftCols(2 * nearby) -= algebra::product(powers, fit);
   return left;
 }
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "hal/types/linear_algebra.hpp"
-#include "hal/types/products.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -90,7 +89,7 @@ class Reciprocity {
     Powers sums;
     for (std::size_t line = 0; line < blocks_.size(); ++line) {
       if (!has_say(lines, line)) continue;
-      add_line(product(blocks_[line], inverse), noises_[line], square, right, sums);
+      add_line(algebra::product(blocks_[line], inverse), noises_[line], square, right, sums);
     }
     return {solved(std::move(square), right), sums.all > 0 ? std::sqrt(sums.apart / sums.all) : 0};
   }
@@ -100,7 +99,7 @@ class Reciprocity {
     const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(count_, count_);
     Eigen::MatrixXd all = Eigen::MatrixXd::Zero(count_, count_);
     for (int round = 0; round < rounds && is_small(all); ++round) {
-      all = product(one + ask(all, lines).mixing, one + all) - one;
+      all = algebra::product(one + ask(all, lines).mixing, one + all) - one;
     }
     return all;
   }
@@ -206,7 +205,7 @@ FrfMatrix without(FrfMatrix frfs, const Eigen::MatrixXd& mixing) {
   const Index n = mixing.rows();
   const Eigen::MatrixXd inverse = algebra::inverse(Eigen::MatrixXd::Identity(n, n) + mixing);
   for (Index line = 0; line < frfs.values.lines; ++line) {
-    frfs.values[line] = product(frfs.values[line], inverse.cast<Complex>());
+    frfs.values[line] = algebra::product(frfs.values[line], inverse.cast<Complex>());
   }
   if (frfs.variances.size() > 0) mix_errors(inverse.cwiseAbs2(), frfs.values.rows, frfs.variances);
   if (frfs.noise.size() > 0) mix_errors(inverse.cwiseAbs2(), frfs.values.rows, frfs.noise);

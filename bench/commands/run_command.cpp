@@ -114,8 +114,7 @@ std::string RunCommand::option_fault(bool is_rig_read) const {
     return serial + ": no blank may begin or end it";
   }
   // Two of them would be one in every document.
-  if (hal::formats::printable(serial_) != serial_)
-    return serial + ": it is not UTF-8";
+  if (hal::formats::printable(serial_) != serial_) return serial + ": it is not UTF-8";
   if (!is_rig_read) return "";
   if (!std::holds_alternative<SimRig>(file_) && !unit_.stated().empty()) {
     return unit_.stated() + ": " + rig_ + " has a unit of its own, none is simulated";

@@ -4,12 +4,24 @@
 #include <memory>
 #include <optional>
 
-/// Eigen's decompositions of matrices of any size, compiled once in the algebra_*.cpp files beside
-/// this header. A decomposition takes seconds to compile in every file that names its type; one of
-/// a small fixed size does not.
+/// Eigen's products and decompositions of matrices of any size, compiled once in the algebra_*.cpp
+/// files beside this header. A decomposition takes seconds to compile in every file that names its
+/// type; one of a small fixed size does not. Each family has a file of its own, so that two
+/// processors compile them and none takes half a minute.
 ///
+/// Errors  shapes must agree, and a matrix must be what its function asks for: a violation is a
+///         caller's bug, which the presets with Eigen's checks (asan, tsan) report
 /// Source  Golub & Van Loan, Matrix Computations (4th ed., 2013)
 namespace rvbench::algebra {
+
+/// A·B
+Eigen::MatrixXd product(const Eigen::Ref<const Eigen::MatrixXd>& a,
+                        const Eigen::Ref<const Eigen::MatrixXd>& b);
+Eigen::MatrixXcd product(const Eigen::Ref<const Eigen::MatrixXcd>& a,
+                         const Eigen::Ref<const Eigen::MatrixXcd>& b);
+
+/// Aᵀ·A
+Eigen::MatrixXd gram(const Eigen::Ref<const Eigen::MatrixXd>& a);
 
 /// LU with partial pivots of a square matrix. Copies share it.
 class ComplexLu {
@@ -29,10 +41,13 @@ Eigen::MatrixXd inverse(const Eigen::MatrixXd& a);
 /// By LU with full pivots.
 /// @returns nothing for a singular matrix
 std::optional<Eigen::MatrixXd> inverse_if_regular(const Eigen::MatrixXd& a);
+
+/// By LU with full pivots. A singular matrix gives infinities or NaN.
 Eigen::MatrixXcd inverse_by_full_pivots(const Eigen::MatrixXcd& a);
 Eigen::VectorXcd solve_by_full_pivots(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b);
 
-/// LDLᵀ of a symmetric matrix that has no negative eigenvalue. Copies share it.
+/// LDLᵀ of a symmetric matrix that has no negative eigenvalue; of another one the results mean
+/// nothing. Copies share it.
 class SymmetricFactors {
  public:
   explicit SymmetricFactors(const Eigen::MatrixXd& a);
@@ -45,7 +60,7 @@ class SymmetricFactors {
   std::shared_ptr<const Eigen::LDLT<Eigen::MatrixXd>> factors_;
 };
 
-/// Of a Hermitian matrix that is positive definite, by LLᴴ.
+/// The inverse of a Hermitian, positive definite matrix, by LLᴴ; of another one it means nothing.
 Eigen::MatrixXcd inverse_of_positive(const Eigen::MatrixXcd& a);
 
 /// QR with column pivots: the x with the least |A·x − b|. Copies share it.
@@ -64,7 +79,8 @@ Eigen::MatrixXcd least_squares(const Eigen::MatrixXcd& a, const Eigen::MatrixXcd
 /// As many orthonormal columns as A has, which span the same, by QR without pivots.
 Eigen::MatrixXcd orthonormal_columns(const Eigen::MatrixXcd& a);
 
-/// As many orthonormal columns as A's rank, which span the same, by QR with column pivots.
+/// As many orthonormal columns as A's rank, which span the same, by QR with column pivots. A pivot
+/// counts as 0 below the largest pivot times the lesser dimension times the machine's epsilon.
 Eigen::MatrixXd basis_of_columns(const Eigen::MatrixXd& a);
 Eigen::Index rank(const Eigen::MatrixXd& a);
 
@@ -82,7 +98,7 @@ class MinimumNorm {
   std::shared_ptr<const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>> factors_;
 };
 
-/// Of a square matrix, in no order.
+/// The eigenvalues of a square matrix, in no order.
 Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& a);
 Eigen::VectorXcd eigenvalues(const Eigen::MatrixXcd& a);
 
@@ -92,7 +108,7 @@ struct EigenPairs {
 };
 EigenPairs eigen_pairs(const Eigen::MatrixXd& a);
 
-/// Of a Hermitian matrix, from the least eigenvalue on.
+/// Those of a Hermitian matrix, from the least eigenvalue on.
 Eigen::VectorXd hermitian_eigenvalues(const Eigen::MatrixXcd& a);
 Eigen::MatrixXcd hermitian_eigenvectors(const Eigen::MatrixXcd& a);
 
@@ -104,7 +120,7 @@ struct SymmetricPairs {
 /// @returns nothing if the iteration does not converge
 std::optional<SymmetricPairs> generalised_pairs(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
-/// From the largest on, by Jacobi's method.
+/// The singular values, from the largest on, by Jacobi's method.
 Eigen::VectorXd singular_values(const Eigen::MatrixXcd& a);
 
 struct RightSingular {

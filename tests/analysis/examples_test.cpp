@@ -19,8 +19,7 @@ using test::ScratchFolder;
 
 namespace {
 
-const std::filesystem::path committed =
-    test::source_dir() / "analysis/examples";
+const std::filesystem::path committed = test::source_dir() / "analysis/examples";
 
 // Of the files with that extension: name and text.
 std::map<std::string, std::string> files_of(const std::filesystem::path& folder,
@@ -65,7 +64,8 @@ double most_apart(const std::vector<double>& a, const std::vector<double>& b) {
 
 struct Written {
   ScratchFolder folder;
-  Answer answer = Program(folder.path(), {test::build_dir() / "rvbench_examples", folder.path()}).wait();
+  Answer answer =
+      Program(folder.path(), {test::build_dir() / "rvbench_examples", folder.path()}).wait();
 };
 
 }  // namespace
@@ -113,7 +113,9 @@ SCENARIO("the pages of the examples are what the examples say", "[analysis][exam
 TEST_CASE("without a folder the program says what it wants", "[analysis][examples]") {
   const ScratchFolder folder;
   CHECK(Program(folder.path(), {test::build_dir() / "rvbench_examples"}).wait().code == 2);
-  CHECK(Program(folder.path(), {test::build_dir() / "rvbench_examples", folder / "none"}).wait().code == 1);
+  CHECK(Program(folder.path(), {test::build_dir() / "rvbench_examples", folder / "none"})
+            .wait()
+            .code == 1);
 }
 
 TEST_CASE("a page shows the marked lines of its source", "[analysis][examples]") {

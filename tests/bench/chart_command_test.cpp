@@ -39,7 +39,7 @@ nlohmann::json told(std::vector<std::string> words) {
   return nlohmann::json::parse(rvbench(words).out);
 }
 
-std::string refusal(const std::string& text) {
+std::string chart_refusal(const std::string& text) {
   const ScratchFolder scratch;
   write_file(scratch / "chart.csv", text);
   const CommandAnswer answer = rvbench({"chart", (scratch / "chart.csv").string()});
@@ -115,21 +115,21 @@ TEST_CASE("the folder of --out holds the charts", "[bench][station]") {
 }
 
 TEST_CASE("a table that makes no chart is refused, with the place", "[bench][station]") {
-  CHECK_THAT(refusal("run,value\n1,2\n2,3\n"),
+  CHECK_THAT(chart_refusal("run,value\n1,2\n2,3\n"),
              Contains("2 values: a chart takes 8 or more, and 20 make a good one"));
-  CHECK_THAT(refusal("number,value\n1,2\n"), Contains("no column \"time\" or \"run\""));
-  CHECK_THAT(refusal("time,size\n1,2\n"), Contains("no column \"value\""));
-  CHECK_THAT(refusal("time,value\n2026-01-02,2\n2026-01-01,3\n"),
+  CHECK_THAT(chart_refusal("number,value\n1,2\n"), Contains("no column \"time\" or \"run\""));
+  CHECK_THAT(chart_refusal("time,size\n1,2\n"), Contains("no column \"value\""));
+  CHECK_THAT(chart_refusal("time,value\n2026-01-02,2\n2026-01-01,3\n"),
              Contains("chart.csv:3: time 2026-01-01 is before 2026-01-02 in the row above"));
-  CHECK_THAT(refusal("time,value\n9,2\n10,3\n7,3\n"), Contains("chart.csv:4: time 7 is before 10"));
-  CHECK_THAT(refusal("time,value\n10,2\n9.5,3\n"), Contains("chart.csv:3: time 9.5 is before"));
-  CHECK_THAT(refusal("time,value\n2026-01-31 08:00:00.25,2\n20260131T080000.125Z,3\n"),
+  CHECK_THAT(chart_refusal("time,value\n9,2\n10,3\n7,3\n"), Contains("chart.csv:4: time 7 is before 10"));
+  CHECK_THAT(chart_refusal("time,value\n10,2\n9.5,3\n"), Contains("chart.csv:3: time 9.5 is before"));
+  CHECK_THAT(chart_refusal("time,value\n2026-01-31 08:00:00.25,2\n20260131T080000.125Z,3\n"),
              Contains("chart.csv:3: time 20260131T080000.125Z is before"));
-  CHECK_THAT(refusal("time,value\n20260131T080000Z-10,2\n20260131T080000Z-9,3\n"),
+  CHECK_THAT(chart_refusal("time,value\n20260131T080000Z-10,2\n20260131T080000Z-9,3\n"),
              Contains("chart.csv:3: time 20260131T080000Z-9 is before"));
   std::string alike = "run,value\n";
   for (int i = 0; i < 10; ++i) alike += fmt::format("{},1\n", i);
-  CHECK_THAT(refusal(alike), Contains("all alike: too coarse"));
+  CHECK_THAT(chart_refusal(alike), Contains("all alike: too coarse"));
 }
 
 TEST_CASE("a time that is none is refused at its line", "[bench][station]") {
@@ -137,7 +137,7 @@ TEST_CASE("a time that is none is refused at its line", "[bench][station]") {
       as<std::string>(), "2026-02-30", "hello0", "2026-01-31T24:01", "31.01.2026", "nan", "7",
       "2026-01-31.5", "2026-01-31T08:00:00.x", "20260131T080000Z-" + std::string(400, '9'), "\"\"");
   CAPTURE(none);
-  CHECK_THAT(refusal("time,value\n2026-01-02,2\n" + none + ",3\n2026-03-01T08:00,3\n"),
+  CHECK_THAT(chart_refusal("time,value\n2026-01-02,2\n" + none + ",3\n2026-03-01T08:00,3\n"),
              Contains("chart.csv:3: time \"") && Contains("\" is none: all are numbers, or dates"));
 }
 

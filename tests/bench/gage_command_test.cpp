@@ -41,7 +41,7 @@ std::string file_of(const ScratchFolder& scratch, const std::string& text) {
   return file.string();
 }
 
-std::string refusal(const std::string& text) {
+std::string gage_refusal(const std::string& text) {
   const ScratchFolder scratch;
   const CommandAnswer answer = rvbench({"gage", file_of(scratch, text)});
   CHECK(answer.code == 20);
@@ -134,23 +134,23 @@ TEST_CASE("the folder of --out holds the page and the document", "[bench][statio
 TEST_CASE("a study that is not whole is refused, with the place", "[bench][station]") {
   const std::string rows = rows_of(simulated_study({}, 3, 2, 2, 1));
   const std::string all_but_last = rows.substr(0, rows.rfind("3,B,2"));
-  CHECK_THAT(refusal(head + all_but_last),
+  CHECK_THAT(gage_refusal(head + all_but_last),
              Contains("part 3, operator B, trial 2 is missing: every operator must read"));
   std::string stamped = head;  // as many parts, operators and trials as rows: 10^12 readings
   for (int i = 0; i < 10'000; ++i) stamped += fmt::format("p{0},o{0},t{0},1\n", i);
-  CHECK_THAT(refusal(stamped), Contains("part p0, operator o0, trial t1 is missing"));
-  CHECK_THAT(refusal(head + rows + "1,A,1,7\n"),
+  CHECK_THAT(gage_refusal(stamped), Contains("part p0, operator o0, trial t1 is missing"));
+  CHECK_THAT(gage_refusal(head + rows + "1,A,1,7\n"),
              Contains("study.csv:14: part 1, operator A, trial 1 is there twice, first in line 2"));
-  CHECK_THAT(refusal(head + "1,A,1,x7\n"), Contains("study.csv:2: value: \"x7\" is not a number"));
-  CHECK_THAT(refusal(head + "1,A,1,nan\n"), Contains("study.csv:2: value is lost"));
-  CHECK_THAT(refusal(head + "1,A,1\n"), Contains("study.csv:2: 3 values, not 4"));
-  CHECK_THAT(refusal(head + "1,A,1,2\n1,A,2,3\n"), Contains("1 part(s), 1 operator(s)"));
-  CHECK_THAT(refusal(head), Contains("no rows"));
-  CHECK_THAT(refusal("part,operator,value\n1,A,2\n"),
+  CHECK_THAT(gage_refusal(head + "1,A,1,x7\n"), Contains("study.csv:2: value: \"x7\" is not a number"));
+  CHECK_THAT(gage_refusal(head + "1,A,1,nan\n"), Contains("study.csv:2: value is lost"));
+  CHECK_THAT(gage_refusal(head + "1,A,1\n"), Contains("study.csv:2: 3 values, not 4"));
+  CHECK_THAT(gage_refusal(head + "1,A,1,2\n1,A,2,3\n"), Contains("1 part(s), 1 operator(s)"));
+  CHECK_THAT(gage_refusal(head), Contains("no rows"));
+  CHECK_THAT(gage_refusal("part,operator,value\n1,A,2\n"),
              Contains("no column \"trial\": the first line names the columns part, operator, "
                       "trial, value"));
-  CHECK_THAT(refusal("part,part,operator,trial,value\n"), Contains("\"part\" is there twice"));
-  CHECK_THAT(refusal(head + "1,A,1,2\n1,A,2,2\n1,B,1,2\n1,B,2,2\n"
+  CHECK_THAT(gage_refusal("part,part,operator,trial,value\n"), Contains("\"part\" is there twice"));
+  CHECK_THAT(gage_refusal(head + "1,A,1,2\n1,A,2,2\n1,B,1,2\n1,B,2,2\n"
                             "2,A,1,3\n2,A,2,3\n2,B,1,3\n2,B,2,3\n"),
              Contains("too coarse to tell the gage's error"));
 }
@@ -163,7 +163,7 @@ TEST_CASE("readings whose squares overflow, or vanish, are no study", "[bench][s
        {"x,A,1,1", "x,A,2,2", "x,B,1,3", "x,B,2,1", "y,A,1,5", "y,A,2,6", "y,B,1,6", "y,B,2,8"}) {
     rows += row + power + "\n";
   }
-  CHECK_THAT(refusal(head + rows), Contains("study.csv: cannot tell: the readings are too large"));
+  CHECK_THAT(gage_refusal(head + rows), Contains("study.csv: cannot tell: the readings are too large"));
 }
 
 TEST_CASE("a tolerance by which a share overflows is refused", "[bench][station]") {

@@ -19,7 +19,54 @@ std::string summary_of(const Judgement& judgement) {
   return out.str();
 }
 
+// The lines of a brief ending that are about limits.
+std::vector<std::string> limits_of_brief(const Judgement& judgement) {
+  std::ostringstream out;
+  Console console{out, out};
+  print_brief(console, judgement, "");
+  std::vector<std::string> lines;
+  std::istringstream text(out.str());
+  for (std::string line; std::getline(text, line);) {
+    if (line.starts_with("  ")) lines.push_back(line);
+  }
+  return lines;
+}
+
+LimitCheck checked(const char* measure, double measured, double min, double max) {
+  LimitCheck check;
+  check.measure = measure;
+  check.unit = "1";
+  check.measured = measured;
+  check.min = min;
+  check.max = max;
+  return check;
+}
+
 }  // namespace
+
+TEST_CASE("a brief ending has the findings first, then the three limits nearest to their bounds",
+          "[bench]") {
+  Judgement judgement = test::failed_run();
+  CHECK_THAT(limits_of_brief(judgement).front(), Contains(" 300 %  input_shaft: misalignment"));
+
+  judgement = test::passed_run();
+  judgement.diagnosis.below_limit.clear();
+  judgement.limits = {checked("crest", 1, not_known, 4), checked("efficiency", 0.8, 0.6, not_known),
+                      checked("kurtosis", 4.5, not_known, 5), checked("fm4", 1, not_known, 10)};
+  auto lines = limits_of_brief(judgement);
+  REQUIRE(lines.size() == 3);
+  CHECK_THAT(lines[0], Contains("  90 %  kurtosis: 4.5 (max 5)"));
+  CHECK_THAT(lines[1], Contains("  75 %  efficiency: 0.8 (min 0.6)"));
+  CHECK_THAT(lines[2], Contains("  25 %  crest: 1 (max 4)"));
+
+  // Bounds of 0 have no share: at the bound it is all of it, beyond it no number.
+  judgement.limits = {checked("clipped", 0, not_known, 0), checked("lost", 2, not_known, 0),
+                      checked("absent", not_known, not_known, 1)};
+  lines = limits_of_brief(judgement);
+  REQUIRE(lines.size() == 2);
+  CHECK_THAT(lines[0], Contains("   -    lost: 2 (max 0)"));
+  CHECK_THAT(lines[1], Contains(" 100 %  clipped: 0 (max 0)"));
+}
 
 TEST_CASE("the verdict comes last, where it stays in sight", "[bench]") {
   CHECK_THAT(summary_of(test::failed_run()), EndsWith("\nFAIL  input_shaft: misalignment\n"));

@@ -33,7 +33,7 @@ std::vector<std::string> publish_words(const std::filesystem::path& root,
                                        const std::string& broker_file,
                                        std::vector<std::string> more) {
   std::vector<std::string> words{build_dir() / "rvbench", "publish",  "--out",
-                                 root.string(),   "--broker", broker_file};
+                                 root.string(),           "--broker", broker_file};
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }

@@ -13,9 +13,8 @@ Answer bash(const std::filesystem::path& folder, const std::string& line) {
 
 Installed::Installed() {
   const Answer answer =
-      bash(folder_.path(),
-           build_setting("CMAKE_COMMAND") + " --install " + build_dir().string() + " --prefix " +
-               folder_.path().string());
+      bash(folder_.path(), build_setting("CMAKE_COMMAND") + " --install " + build_dir().string() +
+                               " --prefix " + folder_.path().string());
   if (answer.code != 0) throw std::runtime_error("cmake --install: " + answer.err);
 }
 

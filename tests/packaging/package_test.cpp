@@ -19,8 +19,9 @@ TEST_CASE("the Debian package holds what belongs on a bench, and says what it ne
   const ScratchFolder folder;
   const Answer made =
       bash(folder.path(), test::build_setting("CMAKE_CPACK_COMMAND") +
-           " -G DEB -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip -B $PWD --config " +
-           test::build_dir().string() + "/CPackConfig.cmake && mv rvbench_*.deb p.deb");
+                              " -G DEB -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip -B $PWD --config " +
+                              test::build_dir().string() +
+                              "/CPackConfig.cmake && mv rvbench_*.deb p.deb");
   INFO(made.out << made.err);
   REQUIRE(made.code == 0);
   const std::string fields = bash(folder.path(), "dpkg-deb -f p.deb").out;

@@ -16,7 +16,8 @@ class Iiod {
   /// @throws std::runtime_error with the reason, where it cannot run
   Iiod(double rate_Hz, int channels, const std::string& format = "le:s32/32>>0")
       : port_(reserved_port()),
-        program_(".", {(build_dir() / "tests/peers/iio_standin").string(), std::to_string(port_of(port_)), std::to_string(rate_Hz),
+        program_(".", {(build_dir() / "tests/peers/iio_standin").string(),
+                       std::to_string(port_of(port_)), std::to_string(rate_Hz),
                        std::to_string(channels), format}) {
     if (!program_.says("serving at ")) {
       throw std::runtime_error("iiod needs root and the package iiod: " + program_.said());

@@ -107,7 +107,8 @@ double answered_Nm(const Eigen::VectorXd& push, double frequency_rad_s) {
   const Complex j(0, 1);
   Eigen::MatrixXcd dynamic = k.cast<Complex>() + j * frequency_rad_s * c.cast<Complex>();
   dynamic.diagonal() -= (frequency_rad_s * frequency_rad_s * model.inertia).cast<Complex>();
-  const Eigen::VectorXcd q = algebra::ComplexLu(dynamic).solve(Eigen::VectorXcd(push.cast<Complex>()));
+  const Eigen::VectorXcd q =
+      algebra::ComplexLu(dynamic).solve(Eigen::VectorXcd(push.cast<Complex>()));
   return std::abs((600.0 + j * frequency_rad_s * 0.05) * (q[0] - q[1]));
 }
 

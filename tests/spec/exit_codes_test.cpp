@@ -286,8 +286,7 @@ TEST_CASE("what libiio says of a front end is told in the reason, and nowhere el
 TEST_CASE("any serial number makes a folder of its own inside --out", "[spec]") {
   const ScratchFolder scratch;
   const std::vector<std::string> serials{
-      "../up", "/etc",       "..",       ".",  "a/b",
-      "a_b",   "Prüfling 7", "-x", std::string(300, 'x')};
+      "../up", "/etc", "..", ".", "a/b", "a_b", "Prüfling 7", "-x", std::string(300, 'x')};
   for (const std::string& serial : serials) {
     CAPTURE(serial);
     CHECK(run(scratch, test::unsettled_plan(),

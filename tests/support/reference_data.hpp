@@ -17,9 +17,7 @@ namespace rvbench::test {
 inline std::optional<Eigen::VectorXd> reference_data(const std::string& file) {
   const char* folder = std::getenv("RVBENCH_REFERENCE");
   const std::filesystem::path path =
-      (folder ? std::filesystem::path(folder)
-              : source_dir() / "../shared/reference") /
-      file;
+      (folder ? std::filesystem::path(folder) : source_dir() / "../shared/reference") / file;
   std::ifstream in(path, std::ios::binary);
   if (!in) {
     WARN("SKIPPED: no " << path << "; set RVBENCH_REFERENCE to the folder of reference signals");

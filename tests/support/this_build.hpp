@@ -5,8 +5,9 @@
 
 namespace rvbench::test {
 
-/// Folder of the build that the running program is part of: the nearest above it with a CMakeCache.txt.
-/// Found at run time, so that a compiler cache may take a test's object from another clone.
+/// Folder of the build that the running program is part of: the nearest above it with a
+/// CMakeCache.txt. Found at run time, so that a compiler cache may take a test's object from
+/// another clone.
 /// @throws std::runtime_error where no folder above has one
 const std::filesystem::path& build_dir();
 

@@ -63,7 +63,8 @@ Structure two_masses() {
 }
 
 LineMatrices inverted(LineMatrices lines) {
-  for (Index line = 0; line < lines.lines; ++line) lines[line] = algebra::inverse_by_full_pivots(lines[line]);
+  for (Index line = 0; line < lines.lines; ++line)
+    lines[line] = algebra::inverse_by_full_pivots(lines[line]);
   return lines;
 }
 

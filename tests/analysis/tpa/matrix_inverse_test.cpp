@@ -56,7 +56,8 @@ TEST_CASE("forces are those of weighted least squares, by Eigen's QR", "[tpa]") 
     const Eigen::MatrixXcd frfs =
         weights.asDiagonal() * problem.frfs.values[line].topRows(PathProblem::indicators);
     const Eigen::MatrixXcd expected = algebra::least_squares(
-        frfs, weights.asDiagonal() * problem.operating.values[line].topRows(PathProblem::indicators));
+        frfs,
+        weights.asDiagonal() * problem.operating.values[line].topRows(PathProblem::indicators));
     CHECK((found.forces[line] - expected).norm() < 1e-10 * expected.norm());
   }
 }

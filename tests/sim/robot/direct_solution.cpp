@@ -28,7 +28,9 @@ Eigen::MatrixXcd direct_accelerance(const sim::VirtualRobot& robot, std::complex
   }
   out.middleRows<3>(36) = ways(arm.flange);
   out.middleRows<3>(39) = ways(arm.forearm);
-  return s * s * (out * algebra::ComplexLu(dynamic).solve(Eigen::MatrixXcd(in.cast<std::complex<double>>())));
+  return s * s *
+         (out *
+          algebra::ComplexLu(dynamic).solve(Eigen::MatrixXcd(in.cast<std::complex<double>>())));
 }
 
 }  // namespace rvbench::test

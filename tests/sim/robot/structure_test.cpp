@@ -77,8 +77,7 @@ TEST_CASE("a force on an arm bends its foot by the lever's square", "[sim][robot
       sim::motion_of(structure, {"top", 0, Eigen::Vector3d(0, 0, 0.5)}).row(0);
   const double by_hand_m_N = 1 / 2e6 + 0.5 * 0.5 / 3e4;
 
-  const Eigen::VectorXd ways =
-      algebra::inverse(sim::stiffness_matrix(structure)) * at.transpose();
+  const Eigen::VectorXd ways = algebra::inverse(sim::stiffness_matrix(structure)) * at.transpose();
   CHECK(at.dot(ways) == Approx(by_hand_m_N).epsilon(1e-10));
 
   const double slow_Hz = 0.01, omega = units::two_pi * slow_Hz;

@@ -19,8 +19,8 @@ VirtualRobot robot_of(std::uint64_t seed) {
 }
 
 double condition_at(const VirtualRobot& robot, double frequency_Hz) {
-  const Eigen::VectorXd sizes = algebra::singular_values(
-      robot.accelerance(frequency_Hz).topRows(VirtualRobot::indicators));
+  const Eigen::VectorXd sizes =
+      algebra::singular_values(robot.accelerance(frequency_Hz).topRows(VirtualRobot::indicators));
   return sizes[0] / sizes[sizes.size() - 1];
 }
 

@@ -1,6 +1,8 @@
-#include "hal/types/products.hpp"
+#include <unsupported/Eigen/MatrixFunctions>
 
-namespace rvbench {
+#include "hal/types/linear_algebra.hpp"
+
+namespace rvbench::algebra {
 
 Eigen::MatrixXd product(const Eigen::Ref<const Eigen::MatrixXd>& a,
                         const Eigen::Ref<const Eigen::MatrixXd>& b) {
@@ -14,4 +16,6 @@ Eigen::MatrixXcd product(const Eigen::Ref<const Eigen::MatrixXcd>& a,
 
 Eigen::MatrixXd gram(const Eigen::Ref<const Eigen::MatrixXd>& a) { return a.transpose() * a; }
 
-}  // namespace rvbench
+Eigen::MatrixXd exponential(const Eigen::MatrixXd& a) { return a.exp(); }
+
+}  // namespace rvbench::algebra
