@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 
 #include "sim/linear_flow.hpp"
 
@@ -31,33 +32,56 @@ std::vector<int> free_bodies(const PlantModel& model) {
   return free;
 }
 
-template <int rows>
-void add_columns(const double* column, Eigen::Index columns, const double* x, double* y) {
-  std::array<double, rows> sum;
-  std::copy_n(y, rows, sum.begin());
-  for (Eigen::Index j = 0; j < columns; ++j, column += rows) {
-    for (std::size_t i = 0; i < rows; ++i) sum[i] += column[i] * x[j];
+struct Product {
+  const Eigen::MatrixXd& m;
+  const Eigen::VectorXd& x;
+};
+
+template <int rows, bool adds>
+void sum_columns(std::initializer_list<Product> products, double* y) {
+  std::array<double, rows> sum{};
+  if constexpr (adds) std::copy_n(y, rows, sum.begin());
+  for (const auto& [m, x] : products) {
+    const double* column = m.data();
+    const double* const factors = x.data();
+    for (Eigen::Index j = 0; j < m.cols(); ++j, column += rows) {
+      for (std::size_t i = 0; i < rows; ++i) sum[i] += column[i] * factors[j];
+    }
   }
   std::copy_n(sum.begin(), rows, y);
 }
 
-// y += m·x. Plants are small: a plain loop beats what a library must find out first, and one whose
-// length is known the loop that must count.
-void add_product(const Eigen::MatrixXd& m, const Eigen::VectorXd& x, Eigen::VectorXd& y) {
-  switch (m.rows()) {
-    case 1: return add_columns<1>(m.data(), m.cols(), x.data(), y.data());
-    case 2: return add_columns<2>(m.data(), m.cols(), x.data(), y.data());
-    case 3: return add_columns<3>(m.data(), m.cols(), x.data(), y.data());
-    case 4: return add_columns<4>(m.data(), m.cols(), x.data(), y.data());
+// Plants are small: a plain loop beats what a library must find out first, and one whose length is
+// known the loop that must count.
+template <bool adds>
+void sum_products(std::initializer_list<Product> products, Eigen::VectorXd& y) {
+  double* const out = y.data();
+  const Eigen::Index rows = y.size();
+  switch (rows) {
+    case 1: return sum_columns<1, adds>(products, out);
+    case 2: return sum_columns<2, adds>(products, out);
+    case 3: return sum_columns<3, adds>(products, out);
+    case 4: return sum_columns<4, adds>(products, out);
     default: break;
   }
-  const double* column = m.data();
-  double* const out = y.data();
-  const Eigen::Index rows = m.rows();
-  for (Eigen::Index j = 0; j < m.cols(); ++j, column += rows) {
-    const double factor = x.data()[j];
-    for (Eigen::Index i = 0; i < rows; ++i) out[i] += column[i] * factor;
+  if constexpr (!adds) std::fill_n(out, rows, 0.0);
+  for (const auto& [m, x] : products) {
+    const double* column = m.data();
+    for (Eigen::Index j = 0; j < m.cols(); ++j, column += rows) {
+      const double factor = x.data()[j];
+      for (Eigen::Index i = 0; i < rows; ++i) out[i] += column[i] * factor;
+    }
   }
+}
+
+// y = sum of m·x
+void set_sum(std::initializer_list<Product> products, Eigen::VectorXd& y) {
+  sum_products<false>(products, y);
+}
+
+// y += m·x
+void add_product(const Eigen::MatrixXd& m, const Eigen::VectorXd& x, Eigen::VectorXd& y) {
+  sum_products<true>({{m, x}}, y);
 }
 
 }  // namespace
@@ -185,11 +209,7 @@ void FourStage::step(const double* si0, const double* si1, const double* si2) {
   set_signals(si2, end_s);
   remainder(rc_);
   rb_ += ra_;
-  next_.setZero();
-  add_product(phi_, x_, next_);
-  add_product(first_, r0_, next_);
-  add_product(middle_, rb_, next_);
-  add_product(last_, rc_, next_);
+  set_sum({{phi_, x_}, {first_, r0_}, {middle_, rb_}, {last_, rc_}}, next_);
   set_state(next_);
   if (!contacts_.empty()) {
     contacts_.correct(state_, next_);
@@ -200,8 +220,7 @@ void FourStage::step(const double* si0, const double* si1, const double* si2) {
 
 // Leaves the state in the last stage, and r at both stages of the middle.
 void FourStage::middle_stages() {
-  at_half_.setZero();
-  add_product(phi_half_, x_, at_half_);
+  set_sum({{phi_half_, x_}}, at_half_);
   stage_ = at_half_;
   add_product(gamma_half_, r0_, stage_);
   set_state(stage_);
@@ -209,10 +228,8 @@ void FourStage::middle_stages() {
   add_product(gamma_half_, ra_, at_half_);
   set_state(at_half_);
   remainder(rb_);
-  at_half_.setZero();
-  add_product(phi_half_, stage_, at_half_);
   rc_ = 2 * rb_ - r0_;
-  add_product(gamma_half_, rc_, at_half_);
+  set_sum({{phi_half_, stage_}, {gamma_half_, rc_}}, at_half_);
   set_state(at_half_);
 }
 
