@@ -51,12 +51,13 @@ void sum_columns(std::initializer_list<Product> products, double* y) {
   std::copy_n(sum.begin(), rows, y);
 }
 
-// Plants are small: a plain loop beats what a library must find out first, and one whose length is
-// known the loop that must count.
+// Sums into the first elements of y, as many as the matrices have rows. Plants are small: a plain
+// loop beats what a library must find out first, and one whose length is known the loop that must
+// count.
 template <bool adds>
 void sum_products(std::initializer_list<Product> products, Eigen::VectorXd& y) {
   double* const out = y.data();
-  const Eigen::Index rows = y.size();
+  const Eigen::Index rows = products.begin()->m.rows();
   switch (rows) {
     case 1: return sum_columns<1, adds>(products, out);
     case 2: return sum_columns<2, adds>(products, out);
