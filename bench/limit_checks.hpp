@@ -24,12 +24,12 @@ bool is_beyond(const LimitCheck& check);
 
 /// The bound that a check has, from above or from below.
 double bound_of(const LimitCheck& check);
-/// Measured over bound; of a bound from below, bound over measured: 1 at the bound, more beyond,
-/// infinite if nothing was measured.
-double share_of_bound(const LimitCheck& check);
-
 const char* bound_name(const LimitCheck& check);  ///< "max" or "min", as in the plan
 std::string bound_text(const LimitCheck& check);  ///< "max 1.5 g"
+
+/// Measured over bound, or bound over measured for a bound from below: 1 at the bound, more beyond,
+/// infinite if is_measured() is false.
+double share_of_bound(const LimitCheck& check);
 
 /// "above" or "below": where a value is that does not keep to it.
 const char* beyond(const LimitCheck& check);

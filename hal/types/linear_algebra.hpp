@@ -108,7 +108,7 @@ struct EigenPairs {
 };
 EigenPairs eigen_pairs(const Eigen::MatrixXd& a);
 
-/// Those of a Hermitian matrix, from the least eigenvalue on.
+/// The eigenvalues of a Hermitian matrix, from the least on.
 Eigen::VectorXd hermitian_eigenvalues(const Eigen::MatrixXcd& a);
 Eigen::MatrixXcd hermitian_eigenvectors(const Eigen::MatrixXcd& a);
 
