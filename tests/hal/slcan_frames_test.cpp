@@ -66,6 +66,7 @@ TEST_CASE("what is no line of the protocol is garbled", "[hal][can]") {
     INFO(text);
     CHECK(line_from(text).kind == LineKind::garbled);
   }
+  CHECK(line_from("t1239001122334455667788").kind == LineKind::garbled);  // nine bytes
 }
 
 SCENARIO("lines are cut out of bytes that come in pieces", "[hal][can]") {

@@ -106,7 +106,7 @@ class LateAnswers(PageTest):
         self.let_go(1)
         page.wait("approved", lambda: "approved" in page.text("#limits tbody tr:first-child"))
         self.assertEqual(f"Limits, version {drafts[0]}", page.text("dialog[open] h2"))
-        self.assertFalse(self.browser.is_disabled("version_go"))
+        page.wait_enabled("version_go")  # its own effect may still be on its way
 
     def test_the_newest_question_is_answered(self):
         page = self.browser

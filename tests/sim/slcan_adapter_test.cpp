@@ -77,8 +77,8 @@ SCENARIO("the simulated adapter answers as LAWICEL's manual has it", "[sim][can]
   }
   THEN("what is no frame is declined, and does not reach the bus") {
     for (const std::string wrong :
-         {"t8000", "t1239", "t123", "t1231A", "t1231AAB", "tXYZ0", "q", "", "t1231GG", "VV",
-          "this is much longer than any command is"}) {
+         {"t8000", "t1239", "t1239001122334455667788", "t123", "t1231A", "t1231AAB", "tXYZ0", "q",
+          "", "t1231GG", "VV", "this is much longer than any command is"}) {
       INFO(wrong);
       CHECK(terminal.ask(wrong + '\r', 1) == "\a");
     }
@@ -103,6 +103,8 @@ SCENARIO("the simulated adapter answers as LAWICEL's manual has it", "[sim][can]
   THEN("frames carry the time, if that is switched on") {
     CHECK(terminal.ask("Z1\r", 1) == "\a");
     CHECK(terminal.ask("C\r", 1) == "\r");
+    CHECK(terminal.ask("Z2\r", 1) == "\a");
+    CHECK(terminal.ask("Z0\r", 1) == "\r");
     CHECK(terminal.ask("Z1\r", 1) == "\r");
     CHECK(terminal.ask("O\r", 1) == "\r");
     REQUIRE(bus.nodes->send({.id = 1}));
