@@ -14,8 +14,12 @@ from browser import Browser, Keys
 from stations import FakeStation
 
 OPTIONS = argparse.Namespace()
-# What a browser that nobody is logged in with is refused.
-NOT_LOGGED_IN = (("/favicon.ico", 404), ("/api/session", 401))
+
+
+def refused_to_nobody():
+    """What a browser is refused before anybody has logged in: uPlot as well, where npm had none."""
+    has_plots = OPTIONS.plots and (OPTIONS.plots / "uplot.js").exists()
+    return [("/favicon.ico", 404), ("/api/session", 401), *([] if has_plots else [("/uplot.js", 404)])]
 
 
 def words_of(language):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The whole way with the real program."""
 from browser import Browser, Keys
-from page_case import NOT_LOGGED_IN, OPTIONS, BrowserTest, run, words_of
+from page_case import OPTIONS, BrowserTest, refused_to_nobody, run, words_of
 from stations import RealStation
 
 
@@ -23,7 +23,7 @@ class AgainstReal(BrowserTest):
         self.rejudge_by_them()
         self.lose_the_backend_during_a_unit_that_fails()
         self.see_other_languages()
-        self.assertEqual([], self.browser.complaints([*NOT_LOGGED_IN, ("/api/scan", 422)]))
+        self.assertEqual([], self.browser.complaints([*refused_to_nobody(), ("/api/scan", 422)]))
 
     def enter(self):
         page = self.browser

@@ -3,7 +3,7 @@
 import re
 
 from browser import Keys
-from page_case import NOT_LOGGED_IN, PageTest, run
+from page_case import PageTest, refused_to_nobody, run
 
 
 class WholeWay(PageTest):
@@ -62,7 +62,7 @@ class WholeWay(PageTest):
         page.type(Keys.ENTER)
         page.wait_word(say["state.idle"])
         self.assertEqual("", page.text("#serial"))
-        self.assertEqual([], page.complaints(NOT_LOGGED_IN))
+        self.assertEqual([], page.complaints(refused_to_nobody()))
 
     def see_history(self, language):
         page, say = self.browser, self.words
