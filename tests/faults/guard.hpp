@@ -1,7 +1,9 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hal/rig.hpp"
@@ -27,6 +29,15 @@ struct Guard {
   std::string name;
   std::function<void(Controller&)> switch_off;
 };
+
+/// A guard that goes by what one device tells: it is shown what `Shown` leaves of that.
+template <typename Shown, typename Device>
+Guard shown_by(std::string name, std::unique_ptr<Device> hal::Rig::*device) {
+  return {std::move(name), [device](Controller& controller) {
+            std::unique_ptr<Device>& behind = controller.rig.*device;
+            behind = std::make_unique<Shown>(std::move(behind));
+          }};
+}
 
 const std::vector<Guard>& guards();
 

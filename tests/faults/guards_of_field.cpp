@@ -3,50 +3,29 @@
 #include <utility>
 
 #include "tests/faults/guard.hpp"
+#include "tests/support/passing_devices.hpp"
 
 namespace rvbench::test {
 namespace {
 
-/// A brake that is told everything, and tells or does what the guard leaves of it.
-class BrakeWithout : public hal::Brake {
+class NoRelease final : public PassingBrake {
  public:
-  explicit BrakeWithout(std::unique_ptr<hal::Brake> brake) : brake_(std::move(brake)) {}
-  hal::BrakeLimits limits() const override { return brake_->limits(); }
-  Status connect() override { return brake_->connect(); }
-  Status set_torque(double torque_Nm) override { return brake_->set_torque(torque_Nm); }
-  Result<hal::BrakeStatus> read() override {
-    auto status = brake_->read();
-    if (!status) return status;
-    hal::BrakeStatus shown = status.value();
-    show(shown);
-    return shown;
-  }
-  Status release() noexcept override { return brake_->release(); }
-
- protected:
-  virtual void show(hal::BrakeStatus&) {}
-
-  std::unique_ptr<hal::Brake> brake_;
-};
-
-class NoRelease final : public BrakeWithout {
- public:
-  using BrakeWithout::BrakeWithout;
+  using PassingBrake::PassingBrake;
   Status release() noexcept override { return Done{}; }
 };
 
-class NoBrakeFaults final : public BrakeWithout {
+class NoBrakeFaults final : public PassingBrake {
  public:
-  using BrakeWithout::BrakeWithout;
+  using PassingBrake::PassingBrake;
 
  protected:
   void show(hal::BrakeStatus& status) override { status.tripped = false; }
 };
 
 // It does not tell what it holds: the input torque has nothing to agree with.
-class NoMeasuredLoad final : public BrakeWithout {
+class NoMeasuredLoad final : public PassingBrake {
  public:
-  using BrakeWithout::BrakeWithout;
+  using PassingBrake::PassingBrake;
 
  protected:
   void show(hal::BrakeStatus& status) override {
@@ -55,42 +34,22 @@ class NoMeasuredLoad final : public BrakeWithout {
 };
 
 // What was commanded once is not commanded again.
-class NoCycle final : public BrakeWithout {
+class NoCycle final : public PassingBrake {
  public:
-  using BrakeWithout::BrakeWithout;
+  using PassingBrake::PassingBrake;
   Status set_torque(double torque_Nm) override {
     if (torque_Nm == told_Nm_) return Done{};
     told_Nm_ = torque_Nm;
-    return brake_->set_torque(torque_Nm);
+    return behind_->set_torque(torque_Nm);
   }
 
  private:
   double told_Nm_ = not_known;
 };
 
-/// Safety inputs of which the guard leaves less.
-class SafetyWithout : public hal::SafetyInputs {
+class NoChain final : public PassingSafetyInputs {
  public:
-  explicit SafetyWithout(std::unique_ptr<hal::SafetyInputs> inputs) : inputs_(std::move(inputs)) {}
-  Status connect() override { return inputs_->connect(); }
-  Result<hal::SafetyStatus> read() override {
-    auto status = inputs_->read();
-    if (!status) return status;
-    hal::SafetyStatus shown = status.value();
-    show(shown);
-    return shown;
-  }
-
- protected:
-  virtual void show(hal::SafetyStatus& status) = 0;
-
- private:
-  std::unique_ptr<hal::SafetyInputs> inputs_;
-};
-
-class NoChain final : public SafetyWithout {
- public:
-  using SafetyWithout::SafetyWithout;
+  using PassingSafetyInputs::PassingSafetyInputs;
 
  protected:
   void show(hal::SafetyStatus& status) override {
@@ -98,9 +57,9 @@ class NoChain final : public SafetyWithout {
   }
 };
 
-class NoMissingTemperature final : public SafetyWithout {
+class NoMissingTemperature final : public PassingSafetyInputs {
  public:
-  using SafetyWithout::SafetyWithout;
+  using PassingSafetyInputs::PassingSafetyInputs;
 
  protected:
   void show(hal::SafetyStatus& status) override {
@@ -108,108 +67,55 @@ class NoMissingTemperature final : public SafetyWithout {
   }
 };
 
-/// Accelerometers whose blocks are shown as the guard leaves them.
-class AccelerometersWithout : public hal::Accelerometers {
+// Whatever its clock does, its samples end now.
+class NoSampleClock final : public PassingAccelerometers {
  public:
-  AccelerometersWithout(std::unique_ptr<hal::Accelerometers> sensors, const hal::Clock& clock)
-      : sensors_(std::move(sensors)), clock_(clock) {}
-  const std::vector<ChannelInfo>& channels() const override { return sensors_->channels(); }
-  double range_m_s2() const override { return sensors_->range_m_s2(); }
-  double rate_Hz() const override { return sensors_->rate_Hz(); }
-  Status connect() override { return sensors_->connect(); }
-  Status start() override { return sensors_->start(); }
-  Result<hal::AccelerationBlock> read() override {
-    auto block = sensors_->read();
-    if (!block) return block;
-    hal::AccelerationBlock shown = std::move(block).value();
-    show(shown, clock_.now_s());
-    return shown;
-  }
-  void stop() noexcept override { sensors_->stop(); }
+  NoSampleClock(std::unique_ptr<hal::Accelerometers> sensors, const hal::Clock& clock)
+      : PassingAccelerometers(std::move(sensors)), clock_(clock) {}
 
  protected:
-  virtual void show(hal::AccelerationBlock& block, double now_s) = 0;
+  void show(hal::AccelerationBlock& block) override {
+    block.t0_s = std::min(block.t0_s, clock_.now_s() - double(block.scans.rows()) / rate_Hz());
+  }
 
  private:
-  std::unique_ptr<hal::Accelerometers> sensors_;
   const hal::Clock& clock_;
 };
 
-// Whatever its clock does, its samples end now.
-class NoSampleClock final : public AccelerometersWithout {
+class NoLostScans final : public PassingAccelerometers {
  public:
-  using AccelerometersWithout::AccelerometersWithout;
+  using PassingAccelerometers::PassingAccelerometers;
 
  protected:
-  void show(hal::AccelerationBlock& block, double now_s) override {
-    block.t0_s = std::min(block.t0_s, now_s - double(block.scans.rows()) / rate_Hz());
-  }
+  void show(hal::AccelerationBlock& block) override { block.lost = 0; }
 };
 
-class NoLostScans final : public AccelerometersWithout {
+class NoLostTorque final : public PassingTorqueSensor {
  public:
-  using AccelerometersWithout::AccelerometersWithout;
+  using PassingTorqueSensor::PassingTorqueSensor;
 
  protected:
-  void show(hal::AccelerationBlock& block, double) override { block.lost = 0; }
+  void show(hal::TorqueBlock& block) override { block.lost = 0; }
 };
-
-class NoLostTorque final : public hal::TorqueSensor {
- public:
-  explicit NoLostTorque(std::unique_ptr<hal::TorqueSensor> sensor) : sensor_(std::move(sensor)) {}
-  double rate_Hz() const override { return sensor_->rate_Hz(); }
-  Status connect() override { return sensor_->connect(); }
-  Result<hal::TorqueBlock> read() override {
-    auto block = sensor_->read();
-    if (!block) return block;
-    hal::TorqueBlock shown = std::move(block).value();
-    shown.lost = 0;
-    return shown;
-  }
-
- private:
-  std::unique_ptr<hal::TorqueSensor> sensor_;
-};
-
-template <typename Shown>
-Guard brake_by(std::string name) {
-  return {std::move(name), [](Controller& controller) {
-            controller.rig.brake = std::make_unique<Shown>(std::move(controller.rig.brake));
-          }};
-}
-
-template <typename Shown>
-Guard safety_by(std::string name) {
-  return {std::move(name), [](Controller& controller) {
-            controller.rig.safety = std::make_unique<Shown>(std::move(controller.rig.safety));
-          }};
-}
-
-template <typename Shown>
-Guard accelerations_by(std::string name) {
-  return {std::move(name), [](Controller& controller) {
-            hal::Rig& rig = controller.rig;
-            rig.accelerometers = std::make_unique<Shown>(std::move(rig.accelerometers), *rig.clock);
-          }};
-}
 
 }  // namespace
 
 std::vector<Guard> guards_of_the_field() {
   return {
-      brake_by<NoRelease>("release"),
-      brake_by<NoBrakeFaults>("the brake's own faults"),
-      brake_by<NoMeasuredLoad>("torque plausibility"),
-      brake_by<NoCycle>("the brake's command cycle"),
-      safety_by<NoChain>("emergency stop and guard"),
-      safety_by<NoMissingTemperature>("temperature must be known"),
-      accelerations_by<NoSampleClock>("sample clock"),
-      accelerations_by<NoLostScans>("lost scans"),
-      {"lost torque samples",
+      shown_by<NoRelease>("release", &hal::Rig::brake),
+      shown_by<NoBrakeFaults>("the brake's own faults", &hal::Rig::brake),
+      shown_by<NoMeasuredLoad>("torque plausibility", &hal::Rig::brake),
+      shown_by<NoCycle>("the brake's command cycle", &hal::Rig::brake),
+      shown_by<NoChain>("emergency stop and guard", &hal::Rig::safety),
+      shown_by<NoMissingTemperature>("temperature must be known", &hal::Rig::safety),
+      {"sample clock",
        [](Controller& controller) {
-         controller.rig.torque_sensor =
-             std::make_unique<NoLostTorque>(std::move(controller.rig.torque_sensor));
+         hal::Rig& rig = controller.rig;
+         rig.accelerometers =
+             std::make_unique<NoSampleClock>(std::move(rig.accelerometers), *rig.clock);
        }},
+      shown_by<NoLostScans>("lost scans", &hal::Rig::accelerometers),
+      shown_by<NoLostTorque>("lost torque samples", &hal::Rig::torque_sensor),
   };
 }
 

@@ -6,6 +6,7 @@
 #include "sequences/bench_loop.hpp"
 #include "tests/sequences/run_fixture.hpp"
 #include "tests/support/live_rig.hpp"
+#include "tests/support/passing_devices.hpp"
 #include "tests/support/wait_until.hpp"
 
 using namespace rvbench;
@@ -15,16 +16,12 @@ namespace {
 // Answers its first question with an error, so that the bench waits for the second answer before it
 // arms. While it gives that one the emergency stop is pressed and the supervisor begins to stop it,
 // which takes longer than arming.
-class DriveStoppedWhileArming final : public hal::Drive {
+class DriveStoppedWhileArming final : public test::PassingDrive {
  public:
   DriveStoppedWhileArming(std::unique_ptr<hal::Drive> drive, test::LiveBench& bench)
-      : drive_(std::move(drive)), bench_(bench) {
+      : PassingDrive(std::move(drive)), bench_(bench) {
     bench_.stop_is_slow = true;
   }
-  hal::DriveLimits limits() const override { return drive_->limits(); }
-  Status connect() override { return drive_->connect(); }
-  Result<hal::DriveWatchdog> read_watchdog() override { return drive_->read_watchdog(); }
-  Status set_speed(double speed_rpm) override { return drive_->set_speed(speed_rpm); }
   Result<hal::DriveStatus> read() override {
     if (questions_++ == 0) return IoError{IoErrc::timeout, "drive"};
     if (questions_ == 2) {
@@ -32,16 +29,14 @@ class DriveStoppedWhileArming final : public hal::Drive {
       const bool comes = test::wait_until([this] { return is_being_stopped_.load(); });
       if (!comes) return IoError{IoErrc::timeout, "nobody stops it"};
     }
-    return drive_->read();
+    return behind_->read();
   }
   void stop() noexcept override {
     is_being_stopped_ = true;
-    drive_->stop();
+    behind_->stop();
   }
-  int retries() const override { return 0; }
 
  private:
-  std::unique_ptr<hal::Drive> drive_;
   test::LiveBench& bench_;
   int questions_ = 0;
   std::atomic<bool> is_being_stopped_ = false;

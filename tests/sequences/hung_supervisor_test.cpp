@@ -11,6 +11,7 @@
 #include "tests/hal/service_manager.hpp"
 #include "tests/sequences/run_fixture.hpp"
 #include "tests/support/live_rig.hpp"
+#include "tests/support/passing_devices.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 using namespace rvbench;
@@ -44,21 +45,16 @@ class HangingInputs final : public hal::SafetyInputs {
 };
 
 // Counts calls to devices that only the supervisor may use.
-class CountingBrake final : public hal::Brake {
+class CountingBrake final : public test::PassingBrake {
  public:
   CountingBrake(std::unique_ptr<hal::Brake> brake, std::atomic<int>& releases)
-      : brake_(std::move(brake)), releases_(releases) {}
-  hal::BrakeLimits limits() const override { return brake_->limits(); }
-  Status connect() override { return brake_->connect(); }
-  Status set_torque(double torque_Nm) override { return brake_->set_torque(torque_Nm); }
-  Result<hal::BrakeStatus> read() override { return brake_->read(); }
+      : PassingBrake(std::move(brake)), releases_(releases) {}
   Status release() noexcept override {
     ++releases_;
-    return brake_->release();
+    return behind_->release();
   }
 
  private:
-  std::unique_ptr<hal::Brake> brake_;
   std::atomic<int>& releases_;
 };
 
@@ -75,36 +71,31 @@ struct HangingBench {
 };
 
 // A drive whose stop hangs, and with it every later call: they wait for one lock.
-class HangingDrive final : public hal::Drive {
+class HangingDrive final : public test::PassingDrive {
  public:
-  explicit HangingDrive(std::unique_ptr<hal::Drive> drive) : drive_(std::move(drive)) {}
-  hal::DriveLimits limits() const override { return drive_->limits(); }
-  Status connect() override { return drive_->connect(); }
-  Result<hal::DriveWatchdog> read_watchdog() override { return drive_->read_watchdog(); }
+  using PassingDrive::PassingDrive;
   Status set_speed(double speed_rpm) override {
     {
       const std::lock_guard lock(mutex_);
-      if (const Status status = drive_->set_speed(speed_rpm); !status) return status;
+      if (const Status status = behind_->set_speed(speed_rpm); !status) return status;
     }
     if (in_command) in_command();
     return Done{};
   }
   Result<hal::DriveStatus> read() override {
     const std::lock_guard lock(mutex_);
-    return drive_->read();
+    return behind_->read();
   }
   void stop() noexcept override {
     const std::lock_guard lock(mutex_);
     has_hung = true;
     never_.wait(false);
   }
-  int retries() const override { return 0; }
 
   std::atomic<bool> has_hung = false;
   std::function<void()> in_command;  ///< what befalls while a speed is commanded
 
  private:
-  std::unique_ptr<hal::Drive> drive_;
   std::mutex mutex_;
   std::atomic<bool> never_ = false;
 };

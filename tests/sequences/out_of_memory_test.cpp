@@ -8,6 +8,7 @@
 #include "sequences/supervisor.hpp"
 #include "tests/sequences/run_fixture.hpp"
 #include "tests/support/live_rig.hpp"
+#include "tests/support/passing_devices.hpp"
 
 using namespace rvbench;
 
@@ -36,23 +37,16 @@ class GreedyInputs final : public hal::SafetyInputs {
 };
 
 // A drive that does the same to the sequencer, once the shaft turns.
-class GreedyDrive final : public hal::Drive {
+class GreedyDrive final : public test::PassingDrive {
  public:
   GreedyDrive(std::unique_ptr<hal::Drive> drive, test::LiveBench& bench)
-      : drive_(std::move(drive)), bench_(bench) {}
-  hal::DriveLimits limits() const override { return drive_->limits(); }
-  Status connect() override { return drive_->connect(); }
-  Result<hal::DriveWatchdog> read_watchdog() override { return drive_->read_watchdog(); }
-  Status set_speed(double speed_rpm) override { return drive_->set_speed(speed_rpm); }
+      : PassingDrive(std::move(drive)), bench_(bench) {}
   Result<hal::DriveStatus> read() override {
     if (bench_.setpoint_rpm != 0 && bench_.stops == 0) allocations_left = 0;
-    return drive_->read();
+    return behind_->read();
   }
-  void stop() noexcept override { drive_->stop(); }
-  int retries() const override { return 0; }
 
  private:
-  std::unique_ptr<hal::Drive> drive_;
   test::LiveBench& bench_;
 };
 

@@ -7,6 +7,7 @@
 #include "hal/types/units.hpp"
 #include "sequences/bench_loop.hpp"
 #include "tests/sequences/run_fixture.hpp"
+#include "tests/support/passing_devices.hpp"
 
 using namespace rvbench;
 using hal::MirrorFault;
@@ -18,98 +19,75 @@ namespace {
 constexpr double lost_from_s = 12.0;
 constexpr double lost_until_s = 12.055;  // before anything counts as stale
 
-// Those of a rig, but for what they read.
-class SpoiltAccelerometers : public hal::Accelerometers {
+// For some ticks not one scan comes through.
+class LosingAccelerometers final : public test::PassingAccelerometers {
  public:
-  SpoiltAccelerometers(std::unique_ptr<hal::Accelerometers> whole, double until_s)
-      : whole_(std::move(whole)), until_s_(until_s) {}
-  const std::vector<ChannelInfo>& channels() const override { return whole_->channels(); }
-  double range_m_s2() const override { return whole_->range_m_s2(); }
-  double rate_Hz() const override { return whole_->rate_Hz(); }
-  Status connect() override { return whole_->connect(); }
-  Status start() override { return whole_->start(); }
-  void stop() noexcept override { whole_->stop(); }
+  LosingAccelerometers(std::unique_ptr<hal::Accelerometers> whole, double until_s)
+      : PassingAccelerometers(std::move(whole)), until_s_(until_s) {}
 
  protected:
-  const std::unique_ptr<hal::Accelerometers> whole_;
-  const double until_s_;
-};
-
-// For some ticks not one scan comes through.
-class LosingAccelerometers final : public SpoiltAccelerometers {
- public:
-  using SpoiltAccelerometers::SpoiltAccelerometers;
-  Result<hal::AccelerationBlock> read() override {
-    auto read = whole_->read();
-    if (!read || read.value().t0_s < lost_from_s || read.value().t0_s > until_s_) return read;
-    hal::AccelerationBlock block = read.value();
+  void show(hal::AccelerationBlock& block) override {
+    if (block.t0_s < lost_from_s || block.t0_s > until_s_) return;
     block.scans.setConstant(float(not_known));
     block.lost = int(block.scans.rows());
-    return block;
-  }
-};
-
-// For so long the scans are gone, and the device counts on as if there had been none.
-class SwallowingAccelerometers final : public SpoiltAccelerometers {
- public:
-  using SpoiltAccelerometers::SpoiltAccelerometers;
-  Result<hal::AccelerationBlock> read() override {
-    auto read = whole_->read();
-    if (!read) return read;
-    hal::AccelerationBlock block = std::move(read).value();
-    if (block.t0_s >= lost_from_s && block.t0_s < until_s_) {
-      swallowed_s_ += double(block.scans.rows()) / rate_Hz();
-      return hal::AccelerationBlock{};
-    }
-    block.t0_s -= swallowed_s_;
-    return block;
   }
 
  private:
+  double until_s_;
+};
+
+// For so long the scans are gone, and the device counts on as if there had been none.
+class SwallowingAccelerometers final : public test::PassingAccelerometers {
+ public:
+  SwallowingAccelerometers(std::unique_ptr<hal::Accelerometers> whole, double until_s)
+      : PassingAccelerometers(std::move(whole)), until_s_(until_s) {}
+
+ protected:
+  void show(hal::AccelerationBlock& block) override {
+    if (block.t0_s >= lost_from_s && block.t0_s < until_s_) {
+      swallowed_s_ += double(block.scans.rows()) / rate_Hz();
+      block = {};
+      return;
+    }
+    block.t0_s -= swallowed_s_;
+  }
+
+ private:
+  double until_s_;
   double swallowed_s_ = 0;
 };
 
 // A transducer that is wired or scaled wrongly, or becomes so.
-class ScaledTorqueSensor final : public hal::TorqueSensor {
+class ScaledTorqueSensor final : public test::PassingTorqueSensor {
  public:
   ScaledTorqueSensor(std::unique_ptr<hal::TorqueSensor> sensor, double factor, double from_s = 0)
-      : sensor_(std::move(sensor)), factor_(factor), from_s_(from_s) {}
+      : PassingTorqueSensor(std::move(sensor)), factor_(factor), from_s_(from_s) {}
 
-  double rate_Hz() const override { return sensor_->rate_Hz(); }
-  Status connect() override { return sensor_->connect(); }
-  Result<hal::TorqueBlock> read() override {
-    auto read = sensor_->read();
-    if (!read) return read;
-    hal::TorqueBlock block = std::move(read).value();
-    if (block.t0_s < from_s_) return block;
+ protected:
+  void show(hal::TorqueBlock& block) override {
+    if (block.t0_s < from_s_) return;
     for (hal::TorqueSample& sample : block.samples) sample.torque_Nm *= factor_;
-    return block;
   }
 
  private:
-  std::unique_ptr<hal::TorqueSensor> sensor_;
   double factor_;
   double from_s_;
 };
 
-// Likewise the samples of torque and angle.
-class LosingTorqueSensor final : public hal::TorqueSensor {
+// Of which for some ticks neither torque nor angle comes through.
+class LosingTorqueSensor final : public test::PassingTorqueSensor {
  public:
   LosingTorqueSensor(std::unique_ptr<hal::TorqueSensor> whole, double until_s)
-      : whole_(std::move(whole)), until_s_(until_s) {}
-  double rate_Hz() const override { return whole_->rate_Hz(); }
-  Status connect() override { return whole_->connect(); }
-  Result<hal::TorqueBlock> read() override {
-    auto read = whole_->read();
-    if (!read || read.value().t0_s < lost_from_s || read.value().t0_s > until_s_) return read;
-    hal::TorqueBlock block = read.value();
+      : PassingTorqueSensor(std::move(whole)), until_s_(until_s) {}
+
+ protected:
+  void show(hal::TorqueBlock& block) override {
+    if (block.t0_s < lost_from_s || block.t0_s > until_s_) return;
     block.samples.assign(block.samples.size(), {});
     block.lost = int(block.samples.size());
-    return block;
   }
 
  private:
-  std::unique_ptr<hal::TorqueSensor> whole_;
   double until_s_;
 };
 
@@ -284,25 +262,21 @@ TEST_CASE("a last point that does not settle and cannot be written down is ERROR
 namespace {
 
 // Accelerometers of which a hole is told late, and then by the end of their stream.
-class HoleToldLate final : public hal::Accelerometers {
+class HoleToldLate final : public test::PassingAccelerometers {
  public:
   HoleToldLate(std::unique_ptr<hal::Accelerometers> real, const hal::Clock& clock, double told_s,
                double told_after_s = 2.5)
-      : real_(std::move(real)), clock_(clock), told_s_(told_s), told_after_s_(told_after_s) {}
-  const std::vector<ChannelInfo>& channels() const override { return real_->channels(); }
-  double range_m_s2() const override { return real_->range_m_s2(); }
-  double rate_Hz() const override { return real_->rate_Hz(); }
+      : PassingAccelerometers(std::move(real)),
+        clock_(clock),
+        told_s_(told_s),
+        told_after_s_(told_after_s) {}
   double hole_told_after_s() const override { return told_after_s_; }
-  Status connect() override { return real_->connect(); }
-  Status start() override { return real_->start(); }
   Result<hal::AccelerationBlock> read() override {
     if (clock_.now_s() >= told_s_) return IoError{IoErrc::overrun, "20 ms of samples are missing"};
-    return real_->read();
+    return behind_->read();
   }
-  void stop() noexcept override { real_->stop(); }
 
  private:
-  std::unique_ptr<hal::Accelerometers> real_;
   const hal::Clock& clock_;
   double told_s_, told_after_s_;
 };

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tests/sequences/run_fixture.hpp"
+#include "tests/support/passing_devices.hpp"
 
 using namespace rvbench;
 using hal::MirrorFault;
@@ -23,25 +24,21 @@ std::string told_in_teardown(const Run& run) {
 }
 
 // An encoder that is torn off its shaft at that time: the angle stands still, the torque goes on.
-class TornOff final : public hal::TorqueSensor {
+class TornOff final : public test::PassingTorqueSensor {
  public:
   TornOff(std::unique_ptr<hal::TorqueSensor> sensor, double torn_s)
-      : sensor_(std::move(sensor)), torn_s_(torn_s) {}
-  double rate_Hz() const override { return sensor_->rate_Hz(); }
-  Status connect() override { return sensor_->connect(); }
-  Result<hal::TorqueBlock> read() override {
-    auto block = sensor_->read();
-    if (!block || block.value().t0_s < torn_s_) return block;
-    hal::TorqueBlock shown = std::move(block).value();
-    for (hal::TorqueSample& sample : shown.samples) {
+      : PassingTorqueSensor(std::move(sensor)), torn_s_(torn_s) {}
+
+ protected:
+  void show(hal::TorqueBlock& block) override {
+    if (block.t0_s < torn_s_) return;
+    for (hal::TorqueSample& sample : block.samples) {
       if (std::isnan(torn_rad_)) torn_rad_ = sample.angle_rad;
       sample.angle_rad = torn_rad_;
     }
-    return shown;
   }
 
  private:
-  std::unique_ptr<hal::TorqueSensor> sensor_;
   double torn_s_;
   double torn_rad_ = not_known;
 };

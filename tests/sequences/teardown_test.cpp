@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tests/sequences/run_fixture.hpp"
+#include "tests/support/passing_devices.hpp"
 
 using namespace rvbench;
 using hal::MirrorFault;
@@ -27,22 +28,18 @@ class Defective final : public sequences::Phase {
 };
 
 // A brake that drags though it is released, as powder brakes do.
-class DraggingBrake final : public hal::Brake {
+class DraggingBrake final : public test::PassingBrake {
  public:
   DraggingBrake(std::unique_ptr<hal::Brake> brake, hal::BrakeLimits limits, double drag_Nm)
-      : brake_(std::move(brake)), limits_(limits), drag_Nm_(drag_Nm) {}
+      : PassingBrake(std::move(brake)), limits_(limits), drag_Nm_(drag_Nm) {}
   hal::BrakeLimits limits() const override { return limits_; }
-  Status connect() override { return brake_->connect(); }
-  Status set_torque(double torque_Nm) override { return brake_->set_torque(torque_Nm); }
-  Result<hal::BrakeStatus> read() override {
-    const auto status = brake_->read();
-    if (!status) return status;
-    return hal::BrakeStatus{std::fmax(drag_Nm_, status.value().torque_Nm), status.value().tripped};
+
+ protected:
+  void show(hal::BrakeStatus& status) override {
+    status = {std::fmax(drag_Nm_, status.torque_Nm), status.tripped};
   }
-  Status release() noexcept override { return brake_->release(); }
 
  private:
-  std::unique_ptr<hal::Brake> brake_;
   hal::BrakeLimits limits_;
   double drag_Nm_;
 };
@@ -57,24 +54,20 @@ class TongueTied final : public sequences::RunObserver {
 };
 
 // A brake that cannot be told anything from the end of the run on. At standstill it holds nothing.
-class DeafBrake final : public hal::Brake {
+class DeafBrake final : public test::PassingBrake {
  public:
-  explicit DeafBrake(std::unique_ptr<hal::Brake> brake) : brake_(std::move(brake)) {}
-  hal::BrakeLimits limits() const override { return brake_->limits(); }
-  Status connect() override { return brake_->connect(); }
-  Status set_torque(double torque_Nm) override { return brake_->set_torque(torque_Nm); }
-  Result<hal::BrakeStatus> read() override {
-    auto status = brake_->read();
-    if (!is_deaf_ || !status) return status;
-    return hal::BrakeStatus{.torque_Nm = 0};
-  }
+  using PassingBrake::PassingBrake;
   Status release() noexcept override {
     is_deaf_ = true;
     return IoError{IoErrc::disconnected, "CAN can0"};
   }
 
+ protected:
+  void show(hal::BrakeStatus& status) override {
+    if (is_deaf_) status = {.torque_Nm = 0};
+  }
+
  private:
-  std::unique_ptr<hal::Brake> brake_;
   bool is_deaf_ = false;
 };
 

@@ -5,6 +5,8 @@
 #include <thread>
 #include <utility>
 
+#include "tests/support/passing_devices.hpp"
+
 namespace rvbench::test {
 namespace {
 
@@ -38,111 +40,99 @@ class PacedClock final : public hal::Clock {
   Real::time_point began_ = Real::now();
 };
 
-class PacedSafetyInputs final : public hal::SafetyInputs {
+class PacedSafetyInputs final : public PassingSafetyInputs {
  public:
   PacedSafetyInputs(std::unique_ptr<hal::SafetyInputs> inputs, PacedClock& clock)
-      : inputs_(std::move(inputs)), clock_(clock) {}
+      : PassingSafetyInputs(std::move(inputs)), clock_(clock) {}
   Status connect() override {
-    return clock_.at_this_moment([this] { return inputs_->connect(); });
+    return clock_.at_this_moment([this] { return behind_->connect(); });
   }
   Result<hal::SafetyStatus> read() override {
-    return clock_.at_this_moment([this] { return inputs_->read(); });
+    return clock_.at_this_moment([this] { return behind_->read(); });
   }
 
  private:
-  std::unique_ptr<hal::SafetyInputs> inputs_;
   PacedClock& clock_;
 };
 
-class PacedAccelerometers final : public hal::Accelerometers {
+class PacedAccelerometers final : public PassingAccelerometers {
  public:
   PacedAccelerometers(std::unique_ptr<hal::Accelerometers> sensors, PacedClock& clock)
-      : sensors_(std::move(sensors)), clock_(clock) {}
-  const std::vector<ChannelInfo>& channels() const override { return sensors_->channels(); }
-  double range_m_s2() const override { return sensors_->range_m_s2(); }
-  double rate_Hz() const override { return sensors_->rate_Hz(); }
+      : PassingAccelerometers(std::move(sensors)), clock_(clock) {}
   Status connect() override {
-    return clock_.at_this_moment([this] { return sensors_->connect(); });
+    return clock_.at_this_moment([this] { return behind_->connect(); });
   }
   Status start() override {
-    return clock_.at_this_moment([this] { return sensors_->start(); });
+    return clock_.at_this_moment([this] { return behind_->start(); });
   }
   Result<hal::AccelerationBlock> read() override {
-    return clock_.at_this_moment([this] { return sensors_->read(); });
+    return clock_.at_this_moment([this] { return behind_->read(); });
   }
   void stop() noexcept override {
-    clock_.at_this_moment([this] { sensors_->stop(); });
+    clock_.at_this_moment([this] { behind_->stop(); });
   }
 
  private:
-  std::unique_ptr<hal::Accelerometers> sensors_;
   PacedClock& clock_;
 };
 
-class PacedTorqueSensor final : public hal::TorqueSensor {
+class PacedTorqueSensor final : public PassingTorqueSensor {
  public:
   PacedTorqueSensor(std::unique_ptr<hal::TorqueSensor> sensor, PacedClock& clock)
-      : sensor_(std::move(sensor)), clock_(clock) {}
-  double rate_Hz() const override { return sensor_->rate_Hz(); }
+      : PassingTorqueSensor(std::move(sensor)), clock_(clock) {}
   Status connect() override {
-    return clock_.at_this_moment([this] { return sensor_->connect(); });
+    return clock_.at_this_moment([this] { return behind_->connect(); });
   }
   Result<hal::TorqueBlock> read() override {
-    return clock_.at_this_moment([this] { return sensor_->read(); });
+    return clock_.at_this_moment([this] { return behind_->read(); });
   }
 
  private:
-  std::unique_ptr<hal::TorqueSensor> sensor_;
   PacedClock& clock_;
 };
 
-class PacedBrake final : public hal::Brake {
+class PacedBrake final : public PassingBrake {
  public:
   PacedBrake(std::unique_ptr<hal::Brake> brake, PacedClock& clock)
-      : brake_(std::move(brake)), clock_(clock) {}
-  hal::BrakeLimits limits() const override { return brake_->limits(); }
+      : PassingBrake(std::move(brake)), clock_(clock) {}
   Status connect() override {
-    return clock_.at_this_moment([this] { return brake_->connect(); });
+    return clock_.at_this_moment([this] { return behind_->connect(); });
   }
   Status set_torque(double torque_Nm) override {
-    return clock_.at_this_moment([&] { return brake_->set_torque(torque_Nm); });
+    return clock_.at_this_moment([&] { return behind_->set_torque(torque_Nm); });
   }
   Result<hal::BrakeStatus> read() override {
-    return clock_.at_this_moment([this] { return brake_->read(); });
+    return clock_.at_this_moment([this] { return behind_->read(); });
   }
   Status release() noexcept override {
-    return clock_.at_this_moment([this] { return brake_->release(); });
+    return clock_.at_this_moment([this] { return behind_->release(); });
   }
 
  private:
-  std::unique_ptr<hal::Brake> brake_;
   PacedClock& clock_;
 };
 
-class PacedDrive final : public hal::Drive {
+class PacedDrive final : public PassingDrive {
  public:
   PacedDrive(std::unique_ptr<hal::Drive> drive, PacedClock& clock)
-      : drive_(std::move(drive)), clock_(clock) {}
-  hal::DriveLimits limits() const override { return drive_->limits(); }
+      : PassingDrive(std::move(drive)), clock_(clock) {}
   Status connect() override {
-    return clock_.at_this_moment([this] { return drive_->connect(); });
+    return clock_.at_this_moment([this] { return behind_->connect(); });
   }
   Result<hal::DriveWatchdog> read_watchdog() override {
-    return clock_.at_this_moment([this] { return drive_->read_watchdog(); });
+    return clock_.at_this_moment([this] { return behind_->read_watchdog(); });
   }
   Status set_speed(double speed_rpm) override {
-    return clock_.at_this_moment([&] { return drive_->set_speed(speed_rpm); });
+    return clock_.at_this_moment([&] { return behind_->set_speed(speed_rpm); });
   }
   Result<hal::DriveStatus> read() override {
-    return clock_.at_this_moment([this] { return drive_->read(); });
+    return clock_.at_this_moment([this] { return behind_->read(); });
   }
   void stop() noexcept override {
-    clock_.at_this_moment([this] { drive_->stop(); });
+    clock_.at_this_moment([this] { behind_->stop(); });
   }
-  int retries() const override { return drive_->retries(); }
 
  private:
-  std::unique_ptr<hal::Drive> drive_;
   PacedClock& clock_;
 };
 

@@ -12,6 +12,7 @@
 #include "bench/run_start.hpp"
 #include "hal/mirror_rig.hpp"
 #include "hal/types/units.hpp"
+#include "tests/support/passing_devices.hpp"
 #include "tests/support/plan_of.hpp"
 #include "tests/survival/disk_calls.hpp"
 #include "tests/survival/rig_in_real_time.hpp"
@@ -34,24 +35,17 @@ const std::string plan_text = R"({
 })";
 
 // Adds what a good unit sounds like: noise, and weak lines of shaft and teeth.
-class Housing final : public hal::Accelerometers {
+class Housing final : public PassingAccelerometers {
  public:
   Housing(std::unique_ptr<hal::Accelerometers> silent, const hal::MirrorWorld& world)
-      : silent_(std::move(silent)), world_(world), channels_(silent_->channels()) {
+      : PassingAccelerometers(std::move(silent)), world_(world), channels_(behind_->channels()) {
     channels_.resize(3);  // enough, and quicker to judge
   }
 
   const std::vector<ChannelInfo>& channels() const override { return channels_; }
-  double range_m_s2() const override { return silent_->range_m_s2(); }
-  double rate_Hz() const override { return silent_->rate_Hz(); }
-  Status connect() override { return silent_->connect(); }
-  Status start() override { return silent_->start(); }
-  void stop() noexcept override { silent_->stop(); }
 
-  Result<hal::AccelerationBlock> read() override {
-    auto read = silent_->read();
-    if (!read) return read;
-    hal::AccelerationBlock block = std::move(read).value();
+ protected:
+  void show(hal::AccelerationBlock& block) override {
     block.scans.conservativeResize(block.scans.rows(), Eigen::Index(channels_.size()));
     for (Eigen::Index i = 0; i < block.scans.rows(); ++i) {
       turns_ += world_.speed_rpm() / 60 / rate_Hz();
@@ -61,7 +55,6 @@ class Housing final : public hal::Accelerometers {
         block.scans(i, c) += static_cast<float>(hum + 0.5 * noise());
       }
     }
-    return block;
   }
 
  private:
@@ -71,7 +64,6 @@ class Housing final : public hal::Accelerometers {
     return static_cast<double>(state_ >> 11U) / 4503599627370496.0 - 1;
   }
 
-  std::unique_ptr<hal::Accelerometers> silent_;
   const hal::MirrorWorld& world_;
   std::vector<ChannelInfo> channels_;
   double turns_ = 0;
