@@ -1,8 +1,8 @@
 #include "analysis/diagnosis.hpp"
-#include "analysis/rv_reducer.hpp"
 #include "analysis/statistics.hpp"
 #include "tests/analysis/null_rates.hpp"
 #include "tests/analysis/order_signals.hpp"
+#include "tests/analysis/reducers.hpp"
 #include "tests/support/under_sanitizer.hpp"
 
 using namespace rvbench;
@@ -23,15 +23,11 @@ struct Machine {
   Kinematics kinematics;
 };
 
-Machine rv20e() {
-  return {{.speed_Hz = 30, .rate_Hz = 1920, .count = 30977},
-          analysis::rv_reducer("RV-20E", {9, 27, 2, 39, 40}, {11, 5, 26, 0})};
-}
+Machine rv20e() { return {{.speed_Hz = 30, .rate_Hz = 1920, .count = 30977}, test::rv20e()}; }
 
 // i = 21: its lines lie six times denser in the spectrum.
 Machine small_reducer() {
-  return {{.speed_Hz = 20, .rate_Hz = 1280, .count = 5380},
-          analysis::rv_reducer("small", {12, 24, 2, 9, 10}, {11, 5, 26, 0})};
+  return {{.speed_Hz = 20, .rate_Hz = 1280, .count = 5380}, test::small_reducer()};
 }
 
 // Noise that all sensors of one housing hear, through a mode of their own each, and their own.

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 
 #include "analysis/diagnosis.hpp"
-#include "analysis/rv_reducer.hpp"
 #include "tests/analysis/order_signals.hpp"
+#include "tests/analysis/reducers.hpp"
 
 using namespace rvbench;
 using analysis::conclude;
@@ -12,17 +12,13 @@ using analysis::examine;
 using analysis::Kinematics;
 using analysis::SignatureScore;
 using test::OrderSignals;
+using test::small_reducer;
 
 namespace {
 
 constexpr double mesh = 240.0 / 21;
 constexpr double lobes = 90.0 / 21;
 const OrderSignals turning{.speed_Hz = 20, .rate_Hz = 1280, .count = 10760};  // 8 periods
-
-// i = 21: sun at 20/21, crank 10/21, in the housing 9/21.
-Kinematics small_reducer() {
-  return analysis::rv_reducer("small", {12, 24, 2, 9, 10}, {11, 5, 26, 0});
-}
 
 const SignatureScore& score_of(const std::string& component, const Examination& e) {
   const Kinematics k = small_reducer();

@@ -4,9 +4,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "analysis/rv_reducer.hpp"
+#include "tests/analysis/reducers.hpp"
 
 using namespace rvbench::analysis;
+using rvbench::test::rv20e;
 
 namespace {
 
@@ -34,8 +35,6 @@ bool has(const std::vector<SignatureLine>& lines, double order) {
     return std::abs(line.order - order) < resolution / 2;
   });
 }
-
-Kinematics rv20e() { return rv_reducer("RV-20E", {9, 27, 2, 39, 40}, {11, 5, 26, 0}); }
 
 const std::vector<SignatureLine>& of(const std::vector<std::vector<SignatureLine>>& lines,
                                      const Kinematics& k, const std::string& component) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -27,6 +28,13 @@ inline CommandAnswer answer_of(const std::vector<std::string>& arguments,
 
 inline CommandAnswer rvbench(const std::vector<std::string>& arguments) {
   return answer_of(arguments, bench::make_commands());
+}
+
+/// `rvbench limits` by an engineer, on the results below this folder.
+inline CommandAnswer limits(const std::filesystem::path& root, std::vector<std::string> words) {
+  words.insert(words.begin(), "limits");
+  words.insert(words.end(), {"--by", "J. Weber", "--out", root.string()});
+  return rvbench(words);
 }
 
 }  // namespace rvbench::test

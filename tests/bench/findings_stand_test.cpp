@@ -2,13 +2,12 @@
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "bench/junit.hpp"
 #include "bench/report/report.hpp"
-#include "bench/summary.hpp"
 #include "bench/verdict_json.hpp"
 #include "tests/bench/judgements.hpp"
+#include "tests/bench/summary_of.hpp"
 
 // What was found is told as found only where something may be said of the unit.
 namespace rvbench::bench {
@@ -44,13 +43,6 @@ std::string page_of(const Judgement& judgement) {
   return make_report(input);
 }
 
-std::string terminal_of(const Judgement& judgement) {
-  std::ostringstream out;
-  Console console{out, out};
-  print_summary(console, judgement, {}, "");
-  return out.str();
-}
-
 }  // namespace
 
 TEST_CASE(
@@ -69,7 +61,7 @@ TEST_CASE(
   CHECK_THAT(page, Contains(why) && Contains("input shaft: misalignment"));
   CHECK_THAT(page, !Contains(advice) && !Contains("Confidence") &&
                        !Contains("As the article reasons") && !Contains("class=\"finding\""));
-  const std::string terminal = terminal_of(judgement);
+  const std::string terminal = test::summary_of(judgement);
   CHECK_THAT(terminal, Contains(why) && Contains("input_shaft: misalignment"));
   CHECK_THAT(terminal,
              !Contains("advice") && !Contains("confidence") && !Contains("Second hypothesis"));
@@ -97,7 +89,7 @@ TEST_CASE("of a bad unit in sound data all is told", "[bench]") {
   CHECK(findings_stand(judgement));
   CHECK_THAT(page_of(judgement),
              Contains(advice) && Contains("Confidence</dt><dd>75 %") && !Contains("seen, but"));
-  CHECK_THAT(terminal_of(judgement),
+  CHECK_THAT(test::summary_of(judgement),
              Contains(advice) && Contains("confidence 75 %") && !Contains("seen, but"));
   const auto json = nlohmann::json::parse(judgement_to_json(judgement));
   CHECK(json.at("findings_stand") == true);
@@ -131,7 +123,7 @@ TEST_CASE("a finding is named and held against its limit in one breath", "[bench
              Contains("input shaft: misalignment – within its limit, 0.97 of it") &&
                  Contains("its interval reaches across") && !Contains(advice));
   CHECK_THAT(
-      terminal_of(judgement),
+      test::summary_of(judgement),
       Contains("input_shaft: misalignment, within its limit, 0.97 of it") && !Contains("advice"));
   const auto json = nlohmann::json::parse(judgement_to_json(judgement));
   CHECK(json.at("below_limit").at(0).at("of_limit").get<double>() == Approx(0.97));
@@ -139,7 +131,7 @@ TEST_CASE("a finding is named and held against its limit in one breath", "[bench
   CHECK(json.at("not_shown").at(0).at("of_limit").is_null());  // no point shows it
 
   const Judgement bad = sound_run();
-  CHECK_THAT(terminal_of(bad),
+  CHECK_THAT(test::summary_of(bad),
              Contains("input_shaft: misalignment, above its limit, 3.00 times it"));
   CHECK_THAT(page_of(bad), Contains("input shaft: misalignment – above its limit, 3.00 times it"));
 }
@@ -148,7 +140,7 @@ TEST_CASE("a hair from the limit is not rounded to it", "[bench]") {
   Judgement judgement = test::passed_run();
   judgement.diagnosis.below_limit = {test::misaligned_shaft()};
   judgement.diagnosis.below_limit.front().severity = 0.1999;  // of 0.2
-  CHECK_THAT(terminal_of(judgement), Contains("within its limit, by less than 0.5 %"));
+  CHECK_THAT(test::summary_of(judgement), Contains("within its limit, by less than 0.5 %"));
 }
 
 }  // namespace rvbench::bench

@@ -40,16 +40,10 @@ void enter(const ScratchFolder& root, const std::vector<double>& peaks_m_s2,
   }
 }
 
-test::CommandAnswer limits(const ScratchFolder& root, std::vector<std::string> words) {
-  words.insert(words.begin(), "limits");
-  words.insert(words.end(), {"--by", "J. Weber", "--out", root.path().string()});
-  return test::rvbench(words);
-}
-
 double learnt_max_g(const std::vector<double>& peaks_m_s2) {
   const ScratchFolder root;
   enter(root, peaks_m_s2);
-  REQUIRE(limits(root, {"learn", "v1", "--plan", "quick"}).code == 0);
+  REQUIRE(test::limits(root.path(), {"learn", "v1", "--plan", "quick"}).code == 0);
   return std::get<0>(read_limits_file(limits_path(root.path(), "v1"))).limits.at(0).max;
 }
 
@@ -78,7 +72,7 @@ TEST_CASE("what is learnt is a draft that says where it comes from", "[bench][li
   std::vector<double> peaks = good_peaks(50);
   peaks[7] = 2;
   enter(root, peaks);
-  const test::CommandAnswer learnt = limits(root, {"learn", "v1", "--plan", "quick"});
+  const test::CommandAnswer learnt = test::limits(root.path(), {"learn", "v1", "--plan", "quick"});
   CHECK(learnt.code == 0);
   CHECK_THAT(learnt.out, Contains("acceleration_peak: max ") && Contains("in force 1 g") &&
                              Contains("of 50 units") && Contains("set aside") && Contains("U07") &&
@@ -86,9 +80,9 @@ TEST_CASE("what is learnt is a draft that says where it comes from", "[bench][li
   const auto file = std::get<0>(read_limits_file(limits_path(root.path(), "v1")));
   CHECK(status_of(file, root.path()) == "draft");
   CHECK_THAT(file.limits.at(0).why, Contains("robust sigma of 50 good units"));
-  CHECK(limits(root, {"learn", "v1", "--plan", "quick"}).code == 2);
-  CHECK(limits(root, {"approve", "v1", "--yes"}).code == 0);
-  CHECK(limits(root, {"activate", "v1"}).code == 0);
+  CHECK(test::limits(root.path(), {"learn", "v1", "--plan", "quick"}).code == 2);
+  CHECK(test::limits(root.path(), {"approve", "v1", "--yes"}).code == 0);
+  CHECK(test::limits(root.path(), {"activate", "v1"}).code == 0);
   CHECK(std::get<0>(active_limits(root.path(), "quick"))->version == "v1");
 }
 
@@ -97,23 +91,23 @@ TEST_CASE("of units that scatter otherwise than normally no share is promised", 
   std::vector<double> skewed = good_peaks(24);
   for (const std::size_t i : {3U, 11U, 20U}) skewed[i] = 3;  // an eighth
   enter(root, skewed);
-  const test::CommandAnswer learnt = limits(root, {"learn", "v1", "--plan", "quick"});
+  const test::CommandAnswer learnt = test::limits(root.path(), {"learn", "v1", "--plan", "quick"});
   CHECK(learnt.code == 0);
   CHECK_THAT(learnt.out, Contains("3 of 24 good units are unlike the others"));
   const auto file = std::get<0>(read_limits_file(limits_path(root.path(), "v1")));
   CHECK_THAT(file.limits.at(0).why, Contains("3 of them set aside") && !Contains("confidence"));
   const ScratchFolder normal;
   enter(normal, good_peaks(24));
-  const test::CommandAnswer sound = limits(normal, {"learn", "v1", "--plan", "quick"});
+  const test::CommandAnswer sound = test::limits(normal.path(), {"learn", "v1", "--plan", "quick"});
   CHECK_THAT(sound.out, !Contains("unlike the others"));
 }
 
 TEST_CASE("limits that the results remember are not forgotten with the ledger", "[bench][limits]") {
   const ScratchFolder root;
   enter(root, good_peaks(20));
-  REQUIRE(limits(root, {"learn", "v1", "--plan", "quick"}).code == 0);
-  REQUIRE(limits(root, {"approve", "v1", "--yes"}).code == 0);
-  REQUIRE(limits(root, {"activate", "v1"}).code == 0);
+  REQUIRE(test::limits(root.path(), {"learn", "v1", "--plan", "quick"}).code == 0);
+  REQUIRE(test::limits(root.path(), {"approve", "v1", "--yes"}).code == 0);
+  REQUIRE(test::limits(root.path(), {"activate", "v1"}).code == 0);
   REQUIRE(test::rvbench({"history", "--out", root.path().string()}).code == 0);
   const auto in_force = [&] {
     auto plan = std::get<0>(find_plan("quick"));
@@ -130,11 +124,11 @@ TEST_CASE("limits that the results remember are not forgotten with the ledger", 
   auto other = std::get<0>(find_plan("rv20e_acceptance"));
   CHECK(std::get<0>(put_in_force(root.path(), "rv20e_acceptance", other)).version.empty());
 
-  CHECK(limits(root, {"learn", "v2", "--plan", "quick"}).code == 2);
-  REQUIRE(limits(root, {"propose", "--from", copy}).code == 0);
+  CHECK(test::limits(root.path(), {"learn", "v2", "--plan", "quick"}).code == 2);
+  REQUIRE(test::limits(root.path(), {"propose", "--from", copy}).code == 0);
   CHECK(in_force().index() == 1);  // nobody has approved it
-  REQUIRE(limits(root, {"approve", "v1", "--yes"}).code == 0);
-  REQUIRE(limits(root, {"activate", "v1"}).code == 0);
+  REQUIRE(test::limits(root.path(), {"approve", "v1", "--yes"}).code == 0);
+  REQUIRE(test::limits(root.path(), {"activate", "v1"}).code == 0);
   CHECK(std::get<0>(in_force()).version == "v1");
 }
 
@@ -144,11 +138,11 @@ TEST_CASE("simulated units teach no limit where real ones do", "[bench][limits]"
   Judgement real = test::passed_run();
   real.facts.serial = "R01";
   test::enter_run(root.path(), real, "bench");
-  const test::CommandAnswer few = limits(root, {"learn", "v1", "--plan", "quick"});
+  const test::CommandAnswer few = test::limits(root.path(), {"learn", "v1", "--plan", "quick"});
   CHECK(few.code == 20);
   CHECK_THAT(few.out, Contains("from runs on rigs of kind bench alone"));
   const test::CommandAnswer asked =
-      limits(root, {"learn", "v1", "--plan", "quick", "--rig-kind", "sim"});
+      test::limits(root.path(), {"learn", "v1", "--plan", "quick", "--rig-kind", "sim"});
   CHECK(asked.code == 0);
   CHECK_THAT(asked.out, Contains("of 20 units"));
   const auto file = std::get<0>(read_limits_file(limits_path(root.path(), "v1")));
@@ -163,7 +157,7 @@ TEST_CASE("a run whose verdict is gone or was changed teaches nothing", "[bench]
   std::filesystem::remove_all(root / "U00/20260103T030405Z");
   const auto changed = root / "U05/20260102T030405Z/verdict.json";
   write_file(changed, read_file(changed).value() + "\n");
-  const test::CommandAnswer learnt = limits(root, {"learn", "v1", "--plan", "quick"});
+  const test::CommandAnswer learnt = test::limits(root.path(), {"learn", "v1", "--plan", "quick"});
   CHECK(learnt.code == 0);
   CHECK_THAT(learnt.out, Contains("U03/20260102T030405Z: teaches nothing") &&
                              Contains("U05/20260102T030405Z: teaches nothing") &&
@@ -174,32 +168,33 @@ TEST_CASE("a unit that failed since is no good one, and one that passed since is
           "[bench][limits]") {
   const ScratchFolder root;
   enter(root, good_peaks(20));
-  REQUIRE(limits(root, {"learn", "v1", "--plan", "quick"}).code == 0);
+  REQUIRE(test::limits(root.path(), {"learn", "v1", "--plan", "quick"}).code == 0);
   enter(root, {1}, Outcome::fail, "20260103T030405Z");  // U00 again
-  const test::CommandAnswer few = limits(root, {"learn", "v2", "--plan", "quick"});
+  const test::CommandAnswer few = test::limits(root.path(), {"learn", "v2", "--plan", "quick"});
   CHECK(few.code == 20);
   CHECK_THAT(few.out, Contains("19 units, and a limit takes 20"));
   enter(root, {1}, Outcome::pass, "20260104T030405Z");
-  CHECK(limits(root, {"learn", "v2", "--plan", "quick"}).code == 0);
+  CHECK(test::limits(root.path(), {"learn", "v2", "--plan", "quick"}).code == 0);
 }
 
 TEST_CASE("from too few units, or none, no draft is made", "[bench][limits]") {
   const ScratchFolder root;
-  CHECK(limits(root, {"learn", "v1", "--plan", "quick"}).code == 20);
+  CHECK(test::limits(root.path(), {"learn", "v1", "--plan", "quick"}).code == 20);
   enter(root, good_peaks(19));
-  const test::CommandAnswer few = limits(root, {"learn", "v1", "--plan", "quick"});
+  const test::CommandAnswer few = test::limits(root.path(), {"learn", "v1", "--plan", "quick"});
   CHECK(few.code == 20);
   CHECK_THAT(few.out, Contains("19 units, and a limit takes 20"));
   CHECK_FALSE(std::filesystem::exists(limits_path(root.path(), "v1")));
-  CHECK(limits(root, {"learn", "v1"}).code == 2);
-  CHECK_THAT(limits(root, {"learn", "v1", "--plan", "quick", "--measure", "kurtosi"}).err,
-             Contains("kurtosis"));
+  CHECK(test::limits(root.path(), {"learn", "v1"}).code == 2);
+  CHECK_THAT(
+      test::limits(root.path(), {"learn", "v1", "--plan", "quick", "--measure", "kurtosi"}).err,
+      Contains("kurtosis"));
   enter(root, good_peaks(25));
   write_file(root / "good.txt", "U01\nU02\n");
-  CHECK_THAT(
-      limits(root, {"learn", "v1", "--plan", "quick", "--serials", (root / "good.txt").string()})
-          .out,
-      Contains("2 units, and a limit takes 20"));
+  CHECK_THAT(test::limits(root.path(), {"learn", "v1", "--plan", "quick", "--serials",
+                                        (root / "good.txt").string()})
+                 .out,
+             Contains("2 units, and a limit takes 20"));
 }
 
 }  // namespace rvbench::bench

@@ -49,12 +49,6 @@ std::vector<double> three_times(std::vector<double> values) {
   return values;
 }
 
-test::CommandAnswer limits(const ScratchFolder& root, std::vector<std::string> words) {
-  words.insert(words.begin(), "limits");
-  words.insert(words.end(), {"--by", "J. Weber", "--out", root.path().string()});
-  return test::rvbench(words);
-}
-
 // The bounds of version v1, by where they hold.
 double max_at(const ScratchFolder& root, const SetPoint& at) {
   const auto file = std::get<0>(read_limits_file(limits_path(root.path(), "v1")));
@@ -71,7 +65,7 @@ TEST_CASE("each point of the matrix gets a limit of its own, beside the one for 
   const ScratchFolder root;
   enter(root, peaks(), three_times(peaks()));
   const test::CommandAnswer learnt =
-      limits(root, {"learn", "v1", "--plan", "quick", "--per-point"});
+      test::limits(root.path(), {"learn", "v1", "--plan", "quick", "--per-point"});
   CHECK(learnt.code == 0);
   CHECK_THAT(learnt.out,
              Contains("acceleration_peak at 1210 rpm, 50 % load: max ") &&
@@ -92,8 +86,8 @@ TEST_CASE("without --per-point one limit is for the worst of all points", "[benc
   const ScratchFolder apart, together;
   enter(apart, peaks(), three_times(peaks()));
   enter(together, three_times(peaks()), three_times(peaks()));
-  CHECK(limits(apart, {"learn", "v1", "--plan", "quick"}).code == 0);
-  CHECK(limits(together, {"learn", "v1", "--plan", "quick"}).code == 0);
+  CHECK(test::limits(apart.path(), {"learn", "v1", "--plan", "quick"}).code == 0);
+  CHECK(test::limits(together.path(), {"learn", "v1", "--plan", "quick"}).code == 0);
   CHECK(max_at(apart, {}) == Approx(max_at(together, {})));
   CHECK(std::isnan(max_at(apart, fast)));
 }
@@ -104,9 +98,9 @@ TEST_CASE("three noisy units at one point widen no limit there, nor elsewhere", 
   for (const std::size_t i : {7U, 23U, 41U}) noisy[i] *= 2;
   enter(clean, peaks(), three_times(peaks()));
   enter(trapped, peaks(), noisy);
-  CHECK(limits(clean, {"learn", "v1", "--plan", "quick", "--per-point"}).code == 0);
+  CHECK(test::limits(clean.path(), {"learn", "v1", "--plan", "quick", "--per-point"}).code == 0);
   const test::CommandAnswer learnt =
-      limits(trapped, {"learn", "v1", "--plan", "quick", "--per-point"});
+      test::limits(trapped.path(), {"learn", "v1", "--plan", "quick", "--per-point"});
   CHECK(std::abs(max_at(trapped, fast) / max_at(clean, fast) - 1) < 0.1);
   CHECK(max_at(trapped, slow) == max_at(clean, slow));
   CHECK_THAT(learnt.out,
@@ -116,13 +110,13 @@ TEST_CASE("three noisy units at one point widen no limit there, nor elsewhere", 
 TEST_CASE("a limit for a point that is in force is learnt anew in its place", "[bench][limits]") {
   const ScratchFolder root;
   enter(root, peaks(), three_times(peaks()));
-  CHECK(limits(root, {"learn", "v0", "--plan", "quick", "--per-point"}).code == 0);
-  CHECK(limits(root, {"approve", "v0", "--yes"}).code == 0);
-  CHECK(limits(root, {"activate", "v0"}).code == 0);
+  CHECK(test::limits(root.path(), {"learn", "v0", "--plan", "quick", "--per-point"}).code == 0);
+  CHECK(test::limits(root.path(), {"approve", "v0", "--yes"}).code == 0);
+  CHECK(test::limits(root.path(), {"activate", "v0"}).code == 0);
   const auto before = std::get<0>(read_limits_file(limits_path(root.path(), "v0"))).limits;
   REQUIRE(before.size() == 3);
   // Those in force are learnt, the general one and the two of points.
-  const test::CommandAnswer again = limits(root, {"learn", "v1", "--plan", "quick"});
+  const test::CommandAnswer again = test::limits(root.path(), {"learn", "v1", "--plan", "quick"});
   CHECK(again.code == 0);
   const auto after = std::get<0>(read_limits_file(limits_path(root.path(), "v1"))).limits;
   REQUIRE(after.size() == 3);
@@ -134,10 +128,10 @@ TEST_CASE("a limit for a point that is in force is learnt anew in its place", "[
 
 TEST_CASE("what no unit shows at any point makes no draft", "[bench][limits]") {
   const ScratchFolder root;
-  CHECK(limits(root, {"learn", "v1", "--plan", "quick", "--per-point"}).code == 20);
+  CHECK(test::limits(root.path(), {"learn", "v1", "--plan", "quick", "--per-point"}).code == 20);
   CHECK_FALSE(std::filesystem::exists(limits_path(root.path(), "v1")));
-  const test::CommandAnswer none =
-      limits(root, {"learn", "v1", "--plan", "quick", "--per-point", "--measure", "lost_motion"});
+  const test::CommandAnswer none = test::limits(
+      root.path(), {"learn", "v1", "--plan", "quick", "--per-point", "--measure", "lost_motion"});
   CHECK(none.code == 20);
   CHECK_FALSE(std::filesystem::exists(limits_path(root.path(), "v1")));
 }

@@ -12,20 +12,9 @@ using Catch::Contains;
 using formats::csv_cells;
 using formats::csv_separator;
 
-Recording read_csv(const std::string& bytes) {
-  const test::ScratchFolder scratch;
-  const auto recordings = read_recordings(test::written(scratch, "a.csv", bytes));
-  INFO(bytes << (recordings ? "" : recordings.error().where));
-  REQUIRE(recordings);
-  return recordings.value()[0];
-}
+Recording read_csv(const std::string& bytes) { return test::recordings_in("a.csv", bytes)[0]; }
 
-std::string complaint(const std::string& bytes) {
-  const test::ScratchFolder scratch;
-  const auto recordings = read_recordings(test::written(scratch, "a.csv", bytes));
-  REQUIRE_FALSE(recordings);
-  return recordings.error().where;
-}
+std::string complaint(const std::string& bytes) { return test::complaint_of("a.csv", bytes); }
 
 }  // namespace
 

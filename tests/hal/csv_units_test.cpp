@@ -13,12 +13,8 @@ using Catch::Contains;
 
 // A table whose first column, of 1 and 3, has this head.
 Recording headed(const std::string& head) {
-  const test::ScratchFolder scratch;
-  const auto recordings =
-      read_recordings(test::written(scratch, "a.csv", head + ",other\n1,2\n3,4\n2,2\n"));
   INFO(head);
-  REQUIRE(recordings);
-  return recordings.value()[0];
+  return test::recordings_in("a.csv", head + ",other\n1,2\n3,4\n2,2\n")[0];
 }
 
 }  // namespace

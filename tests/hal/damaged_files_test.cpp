@@ -2,12 +2,12 @@
 
 #include <catch2/catch.hpp>
 #include <fstream>
-#include <iterator>
 #include <random>
 
 #include "hal/formats/read_recordings.hpp"
 #include "tests/hal/mat5_builder.hpp"
 #include "tests/hal/recording_fixture.hpp"
+#include "tests/support/bytes_in.hpp"
 
 // None of these may crash, hang or allocate by a false claim; run them under asan, too. Whether a
 // damaged file is refused depends on where it was hit: samples carry no checksum.
@@ -15,11 +15,6 @@ namespace rvbench::hal {
 namespace {
 
 using test::ScratchFolder;
-
-std::string bytes_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 Result<std::vector<Recording>> read_bytes(const std::filesystem::path& file,
                                           const std::string& bytes) {
@@ -82,7 +77,7 @@ std::string small_recording(const ScratchFolder& scratch) {
   }
   REQUIRE(made.value()->note(1, "an event"));
   REQUIRE(made.value()->close());
-  return bytes_of(scratch / "whole.h5");
+  return test::bytes_in(scratch / "whole.h5");
 }
 
 }  // namespace

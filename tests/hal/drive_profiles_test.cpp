@@ -2,13 +2,14 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <regex>
 #include <stdexcept>
 
 #include "hal/drive_files.hpp"
 #include "hal/modbus/drive_profile_json.hpp"
 #include "hal/modbus/drive_words.hpp"
+#include "tests/support/bytes_in.hpp"
+#include "tests/support/replaced.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/this_build.hpp"
 
@@ -24,16 +25,8 @@ std::string text_of(const std::string& drive) {
   return "";
 }
 
-std::string text_in(const std::string& file) {
-  std::ifstream in(test::source_dir() / file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 std::string changed(const std::string& drive, const std::string& from, const std::string& to) {
-  std::string text = text_of(drive);
-  const auto at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
+  return test::replaced(text_of(drive), from, to);
 }
 
 // What is wrong with a profile, as a user sees it.
@@ -70,7 +63,7 @@ TEST_CASE("every built-in drive can be read, and is called what its file is call
 }
 
 TEST_CASE("the README tells each key of a profile, and its example can be read", "[hal][modbus]") {
-  const std::string readme = text_in("hal/modbus/drives/README.md");
+  const std::string readme = test::bytes_in(test::source_dir() / "hal/modbus/drives/README.md");
   const auto begin = readme.find("```json\n") + 8;
   CHECK(faults_of(readme.substr(begin, readme.find("```", begin) - begin)) == "");
   const std::regex key("\"([a-zA-Z_]+)\": ");

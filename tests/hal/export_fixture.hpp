@@ -2,12 +2,12 @@
 
 #include <catch2/catch.hpp>
 #include <fstream>
-#include <iterator>
 
 #include "hal/formats/choose_writer.hpp"
 #include "hal/formats/read_recordings.hpp"
 #include "hal/formats/start_time.hpp"
 #include "hal/formats/write_recordings.hpp"
+#include "tests/support/bytes_in.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace rvbench::test {
@@ -53,11 +53,6 @@ inline std::vector<Recording> read_back(const std::filesystem::path& file) {
   auto read = hal::read_recordings(file);
   if (!read) FAIL(read.error().where);
   return std::move(read).value();
-}
-
-inline std::string bytes_in(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace rvbench::test

@@ -4,20 +4,16 @@
 #include <cstdlib>
 
 #include "tests/hal/export_fixture.hpp"
+#include "tests/support/replaced.hpp"
 
 namespace rvbench::hal {
 namespace {
 
 using Catch::Contains;
 using test::exported;
+using test::replaced;
 using test::ScratchFolder;
 using test::written_as;
-
-std::string replaced(std::string bytes, const std::string& what, const std::string& by) {
-  const std::size_t at = bytes.find(what);
-  REQUIRE(at != bytes.npos);
-  return bytes.replace(at, what.size(), by);
-}
 
 Result<std::vector<Recording>> read_bytes(const std::filesystem::path& file,
                                           const std::string& bytes) {

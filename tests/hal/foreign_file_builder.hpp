@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <catch2/catch.hpp>
 #include <cstring>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "hal/formats/read_recordings.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace rvbench::test {
@@ -16,6 +19,22 @@ inline std::filesystem::path written(const ScratchFolder& scratch, const std::st
                                      const std::string& bytes) {
   std::ofstream(scratch / name, std::ios::binary) << bytes;
   return scratch / name;
+}
+
+/// What is read of these bytes in a file of that name; fails with the reason where nothing is.
+inline std::vector<Recording> recordings_in(const std::string& name, const std::string& bytes) {
+  const ScratchFolder scratch;
+  auto read = hal::read_recordings(written(scratch, name, bytes));
+  if (!read) FAIL(read.error().where);
+  return std::move(read).value();
+}
+
+/// Why they are refused.
+inline std::string complaint_of(const std::string& name, const std::string& bytes) {
+  const ScratchFolder scratch;
+  const auto read = hal::read_recordings(written(scratch, name, bytes));
+  REQUIRE_FALSE(read);
+  return read.error().where;
 }
 
 /// The bytes of a number, in the order asked for.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <catch2/catch.hpp>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -54,6 +55,36 @@ inline double real_seconds(const std::function<void()>& call) {
   const auto start = std::chrono::steady_clock::now();
   call();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// A scenario's part that is the same on every wire.
+/// @param line  what the simulated inverter answers on
+template <typename Line>
+void check_late_replies(hal::Drive& drive, sim::InverterModel& model, Line& line) {
+  WHEN("every second reading is answered late, and the value changes before each") {
+    int fresh = 0;
+    for (int i = 1; i <= 6; ++i) {
+      model.set_measured(100 * i, 0);
+      if (i % 2 == 0) line.inject({.fault = sim::WireFault::late, .requests = 1});
+      const auto status = drive.read();
+      if (status && status.value().speed_rpm == 100 * i) ++fresh;
+    }
+    THEN("each reading has the value of its own time") { CHECK(fresh == 6); }
+    THEN("the readings sent again are counted") { CHECK(drive.retries() == 3); }
+  }
+  WHEN("the confirmation of a setpoint comes late") {
+    line.inject({.fault = sim::WireFault::late, .requests = 1});
+    const auto set = drive.set_speed(300);
+    REQUIRE_FALSE(set);
+    THEN("that is a time-out, and the next reading has its own answer") {
+      CHECK(set.error().code == IoErrc::timeout);
+      model.set_measured(123.4, 5);
+      const auto status = drive.read();
+      REQUIRE(status);
+      CHECK(status.value().speed_rpm == Approx(123.4));
+      CHECK(status.value().current_A == Approx(5));
+    }
+  }
 }
 
 }  // namespace rvbench::test

@@ -13,30 +13,7 @@ using test::response_timeout_s;
 SCENARIO("a late reply is never taken for the next one", "[hal][modbus]") {
   Bench bench;
   REQUIRE(bench.drive.connect());
-  WHEN("every second reading is answered late, and the value changes before each") {
-    int fresh = 0;
-    for (int i = 1; i <= 6; ++i) {
-      bench.model.set_measured(100 * i, 0);
-      if (i % 2 == 0) bench.server->inject({.fault = WireFault::late, .requests = 1});
-      const auto status = bench.drive.read();
-      if (status && status.value().speed_rpm == 100 * i) ++fresh;
-    }
-    THEN("each reading has the value of its own time") { CHECK(fresh == 6); }
-    THEN("the readings sent again are counted") { CHECK(bench.drive.retries() == 3); }
-  }
-  WHEN("the confirmation of a setpoint comes late") {
-    bench.server->inject({.fault = WireFault::late, .requests = 1});
-    const auto set = bench.drive.set_speed(300);
-    REQUIRE_FALSE(set);
-    THEN("that is a time-out, and the next reading has its own answer") {
-      CHECK(set.error().code == IoErrc::timeout);
-      bench.model.set_measured(123.4, 5);
-      const auto status = bench.drive.read();
-      REQUIRE(status);
-      CHECK(status.value().speed_rpm == Approx(123.4));
-      CHECK(status.value().current_A == Approx(5));
-    }
-  }
+  test::check_late_replies(bench.drive, bench.model, *bench.server);
 }
 
 SCENARIO("an older reply that comes merged with the right one is not taken", "[hal][modbus]") {

@@ -76,27 +76,7 @@ TEST_CASE("libmodbus alone hands a late reply on a serial line to the next reque
 SCENARIO("a late reply on a serial line is never taken for the next one", "[hal][modbus][rtu]") {
   SerialBench bench;
   REQUIRE(bench.drive.connect());
-  WHEN("every second reading is answered late, and the value changes before each") {
-    int fresh = 0;
-    for (int i = 1; i <= 6; ++i) {
-      bench.model.set_measured(100 * i, 0);
-      if (i % 2 == 0) bench.line.inject({.fault = WireFault::late, .requests = 1});
-      const auto status = bench.drive.read();
-      if (status && status.value().speed_rpm == 100 * i) ++fresh;
-    }
-    THEN("each reading has the value of its own time") { CHECK(fresh == 6); }
-    THEN("the readings sent again are counted") { CHECK(bench.drive.retries() == 3); }
-  }
-  WHEN("a setpoint is confirmed late") {
-    bench.line.inject({.fault = WireFault::late, .requests = 1});
-    const auto set = bench.drive.set_speed(300);
-    REQUIRE_FALSE(set);
-    THEN("that is a time-out, and the next reading has its own answer") {
-      CHECK(set.error().code == IoErrc::timeout);
-      bench.model.set_measured(123.4, 5);
-      CHECK(bench.drive.read().value().speed_rpm == Approx(123.4));
-    }
-  }
+  test::check_late_replies(bench.drive, bench.model, bench.line);
 }
 
 namespace {

@@ -5,27 +5,23 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <fstream>
-#include <iterator>
 #include <thread>
 
 #include "hal/formats/read_recordings.hpp"
 #include "hal/hdf5/journal.hpp"
 #include "tests/hal/recording_fixture.hpp"
+#include "tests/support/bytes_in.hpp"
 
 namespace rvbench::hal {
 namespace {
 
 using test::acceleration_block;
+using test::bytes_in;
 using test::ScratchFolder;
 using test::torque_block;
 
 constexpr int scans = 60;
 constexpr int blocks = 4;
-
-std::string bytes_in(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 void put_bytes(const std::filesystem::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;

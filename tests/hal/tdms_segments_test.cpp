@@ -12,12 +12,7 @@ using test::Tdms;
 
 const std::string a = "/'G'/'a'";
 
-Recording read(const std::string& bytes) {
-  const test::ScratchFolder scratch;
-  const auto recordings = read_recordings(test::written(scratch, "a.tdms", bytes));
-  if (!recordings) FAIL(recordings.error().where);
-  return recordings.value()[0];
-}
+Recording read(const std::string& bytes) { return test::recordings_in("a.tdms", bytes)[0]; }
 
 }  // namespace
 

@@ -17,16 +17,10 @@ Result<std::vector<Recording>> read_bytes(const std::string& bytes) {
 }
 
 std::vector<Recording> read(const std::string& bytes) {
-  auto recordings = read_bytes(bytes);
-  if (!recordings) FAIL(recordings.error().where);
-  return std::move(recordings).value();
+  return test::recordings_in("a.tdms", bytes);
 }
 
-std::string complaint(const std::string& bytes) {
-  const auto recordings = read_bytes(bytes);
-  REQUIRE_FALSE(recordings);
-  return recordings.error().where;
-}
+std::string complaint(const std::string& bytes) { return test::complaint_of("a.tdms", bytes); }
 
 std::vector<double> samples(const Recording& recording, const std::string& channel) {
   const Channel* found = recording.find(channel);

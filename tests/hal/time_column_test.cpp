@@ -10,12 +10,7 @@ namespace {
 
 using Catch::Contains;
 
-Recording read_csv(const std::string& bytes) {
-  const test::ScratchFolder scratch;
-  const auto recordings = read_recordings(test::written(scratch, "a.csv", bytes));
-  REQUIRE(recordings);
-  return recordings.value()[0];
-}
+Recording read_csv(const std::string& bytes) { return test::recordings_in("a.csv", bytes)[0]; }
 
 // 200 lines of `first` + i · `step`, and something that is no time.
 std::string table(double first, double step, double lost_at = -1) {

@@ -15,18 +15,10 @@ using test::uff_set;
 using test::written;
 
 std::vector<Recording> read(const std::string& bytes) {
-  const ScratchFolder scratch;
-  auto recordings = read_recordings(written(scratch, "a.uff", bytes));
-  if (!recordings) FAIL(recordings.error().where);
-  return std::move(recordings).value();
+  return test::recordings_in("a.uff", bytes);
 }
 
-std::string complaint(const std::string& bytes) {
-  const ScratchFolder scratch;
-  const auto recordings = read_recordings(written(scratch, "bad.uff", bytes));
-  REQUIRE_FALSE(recordings);
-  return recordings.error().where;
-}
+std::string complaint(const std::string& bytes) { return test::complaint_of("bad.uff", bytes); }
 
 Uff58 time_response() {
   Uff58 set;

@@ -2,6 +2,7 @@
 
 #include "sequences/timeline.hpp"
 #include "tests/sequences/run_fixture.hpp"
+#include "tests/support/replaced.hpp"
 
 using namespace rvbench;
 using Catch::Matchers::Contains;
@@ -20,10 +21,7 @@ const std::string winding = R"({"phase": "hysteresis_loop", "hold_pct": 150, "pe
   "speed_rpm": 30, "ramp_rpm_per_s": 5, "loops": 2, "timeout_s": 40})";
 
 std::string with(const std::string& from, const std::string& to) {
-  std::string text = winding;
-  const auto at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return winding_plan(text.replace(at, from.size(), to));
+  return winding_plan(test::replaced(winding, from, to));
 }
 
 std::string fault_of(const std::string& text) {

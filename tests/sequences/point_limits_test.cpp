@@ -25,15 +25,7 @@ std::string plan_with(const std::string& limits) {
   return text;
 }
 
-std::string faults_of(const std::string& limits) {
-  const auto read =
-      sequences::parse_plan(hal::ConfigReader::from_text(plan_with(limits), "plan.json"));
-  std::string all;
-  if (const auto* faults = std::get_if<std::vector<hal::ConfigFault>>(&read)) {
-    for (const auto& fault : *faults) all += describe("plan.json", fault) + '\n';
-  }
-  return all;
-}
+std::string faults_of(const std::string& limits) { return test::faults_of(plan_with(limits)); }
 
 std::string limit(const std::string& keys) {
   return R"({"measure": "kurtosis", "why": "x", )" + keys + "}";

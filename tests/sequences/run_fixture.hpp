@@ -109,6 +109,16 @@ inline const std::string small_plan = R"({
             "record": {"output_turns": 4}}]
 })";
 
+/// What is wrong with a plan, a line each, as it is told.
+inline std::string faults_of(const std::string& plan_text) {
+  const auto read = sequences::parse_plan(hal::ConfigReader::from_text(plan_text, "plan.json"));
+  std::string all;
+  if (const auto* faults = std::get_if<std::vector<hal::ConfigFault>>(&read)) {
+    for (const auto& fault : *faults) all += describe("plan.json", fault) + '\n';
+  }
+  return all;
+}
+
 /// A run on the mirror rig, with all that can be seen of it.
 struct Run {
   explicit Run(const hal::MirrorOptions& options = {}) : rig(hal::make_mirror_rig(options)) {

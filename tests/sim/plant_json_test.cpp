@@ -4,10 +4,12 @@
 #include <cmath>
 
 #include "tests/sim/plant_texts.hpp"
+#include "tests/support/replaced.hpp"
 
 using namespace rvbench;
 using test::mass_on;
 using test::plant_of;
+using test::replaced;
 
 namespace {
 
@@ -18,12 +20,6 @@ std::string faults_of(const std::string& text) {
     for (const auto& fault : *faults) all += describe("plant.json", fault) + '\n';
   }
   return all;
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& with) {
-  const std::size_t at = text.find(what);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, what.size(), with);
 }
 
 const std::string good = R"plant({

@@ -19,6 +19,7 @@
 #include "sequences/plan.hpp"
 #include "sim/bench_world.hpp"
 #include "tests/support/plan_of.hpp"
+#include "tests/support/replaced.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace rvbench::test {
@@ -35,12 +36,6 @@ inline const std::string short_plan = R"({
   "main": [{"phase": "matrix", "speeds_rpm": [1210], "loads_pct": [50],
             "settling": {"hold_s": 0.5}, "record": {"output_turns": 4}}]
 })";
-
-inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const auto at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
-}
 
 /// The band is narrower than the motor's slip: the point is given up after 1.1 s.
 inline std::string unsettled_plan() {

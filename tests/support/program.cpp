@@ -8,19 +8,12 @@
 
 #include <chrono>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <thread>
 
+#include "tests/support/bytes_in.hpp"
+
 namespace rvbench::test {
-namespace {
-
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-}  // namespace
 
 Program::Program(const std::filesystem::path& folder, const std::vector<std::string>& words)
     : out_(said_ / "out"), err_(said_ / "err") {
@@ -53,19 +46,19 @@ bool Program::says(const std::string& text) {
   for (;;) {
     const bool ended = ::waitpid(process_, &status_, WNOHANG) == process_;
     if (ended) process_ = -1;
-    if (text_of(err_).find(text) != std::string::npos) return true;
+    if (bytes_in(err_).find(text) != std::string::npos) return true;
     if (ended) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
 }
 
-std::string Program::said() const { return text_of(err_); }
+std::string Program::said() const { return bytes_in(err_); }
 
 Answer Program::wait() {
   if (process_ > 0) ::waitpid(process_, &status_, 0);
   process_ = -1;
   const int code = WIFEXITED(status_) ? WEXITSTATUS(status_) : -WTERMSIG(status_);
-  return {code, text_of(out_), text_of(err_)};
+  return {code, bytes_in(out_), bytes_in(err_)};
 }
 
 }  // namespace rvbench::test

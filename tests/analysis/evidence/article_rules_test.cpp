@@ -2,21 +2,18 @@
 
 #include <catch2/catch.hpp>
 
-#include "analysis/rv_reducer.hpp"
+#include "tests/analysis/reducers.hpp"
 
 using namespace rvbench;
 using analysis::article_rules;
 using analysis::Diagnosis;
 using analysis::Examination;
 using analysis::Finding;
+using test::rv20e;
 
 namespace {
 
 constexpr double mesh = 1080.0 / 121;
-
-analysis::Kinematics rv20e() {
-  return analysis::rv_reducer("RV-20E", {9, 27, 2, 39, 40}, {11, 5, 26, 0});
-}
 
 Examination point(const std::vector<double>& orders) {
   Examination e;

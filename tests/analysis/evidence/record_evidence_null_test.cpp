@@ -1,7 +1,7 @@
-#include "analysis/rv_reducer.hpp"
 #include "tests/analysis/evidence/scored.hpp"
 #include "tests/analysis/null_rates.hpp"
 #include "tests/analysis/order_signals.hpp"
+#include "tests/analysis/reducers.hpp"
 #include "tests/support/under_sanitizer.hpp"
 
 using namespace rvbench;
@@ -12,14 +12,12 @@ using test::NullDraws;
 using test::OrderSignals;
 using test::reddened;
 using test::resonant;
+using test::rv20e;
 using test::UniformBelow;
 
 namespace {
 
 const OrderSignals turning{.speed_Hz = 30, .rate_Hz = 1920, .count = 30977};  // 4 output turns
-
-// RV-20E with a bearing: every kind of signature there is.
-Kinematics rv20e() { return analysis::rv_reducer("RV-20E", {9, 27, 2, 39, 40}, {11, 5, 26, 0}); }
 
 // The p-values of each signature over draws of noise.
 template <class Noise>

@@ -3,25 +3,21 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/rv_reducer.hpp"
 #include "tests/analysis/eight_periods.hpp"
 #include "tests/analysis/evidence/scored.hpp"
+#include "tests/analysis/reducers.hpp"
 
 using namespace rvbench;
 using analysis::Kinematics;
 using analysis::SignatureScore;
 using test::period_turns;
+using test::small_reducer;
 using test::spectra_of;
 using test::turning;
 
 namespace {
 
 constexpr double carrier = 30;
-
-// i = 21: sun at 20/21, crank 10/21, in the housing 9/21.
-Kinematics small_reducer() {
-  return analysis::rv_reducer("small", {12, 24, 2, 9, 10}, {11, 5, 26, 0});
-}
 
 SignatureScore score_of(const std::string& component, const Eigen::VectorXd& x) {
   const Kinematics k = small_reducer();

@@ -4,21 +4,18 @@
 #include <cmath>
 #include <set>
 
-#include "analysis/rv_reducer.hpp"
+#include "tests/analysis/reducers.hpp"
 
 using namespace rvbench;
 using analysis::decoy_shifts;
 using analysis::signature_combs;
 using analysis::SignatureComb;
+using test::rv20e;
 
 namespace {
 
 constexpr int periods = 4;
 constexpr double resolution = 1.0 / (121 * periods);
-
-analysis::Kinematics rv20e() {
-  return analysis::rv_reducer("RV-20E", {9, 27, 2, 39, 40}, {11, 5, 26, 0});
-}
 
 }  // namespace
 
@@ -89,7 +86,7 @@ TEST_CASE("slip moves a harmonic and its sidebands alike: the shaft that makes t
 
 TEST_CASE("decoys are fewer where so many would lie over an order away", "[analysis][evidence]") {
   // Four periods of 21 turns: an order is 84 lines, of which one in four is between two others.
-  const auto small = analysis::rv_reducer("small", {12, 24, 2, 9, 10}, {11, 5, 26, 0});
+  const auto small = test::small_reducer();
   for (const SignatureComb& comb : signature_combs(small, 1.0 / 84)) {
     if (comb.rolls) continue;
     CHECK(decoy_shifts(comb, 4).size() == std::size_t{analysis::fewest_decoys});

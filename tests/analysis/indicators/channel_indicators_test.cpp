@@ -6,15 +6,16 @@
 #include <optional>
 
 #include "analysis/indicators/indicator_places.hpp"
-#include "analysis/rv_reducer.hpp"
 #include "analysis/spectral_lines.hpp"
 #include "hal/types/measure.hpp"
 #include "tests/analysis/order_signals.hpp"
+#include "tests/analysis/reducers.hpp"
 
 using namespace rvbench;
 using analysis::Indicator;
 using analysis::Kinematics;
 using test::OrderSignals;
+using test::small_reducer;
 
 namespace {
 
@@ -22,10 +23,6 @@ namespace {
 constexpr double sun = 20.0 / 21;
 constexpr double mesh = 12 * sun;
 const OrderSignals turning{.speed_Hz = 20, .rate_Hz = 1280, .count = 10760};  // 8 periods
-
-Kinematics small_reducer() {
-  return analysis::rv_reducer("small", {12, 24, 2, 9, 10}, {11, 5, 26, 0});
-}
 
 analysis::ChannelIndicators all_of(const Channel& channel, const analysis::ShaftAngle& angle,
                                    const Kinematics& machine = small_reducer()) {

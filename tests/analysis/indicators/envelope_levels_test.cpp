@@ -7,24 +7,20 @@
 
 #include "analysis/diagnosis.hpp"
 #include "analysis/indicators/indicator_places.hpp"
-#include "analysis/rv_reducer.hpp"
 #include "tests/analysis/order_signals.hpp"
+#include "tests/analysis/reducers.hpp"
 
 using namespace rvbench;
 using analysis::EnvelopeLevels;
 using analysis::Indicator;
 using analysis::Kinematics;
 using test::OrderSignals;
+using test::small_reducer;
 
 namespace {
 
 constexpr double carrier = 30;
 const OrderSignals turning{.speed_Hz = 20, .rate_Hz = 2000, .count = 16801};  // 8 periods
-
-// i = 21: crank in the housing 9/21, against the carrier 10/21.
-Kinematics small_reducer() {
-  return analysis::rv_reducer("small", {12, 24, 2, 9, 10}, {11, 5, 26, 0});
-}
 
 double order_of(const std::string& name) {
   const Kinematics machine = small_reducer();

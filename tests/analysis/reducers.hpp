@@ -1,0 +1,18 @@
+#pragma once
+
+#include "analysis/rv_reducer.hpp"
+
+namespace rvbench::test {
+
+/// With a bearing in each planet: every kind of signature there is.
+inline analysis::Kinematics rv20e() {
+  return analysis::rv_reducer("RV-20E", {9, 27, 2, 39, 40}, {11, 5, 26, 0});
+}
+
+/// i = 21: sun at 20/21 with 12 teeth, crank and planet at 10/21, crank in the housing 9/21, pins
+/// and lobes at 90/21. Likewise with bearings.
+inline analysis::Kinematics small_reducer() {
+  return analysis::rv_reducer("small", {12, 24, 2, 9, 10}, {11, 5, 26, 0});
+}
+
+}  // namespace rvbench::test
