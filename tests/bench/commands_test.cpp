@@ -226,12 +226,40 @@ TEST_CASE("check and report refuse a run folder that was tampered with", "[bench
   CHECK(rvbench({"check", folder}).code == 0);
   CHECK(rvbench({"report", folder}).code == 0);
   CHECK(rvbench({"check", folder}).code == 0);
-
-  write_file(run.path() / "verdict.json", judgement_to_json(test::failed_run()));
-  const CommandAnswer tampered = rvbench({"check", folder});
-  CHECK(tampered.code == 3);
-  CHECK_THAT(tampered.err, Contains("verdict.json: does not match its hash"));
-  CHECK(rvbench({"report", folder}).code == 3);
+  SECTION("a verdict that was made nicer") {
+    write_file(run.path() / "verdict.json", judgement_to_json(test::failed_run()));
+    const CommandAnswer tampered = rvbench({"check", folder});
+    CHECK(tampered.code == 3);
+    CHECK_THAT(tampered.err, Contains("verdict.json: does not match its hash"));
+    CHECK(rvbench({"report", folder}).code == 3);
+  }
+  SECTION("a verdict that is none") {
+    for (const char* text : {"", "{}", "[]", "{\"verdict\": 1}"}) {
+      CAPTURE(text);
+      write_file(run.path() / "verdict.json", text);
+      CHECK(rvbench({"check", folder}).code == 3);
+      const CommandAnswer report = rvbench({"report", folder});
+      CHECK(report.code == 3);
+      CHECK_THAT(report.err, Contains("verdict.json: is no verdict"));
+    }
+  }
+  SECTION("a file more, a file less") {
+    write_file(run.path() / "extra.txt", "x");
+    std::filesystem::remove(run.path() / "report.html");
+    const CommandAnswer answer = rvbench({"check", folder});
+    CHECK(answer.code == 3);
+    CHECK_THAT(answer.err,
+               Contains("extra.txt: not listed in SHA256SUMS") && Contains("report.html: missing"));
+  }
+  SECTION("hashes that are none") {
+    const std::string sums = read_file(run.path() / "SHA256SUMS").value();
+    std::string elsewhere = sums;
+    elsewhere.replace(sums.find("plan.json"), 9, "../../short.json");
+    for (const std::string& text : {std::string("hello\n"), sums.substr(0, 40), elsewhere}) {
+      write_file(run.path() / "SHA256SUMS", text);
+      CHECK(rvbench({"check", folder}).code == 3);
+    }
+  }
 }
 
 }  // namespace rvbench::bench

@@ -29,10 +29,20 @@ TEST_CASE("with --json every refusal is one document on standard output", "[benc
     const char* reason;
   };
   const std::vector<Case> cases{
-      {{"run", "quick", "--rig", "sim"}, 2, "--serial is required"},
-      {{"run", "quick", "--rgi", "sim"}, 2, "unknown option --rgi"},
-      {{"run", "quick"}, 2, "--rig is required"},
       {{"runn", "quick"}, 2, "unknown command"},
+      {{"jugde"}, 2, "did you mean \"judge\"?"},
+      {{"run"}, 2, "PLAN is required"},
+      {{"run", "quick"}, 2, "--rig is required"},
+      {{"run", "quick", "--rig", "sim"}, 2, "--serial is required"},
+      {{"run", "quick", "--rig", "sim", "--serial", ""}, 2, "--serial: must not be empty"},
+      {{"run", "quick", "--rgi", "sim"}, 2, "unknown option --rgi, did you mean \"--rig\"?"},
+      {{"run", "quick", "--rig", "sim", "--serial", "A", "--seed", "18446744073709551615"},
+       2,
+       "--seed: must be a whole number from 0 to 9007199254740991"},
+      {{"run", "quick", "more", "--rig", "sim", "--serial", "A"}, 2, "more"},
+      {{"judge", "a.csv"}, 2, "--kinematics is required"},
+      {{"judge", "a.csv", "--kinematics", "rv20e", "--out", ""}, 2, "--out: must not be empty"},
+      {{"judge", "a.csv", "--kinematics", "rv20e", "--catalogue", "publishd"}, 2, "--catalogue"},
       {{"run", "quikc", "--rig", "sim", "--serial", "A"}, 3, "did you mean \"quick\"?"},
       {{"run", "quick", "--rig", "nowhere.json", "--serial", "A"}, 3, "nowhere.json"},
       {{"judge", "a.csv", "--kinematics", "rv20e", "--rate", "0"},
@@ -53,6 +63,16 @@ TEST_CASE("with --json every refusal is one document on standard output", "[benc
           (refused.code == 20 ? nlohmann::json("INVALID") : nlohmann::json(nullptr)));
     CHECK_THAT(answer.err, Contains(refused.reason));
     CHECK(rvbench(refused.words).out.empty());  // without --json nothing is printed there
+  }
+}
+
+TEST_CASE("a command without what it is about asks for that", "[bench]") {
+  for (const auto& [command, told] :
+       {std::pair{"check", "FILE is required"}, {"report", "RUN is required"}}) {
+    const CommandAnswer answer = rvbench({command});
+    CHECK(answer.code == 2);
+    CHECK(answer.out.empty());
+    CHECK_THAT(answer.err, Contains(told));
   }
 }
 

@@ -224,6 +224,18 @@ TEST_CASE("every fault of a rig file is reported at once, with its place", "[ben
   CHECK_THAT(faults[4].message, Catch::Contains("did you mean \"preset\"?"));
 }
 
+TEST_CASE("a rig of a kind that there is not, or that lacks what its kind needs, is a fault",
+          "[bench]") {
+  const auto told = [](const std::string& text) {
+    return describe("rig.json", faults_of(text).at(0));
+  };
+  CHECK_THAT(told(R"({"rig": "smi"})"),
+             Catch::Contains("/rig: expected one of") && Catch::Contains("did you mean \"sim\"?"));
+  CHECK_THAT(told(R"({"rig": "replay"})"), Catch::Contains("/recording: this key is missing"));
+  CHECK_THAT(told(R"({"faults": [{"at_s": -1, "device": "inverter", "fault": "dead"}]})"),
+             Catch::Contains("/faults/0/at_s: -1 is below 0"));
+}
+
 TEST_CASE("a seed that is no whole number is a fault", "[bench]") {
   CHECK(faults_of(R"({"rig": "sim", "seed": 1.5})").at(0).pointer == "/seed");
 }

@@ -77,7 +77,8 @@ TEST_CASE("every fault is told at once, with its line and place", "[hal][config]
       "  \"main\": [{},\n"
       "    7,\n"
       "    {\"a/b\": null}],\n"
-      "  \"name\": \"\"\n"
+      "  \"name\": \"\",\n"
+      "  \"title\": 7\n"
       "}\n");
   CHECK(root.number("speed_rpm", {0, 6000}) == 0);
   root.integer("turns", {1, 100});
@@ -87,6 +88,7 @@ TEST_CASE("every fault is told at once, with its line and place", "[hal][config]
   REQUIRE(phases.size() == 2);
   phases[1].number("a/b", any);
   root.text("name");
+  root.text("title");
   root.number("repeats", any);
   root.finish();
   CHECK(printed(root) ==
@@ -99,7 +101,8 @@ TEST_CASE("every fault is told at once, with its line and place", "[hal][config]
         "plan.json:8: /loads_pct/2: expected a number, found \"fifty\"\n"
         "plan.json:10: /main/1: expected an object, found 7\n"
         "plan.json:11: /main/2/a~1b: expected a number, found null\n"
-        "plan.json:12: /name: must not be empty\n");
+        "plan.json:12: /name: must not be empty\n"
+        "plan.json:13: /title: expected a text, found 7\n");
 }
 
 TEST_CASE("a missing or wrong object is one fault, not one for each key inside", "[hal][config]") {
@@ -182,11 +185,15 @@ TEST_CASE("what is no JSON is one fault at the line where it goes wrong", "[hal]
     CHECK(fault.message == "is empty");
   }
   SECTION("bytes that are no UTF-8") { CHECK(fault_of("{\n\"a\": \"\xff\"}").line == 2); }
+  SECTION("bytes that are zero") {
+    CHECK_THAT(fault_of(std::string(100, '\0')).message, Catch::Contains("syntax error"));
+  }
   SECTION("an array at the top") {
     const auto fault = fault_of("\n[1]");
     CHECK(fault.line == 2);
     CHECK(fault.message == "expected an object, found an array");
   }
+  SECTION("a number at the top") { CHECK(fault_of("3").message == "expected an object, found 3"); }
 }
 
 TEST_CASE("a file made to exhaust the reader is refused", "[hal][config]") {
@@ -196,6 +203,9 @@ TEST_CASE("a file made to exhaust the reader is refused", "[hal][config]") {
     return root.faults()[0].message;
   };
   CHECK(message(std::string(100000, '[')) == "nested deeper than 64 levels");
+  std::string deep;
+  for (int i = 0; i < 5000; ++i) deep += "{\"a\":";
+  CHECK(message(deep) == "nested deeper than 64 levels");
   CHECK(message("{\"" + std::string(201, 'k') + "\": 1}") == "a key is longer than 200 bytes");
   CHECK(message(std::string((4 << 20) + 1, ' ')) == "larger than 4 MiB: not a configuration file");
   std::string many = "{";

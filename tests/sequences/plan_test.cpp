@@ -7,10 +7,12 @@
 #include "hal/types/measure.hpp"
 #include "sequences/timeline.hpp"
 #include "tests/sequences/run_fixture.hpp"
+#include "tests/support/replaced.hpp"
 #include "tests/support/this_build.hpp"
 
 using namespace rvbench;
 using sequences::TestPlan;
+using test::faults_of;
 
 namespace {
 
@@ -21,20 +23,8 @@ TestPlan shipped(const std::string& name) {
   return std::get<TestPlan>(std::move(read));
 }
 
-std::string faults_of(const std::string& text) {
-  const auto read = sequences::parse_plan(hal::ConfigReader::from_text(text, "plan.json"));
-  std::string all;
-  if (const auto* faults = std::get_if<std::vector<hal::ConfigFault>>(&read)) {
-    for (const auto& fault : *faults) all += describe("plan.json", fault) + '\n';
-  }
-  return all;
-}
-
 std::string small_with(const std::string& from, const std::string& to) {
-  std::string text = test::small_plan;
-  const auto at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
+  return test::replaced(test::small_plan, from, to);
 }
 
 }  // namespace
@@ -149,6 +139,14 @@ TEST_CASE("a plan that contradicts itself is refused", "[sequences][plan]") {
                                   "\"loads_pct\": [100], "
                                   "\"settling\": {\"hold_s\": 40}")),
              Catch::Contains("/main/0/settling/timeout_s: must be above hold_s"));
+  CHECK_THAT(faults_of(small_with("[1815]", "[]")),
+             Catch::Contains("/main/0/speeds_rpm: must not be empty"));
+  CHECK_THAT(faults_of(small_with("[1815]", "[605, 99999]")),
+             Catch::Contains("/main/0/speeds_rpm/1: 99999 is above 10000"));
+  CHECK_THAT(faults_of(small_with("[1815]", "[1815], \"order\": \"x\"")),
+             Catch::Contains("/main/0/order: expected one of"));
+  CHECK_THAT(faults_of(small_with("\"connect\"", "\"connect\", \"watchdog_max_s\": 60")),
+             Catch::Contains("/setup/0/watchdog_max_s: 60 is above 2"));
   std::string many = "[0";
   for (int i = 0; i < 200; ++i) many += ",1";
   CHECK_THAT(faults_of(small_with("\"loads_pct\": [100]",
