@@ -184,6 +184,7 @@ TEST_CASE("what is no JSON is one fault at the line where it goes wrong", "[hal]
     CHECK(fault.line == 1);
     CHECK(fault.message == "is empty");
   }
+  SECTION("a blank file") { CHECK(fault_of("\n\n").line == 1); }
   SECTION("bytes that are no UTF-8") { CHECK(fault_of("{\n\"a\": \"\xff\"}").line == 2); }
   SECTION("bytes that are zero") {
     CHECK_THAT(fault_of(std::string(100, '\0')).message, Catch::Contains("syntax error"));

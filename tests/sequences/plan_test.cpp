@@ -125,6 +125,16 @@ TEST_CASE("every fault of a plan is told at once", "[sequences][plan]") {
         "plan.json:12: /limits/0/max: expected a number, found \"high\"\n");
 }
 
+TEST_CASE("of a plan that lacks nearly all every part is asked for", "[sequences][plan]") {
+  const std::string faults = faults_of("{\"main\": []}");
+  for (const std::string part : {"name", "specimen", "interlocks", "setup"}) {
+    CHECK_THAT(faults, Catch::Contains("plan.json:1: /" + part + ": this key is missing"));
+  }
+  CHECK_THAT(faults_of(small_with("\"load_pct\": 50", "\"load_pc\": 50")),
+             Catch::Contains("/setup/1/load_pct: this key is missing") &&
+                 Catch::Contains("/setup/1/load_pc: unknown key, did you mean \"load_pct\"?"));
+}
+
 TEST_CASE("a plan that contradicts itself is refused", "[sequences][plan]") {
   CHECK(faults_of(test::small_plan) == "");
   CHECK_THAT(faults_of(small_with("\"input_speed_rpm\": 2200", "\"input_speed_rpm\": 1815")),

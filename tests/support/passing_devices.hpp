@@ -14,6 +14,15 @@
 /// about, or show(), which may change what was read before it is told.
 namespace rvbench::test {
 
+/// What was read, as `show` leaves it.
+template <typename Read, typename Show>
+Result<Read> shown(Result<Read> read, const Show& show) {
+  if (!read) return read;
+  Read changed = std::move(read).value();
+  show(changed);
+  return changed;
+}
+
 class PassingDrive : public hal::Drive {
  public:
   explicit PassingDrive(std::unique_ptr<hal::Drive> behind) : behind_(std::move(behind)) {}
@@ -22,11 +31,7 @@ class PassingDrive : public hal::Drive {
   Result<hal::DriveWatchdog> read_watchdog() override { return behind_->read_watchdog(); }
   Status set_speed(double speed_rpm) override { return behind_->set_speed(speed_rpm); }
   Result<hal::DriveStatus> read() override {
-    auto read = behind_->read();
-    if (!read) return read;
-    hal::DriveStatus shown = std::move(read).value();
-    show(shown);
-    return shown;
+    return shown(behind_->read(), [this](auto& read) { show(read); });
   }
   void stop() noexcept override { behind_->stop(); }
   int retries() const override { return behind_->retries(); }
@@ -44,11 +49,7 @@ class PassingBrake : public hal::Brake {
   Status connect() override { return behind_->connect(); }
   Status set_torque(double torque_Nm) override { return behind_->set_torque(torque_Nm); }
   Result<hal::BrakeStatus> read() override {
-    auto read = behind_->read();
-    if (!read) return read;
-    hal::BrakeStatus shown = std::move(read).value();
-    show(shown);
-    return shown;
+    return shown(behind_->read(), [this](auto& read) { show(read); });
   }
   Status release() noexcept override { return behind_->release(); }
 
@@ -65,11 +66,7 @@ class PassingTorqueSensor : public hal::TorqueSensor {
   double rate_Hz() const override { return behind_->rate_Hz(); }
   Status connect() override { return behind_->connect(); }
   Result<hal::TorqueBlock> read() override {
-    auto read = behind_->read();
-    if (!read) return read;
-    hal::TorqueBlock shown = std::move(read).value();
-    show(shown);
-    return shown;
+    return shown(behind_->read(), [this](auto& read) { show(read); });
   }
 
  protected:
@@ -89,11 +86,7 @@ class PassingAccelerometers : public hal::Accelerometers {
   Status connect() override { return behind_->connect(); }
   Status start() override { return behind_->start(); }
   Result<hal::AccelerationBlock> read() override {
-    auto read = behind_->read();
-    if (!read) return read;
-    hal::AccelerationBlock shown = std::move(read).value();
-    show(shown);
-    return shown;
+    return shown(behind_->read(), [this](auto& read) { show(read); });
   }
   void stop() noexcept override { behind_->stop(); }
 
@@ -109,11 +102,7 @@ class PassingSafetyInputs : public hal::SafetyInputs {
       : behind_(std::move(behind)) {}
   Status connect() override { return behind_->connect(); }
   Result<hal::SafetyStatus> read() override {
-    auto read = behind_->read();
-    if (!read) return read;
-    hal::SafetyStatus shown = std::move(read).value();
-    show(shown);
-    return shown;
+    return shown(behind_->read(), [this](auto& read) { show(read); });
   }
 
  protected:
