@@ -1,0 +1,165 @@
+"""What a recording of another hand holds, and what it must not give away."""
+import functools
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+from draws import TURN, Draws  # noqa: E402
+from housing import Housing, fast_length  # noqa: E402
+from machines import PlanetaryStage, RvReducer, TwoStageTrain  # noqa: E402
+from parts import PARTS, SCORE, TUNING, specimens  # noqa: E402
+from sources import Forces, Race, blows  # noqa: E402
+from unit import RATE_HZ, Unit  # noqa: E402
+
+TURNS = 121
+
+
+def line_powers(force):
+    """Powers of the orders k/121 of a force over one output turn."""
+    return 2 * np.abs(np.fft.rfft(force) / len(force)) ** 2
+
+
+def forces_over_one_output_turn(planets, damages):
+    """Forces of an RV-20E with equal planets, equal discs and no healthy modulation."""
+    machine = RvReducer(Draws(3), planets)
+    machine.planets.mesh.gains[:] = 1
+    machine.pin_mesh.gains[:] = 1
+    for modulation in (machine.planets.modulation, machine.pin_modulation):
+        modulation.depths = [(0.0, 0.0)] * len(modulation.depths)
+    turns = np.arange(TURNS * 512) / 512
+    return machine, machine.forces(turns, 10.0, 1.0, 1e6, 0, damages)
+
+
+class SoundMesh(unittest.TestCase):
+    def test_two_equal_planets_cancel_odd_harmonics(self):
+        _, forces = forces_over_one_output_turn(2, {})
+        power = line_powers(forces.mesh["sun-planet mesh"])
+        self.assertLess(power[1080], 1e-12 * power[2160])
+
+    def test_three_equal_planets_add_all_harmonics(self):
+        machine, forces = forces_over_one_output_turn(3, {})
+        power = line_powers(forces.mesh["sun-planet mesh"])
+        self.assertAlmostEqual(power[1080], 4.5 * machine.planets.mesh.amplitudes[0] ** 2, places=9)
+
+    def test_a_path_that_turns_brings_odd_harmonics_back_beside_their_order(self):
+        machine, forces = forces_over_one_output_turn(2, {})
+        power = line_powers(forces.mesh["sun-planet mesh, cosine"])
+        expected = 0.5 * (machine.planets.share * machine.planets.mesh.amplitudes[0]) ** 2
+        self.assertAlmostEqual(power[1079], expected, places=9)
+        self.assertAlmostEqual(power[1081], expected, places=9)
+
+    def test_two_equal_discs_pass_their_pins_together(self):
+        machine, forces = forces_over_one_output_turn(2, {})
+        power = line_powers(forces.mesh["pin pass"])
+        self.assertAlmostEqual(power[1560], 2 * machine.pin_mesh.amplitudes[0] ** 2, places=9)
+
+
+class Damage(unittest.TestCase):
+    def test_a_bent_shaft_modulates_each_planets_mesh_once_per_turn_of_the_sun(self):
+        machine, forces = forces_over_one_output_turn(2, {"shaft": 1})
+        power = line_powers(forces.damage["sun-planet mesh"])
+        side = 0.5 * (2 * 0.35 * machine.planets.mesh.amplitudes[0]) ** 2
+        self.assertAlmostEqual(power[1080 - 120], side, places=9)
+        self.assertLess(power[1080], 1e-9 * side)
+
+    def test_a_struck_pin_is_struck_once_per_orbit_by_each_disc(self):
+        _, forces = forces_over_one_output_turn(2, {"pin": 1})
+        power = line_powers(forces.damage["struck pin"])
+        self.assertGreater(power[78], 1e6 * power[39])
+        self.assertGreater(power[78], 1e6 * power[40])
+
+    def test_a_struck_tooth_strikes_once_per_turn_of_its_planet_against_the_carrier(self):
+        _, forces = forces_over_one_output_turn(2, {"tooth": 1})
+        power = line_powers(forces.damage["sun-planet mesh"])
+        comb = power[40:40 * 30:40]
+        self.assertGreater(comb.min(), 1e3 * np.delete(power, np.arange(0, len(power), 40)).max())
+
+    def test_a_blow_has_fallen_to_1_e_at_its_width(self):
+        for is_gaussian in (False, True):
+            self.assertAlmostEqual(float(blows(np.array([2.01]), 0.01, is_gaussian)[0]), np.exp(-1), places=9)
+
+    def test_inner_and_outer_race_add_to_the_number_of_balls(self):
+        inner, outer = (Race(Draws(1), "race", 11, 5 / 26, is_inner) for is_inner in (True, False))
+        self.assertAlmostEqual(inner.order + outer.order, 11)
+
+    def test_a_race_is_struck_at_its_order_less_the_slip(self):
+        race = Race(Draws(1), "race", 11, 5 / 26, is_inner=False)
+        turns = np.arange(200_000) / 1000
+        force = race.force(turns, 1.0, 1.0, 4960, 0)
+        expected = race.order * (1 - race.slip) * turns[-1]
+        self.assertAlmostEqual(np.count_nonzero(force), expected, delta=0.02 * expected)
+
+    def test_half_the_severity_halves_the_force(self):
+        for kind in ("shaft", "tooth", "pin", "race"):
+            whole, half = (forces_over_one_output_turn(2, {kind: severity})[1] for severity in (1, 0.5))
+            for place in whole.damage:
+                np.testing.assert_allclose(half.damage[place], 0.5 * whole.damage[place], atol=1e-9)
+
+
+class OneHousing(unittest.TestCase):
+    def test_a_force_far_above_a_mode_is_heard_as_mass_and_below_as_its_second_derivative(self):
+        housing = Housing(Draws(5), 1)
+        housing.natural_Hz[:], housing.damping[:] = 200.0, 0.01
+        weights = housing.at_sensors[0] * housing.draws.normal("mode shapes at here", housing.modes)
+        seconds = np.arange(fast_length(20_000)) / 10_000
+        for frequency_Hz, answer in ((4000.0, 1.0), (2.0, (2 / 200) ** 2)):
+            frequency_Hz = round(frequency_Hz * seconds[-1]) / (len(seconds) / 10_000)  # whole periods
+            heard = housing.accelerations({"here": np.cos(TURN * frequency_Hz * seconds)}, 10_000)[0]
+            self.assertAlmostEqual(np.max(np.abs(heard)) / abs(weights.sum()), answer, delta=0.05 * answer)
+
+
+class OneUnit(unittest.TestCase):
+    def test_damage_changes_nothing_else_of_a_unit(self):
+        machine = functools.partial(RvReducer, planets=2)
+        sound, bad = (Unit(machine, 7, channels=2).record(0, 1815, 100, damages) for damages in ({}, {"tooth": 1}))
+        np.testing.assert_array_equal(sound.mesh, bad.mesh)
+        np.testing.assert_array_equal(sound.noise, bad.noise)
+        self.assertEqual(np.max(np.abs(sound.damage)), 0)
+
+    def test_a_record_holds_four_output_turns(self):
+        record = Unit(functools.partial(RvReducer, planets=2), 7, channels=1).record(0, 1815, 100, {})
+        self.assertGreater(record.turns[-1] - record.turns[0], 4 * 121)
+        self.assertGreater(record.mesh.shape[1], 4 * 121 / 30.25 * RATE_HZ)
+
+    def test_the_other_machines_have_each_kind_of_damage(self):
+        for machine in (TwoStageTrain, PlanetaryStage):
+            for kind in machine.parts:
+                with self.subTest(machine=machine.__name__, kind=kind):
+                    turns = np.arange(20_000) / 500
+                    forces = machine(Draws(2)).forces(turns, 20.0, 1.0, 10_000, 0, {kind: 1})
+                    self.assertIsInstance(forces, Forces)
+                    self.assertGreater(max(np.max(np.abs(f)) for f in forces.damage.values()), 0)
+
+
+class Files(unittest.TestCase):
+    def test_the_recording_is_written_without_the_project_and_keeps_its_truth_to_itself(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            alone = Path(scratch, "alone")
+            shutil.copytree(HERE, alone, ignore=shutil.ignore_patterns("score", "__pycache__"))
+            given, truth = Path(scratch, "given"), Path(scratch, "truth")
+            subprocess.run([alone / "generate", given, truth, "--machine", "planetary", "--kind", "ring"], check=True,
+                           cwd=scratch)
+            self.assertEqual(json.loads((truth / "truth.json").read_text())["parts"], ["ring_gear"])
+            self.assertEqual(sorted(path.name for path in given.iterdir()), ["kinematics.json", "recording.h5"])
+            with h5py.File(given / "recording.h5") as file:
+                attributes = {name for point in file["points"].values() for name in point.attrs}
+            self.assertEqual(attributes, {"speed_rpm", "load_pct", "repeat", "status"})
+
+
+class Score(unittest.TestCase):
+    def test_seeds_of_tuning_and_score_and_of_the_parts_do_not_meet(self):
+        seeds = [s.seed for base in (TUNING, SCORE) for part in PARTS for s in specimens(part, base)]
+        self.assertEqual(len(seeds), len(set(seeds)))
+
+
+if __name__ == "__main__":
+    unittest.main()
