@@ -143,7 +143,7 @@ TEST_CASE("pins that are missing are one fault, pins that do not fit the lobes a
   CHECK(has_order(machine_of(reducer(", \"pins\": 40")), 1));
 }
 
-TEST_CASE("a machine without name, shafts or teeth is told what it lacks", "[bench]") {
+TEST_CASE("a missing name, missing shafts and missing teeth are faults", "[bench]") {
   const auto first_of = [](const std::string& text) { return lines_of(faults_of(text)).front(); };
   CHECK_THAT(first_of(R"({"shafts": [{"name": "in"}]})"),
              Catch::Contains(":1: /machine: this key is missing"));

@@ -14,7 +14,7 @@
 /// about, or show(), which may change what was read before it is told.
 namespace rvbench::test {
 
-/// What was read, as `show` leaves it.
+/// Applies `show` to a reading; returns a failed one as it is.
 template <typename Read, typename Show>
 Result<Read> shown(Result<Read> read, const Show& show) {
   if (!read) return read;

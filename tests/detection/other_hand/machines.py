@@ -203,7 +203,7 @@ class PlanetaryStage:
                               "pitch_diameter_mm": 40, "fixed_race": "inner"}}}
 
     def forces(self, turns, speed_Hz, size, rate_Hz, point, damages):
-        sun_teeth, planet_teeth, ring_teeth = self.teeth
+        sun_teeth, planet_teeth, _ = self.teeth
         carrier = turns / self.i
         sun = turns - carrier
         planet = sun * sun_teeth / planet_teeth

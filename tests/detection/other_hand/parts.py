@@ -5,9 +5,10 @@ meet those of another, and the seeds of tuning not those of the score.
 """
 from dataclasses import dataclass, field
 
-KINDS = {"rv20e": ("shaft", "sun", "tooth", "pin", "race"), "other_rv": ("shaft", "sun", "tooth", "pin", "race"),
-         "two_stage": ("shaft", "wheel", "tooth", "last", "race"),
-         "planetary": ("shaft", "sun", "tooth", "ring", "race")}
+from machines import PlanetaryStage, RvReducer, TwoStageTrain
+
+KINDS = {"rv20e": tuple(RvReducer.parts), "other_rv": tuple(RvReducer.parts), "other_bearing": ("race",),
+         "two_stage": tuple(TwoStageTrain.parts), "planetary": tuple(PlanetaryStage.parts)}
 THREE_POINTS = ((605, 100), (1210, 100), (1815, 100))
 NINE_POINTS = tuple((rpm, load) for rpm in (605, 1210, 1815) for load in (50, 100, 150))
 TUNING, SCORE = 0, 10_000_000  # where seeds begin
@@ -30,68 +31,62 @@ class Specimen:
         return f"{self.part}-{self.number:04}"
 
 
-def first_line(name, planets, severity=1.0, healthy=100, each=30, **more):
+def first_line(severity=1.0, healthy=100, each=30, machine="rv20e", **more):
     """Healthy units, then as many of each kind of damage."""
-    def of(first_seed):
-        damages = [{}] * healthy + [{kind: severity} for kind in KINDS["rv20e"] for _ in range(each)]
-        return [Specimen(name, n, first_seed + n, planets=planets, damages=d, **more) for n, d in enumerate(damages)]
+    def of(part, first_seed):
+        damages = [{}] * healthy + [{kind: severity} for kind in KINDS[machine] for _ in range(each)]
+        return [Specimen(part, n, first_seed + n, machine=machine, damages=d, **more) for n, d in enumerate(damages)]
     return of
 
 
-def of_machine(name, healthy=60, each=20):
-    def of(first_seed):
-        damages = [{}] * healthy + [{kind: 1.0} for kind in KINDS[name] for _ in range(each)]
-        return [Specimen(name, n, first_seed + n, machine=name, damages=d) for n, d in enumerate(damages)]
-    return of
-
-
-def pairs(first_seed):
+def pairs(part, first_seed):
     kinds = KINDS["rv20e"]
     two = [(a, b) for i, a in enumerate(kinds) for b in kinds[i + 1:] if (a, b) != ("shaft", "sun")]
-    return [Specimen("pairs", n, first_seed + n, planets=2 + n % 2, damages=dict.fromkeys(two[n % len(two)], 1.0))
+    return [Specimen(part, n, first_seed + n, planets=2 + n % 2, damages=dict.fromkeys(two[n % len(two)], 1.0))
             for n in range(100)]
 
 
-def half_and_half(name, count, **changes):
+def half_and_half(count, **changes):
     """As many faulty units, of each kind in turn, as healthy ones."""
-    def of(first_seed):
+    def of(part, first_seed):
         kinds = KINDS["rv20e"]
-        return [Specimen(name, n, first_seed + n, planets=2 + n % 2, changes=changes,
+        return [Specimen(part, n, first_seed + n, planets=2 + n % 2, changes=changes,
                          damages={} if n % 2 else {kinds[n // 2 % 5]: 1.0}) for n in range(count)]
     return of
 
 
-def faulty(name, count, **changes):
-    def of(first_seed):
-        return [Specimen(name, n, first_seed + n, planets=2 + n // 5 % 2, changes=changes,
-                         damages={KINDS["rv20e"][n % 5]: 1.0}) for n in range(count)]
+def faulty(count, machine="rv20e", **changes):
+    """Each kind in turn, once with two planets and once with three."""
+    def of(part, first_seed):
+        kinds = KINDS[machine]
+        return [Specimen(part, n, first_seed + n, machine=machine, planets=2 + n // len(kinds) % 2, changes=changes,
+                         damages={kinds[n % len(kinds)]: 1.0}) for n in range(count)]
     return of
 
 
 PARTS = {
-    "two_planets": first_line("two_planets", 2),
-    "three_planets": first_line("three_planets", 3),
-    "two_planets_half": first_line("two_planets_half", 2, 0.5, healthy=0),
-    "three_planets_half": first_line("three_planets_half", 3, 0.5, healthy=0),
-    "other_bearing": lambda seed: [Specimen("other_bearing", n, seed + n, machine="other_bearing", planets=2 + n % 2,
-                                            damages={"race": 1.0}) for n in range(60)],
-    "other_rv": of_machine("other_rv"),
-    "two_stage": of_machine("two_stage"),
-    "planetary": of_machine("planetary"),
+    "two_planets": first_line(planets=2),
+    "three_planets": first_line(planets=3),
+    "two_planets_half": first_line(0.5, healthy=0, planets=2),
+    "three_planets_half": first_line(0.5, healthy=0, planets=3),
+    "other_bearing": faulty(60, machine="other_bearing"),
+    "other_rv": first_line(healthy=60, each=20, machine="other_rv"),
+    "two_stage": first_line(healthy=60, each=20, machine="two_stage"),
+    "planetary": first_line(healthy=60, each=20, machine="planetary"),
     "pairs": pairs,
-    "hum": half_and_half("hum", 100, hum=1.0),
-    "tone": half_and_half("tone", 100, tone=1.0),
-    "loud_noise": half_and_half("loud_noise", 100, noise_scale=4.0),
-    "white_half": faulty("white_half", 80, white=0.5),
-    "white_one": faulty("white_one", 80, white=1.0),
-    "white_two": faulty("white_two", 80, white=2.0),
-    "white_four": faulty("white_four", 80, white=4.0),
-    "angle_noise": half_and_half("angle_noise", 50, angle_noise_rad=0.003),
-    "dead_channel": half_and_half("dead_channel", 100, dead_channel=True),
-    "clipped_channel": half_and_half("clipped_channel", 100, clipped_channel=True),
-    "nine_points": first_line("nine_points", 2, healthy=20, each=8, points=NINE_POINTS),
+    "hum": half_and_half(100, hum=1.0),
+    "tone": half_and_half(100, tone=1.0),
+    "loud_noise": half_and_half(100, noise_scale=4.0),
+    "white_half": faulty(80, white=0.5),
+    "white_one": faulty(80, white=1.0),
+    "white_two": faulty(80, white=2.0),
+    "white_four": faulty(80, white=4.0),
+    "angle_noise": half_and_half(50, angle_noise_rad=0.003),
+    "dead_channel": half_and_half(100, dead_channel=True),
+    "clipped_channel": half_and_half(100, clipped_channel=True),
+    "nine_points": first_line(healthy=20, each=8, planets=2, points=NINE_POINTS),
 }
 
 
 def specimens(part, base):
-    return PARTS[part](base + 100_000 * list(PARTS).index(part) + 1)
+    return PARTS[part](part, base + 100_000 * list(PARTS).index(part) + 1)

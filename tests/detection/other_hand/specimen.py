@@ -60,12 +60,13 @@ def changed(record, unit, changes, point):
     return heard
 
 
-def write(folder, truth, machine, seed, sitting, damages, points, changes, channels=12):
-    unit = Unit(machine, seed, sitting, channels)
-    if "angle_noise_rad" in changes:
-        unit.angle_noise_rad = changes["angle_noise_rad"]
+def write(folder, truth, specimen):
+    """Writes the specimen's recording into one folder, its truth into another, and returns the truth."""
+    unit = Unit(machine_of(specimen.machine, specimen.planets), specimen.seed, specimen.sitting)
+    changes, damages = specimen.changes, specimen.damages
+    unit.angle_noise_rad = changes.get("angle_noise_rad", unit.angle_noise_rad)
     records = [unit.record(point, rpm, load, damages, changes.get("noise_scale", 1.0))
-               for point, (rpm, load) in enumerate(points)]
+               for point, (rpm, load) in enumerate(specimen.points)]
     folder.mkdir(parents=True, exist_ok=True)
     truth.mkdir(parents=True, exist_ok=True)
     write_recording(folder / "recording.h5", unit, records,
