@@ -5,12 +5,9 @@
 #include <optional>
 
 #include "analysis/diagnosis.hpp"
-#include "analysis/evidence/carrying_lines.hpp"
-#include "analysis/evidence/consequence.hpp"
-#include "analysis/evidence/equal_explanations.hpp"
 #include "analysis/evidence/growth_law.hpp"
+#include "analysis/evidence/kinship.hpp"
 #include "analysis/evidence/lines_by_depth.hpp"
-#include "analysis/evidence/record_resolution.hpp"
 #include "analysis/evidence/severity.hpp"
 #include "analysis/statistics.hpp"
 #include "analysis/unexplained_families.hpp"
@@ -72,31 +69,13 @@ std::string name_of(const Signature& s) {
   return fmt::format("{}: {} at order {:.4g}", s.component, s.mechanism, s.order);
 }
 
-// Gears of one shaft have all their lines in common, and the first of them speaks for all.
-std::optional<std::size_t> spoken_for_by(std::size_t signature, const Kinematics& kinematics) {
-  constexpr double near = 1e-6;
-  const Signature& own = kinematics.signatures[signature];
-  const std::vector<double> lines = comb_lines(own, own.first_harmonic, 1);
-  for (std::size_t s = 0; s < signature; ++s) {
-    const Signature& other = kinematics.signatures[s];
-    if (holds_all(comb_lines(other, other.first_harmonic, 1), lines, near)) return s;
+// The median over the points; NaN where none could read a line of the part.
+double smallest_visible(const std::vector<const SignatureScore*>& scores) {
+  std::vector<double> visible;
+  for (const SignatureScore* score : scores) {
+    if (!std::isnan(score->smallest_visible)) visible.push_back(score->smallest_visible);
   }
-  return std::nullopt;
-}
-
-// What explains the finding as well at the point that shows it deepest, and grows as it does.
-std::vector<std::string> rivals_of(const Evidence& evidence, const Growth& load,
-                                   const Kinematics& kinematics) {
-  const std::size_t deepest = evidence.deepest();
-  const double resolution = record_resolution(*evidence.shown_by[deepest], kinematics);
-  std::vector<std::string> rivals;
-  for (const std::size_t s :
-       equal_explanations(*evidence.scores[deepest], kinematics, resolution)) {
-    const Signature& rival = kinematics.signatures[s];
-    if (p_value_of_growth(load, rival.load_growth) < fits_at) continue;
-    rivals.push_back(name_of(rival));
-  }
-  return rivals;
+  return visible.empty() ? not_known : median(std::move(visible));
 }
 
 // The hypothesis as far as it goes whether or not a point shows it.
@@ -115,26 +94,13 @@ Finding weigh(const Signature& signature, const Evidence& evidence, double tests
   }
   f.p_value = std::min(1.0, combined_p_value(p_values) * tests);
   for (const Examination* point : evidence.shown_by) f.points.push_back(point->source);
-  const bool is_shown = !evidence.scores.empty();
-  const Severity severity = is_shown               ? severity_of(evidence.scores)
-                            : evidence.all.empty() ? Severity{0, not_known, not_known}
-                                                   : Severity{0, 0, depth_bound(evidence.all)};
+  f.smallest_visible = smallest_visible(evidence.all);
+  const Severity severity =
+      evidence.scores.empty() ? Severity{0, 0, f.smallest_visible} : severity_of(evidence.scores);
   f.severity = severity.depth;
   f.severity_low = severity.low;
   f.severity_high = severity.high;
   return f;
-}
-
-// What is known of the other is all that is known of it.
-void be_spoken_for(Finding& f, const std::vector<Examination>& points, const Kinematics& kinematics,
-                   std::size_t speaker) {
-  const Signature& other = kinematics.signatures[speaker];
-  const Finding known = weigh(other, gather(points, speaker), 1);
-  f.severity_low = 0;
-  f.severity_high = known.severity_high;
-  // What is shown is judged by the other's name, and hides nothing of this one.
-  if (!known.points.empty()) f.severity_high = std::min(known.severity_high, f.limit);
-  f.cannot_tell_from = {name_of(other)};
 }
 
 // Adds where and how the points show it.
@@ -152,7 +118,6 @@ void describe(Finding& f, const Evidence& evidence, const Kinematics& kinematics
   f.growth = growth_law(evidence.shown_by, signature);
   f.growth_p_value = p_value_of_growth(f.growth.load, kinematics.signatures[signature].load_growth);
   f.growth_fits = f.growth_p_value >= fits_at;
-  f.cannot_tell_from = rivals_of(evidence, f.growth.load, kinematics);
 }
 
 // Severity over its limit, less what its growth speaks against it: at most nine tenths, as the
@@ -168,48 +133,100 @@ struct Shown {
   Finding finding;
   Evidence evidence;
   double weight;
-  bool is_cause = false;  // of one that by itself would weigh more
 
   bool is_bad() const { return finding.severity > finding.limit; }
 };
 
-// Whether the other makes all its lines, where it is deepest.
-bool follows(const Shown& lesser, const Shown& graver, const Kinematics& kinematics) {
-  if (lesser.finding.component == graver.finding.component) return false;
-  const std::size_t deepest = lesser.evidence.deepest();
-  const Examination& point = *lesser.evidence.shown_by[deepest];
-  return may_follow_from(*lesser.evidence.scores[deepest], point.scores[graver.signature],
-                         kinematics, record_resolution(point, kinematics));
-}
+bool is_graver(const Shown& a, const Shown& b) { return a.weight > b.weight; }
 
-// A spall that turns through the load makes its shaft's lines, too; the shaft makes none of the
-// spall's, which slip. So both together speak for the spall. Of gears neither could be said: an
-// eccentric shaft makes sidebands of their meshes.
-void raise_causes(std::vector<Shown>& shown, const Kinematics& kinematics) {
-  for (Shown& cause : shown) {
-    if (!(kinematics.signatures[cause.signature].slip > 0) || !cause.is_bad()) continue;
-    for (const Shown& other : shown) {
-      if (other.weight <= cause.weight || !follows(other, cause, kinematics)) continue;
-      cause.weight = other.weight;
-      cause.is_cause = true;
-    }
+// Parts whose lines are the same are one finding, by the name of the graver one.
+void join_twins(std::vector<Shown>& shown, const Kinematics& kinematics) {
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    Finding& first = shown[i].finding;
+    const auto twin = std::find_if(
+        shown.begin() + static_cast<std::ptrdiff_t>(i) + 1, shown.end(), [&](const Shown& other) {
+          return have_the_same_lines(kinematics.signatures[shown[i].signature],
+                                     kinematics.signatures[other.signature]);
+        });
+    if (twin == shown.end()) continue;
+    first.one_of = {first.component, twin->finding.component};
+    first.cannot_tell_from = {name_of(kinematics.signatures[twin->signature])};
+    shown.erase(twin);
   }
 }
 
-bool is_graver(const Shown& a, const Shown& b) {
-  return a.weight != b.weight ? a.weight > b.weight : a.is_cause && !b.is_cause;
+// A bad rolling element passes the load once per turn of the cage, as a worn cage does. Where its
+// own lines are spread, that of the cage is all there is, and the element is the likelier.
+void share_cages(std::vector<Shown>& shown, const Kinematics& kinematics) {
+  for (const RollingBearing& bearing : kinematics.bearings) {
+    const auto of = [&](std::size_t part) {
+      return std::ranges::find(shown, part, &Shown::signature);
+    };
+    const auto cage = of(bearing.cage_wear);
+    if (cage == shown.end() || of(bearing.ball) != shown.end()) continue;
+    const Signature& ball = kinematics.signatures[bearing.ball];
+    Finding& finding = cage->finding;
+    finding.one_of = {ball.component, finding.component};
+    finding.cannot_tell_from = {name_of(kinematics.signatures[bearing.cage_wear])};
+    finding.component = ball.component;
+    finding.mechanism = ball.mechanism;
+  }
 }
 
 // Names the gravest of those before it that it may follow from.
 void relate(std::vector<Shown>& shown, const Kinematics& kinematics) {
   for (std::size_t i = 1; i < shown.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (!follows(shown[i], shown[j], kinematics)) continue;
+      if (!may_follow_from(shown[i].signature, shown[j].signature, kinematics)) continue;
       const Finding& graver = shown[j].finding;
       shown[i].finding.may_follow_from = graver.component + ": " + graver.mechanism;
       break;
     }
   }
+}
+
+// A family that most of the points show, at one order but for slip.
+std::vector<UnknownFamily> unknown_of(const std::vector<Examination>& points) {
+  constexpr double slip = 0.03;
+  std::vector<UnknownFamily> families;
+  std::size_t resolvable = 0;
+  for (const Examination& point : points) {
+    resolvable += point.resolvable ? 1 : 0;
+    for (const UnknownFamily& found : point.unknown) {
+      const auto same = std::ranges::find_if(families, [&](const UnknownFamily& family) {
+        return std::abs(family.spacing - found.spacing) < slip * family.spacing;
+      });
+      UnknownFamily& family = same == families.end() ? families.emplace_back(found) : *same;
+      family.points.push_back(point.source);
+      family.severity = std::max(family.severity, found.severity);
+      family.p_value = std::min(family.p_value, found.p_value);
+    }
+  }
+  std::erase_if(families,
+                [&](const UnknownFamily& family) { return 2 * family.points.size() < resolvable; });
+  return families;
+}
+
+// Lines of the signal itself that modulate a mesh, and have many harmonics: a single tone, the
+// mains or an inverter does neither.
+// One at a multiple of a known part's order is that part's.
+bool is_damage_like(const SpectralLine& family, const Kinematics& kinematics) {
+  constexpr int fewest_harmonics = 4, fewest_sidebands = 2;
+  constexpr double same = 2e-3;  // relative
+  const bool is_known = std::ranges::any_of(kinematics.orders, [&](const CharacteristicOrder& o) {
+    const double multiple = std::max(1.0, std::round(family.order / o.order));
+    return std::abs(family.order - multiple * o.order) < same * family.order;
+  });
+  return !is_known && family.harmonics >= fewest_harmonics && family.sidebands >= fewest_sidebands;
+}
+
+UnknownFamily unknown_family(const SpectralLine& family, const std::vector<Examination>& points) {
+  UnknownFamily unknown{.spacing = family.order,
+                        .harmonics = family.harmonics,
+                        .sidebands = family.sidebands,
+                        .p_value = family.p_value};
+  for (const Examination& point : points) unknown.points.push_back(point.source);
+  return unknown;
 }
 
 }  // namespace
@@ -241,11 +258,6 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
   for (std::size_t s = 0; s < kinematics.signatures.size(); ++s) {
     Evidence evidence = gather(points, s);
     Finding f = weigh(kinematics.signatures[s], evidence, tests);
-    if (evidence.all.empty()) {
-      if (const auto speaker = spoken_for_by(s, kinematics)) {
-        be_spoken_for(f, points, kinematics, *speaker);
-      }
-    }
     if (!evidence.shows(tests) || f.p_value >= significant_p) {
       d.not_shown.push_back(std::move(f));
       continue;
@@ -254,8 +266,9 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
     const double own = weight(f);
     shown.push_back({s, std::move(f), std::move(evidence), own});
   }
-  raise_causes(shown, kinematics);
   std::ranges::stable_sort(shown, is_graver);
+  join_twins(shown, kinematics);
+  share_cages(shown, kinematics);
   relate(shown, kinematics);
   double total = 0;
   for (const Shown& s : shown) total += s.is_bad() ? s.weight : 0;
@@ -265,7 +278,11 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
     (is_bad ? d.findings : d.below_limit).push_back(std::move(s.finding));
   }
   std::ranges::sort(d.not_shown, {}, &Finding::p_value);
+  d.unknown = unknown_of(points);
   d.unexplained = unexplained_families(points, kinematics);
+  for (const SpectralLine& family : d.unexplained) {
+    if (is_damage_like(family, kinematics)) d.unknown.push_back(unknown_family(family, points));
+  }
   return d;
 }
 

@@ -18,26 +18,42 @@ struct QualityNote {
   std::string where;  ///< "point 012, accel_1x"
   std::string what;   ///< "clipped: 31 samples at full scale"
   bool invalidates = false;
+  bool leaves_out = false;  ///< the channel is not judged by, and the others are
 };
 
 /// How much of a signature one record shows.
 struct SignatureScore {
   int signature = 0;  ///< index into Kinematics::signatures
   double order = 0;   ///< where it was found; off the nominal one only within slip or tolerance
-  double depth = 0;   ///< modulation depth: its envelope lines, added by power, over the mean
-                      ///< envelope, noise floor taken out; 1 = fully modulated
-  double depth2_variance = 0;          ///< of the squared depth, by the record's noise
-  double log_likelihood_ratio = 0;     ///< against noise, over lines, IMFs and channels,
-                                       ///< less what its decoys have
-  double p_value = 1;                  ///< of the ratio, for all orders searched
-  int imf = 0;                         ///< 1-based: where the channel shows it most
-  int channel = 0;                     ///< index into Examination::channels: where it is deepest
-  std::vector<double> line_orders;     ///< the lines of the signature where they were found, and
-  std::vector<double> line_depths;     ///< the modulation depth of each
-  std::vector<double> channel_depths;  ///< depth in each channel
+  double depth = 0;   ///< amplitude of its own lines over the rms of the mesh; of blows over that
+                      ///< of all gear lines; median over the channels, without noise
+  double depth2_variance = 0;       ///< of the squared depth, by the record's noise
+  double log_likelihood_ratio = 0;  ///< against noise, over lines and channels, less what its
+                                    ///< decoys have
+  double p_value = 1;               ///< of the ratio, for all orders searched
+  int imf = 0;      ///< 1-based: whose envelope shows the part's order most; 0 if none does
+  int channel = 0;  ///< index into Examination::channels: where it is deepest
+  std::vector<double> line_orders;      ///< the deepest lines of the signature, and
+  std::vector<double> line_depths;      ///< the depth of each
+  std::vector<double> channel_depths;   ///< depth in each channel
+  double smallest_visible = not_known;  ///< the least depth that this record would have shown with
+                                        ///< 90 %
+  double article_statistic = 0;  ///< −ln p of the line at its order in the envelopes of IMF 1 to 5,
+                                 ///< summed over channels: all the article asks
 
   /// Whether any line of it could be read: noise moves whatever was.
   bool is_read() const { return depth > 0 || depth2_variance > 0; }
+};
+
+/// A family of lines that follows the shaft, and that no part of the machine explains.
+struct UnknownFamily {
+  double spacing = 0;  ///< orders
+  int harmonics = 0;
+  int sidebands = 0;
+  bool is_locked = false;  ///< to the shaft, as gears are; else it slips, as a bearing does
+  double severity = 0;     ///< as a part's
+  double p_value = 1;
+  std::vector<std::string> points = {};  ///< sources of the records that show it
 };
 
 /// A line of the order spectrum of the signal itself, well above its surroundings.
@@ -47,6 +63,8 @@ struct SpectralLine {
   double amplitude = 0;  ///< 0-to-peak, in the unit of the channel
   double p_value = 1;
   std::string meaning;  ///< "sun-planet mesh x2"; empty if the kinematics does not explain it
+  int harmonics = 0;    ///< of a family of unexplained lines: how many it has, and how many
+  int sidebands = 0;    ///< sidebands of meshes
 };
 
 struct ChannelExamination {
@@ -73,6 +91,7 @@ struct Examination {
   bool resolvable = false;  ///< long enough to part the orders that the kinematics asks for
   std::vector<ChannelExamination> channels;
   std::vector<SignatureScore> scores;  ///< one per signature
+  std::vector<UnknownFamily> unknown = {};
   std::vector<QualityNote> quality;
   std::vector<Indicator> indicators = {};  ///< of torques and angles
   bool of_hysteresis = false;  ///< the shaft went to and fro: it tells of torsion, not of vibration
@@ -106,15 +125,19 @@ struct Finding {
   double severity_low = 0;  ///< of its 95 % interval; where none shows it 0 to what it is below,
                             ///< NaN if no line of it could be read
   double severity_high = 0;
-  double limit = 0;       ///< of severity
+  double smallest_visible = not_known;  ///< the least severity that the points would have shown
+                                        ///< with 90 %
+  double limit = 0;                     ///< of severity
   double confidence = 0;  ///< 0..1: share of severity over limit, less what growth speaks against
                           ///< it, among all findings; a cause has at least its consequence's
   std::string advice;
   std::vector<double> line_orders;  ///< evidence: the envelope lines, strongest first
   std::vector<double> line_depths;
   GrowthLaw growth;
-  double growth_p_value = 1;  ///< of an exponent as far outside what the mechanism allows
-  bool growth_fits = true;    ///< false: it is, at 5 %
+  double growth_p_value = 1;        ///< of an exponent as far outside what the mechanism allows
+  bool growth_fits = true;          ///< false: it is, at 5 %
+  std::vector<std::string> one_of;  ///< components that no line of the record can tell apart, this
+                                    ///< one first; empty: it stands alone
   std::vector<std::string> cannot_tell_from;  ///< "component: mechanism" that explain it as well
   std::string may_follow_from;  ///< "component: mechanism" of a graver one that makes all its lines
 
@@ -126,6 +149,7 @@ struct Diagnosis {
   std::vector<Finding> findings;          ///< above their limit, by confidence
   std::vector<Finding> below_limit;       ///< significant, but within limits
   std::vector<Finding> not_shown;         ///< all other hypotheses, likeliest first
+  std::vector<UnknownFamily> unknown;     ///< damage-like, of no part of the machine
   std::vector<SpectralLine> unexplained;  ///< families of lines no kinematics accounts for
   std::vector<QualityNote> quality;
   bool resolvable = false;  ///< at least one record could be judged
@@ -141,6 +165,8 @@ struct ExamineOptions {
   int imfs = 9;
   int sifts = 10;
   double clip_level = not_known;  ///< full scale of the channels, if known
+  int channels_may_fail = 0;  ///< that are left out instead of spoiling the record; never so many
+                              ///< that fewer than four remain, or than two thirds
 };
 
 /// Examines the acceleration channels of one record: quality, EMD, envelope spectra of the

@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <memory>
 #include <utility>
 
 #include "analysis/diagnosis.hpp"
 #include "analysis/emd/emd.hpp"
 #include "analysis/envelope_spectra.hpp"
-#include "analysis/evidence/record_evidence.hpp"
+#include "analysis/evidence/article_reading.hpp"
+#include "analysis/evidence/gear_evidence.hpp"
+#include "analysis/evidence/residual_envelope.hpp"
+#include "analysis/evidence/rolling_evidence.hpp"
 #include "analysis/indicators/channel_indicators.hpp"
 #include "analysis/indicators/envelope_levels.hpp"
 #include "analysis/indicators/hysteresis_record.hpp"
@@ -19,6 +23,7 @@
 #include "analysis/quality/record_quality.hpp"
 #include "analysis/quality/same_samples.hpp"
 #include "analysis/shaft_angle.hpp"
+#include "analysis/shaft_speed.hpp"
 #include "analysis/spectral_lines.hpp"
 #include "analysis/statistics.hpp"
 #include "hal/types/parallel_for.hpp"
@@ -30,11 +35,20 @@ namespace {
 constexpr double fewest_periods = lines_to_part;  // to part lines one period's order apart
 constexpr double relevant_correlation = 0.1;      // an IMF below it says nothing about the signal
 
+// Where the gears' lines are in the spectra of channels of one length and rate.
+struct RecordPlaces {
+  GearPlaces gears;
+  GearPlaces noise;
+};
+
 // What one channel came to.
 struct ChannelResult {
   ChannelExamination examination;
-  std::vector<SignatureComb> combs;       // empty where no period of the gear train fits
-  std::vector<ChannelEvidence> evidence;  // one per comb
+  std::shared_ptr<const RecordPlaces> places;
+  std::vector<GearReading> gears;  // one per signature; none where no period of the gears fits
+  std::vector<GearReading> noise;
+  ResidualEnvelope residual;
+  std::optional<ArticleReading> article;
   std::vector<QualityNote> quality;
   double periods = 0;
   bool repeats_another = false;  // sample by sample: what it shows is no evidence of its own
@@ -44,10 +58,28 @@ struct Task {
   const Kinematics& kinematics;
   const ShaftAngle& angle;
   const ExamineOptions& options;
+  const ShaftAngle& by_lines;  // the same angle, or a stated speed as the meshes' lines correct it
+  bool is_placed;              // by_lines is as good as measured
 };
 
 bool is_spoiled(const std::vector<QualityNote>& notes) {
-  return std::ranges::any_of(notes, &QualityNote::invalidates);
+  return std::ranges::any_of(
+      notes, [](const QualityNote& note) { return note.invalidates || note.leaves_out; });
+}
+
+// Channels that cannot be trusted are left out where enough others remain.
+void leave_out_spoiled(std::vector<std::vector<QualityNote>>& quality, int may_fail) {
+  constexpr std::ptrdiff_t fewest = 4;
+  const auto all = std::ssize(quality);
+  const auto spoiled = std::ranges::count_if(quality, is_spoiled);
+  if (spoiled > may_fail || all - spoiled < fewest || 3 * (all - spoiled) < 2 * all) return;
+  for (std::vector<QualityNote>& notes : quality) {
+    for (QualityNote& note : notes) {
+      if (!note.invalidates) continue;
+      note.invalidates = false;
+      note.leaves_out = true;
+    }
+  }
 }
 
 void describe_signal(const Channel& channel, ChannelExamination& e) {
@@ -59,8 +91,8 @@ void describe_signal(const Channel& channel, ChannelExamination& e) {
   e.kurtosis = levels.kurtosis;
 }
 
-// Depths of the IMFs are weighed by the share of the signal that each carries, so that a strong
-// modulation of a mode that hardly is there does not count.
+// Envelopes of the IMFs that say something about the signal, weighed by the share of it that each
+// carries.
 void read_imfs(const Channel& channel, const Emd& modes, const Task& task, ChannelResult& out) {
   const std::vector<double>& correlations = out.examination.imf_correlation;
   std::vector<std::size_t> relevant;
@@ -71,26 +103,124 @@ void read_imfs(const Channel& channel, const Emd& modes, const Task& task, Chann
     total_share += correlations[k] * correlations[k];
   }
   EnvelopeLevels levels(task.kinematics, speed_error(task.angle.is_measured()));
+  ArticleReading& article = out.article.emplace(task.kinematics);
   for (const std::size_t k : relevant) {
     const EnvelopeSpectra envelope =
         envelope_spectra(modes.imfs.col(static_cast<Eigen::Index>(k)), channel.rate_Hz,
                          channel.start_s, task.angle, task.kinematics.period_turns);
     if (!(envelope.mean > 0)) return;
-    if (out.combs.empty()) {
-      out.combs = signature_combs(task.kinematics, envelope.whole.resolution);
-      out.evidence.resize(out.combs.size());
-    }
-    const double share = correlations[k] * correlations[k] / total_share;
-    for (std::size_t s = 0; s < out.combs.size(); ++s) {
-      out.evidence[s].add(comb_evidence(envelope, out.combs[s]), static_cast<int>(k) + 1, share);
-    }
-    levels.add(envelope, share);
+    article.add(envelope, static_cast<int>(k) + 1);
+    levels.add(envelope, correlations[k] * correlations[k] / total_share);
   }
   std::ranges::move(levels.indicators(), std::back_inserter(out.examination.indicators));
 }
 
+// The highest order that the squared envelope is asked for.
+double highest_envelope(const Kinematics& kinematics) {
+  double highest = 0;
+  for (const Signature& part : kinematics.signatures) {
+    const double harmonics = part.shows == Shows::as_blows ? 6.5 : part.harmonics + 1;
+    highest = std::max(highest, harmonics * part.order);
+  }
+  return highest;
+}
+
+// Lines that may tell the speed: the meshes' first harmonics; as their paths spread them where
+// equal planets cancel them; and their second.
+std::vector<std::vector<double>> witnesses_of(const Kinematics& kinematics, double top_order) {
+  std::vector<double> first, beside, second;
+  for (const GearMesh& mesh : kinematics.meshes) {
+    if (2 * mesh.order + 1 > top_order) continue;
+    first.push_back(mesh.order);
+    second.push_back(2 * mesh.order);
+    if (!(mesh.path_order > 0)) continue;
+    beside.push_back(mesh.order - mesh.path_order);
+    beside.push_back(mesh.order + mesh.path_order);
+  }
+  std::vector<std::vector<double>> witnesses;
+  for (const std::vector<double>& orders : {first, second, beside}) {
+    if (!orders.empty()) witnesses.push_back(orders);
+  }
+  if (first.size() > 1) {
+    for (const double alone : first) witnesses.push_back({alone});  // the others may be silent
+  }
+  return witnesses;
+}
+
+// A stated speed, corrected by how far the meshes' lines are off it; empty where they are not seen
+// surely enough to place all that belongs to them.
+std::optional<ShaftAngle> corrected_by_lines(const std::vector<const Channel*>& channels,
+                                             const std::vector<std::vector<QualityNote>>& quality,
+                                             const ShaftAngle& stated,
+                                             const Kinematics& kinematics) {
+  std::vector<Channel> sound;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const Channel& channel = *channels[i];
+    if (is_spoiled(quality[i])) continue;
+    if (sound.empty() || (channel.samples.size() == sound.front().samples.size() &&
+                          channel.rate_Hz == sound.front().rate_Hz)) {
+      sound.push_back(channel);
+    }
+  }
+  if (sound.empty()) return {};
+  const double rate_Hz = sound.front().rate_Hz;
+  const Eigen::Index samples = sound.front().samples.size();
+  constexpr Eigen::Index fewest_samples = 4096;
+  if (samples < fewest_samples) return {};
+  const double top_order = OrderLines::top_order_of(rate_Hz, stated);
+  const double turns = stated.mean_speed_Hz() * static_cast<double>(samples) / rate_Hz;
+  for (std::vector<double>& orders : witnesses_of(kinematics, top_order)) {
+    const ShaftLines lines{.orders = std::move(orders),
+                           .turns_per_sample = stated.mean_speed_Hz() / rate_Hz,
+                           .within = 2 * stated_speed_error};
+    const std::vector<ShaftSpeed> found = shaft_speeds(sound, lines, samples);
+    if (found.empty() || !std::isfinite(found.front().turns_per_sample)) continue;
+    const double off = found.front().standard_error / found.front().turns_per_sample;
+    if (!(off * top_order * turns < same_line)) continue;
+    return stated.geared(found.front().turns_per_sample / lines.turns_per_sample);
+  }
+  return {};
+}
+
+// Of each channel; channels that are alike share one. None where no period of the gears fits.
+std::vector<std::shared_ptr<const RecordPlaces>> places_of(
+    const std::vector<const Channel*>& channels, const ShaftAngle& angle, bool is_placed,
+    const Kinematics& kinematics) {
+  struct Made {
+    double turns, top_order;
+    std::shared_ptr<const RecordPlaces> places;
+  };
+  std::vector<Made> made;
+  std::vector<std::shared_ptr<const RecordPlaces>> all;
+  for (const Channel* channel : channels) {
+    std::shared_ptr<const RecordPlaces>& places = all.emplace_back();
+    if (!(channel->rate_Hz > 0)) continue;
+    const double period = kinematics.period_turns;
+    const double turns = period * angle.whole_periods(channel->samples.size(), channel->rate_Hz,
+                                                      channel->start_s, period);
+    const double top_order = OrderLines::top_order_of(channel->rate_Hz, angle);
+    if (!(turns > 0)) continue;
+    const auto alike = std::ranges::find_if(made, [&](const Made& other) {
+      return other.turns == turns && other.top_order == top_order;
+    });
+    if (alike != made.end()) {
+      places = alike->places;
+      continue;
+    }
+    const auto lines = envelope_lines(turns, top_order, highest_envelope(kinematics));
+    auto of_channel = std::make_shared<RecordPlaces>();
+    of_channel->gears = line_places(turns, top_order, angle.mean_speed_Hz(), is_placed, kinematics);
+    if (lines > 0) {
+      of_channel->noise = envelope_places(kinematics, 1 / turns, static_cast<std::size_t>(lines));
+    }
+    places = of_channel;
+    made.push_back({turns, top_order, places});
+  }
+  return all;
+}
+
 ChannelResult examine_channel(const Channel& channel, std::vector<QualityNote> quality,
-                              const Task& task) {
+                              std::shared_ptr<const RecordPlaces> places, const Task& task) {
   ChannelResult out;
   out.quality = std::move(quality);
   out.examination.name = channel.info.name;
@@ -106,6 +236,22 @@ ChannelResult examine_channel(const Channel& channel, std::vector<QualityNote> q
                                          task.kinematics.period_turns);
   const OrderLines lines(channel, task.angle, task.kinematics.period_turns);
   out.examination.lines = spectral_lines(lines, task.kinematics);
+  if (places != nullptr) {
+    const bool is_corrected = task.is_placed && !task.angle.is_measured();
+    const OrderLines corrected =
+        is_corrected ? OrderLines(channel, task.by_lines, task.kinematics.period_turns) : lines;
+    out.residual = residual_envelope(corrected, task.kinematics, highest_envelope(task.kinematics));
+    const auto held = [](const GearPlaces& gears, Eigen::Index in_spectrum) {
+      return !gears.parts.empty() && std::ssize(gears.locked) <= in_spectrum;
+    };
+    const Spectrum spectrum = corrected.spectrum();
+    if (held(places->gears, spectrum.amplitude.size())) {
+      out.places = places;
+      out.gears = read_gears(spectrum, places->gears);
+    }
+    const Spectrum& swings = out.residual.windowed;
+    if (held(places->noise, swings.amplitude.size())) out.noise = read_noise(swings, places->noise);
+  }
   ChannelIndicators indicators =
       channel_indicators(channel, lines, task.kinematics, out.examination.lines);
   out.examination.indicators = std::move(indicators.list);
@@ -114,36 +260,90 @@ ChannelResult examine_channel(const Channel& channel, std::vector<QualityNote> q
   return out;
 }
 
-// Whether lines of two channels' envelopes lie at the same orders.
+// Whether lines of two channels lie at the same orders.
 bool alike(const ChannelResult& a, const ChannelResult& b) {
-  const auto resolution = [](const ChannelResult& r) {
-    return r.combs.empty() ? 0 : r.combs.front().resolution;
-  };
-  return a.combs.size() == b.combs.size() &&
-         std::abs(resolution(a) - resolution(b)) < 1e-6 * resolution(b);
+  return a.places != nullptr && a.places == b.places;
+}
+
+// What the article alone would see, beside each score.
+void add_article(const std::vector<const ChannelResult*>& counted, Examination& e) {
+  for (std::size_t s = 0; s < e.scores.size(); ++s) {
+    SignatureScore& score = e.scores[s];
+    for (const ChannelResult* result : counted) {
+      if (result->article) score.article_statistic += result->article->statistic(s);
+    }
+  }
+}
+
+// A printed frequency is looked for as the article does: the envelope that shows it most speaks for
+// it, and pays for all that were asked.
+void score_printed(const std::vector<ChannelResult>& results, const Kinematics& kinematics,
+                   Examination& e) {
+  for (SignatureScore& score : e.scores) {
+    const auto s = static_cast<std::size_t>(score.signature);
+    if (kinematics.signatures[s].shows != Shows::as_printed) continue;
+    double highest = 0, envelopes = 0;
+    for (std::size_t c = 0; c < results.size(); ++c) {
+      if (!results[c].article || results[c].repeats_another) continue;
+      const ArticleReading::Line& line = results[c].article->line(s);
+      envelopes += results[c].article->envelopes();
+      if (line.log_ratio <= highest) continue;
+      highest = line.log_ratio;
+      score.channel = static_cast<int>(c);
+      score.order = line.order;
+      score.depth = line.depth;
+      score.line_orders = {line.order};
+      score.line_depths = {line.depth};
+    }
+    score.p_value = std::min(1.0, envelopes * std::exp(-highest));
+    score.log_likelihood_ratio = highest;
+    score.smallest_visible = 0;
+  }
 }
 
 // Evidence of the channels that span the most periods: only theirs can be added.
-void score(std::vector<ChannelResult>& results, Examination& e) {
+void score(std::vector<ChannelResult>& results, const Kinematics& kinematics, Examination& e) {
   const ChannelResult* longest = nullptr;
   for (const ChannelResult& result : results) {
-    if (!result.combs.empty() && (longest == nullptr || result.periods > longest->periods)) {
+    if (!result.gears.empty() && (longest == nullptr || result.periods > longest->periods)) {
       longest = &result;
     }
   }
   if (longest == nullptr) return;
   e.periods = longest->periods;
-  std::vector<std::vector<ChannelEvidence>> evidence;
+  std::vector<std::vector<GearReading>> gears;
+  std::vector<std::vector<GearReading>> noise;
+  std::vector<ResidualEnvelope> residuals;
+  std::vector<const ChannelResult*> counted;
   for (ChannelResult& result : results) {
     const bool counts = alike(result, *longest) && !result.repeats_another;
     if (!counts && !result.repeats_another && !is_spoiled(result.quality)) {
       result.quality.push_back(
           {result.examination.name, "shorter than the longest channel: not weighed", false});
     }
-    evidence.push_back(counts ? std::move(result.evidence)
-                              : std::vector<ChannelEvidence>(longest->combs.size()));
+    if (counts) counted.push_back(&result);
+    gears.push_back(counts ? result.gears : std::vector<GearReading>{});
+    noise.push_back(counts && result.noise.size() == longest->noise.size()
+                        ? result.noise
+                        : std::vector<GearReading>{});
+    residuals.push_back(counts ? std::move(result.residual) : ResidualEnvelope{});
   }
-  e.scores = score_signatures(evidence, longest->combs);
+  score_gears(gears, longest->places->gears, e.scores);
+  e.unknown = score_rolling(residuals, kinematics, e.scores);
+  // Blows swing what is left with their shaft, and with all that carries it.
+  const bool is_struck = std::ranges::any_of(e.scores, [&](const SignatureScore& score) {
+    return kinematics.signatures[static_cast<std::size_t>(score.signature)].shows ==
+               Shows::as_blows &&
+           score.p_value < significant_p;
+  });
+  const bool is_quiet = !is_struck && e.unknown.empty();
+  if (!longest->noise.empty() && is_quiet) score_noise(noise, longest->places->noise, e.scores);
+  add_article(counted, e);
+  score_printed(results, kinematics, e);
+  for (SignatureScore& score : e.scores) {
+    const auto& shown_by = results[static_cast<std::size_t>(score.channel)].article;
+    if (shown_by) score.imf = shown_by->imf(static_cast<std::size_t>(score.signature));
+  }
 }
 
 void mark_repeated(const std::vector<const Channel*>& channels,
@@ -160,8 +360,8 @@ void mark_repeated(const std::vector<const Channel*>& channels,
   }
 }
 
-void gather(std::vector<ChannelResult> results, Examination& e) {
-  score(results, e);
+void gather(std::vector<ChannelResult> results, const Kinematics& kinematics, Examination& e) {
+  score(results, kinematics, e);
   for (ChannelResult& result : results) {
     for (QualityNote& note : result.quality) {
       note.where = e.source + ", " + note.where;
@@ -259,14 +459,21 @@ Examination examine(const Recording& record, const Kinematics& kinematics,
   }
 
   std::vector<ChannelResult> results(channels.size());
-  const Task task{kinematics, *angle, options};
   std::vector<std::vector<QualityNote>> quality =
       record_quality(channels, *angle, kinematics, options.clip_level);
+  std::optional<ShaftAngle> corrected;
+  if (!angle->is_measured()) {
+    corrected = corrected_by_lines(channels, quality, *angle, kinematics);
+  }
+  const bool is_placed = angle->is_measured() || corrected.has_value();
+  const Task task{kinematics, *angle, options, corrected ? *corrected : *angle, is_placed};
+  const auto places = places_of(channels, task.by_lines, is_placed, kinematics);
+  leave_out_spoiled(quality, options.channels_may_fail);
   parallel_for(channels.size(), [&](std::size_t i) {
-    results[i] = examine_channel(*channels[i], std::move(quality[i]), task);
+    results[i] = examine_channel(*channels[i], std::move(quality[i]), places[i], task);
   });
   mark_repeated(channels, results);
-  gather(std::move(results), e);
+  gather(std::move(results), kinematics, e);
   tell_unplaced(*angle, kinematics, e);
   e.indicators = shaft_indicators(record, *angle, kinematics);
   e.resolvable = e.periods >= fewest_periods;

@@ -35,7 +35,9 @@ Signature shaft_signature(const GearTrain::Shaft& shaft, double order) {
           .order = order,
           .harmonics = 2,
           .sidebands = {},
-          .depth_limit = 0.5,
+          .shows = Shows::as_turning,
+          .turn = order,
+          .depth_limit = 0.15,
           .limit_why = "assumed: a true shaft loads its gears and bearings alike all the way round",
           .advice = "check balance, run-out and alignment of the " + shaft.name};
 }
@@ -47,7 +49,10 @@ Signature gear_signature(const std::string& component, double order) {
           .order = order,
           .harmonics = 12,
           .sidebands = {},
-          .depth_limit = 0.6,
+          .shows = Shows::as_teeth,
+          .strikes = true,
+          .turn = order,
+          .depth_limit = 0.06,
           .limit_why = "assumed: one tooth among many may not stand out by more than its share",
           .advice = "look at the teeth of the " + component};
 }
@@ -104,9 +109,14 @@ Kinematics gear_train(const GearTrain& train) {
   }
   for (const GearTrain::Bearing& b : train.bearings) {
     const double shaft = orders[static_cast<std::size_t>(b.shaft)];
+    k.bearings.push_back(rolling_bearing(b.name, b.geometry, shaft, k.signatures.size()));
     for (Signature& s : bearing_signatures(b.geometry, shaft, b.slip)) {
       const std::string name = b.name + " " + s.component;
       if (train.bearings.size() > 1) s.component = name;  // whose inner race?
+      if (train.meshes.empty()) {
+        s.depth_limit = 0.3;
+        s.limit_why = "assumed: blows of a sound bearing carry less than a twentieth of the power";
+      }
       k.orders.push_back({name, s.order, {}, s.component, ""});
       k.signatures.push_back(std::move(s));
     }

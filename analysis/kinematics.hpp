@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,15 @@ struct GearMesh {
   std::string name;  ///< that of its characteristic order
   double order = 0;
   std::vector<MeshingGear> gears;
+  double path_order = 0;  ///< turns of the contact past the sensors per input turn; 0: it stands
+};
+
+/// How a damaged part changes the vibration.
+enum class Shows {
+  as_turning,  ///< a shaft: forces at its order, and the first sidebands of the meshes it turns
+  as_teeth,    ///< a gear or a pin: any multiple of its turn, also where no sound part has a line
+  as_printed,  ///< a row of a table of frequencies: a line in the envelopes of the IMFs
+  as_blows,    ///< a rolling element: blows that follow the shaft, but are not locked to it
 };
 
 /// One way a part can be bad, and the family of envelope lines that it leaves: harmonics
@@ -44,10 +54,28 @@ struct Signature {
   std::vector<double> sidebands;  ///< spacings in orders, searched on both sides
   double slip = 0;                ///< relative: how far rolling elements may stray from `order`
   double tolerance = 0;           ///< relative: how far a printed `order` may be off the part's own
+  Shows shows = Shows::as_turning;
+  int forces = 0;         ///< harmonics of a turning part's own order that are damage, too; 0 where
+                          ///< unbalance makes them in a sound machine as well
+  bool strikes = false;   ///< one bad tooth or pin among good ones: blows, not a swing of its mesh
+  double turn = 0;        ///< of what is damaged, in its mesh: the spacing of its own lines; orders
+  double path_order = 0;  ///< turns of the part past the sensors per input turn; 0: it stands
   GrowthRange load_growth = any_growth;
-  double depth_limit = 0;         ///< modulation depth above which the part counts as bad
+  double depth_limit = 0;  ///< modulation depth above which the part counts as bad
   std::string limit_why;
   std::string advice;
+};
+
+/// A rolling bearing, by the signatures of its parts.
+struct RollingBearing {
+  std::string name;
+  int rolling_elements = 0;
+  double race_order = 0;  ///< turns of the inner race against the outer per input turn
+  double cage = 0;        ///< turns of the cage per turn of the inner race against the outer
+  std::size_t inner = 0;  ///< indices into Kinematics::signatures
+  std::size_t outer = 0;
+  std::size_t ball = 0;
+  std::size_t cage_wear = 0;
 };
 
 /// A machine as the diagnosis sees it.
@@ -56,7 +84,8 @@ struct Kinematics {
   double period_turns = 1;  ///< input turns after which the gear train repeats; 121 for RV-20E
   std::vector<CharacteristicOrder> orders;
   std::vector<Signature> signatures;
-  std::vector<GearMesh> meshes = {};          ///< whose gears are known
+  std::vector<GearMesh> meshes = {};  ///< whose gears are known
+  std::vector<RollingBearing> bearings = {};
   double gear_ratio = not_known;              ///< input turns per turn of the output; NaN: has none
   double rated_output_torque_Nm = not_known;  ///< what 100 % load means
 };

@@ -31,12 +31,13 @@ Eigen::Index neighbours_of(Eigen::Index line) {
 // The powers of the clean lines, one behind the other.
 class CleanLines {
  public:
-  CleanLines(const Eigen::VectorXd& power, Eigen::Index locked_every)
+  template <typename IsClean>
+  CleanLines(const Eigen::VectorXd& power, IsClean is_clean)
       : before_(std::size_t(power.size()) + 1) {
     powers_.reserve(std::size_t(power.size()));
     for (Eigen::Index line = 0; line < power.size(); ++line) {
       before_[std::size_t(line)] = std::ptrdiff_t(powers_.size());
-      if (is_clean(line, locked_every)) powers_.push_back(power[line]);
+      if (is_clean(line)) powers_.push_back(power[line]);
     }
     before_.back() = std::ptrdiff_t(powers_.size());
   }
@@ -55,17 +56,9 @@ class CleanLines {
   std::vector<std::ptrdiff_t> before_;  // of each line, and of all
 };
 
-}  // namespace
-
-bool LineFloor::is_neighbour(Eigen::Index line) const { return is_clean(line, locked_every); }
-
-bool LineFloor::is_locked(Eigen::Index line) const {
-  return locked_every >= dense && !is_clean(line, locked_every);
-}
-
-LineFloor line_floor(const Spectrum& spectrum, Eigen::Index locked_every) {
+template <typename IsClean>
+LineFloor floor_of(const Spectrum& spectrum, IsClean is_clean) {
   LineFloor result;
-  result.locked_every = locked_every;
   result.power = spectrum.amplitude.cwiseAbs2();
   const Eigen::Index n = result.power.size();
   result.floor.resize(n);
@@ -74,7 +67,7 @@ LineFloor line_floor(const Spectrum& spectrum, Eigen::Index locked_every) {
       std::max(result.power.maxCoeff() * 1e-24, std::numeric_limits<double>::min() * 1e8);
   result.floor_lines.resize(n);
   result.neighbours.resize(n);
-  const CleanLines clean(result.power, locked_every);
+  const CleanLines clean(result.power, is_clean);
   double middle = 0;  // of the surroundings before
   // The floor is taken anew every tenth of its surroundings, and held between.
   for (Eigen::Index from = 0; from < n;) {
@@ -90,6 +83,26 @@ LineFloor line_floor(const Spectrum& spectrum, Eigen::Index locked_every) {
     from += count;
   }
   return result;
+}
+
+}  // namespace
+
+bool LineFloor::is_neighbour(Eigen::Index line) const { return is_clean(line, locked_every); }
+
+bool LineFloor::is_locked(Eigen::Index line) const {
+  return locked_every >= dense && !is_clean(line, locked_every);
+}
+
+LineFloor line_floor(const Spectrum& spectrum, Eigen::Index locked_every) {
+  LineFloor result =
+      floor_of(spectrum, [&](Eigen::Index line) { return is_clean(line, locked_every); });
+  result.locked_every = locked_every;
+  return result;
+}
+
+LineFloor line_floor(const Spectrum& spectrum, const std::vector<bool>& left_out) {
+  return floor_of(spectrum,
+                  [&](Eigen::Index line) { return !left_out[static_cast<std::size_t>(line)]; });
 }
 
 }  // namespace rvbench::analysis

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "analysis/spectrum.hpp"
 
@@ -32,5 +33,8 @@ struct LineFloor {
 /// Errors  none thrown; where nothing is there the floor is the least that keeps ratios finite
 /// Source  ours: the median of an exponential distribution is ln 2 of its mean
 LineFloor line_floor(const Spectrum& spectrum, Eigen::Index locked_every);
+
+/// The same, with the floor taken from the lines that are not among `left_out`, one flag per line.
+LineFloor line_floor(const Spectrum& spectrum, const std::vector<bool>& left_out);
 
 }  // namespace rvbench::analysis

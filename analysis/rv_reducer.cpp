@@ -75,14 +75,23 @@ std::vector<GearMesh> meshes(const RvGeometry& g, const Rates& r) {
   return {{"sun-planet mesh",
            g.sun_teeth * r.sun,
            {{"sun against carrier", r.sun, g.sun_teeth},
-            {"planet against carrier", r.crank, g.planet_teeth}}},
+            {"planet against carrier", r.crank, g.planet_teeth}},
+           r.unit},
           {"pin-lobe pass",
            g.pins * r.orbit,
-           {{"pins against crank", r.orbit, g.pins}, {"lobes against crank", r.crank, g.lobes}}}};
+           {{"pins against crank", r.orbit, g.pins}, {"lobes against crank", r.crank, g.lobes}},
+           r.orbit}};
 }
 
 // A bad input shaft or sun: what turns with the motor, or with it against the carrier.
-std::vector<Signature> input_signatures(const Rates& r) {
+// Equal planets cancel what is alike in their meshes: with two the odd harmonics, whose sidebands
+// stay, so that a sound swing seems deeper; with more the first sidebands themselves.
+double by_planets(int planets, double one, double two, double more) {
+  if (planets == 1) return one;
+  return planets == 2 ? two : more;
+}
+
+std::vector<Signature> input_signatures(const Rates& r, int planets) {
   return {
       {.component = "input_shaft",
        .mechanism = "misalignment",
@@ -90,8 +99,12 @@ std::vector<Signature> input_signatures(const Rates& r) {
        .order = 1,
        .harmonics = 2,
        .sidebands = {},
+       .shows = Shows::as_turning,
+       .forces = 2,
+       .turn = r.sun,
+       .path_order = r.unit,
        .load_growth = grows_as_shape,
-       .depth_limit = 0.15,
+       .depth_limit = by_planets(planets, 0.15, 0.25, 0.08),
        .limit_why = "assumed: a shaft within tolerance leans on its bearing by less than a sixth "
                     "of its preload",
        .advice = "stiffen or shorten the input shaft, or support its free end with a bearing; "
@@ -102,8 +115,11 @@ std::vector<Signature> input_signatures(const Rates& r) {
        .order = r.sun,
        .harmonics = 8,
        .sidebands = {r.unit, 2 * r.unit},
+       .shows = Shows::as_teeth,
+       .turn = r.sun,
+       .path_order = r.unit,
        .load_growth = grows_as_shape,
-       .depth_limit = 0.1,
+       .depth_limit = by_planets(planets, 0.1, 0.1, 0.06),
        .limit_why = "assumed: teeth of one quality class share the load within a tenth",
        .advice = "measure the sun gear's tooth profile and pitch; replace the input gear"},
   };
@@ -118,6 +134,8 @@ std::vector<Signature> carried_signatures(const Rates& r) {
        .order = r.orbit,
        .harmonics = 1,
        .sidebands = {r.unit},
+       .shows = Shows::as_turning,
+       .forces = 1,
        .load_growth = grows_as_shape,
        .depth_limit = 0.3,
        .limit_why = "assumed: equal cranks load the discs alike all the way round",
@@ -129,8 +147,12 @@ std::vector<Signature> carried_signatures(const Rates& r) {
        .first_harmonic = 2,  // once per crank turn is what eccentricity does, too
        .harmonics = 24,
        .sidebands = {r.unit},
+       .shows = Shows::as_teeth,
+       .strikes = true,
+       .turn = r.crank,
+       .path_order = r.unit,
        .load_growth = any_growth,
-       .depth_limit = 0.3,
+       .depth_limit = 0.05,
        .limit_why = "assumed: one tooth among many may not stand out by more than its share",
        .advice = "open the reducer and look at the planets' flanks; replace the planet pair"},
       {.component = "pin_housing",
@@ -140,8 +162,11 @@ std::vector<Signature> carried_signatures(const Rates& r) {
        .first_harmonic = 2,  // the load zones of sound discs pass a sensor twice per orbit, too
        .harmonics = 8,
        .sidebands = {r.orbit},
+       .shows = Shows::as_teeth,
+       .strikes = true,
+       .turn = r.orbit,
        .load_growth = any_growth,
-       .depth_limit = 0.15,
+       .depth_limit = 0.05,
        .limit_why = "assumed: pins of one class share the load alike",
        .advice = "look at the pins and their grooves in the shell; replace pins as a set"},
   };
@@ -161,9 +186,11 @@ Kinematics rv_reducer(const std::string& machine, const RvGeometry& geometry,
   k.gear_ratio = i;
   k.orders = order_table(geometry, rates);
   k.meshes = meshes(geometry, rates);
-  k.signatures = input_signatures(rates);
+  k.signatures = input_signatures(rates, geometry.planets);
   for (Signature& s : carried_signatures(rates)) k.signatures.push_back(std::move(s));
   if (crank_bearing.rolling_elements > 0) {
+    k.bearings.push_back(
+        rolling_bearing("crank bearing", crank_bearing, rates.crank, k.signatures.size()));
     for (Signature& s : bearing_signatures(crank_bearing, rates.crank, 0.02)) {
       k.orders.push_back({"crank " + s.component, s.order, {}, s.component, ""});
       if (s.mechanism == "spall") s.load_growth = grows_as_blows;  // it carries the discs' load
@@ -171,6 +198,14 @@ Kinematics rv_reducer(const std::string& machine, const RvGeometry& geometry,
     }
   }
   return k;
+}
+
+RollingBearing rolling_bearing(const std::string& name, const BearingGeometry& bearing,
+                               double race_order, std::size_t first) {
+  return {name,       bearing.rolling_elements,
+          race_order, bearing_orders(bearing).cage,
+          first,      first + 1,
+          first + 2,  first + 3};
 }
 
 std::vector<Signature> bearing_signatures(const BearingGeometry& bearing, double race_order,
@@ -185,7 +220,8 @@ std::vector<Signature> bearing_signatures(const BearingGeometry& bearing, double
         .harmonics = 4,
         .sidebands = std::move(sidebands),
         .slip = slip,
-        .depth_limit = 0.15,
+        .shows = Shows::as_blows,
+        .depth_limit = 0.07,
         .limit_why = "assumed: a sound race leaves no periodic blows; what noise leaves is less",
         .advice = "replace the bearing; look for the cause in load, fit and grease"};
   };

@@ -30,4 +30,8 @@ Kinematics rv_reducer(const std::string& machine, const RvGeometry& geometry,
 std::vector<Signature> bearing_signatures(const BearingGeometry& bearing, double race_order,
                                           double slip);
 
+/// The bearing whose signatures, in the order of bearing_signatures(), begin at `first`.
+RollingBearing rolling_bearing(const std::string& name, const BearingGeometry& bearing,
+                               double race_order, std::size_t first);
+
 }  // namespace rvbench::analysis

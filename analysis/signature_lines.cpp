@@ -10,29 +10,12 @@ namespace {
 struct Nearness {
   double near;
   bool same(double a, double b) const { return std::abs(a - b) < near; }
-  bool among(const std::vector<double>& orders, double order) const {
-    return std::any_of(orders.begin(), orders.end(), [&](double o) { return same(o, order); });
-  }
 };
 
 // Which harmonic of `s` lies at `order`, from `lowest` on; 0 if none does.
 int harmonic_at(const Signature& s, double order, int lowest, Nearness lines) {
   const auto h = static_cast<int>(std::lround(order / s.order));
   return h >= lowest && h <= s.harmonics && lines.same(h * s.order, order) ? h : 0;
-}
-
-// Orders at which two strong mesh lines beat: their first and second harmonics, pair by pair.
-std::vector<double> mesh_beats(const Kinematics& kinematics) {
-  std::vector<double> beats;
-  for (const CharacteristicOrder& a : kinematics.orders) {
-    for (const CharacteristicOrder& b : kinematics.orders) {
-      if (!a.mesh || !b.mesh || &a == &b) continue;
-      for (const int h : {1, 2}) {
-        for (const int k : {1, 2}) beats.push_back(std::abs(h * a.order - k * b.order));
-      }
-    }
-  }
-  return beats;
 }
 
 // The claims of all signatures on the lines of gear-locked parts.
@@ -101,7 +84,6 @@ std::vector<std::vector<SignatureLine>> signature_lines(const Kinematics& kinema
                                                         double resolution) {
   const std::vector<Signature>& all = kinematics.signatures;
   const Nearness near{0.75 * resolution};
-  const std::vector<double> beats = mesh_beats(kinematics);
   const Claims claims(all, near);
   std::vector<std::vector<SignatureLine>> lines(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -111,7 +93,7 @@ std::vector<std::vector<SignatureLine>> signature_lines(const Kinematics& kinema
       const double main = h * all[i].order;
       int harmonic = -1;
       for (const double order : harmonic_lines(all[i], h)) {
-        if (order < 2 * resolution || near.among(beats, order)) continue;
+        if (order < 2 * resolution) continue;
         if (order != main && !rolls && claims.is_harmonic_of_another(i, order)) continue;
         // The upper sideband of one harmonic may be the lower one of the next.
         if (std::any_of(lines[i].begin(), lines[i].end(),

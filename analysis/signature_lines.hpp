@@ -29,8 +29,7 @@ std::vector<double> harmonic_lines(const Signature& signature, int harmonic, dou
 ///
 /// A line that is a lower harmonic of another part belongs to that part: the planet's third
 /// harmonic is the sun's first, and says nothing about the planet. Of two equal claims the first
-/// listed wins. Sidebands that fall on another part's harmonics are dropped, and so is every order
-/// at which two mesh lines beat: an IMF that holds both swings there in a sound machine too.
+/// listed wins. Sidebands that fall on another part's harmonics are dropped.
 ///
 /// @param resolution  orders per line: what lies closer than 0.75 of it is the same line
 /// @return one list per signature, ascending harmonics, sidebands behind their harmonic

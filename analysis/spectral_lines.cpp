@@ -79,6 +79,7 @@ SpectralLine gathered(const std::vector<SpectralLine>& lines, std::size_t fundam
   for (const Membership& member : members) {
     family.amplitude = std::max(family.amplitude, lines[member.line].amplitude);
     roles.emplace_back(lines[member.line].order, role_of(member));
+    (member.mesh == nullptr ? family.harmonics : family.sidebands) += 1;
   }
   std::sort(roles.begin(), roles.end());
   if (roles.size() < 2) return family;

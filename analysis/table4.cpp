@@ -58,6 +58,7 @@ Kinematics published_table4(double speed_rpm) {
     signature.mechanism = "unknown";
     signature.table4_item = row.item;
     signature.order = order;
+    signature.shows = Shows::as_printed;
     signature.tolerance = rounding_Hz / row.frequency_Hz[column];
     signature.depth_limit = published_depth_limit;
     signature.limit_why = "Table 4 states no limit; plain modulation";

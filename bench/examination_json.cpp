@@ -15,6 +15,7 @@ using analysis::Growth;
 using analysis::QualityNote;
 using analysis::SignatureScore;
 using analysis::SpectralLine;
+using analysis::UnknownFamily;
 
 template <typename Item>
 Json list_of(const std::vector<Item>& items, Json (*one)(const Item&)) {
@@ -35,12 +36,15 @@ std::vector<double> numbers_from(const Json& json) {
 }
 
 Json json_of_note(const QualityNote& note) {
-  return hal::json_object(
-      {{"where", note.where}, {"what", note.what}, {"invalidates", note.invalidates}});
+  return hal::json_object({{"where", note.where},
+                           {"what", note.what},
+                           {"invalidates", note.invalidates},
+                           {"leaves_out", note.leaves_out}});
 }
 
 QualityNote note_from(const Json& json) {
-  return {json.at("where"), json.at("what"), json.at("invalidates")};
+  return {json.at("where"), json.at("what"), json.at("invalidates"),
+          json.value("leaves_out", false)};
 }
 
 Json json_of_line(const SpectralLine& line) {
@@ -91,7 +95,9 @@ Json json_of_finding(const Finding& finding) {
                         {"growth_fits", nullptr},
                         {"growth_p_value", nullptr},
                         {"cannot_tell_from", finding.cannot_tell_from},
-                        {"may_follow_from", nullptr}});
+                        {"may_follow_from", nullptr},
+                        {"one_of", finding.one_of},
+                        {"smallest_visible", finding.smallest_visible}});
   if (!finding.points.empty()) json["of_limit"] = finding.severity / finding.limit;
   if (std::isfinite(finding.growth.load.exponent)) {
     json["growth_fits"] = finding.growth_fits;
@@ -135,7 +141,30 @@ Finding finding_from(const Json& json) {
   if (const Json cause = json.value("may_follow_from", Json()); !cause.is_null()) {
     cause.get_to(finding.may_follow_from);
   }
+  finding.one_of = json.value("one_of", std::vector<std::string>());
+  finding.smallest_visible = number_or_nan(json.value("smallest_visible", Json()));
   return finding;
+}
+
+Json json_of_unknown(const UnknownFamily& family) {
+  return hal::json_object({{"component", "unknown"},
+                           {"kind", family.is_locked ? "gear-like" : "bearing-like"},
+                           {"spacing", family.spacing},
+                           {"harmonics", family.harmonics},
+                           {"sidebands", family.sidebands},
+                           {"severity", family.severity},
+                           {"p_value", family.p_value},
+                           {"points", family.points}});
+}
+
+UnknownFamily unknown_from(const Json& json) {
+  return {.spacing = json.at("spacing"),
+          .harmonics = json.at("harmonics"),
+          .sidebands = json.at("sidebands"),
+          .is_locked = json.at("kind") == "gear-like",
+          .severity = number_or_nan(json.at("severity")),
+          .p_value = number_or_nan(json.at("p_value")),
+          .points = json.at("points")};
 }
 
 Json json_of_score(const SignatureScore& score) {
@@ -146,10 +175,12 @@ Json json_of_score(const SignatureScore& score) {
                            {"statistic", score.log_likelihood_ratio},
                            {"p_value", score.p_value},
                            {"imf", score.imf},
+                           {"article_statistic", score.article_statistic},
                            {"channel", score.channel},
                            {"line_orders", score.line_orders},
                            {"line_depths", score.line_depths},
-                           {"channel_depths", score.channel_depths}});
+                           {"channel_depths", score.channel_depths},
+                           {"smallest_visible", score.smallest_visible}});
 }
 
 SignatureScore score_from(const Json& json) {
@@ -161,10 +192,12 @@ SignatureScore score_from(const Json& json) {
   score.log_likelihood_ratio = number_or_nan(json.at("statistic"));
   score.p_value = number_or_nan(json.at("p_value"));
   json.at("imf").get_to(score.imf);
+  score.article_statistic = json.value("article_statistic", 0.0);
   json.at("channel").get_to(score.channel);
   score.line_orders = numbers_from(json.at("line_orders"));
   score.line_depths = numbers_from(json.at("line_depths"));
   score.channel_depths = numbers_from(json.value("channel_depths", Json::array()));
+  score.smallest_visible = number_or_nan(json.value("smallest_visible", Json()));
   return score;
 }
 
@@ -202,6 +235,7 @@ Json json_of(const analysis::Diagnosis& diagnosis) {
                            {"resolvable", diagnosis.resolvable},
                            {"below_limit", list_of(diagnosis.below_limit, json_of_finding)},
                            {"not_shown", list_of(diagnosis.not_shown, json_of_finding)},
+                           {"unknown", list_of(diagnosis.unknown, json_of_unknown)},
                            {"unexplained", list_of(diagnosis.unexplained, json_of_line)}});
 }
 
@@ -215,6 +249,7 @@ Json json_of(const analysis::Examination& examination) {
                            {"resolvable", examination.resolvable},
                            {"quality", list_of(examination.quality, json_of_note)},
                            {"scores", list_of(examination.scores, json_of_score)},
+                           {"unknown", list_of(examination.unknown, json_of_unknown)},
                            {"channels", list_of(examination.channels, json_of_channel)},
                            {"indicators", indicators_to_json(examination.indicators)},
                            {"of_hysteresis", examination.of_hysteresis}});
@@ -224,6 +259,7 @@ analysis::Diagnosis diagnosis_from_json(const Json& json) {
   return {list_from(json.at("findings"), finding_from),
           list_from(json.at("below_limit"), finding_from),
           list_from(json.value("not_shown", Json::array()), finding_from),
+          list_from(json.value("unknown", Json::array()), unknown_from),
           list_from(json.at("unexplained"), line_from),
           list_from(json.at("quality"), note_from),
           json.at("resolvable")};
@@ -240,6 +276,7 @@ analysis::Examination examination_from_json(const Json& json) {
   json.at("resolvable").get_to(examination.resolvable);
   examination.quality = list_from(json.at("quality"), note_from);
   examination.scores = list_from(json.at("scores"), score_from);
+  examination.unknown = list_from(json.value("unknown", Json::array()), unknown_from);
   examination.channels = list_from(json.at("channels"), channel_from);
   examination.indicators = indicators_from_json(json);
   examination.of_hysteresis = json.value("of_hysteresis", false);

@@ -57,6 +57,16 @@ std::string first_open(const analysis::Diagnosis& diagnosis) {
                             open->severity_high, open->limit);
 }
 
+// Damage-like lines of no part of the machine; empty if there are none.
+std::string first_unknown(const analysis::Diagnosis& diagnosis) {
+  if (diagnosis.unknown.empty()) return "";
+  const analysis::UnknownFamily& family = diagnosis.unknown.front();
+  return fmt::format(
+      "unknown: {} harmonics of order {:.4g} follow the shaft as {} does, and no part of this "
+      "machine has it",
+      family.harmonics, family.spacing, family.is_locked ? "a gear" : "a rolling bearing");
+}
+
 // Which part is within its limit, but not surely; empty if all are. Of several the nearest.
 std::string nearest_within(const analysis::Diagnosis& diagnosis) {
   const analysis::Finding* nearest = nullptr;
@@ -79,7 +89,14 @@ Ending weighed(const Judgement& judgement) {
     return invalid(name_of(*unmeasured) + " " + why_unmeasured(*unmeasured) +
                    first_lacking(*unmeasured) + (bad.empty() ? "" : "; beside it " + bad));
   }
+  const std::string unknown = first_unknown(judgement.diagnosis);
+  // Lines that modulate a mesh and belong to no part: the kinematics are not this machine's, and no
+  // name that they give can be trusted.
+  const bool is_other_machine =
+      !unknown.empty() && judgement.diagnosis.unknown.front().sidebands > 0;
+  if (is_other_machine) return invalid(unknown + (bad.empty() ? "" : "; beside it " + bad));
   if (!bad.empty()) return {Outcome::fail, ErrorKind::none, bad};
+  if (!unknown.empty()) return invalid(unknown);
   if (const std::string open = first_open(judgement.diagnosis); !open.empty()) return invalid(open);
   return {Outcome::pass, ErrorKind::none,
           "no finding above its limit" + nearest_within(judgement.diagnosis)};

@@ -39,15 +39,4 @@ Severity severity_of(const std::vector<const SignatureScore*>& scores) {
   return {median(std::move(depths)), medians[outside - 1], medians[draws - outside]};
 }
 
-double depth_bound(const std::vector<const SignatureScore*>& scores) {
-  if (scores.empty()) throw std::invalid_argument("depth_bound: no scores");
-  double sum = 0, variance = 0;
-  for (const SignatureScore* score : scores) {
-    sum += score->depth * score->depth;
-    variance += score->depth2_variance;
-  }
-  constexpr double deviations = 1.645;
-  return std::sqrt((sum + deviations * std::sqrt(variance)) / static_cast<double>(scores.size()));
-}
-
 }  // namespace rvbench::analysis

@@ -24,12 +24,4 @@ struct Severity {
 /// Source  Efron & Tibshirani, An Introduction to the Bootstrap (1993), ch. 13: percentiles
 Severity severity_of(const std::vector<const SignatureScore*>& scores);
 
-/// Depth that a part is below at 95 %, where no point shows it: mean of the squared depths and
-/// 1.645 deviations of that mean by noise. A squared depth that noise took below 0 counts as 0, so
-/// that the bound is too high rather than too low.
-///
-/// Shape, Units, Errors  of severity_of()
-/// Source  one-sided normal interval
-double depth_bound(const std::vector<const SignatureScore*>& scores);
-
 }  // namespace rvbench::analysis

@@ -47,7 +47,7 @@ Example evidence_example() {
   const Eigen::ArrayXd turns = 20 * times_s(10760, 1280);
   std::vector<Examination> points;
   for (const double load_pct : {25.0, 50.0, 100.0, 150.0}) {
-    const Eigen::ArrayXd swing = 1 + 0.5 * wave(turns).array();
+    const Eigen::ArrayXd swing = 1 + 0.5 * wave(20.0 / 21 * turns).array();
     const Eigen::VectorXd x = swing * wave(240.0 / 21 * turns).array() +
                               0.2 * noise(10760, static_cast<unsigned>(load_pct)).array();
     points.push_back(examine(record_of(load_pct, x), reducer));
@@ -59,14 +59,15 @@ Example evidence_example() {
   return {"evidence",
           "Evidence: which part explains the records",
           "A bent input shaft swings the amplitude of a mesh line by 0.5, alike at four loads, in "
-          "noise. Each part's lines are weighed against noise over all records, IMFs and channels, "
-          "and against the same comb moved to where no part has lines: that gives p. What is not "
-          "shown is told by the depth that it is below.",
-          {"diagnosis.hpp", "evidence/comb_evidence.hpp", "evidence/record_evidence.hpp",
+          "noise. Each part's own lines are weighed against noise over all records and channels, "
+          "and against lines that no gear reaches: that gives p. One of the two sidebands is a "
+          "line of the pins as well and is left out, so the depth is 0.5/√2. For a part that does "
+          "not show, the depth is stated that would have been visible.",
+          {"diagnosis.hpp", "evidence/own_lines.hpp", "evidence/gear_evidence.hpp",
            "evidence/growth_law.hpp", "evidence/severity.hpp"},
           {{"findings", "1", std::to_string(found.findings.size())},
            {"part and mechanism", "input_shaft: misalignment", named(first)},
-           {"depth of the swing", "0.500", rounded(first.severity, 3)},
+           {"depth of the swing", "0.354", rounded(first.severity, 3)},
            {"p-value", "–", p_value_text(first.p_value)},
            {"exponent of the load", "0.00",
             rounded(first.growth.load.exponent, 2) + " ± " + rounded(first.growth.load.error, 2)},

@@ -63,13 +63,14 @@ std::vector<GearPlace> gear_places(const Kinematics& kinematics) {
 }
 
 std::vector<std::string> places_of(std::string_view measure, const Kinematics& kinematics) {
-  using namespace measure_names;
+  namespace names = measure_names;
   if (measure.starts_with("band_")) return names_of(order_bands(kinematics));
-  if (measure == order_level) return names_of(locked_orders(kinematics));
-  if (measure == sideband_ratio) return names_of(sideband_places(kinematics));
-  if (measure == envelope_order_level) return names_of(kinematics.orders);
-  if (measure == fm0 || measure == fm4 || measure == na4) return names_of(gear_places(kinematics));
-  if (measure == torque_ripple) {
+  if (measure == names::order_level) return names_of(locked_orders(kinematics));
+  if (measure == names::sideband_ratio) return names_of(sideband_places(kinematics));
+  if (measure == names::envelope_order_level) return names_of(kinematics.orders);
+  if (measure == names::fm0 || measure == names::fm4 || measure == names::na4)
+    return names_of(gear_places(kinematics));
+  if (measure == names::torque_ripple) {
     return {std::string(channel_names::input_torque), std::string(channel_names::output_torque)};
   }
   return {};

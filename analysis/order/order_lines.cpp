@@ -28,9 +28,13 @@ OrderLines::OrderLines(const Channel& x, const ShaftAngle& angle, double period_
   mean_ = samples_.mean();
   samples_.array() -= mean_;
   turns_ = periods * period_turns;
-  top_order_ = held * per_turn_in_time;
+  top_order_ = top_order_of(x.rate_Hz, angle);
   lines_ = fft(samples_);
   lines_[0] = 0;  // but for rounding
+}
+
+double OrderLines::top_order_of(double rate_Hz, const ShaftAngle& angle) {
+  return held * rate_Hz / angle.mean_speed_Hz();
 }
 
 Spectrum OrderLines::spectrum() const {

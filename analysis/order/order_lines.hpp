@@ -21,6 +21,9 @@ class OrderLines {
   /// Errors  throws std::invalid_argument: a sample is not finite
   OrderLines(const Channel& x, const ShaftAngle& angle, double period_turns);
 
+  /// The highest order that a record of this rate holds.
+  static double top_order_of(double rate_Hz, const ShaftAngle& angle);
+
   bool empty() const { return samples_.size() == 0; }
   Eigen::Index samples() const { return samples_.size(); }
   double turns() const { return turns_; }  ///< of the input shaft, that the samples span
@@ -31,6 +34,9 @@ class OrderLines {
   /// Amplitudes under a Hann window, as amplitude_spectrum() has them; the last line, at half the
   /// rate, is 0.
   Spectrum spectrum() const;
+
+  /// fft() of the samples about their mean, `turns()` lines an order.
+  const Eigen::VectorXcd& lines() const { return lines_; }
 
   /// What lies from one order up to another, at least eight samples per turn of the highest where
   /// the record has as many. The mean is in no band.

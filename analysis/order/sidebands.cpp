@@ -24,7 +24,7 @@ constexpr Eigen::Index fewest_lines = 64;  // within the band
 constexpr Eigen::Index carrier_near = 3;   // lines that a carrier may be off
 constexpr Eigen::Index trimmed = 16;       // samples of the demodulated carrier, at both ends
 constexpr double same_spacing = 1;         // line
-constexpr double rounding = 1e-9;          // depth or index
+constexpr double off_by_rounding = 1e-9;   // depth or index
 constexpr int most_multiples = 12;
 constexpr double faded = 1.0 / 3;            // of the mean modulus
 constexpr double lines_per_hann_line = 1.5;  // equivalent noise bandwidth
@@ -193,7 +193,7 @@ std::vector<Modulation> modulations_of(const Demodulated& carrier, double highes
                            .upper = std::abs(line_at(carrier.steady, cycles))});
   }
   std::erase_if(modulations, [](const Modulation& m) {
-    return std::hypot(m.am_depth, m.pm_index_rad) < rounding;
+    return std::hypot(m.am_depth, m.pm_index_rad) < off_by_rounding;
   });
   name_multiples(modulations, am.spectrum.resolution);
   std::ranges::sort(modulations, std::greater<>(),

@@ -263,6 +263,8 @@ GearTrainFit gear_train_fit(const std::vector<Examination>& points, const Kinema
       std::ranges::count_if(tried, [&](const Tried& t) { return t.both() >= here.both(); }));
   trials.add_nearer(from, tried);
   find_better_speed(tried, channels, own, fit);
+  // A measured angle leaves no such speed open.
+  if (std::ranges::all_of(points, &Examination::angle_measured)) return fit;
   const auto ratio = trials.rival_ratio(here);
   if (!ratio || ratio->share <= fit.best_share) return fit;
   fit.fits_a_ratio = true;

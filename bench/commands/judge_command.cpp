@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <set>
 
 #include "analysis/table4.hpp"
@@ -194,7 +195,8 @@ Judgement JudgeCommand::judge(Console& console, bool published) const {
     end_if_stopped(stop_);
     const Recording& record = records_[i];
     bar.show("judge", double(i) / double(records_.size()), record.source);
-    JudgedPoint point = judge_point(record, published ? published_for(record) : derived_, {});
+    JudgedPoint point = judge_point(record, published ? published_for(record) : derived_,
+                                    {.channels_may_fail = std::numeric_limits<int>::max()});
     for (const std::string& note : record.notes) {
       point.examination.quality.push_back({record.source, note, false});
     }

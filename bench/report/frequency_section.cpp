@@ -5,7 +5,6 @@
 #include <map>
 #include <span>
 
-#include "analysis/evidence/carrying_lines.hpp"
 #include "analysis/table4.hpp"
 #include "bench/report/html.hpp"
 #include "bench/report/sections.hpp"
@@ -44,7 +43,7 @@ double tolerance_at(double order, const analysis::Kinematics& kinematics) {
 
 // How far slip, or an error of the speed, has moved a signature's lines: 1 where they are nominal.
 double stretch_of(const analysis::SignatureScore& score, const analysis::Kinematics& kinematics) {
-  return score.order / analysis::signature_of(score, kinematics).order;
+  return score.order / kinematics.signatures[static_cast<std::size_t>(score.signature)].order;
 }
 
 // The deepest significant envelope line and the strongest spectral line at `order`.

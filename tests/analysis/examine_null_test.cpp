@@ -23,10 +23,12 @@ struct Machine {
   Kinematics kinematics;
 };
 
-Machine rv20e() { return {{.speed_Hz = 30, .rate_Hz = 1920, .count = 30977}, test::rv20e()}; }
+Machine rv20e_records() {
+  return {{.speed_Hz = 30, .rate_Hz = 1920, .count = 30977}, test::rv20e()};
+}
 
 // i = 21: its lines lie six times denser in the spectrum.
-Machine small_reducer() {
+Machine small_records() {
   return {{.speed_Hz = 20, .rate_Hz = 1280, .count = 5380}, test::small_reducer()};
 }
 
@@ -101,7 +103,7 @@ TEST_CASE(
     "hear the same noise and all IMFs are of one signal",
     "[analysis][examine][null]") {
   if (test::too_long_under_sanitizer()) return;
-  const Machine machine = rv20e();
+  const Machine machine = rv20e_records();
   const OrderSignals& t = machine.turning;
   const Eigen::VectorXd sound = 5 * t.tone(1080.0 / 121) + 2 * t.tone(1560.0 / 121, 1);
   check_no_false_alarms({draws_of(machine, 0, silence(t)), draws_of(machine, 3, silence(t)),
@@ -111,7 +113,7 @@ TEST_CASE(
 
 TEST_CASE("nor is it where a small reducer's lines lie close to one another",
           "[analysis][examine][null]") {
-  const Machine machine = small_reducer();
+  const Machine machine = small_records();
   const OrderSignals& t = machine.turning;
   check_no_false_alarms({draws_of(machine, 0, silence(t)), draws_of(machine, 3, silence(t))},
                         machine.kinematics);

@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "analysis/diagnosis.hpp"
 #include "tests/analysis/order_signals.hpp"
@@ -35,8 +36,25 @@ Eigen::VectorXd sound(const OrderSignals& shaft, unsigned seed) {
 }
 
 Eigen::VectorXd faulty(double order, unsigned seed) {
-  return 2 * turning.modulated(mesh, order, 0.5) + 0.2 * turning.noise(seed);
+  return 2 * turning.modulated(mesh, order, 0.5) + turning.tone(lobes, 1) +
+         0.2 * turning.noise(seed);
 }
+
+// Blows of one sample, `order` times per turn, beside sound meshes.
+Eigen::VectorXd struck(double order, unsigned seed) {
+  Eigen::VectorXd x = sound(turning, seed);
+  const double step = turning.rate_Hz / turning.speed_Hz / order;
+  for (double at = 0.3 * step; at < static_cast<double>(turning.count) - 1; at += step) {
+    x[static_cast<Eigen::Index>(std::lround(at))] += 8;
+  }
+  return x;
+}
+
+constexpr double sun = 20.0 / 21;
+
+// Of a swing by 0.5. Of the two first sidebands the upper, 260/21, is the planet's of the third
+// harmonic of the lobes as well, and is not asked.
+const double swing_of_one_side = 0.5 / std::sqrt(2);
 
 std::string leading(const Diagnosis& d) {
   return d.findings.empty() ? "" : d.findings.front().component;
@@ -56,35 +74,43 @@ TEST_CASE("a channel is described by moments that a sine is known by", "[analysi
   CHECK(e.periods == 8);
 }
 
-TEST_CASE("a modulated mesh betrays the part that modulates it", "[analysis][examine]") {
+TEST_CASE("a mesh that swings with the sun's turn is the input shaft's", "[analysis][examine]") {
+  const Kinematics k = small_reducer();
+  const Examination e = examine(turning.recording(faulty(sun, 1)), k);
+  const SignatureScore& score = score_of("input_shaft", e);
+  CHECK(score.p_value < 1e-6);
+  const Diagnosis d = conclude({e}, k);
+  REQUIRE(leading(d) == "input_shaft");
+  CHECK(d.findings.front().severity == Approx(swing_of_one_side).epsilon(0.1));
+  CHECK(d.findings.front().points == std::vector<std::string>{"synthetic"});
+  const double deepest = d.findings.front().line_orders.front();
+  CHECK(std::abs(deepest - mesh) == Approx(sun).margin(1e-6));
+  CHECK(score.imf > 0);
+}
+
+TEST_CASE("noise that swings with a part's turn is that part's, too", "[analysis][examine]") {
   struct Fault {
     const char* component;
     double order;
   };
   // The planet's and the pins' first harmonic is what sound parts show, too.
-  const auto fault = GENERATE(Fault{"input_shaft", 1}, Fault{"sun_gear", 20.0 / 21},
-                              Fault{"crank", 9.0 / 21}, Fault{"planet_gear", 50.0 / 21});
+  const auto fault = GENERATE(Fault{"input_shaft", 1}, Fault{"sun_gear", sun},
+                              Fault{"planet_gear", 50.0 / 21}, Fault{"pin_housing", 36.0 / 21});
   CAPTURE(fault.component);
   const Kinematics k = small_reducer();
-  const Examination e = examine(turning.recording(faulty(fault.order, 1)), k);
-  const SignatureScore& score = score_of(fault.component, e);
-  CHECK(score.p_value < 1e-5);  // three lines of the crank, and 48 decoys to tell noise by
-  CHECK(score.imf == 1);
-  // The IMF holds the carrier and some of the noise.
-  CHECK(score.depth == Approx(0.5).epsilon(0.1));
-  const Diagnosis d = conclude({e}, k);
-  CHECK(leading(d) == fault.component);
-  CHECK(d.findings.front().severity == Approx(0.5).epsilon(0.1));
-  CHECK(d.findings.front().points == std::vector<std::string>{"synthetic"});
-  CHECK(d.findings.front().line_orders.front() == Approx(fault.order).margin(1e-6));
+  const Eigen::VectorXd swinging =
+      turning.noise(3).array() * (1 + 0.5 * turning.tone(fault.order).array());
+  const Diagnosis d = conclude({examine(turning.recording(sound(turning, 4) + swinging), k)}, k);
+  REQUIRE(leading(d) == fault.component);
+  CHECK(d.findings.front().severity == Approx(0.5).epsilon(0.3));
 }
 
 TEST_CASE("a bearing that slips is found at the order at which it slips", "[analysis][examine]") {
   const Kinematics k = small_reducer();
   const double slipped = 5.5 * (1 - 5.0 / 26) * 10 / 21 * 0.985;
-  const Diagnosis d = conclude({examine(turning.recording(faulty(slipped, 2)), k)}, k);
-  CHECK(leading(d) == "bearing_outer");
-  CHECK(d.findings.front().order == Approx(slipped).margin(0.5 / 8 / 21));
+  const Diagnosis d = conclude({examine(turning.recording(struck(slipped, 2)), k)}, k);
+  REQUIRE(leading(d) == "bearing_outer");
+  CHECK(d.findings.front().order == Approx(slipped).epsilon(2e-3));
   CHECK(d.findings.front().frequency_Hz == Approx(d.findings.front().order * 20));
 }
 
@@ -128,22 +154,23 @@ TEST_CASE("a motor 1 % below its planned speed is judged at the speed it has",
   OrderSignals slipping = turning;
   slipping.speed_Hz = 19.8;
   Recording record =
-      slipping.recording(2 * slipping.modulated(mesh, 1, 0.5) + 0.2 * slipping.noise(4));
+      slipping.recording(2 * slipping.modulated(mesh, sun, 0.5) + 0.2 * slipping.noise(4));
   record.planned_speed_rpm = 1200;
   const bool angle_is_known = GENERATE(true, false);
   CAPTURE(angle_is_known);
   if (!angle_is_known) record.channels.pop_back();
   const Kinematics k = small_reducer();
   const Diagnosis d = conclude({examine(record, k)}, k);
-  CHECK(leading(d) == "input_shaft");
-  CHECK(d.findings.front().severity == Approx(0.5).epsilon(0.1));
+  REQUIRE(leading(d) == "input_shaft");
+  CHECK(d.findings.front().severity == Approx(swing_of_one_side).epsilon(0.1));
   CHECK(d.findings.front().frequency_Hz == Approx(19.8));
 }
 
-TEST_CASE("of many channels the one that shows a fault speaks for it", "[analysis][examine]") {
+TEST_CASE("a fault that most channels show is found, deepest where it is", "[analysis][examine]") {
   Recording record = turning.recording(sound(turning, 5));
-  record.channels.push_back(turning.channel(faulty(1, 6), "accel_2x"));
-  record.channels.push_back(turning.channel(sound(turning, 7), "accel_3x"));
+  record.channels.push_back(turning.channel(faulty(sun, 6), "accel_2x"));
+  record.channels.push_back(
+      turning.channel(0.9 * faulty(sun, 7) + 0.1 * sound(turning, 8), "accel_3x"));
   const Kinematics k = small_reducer();
   const Examination e = examine(record, k);
   const SignatureScore& shaft = score_of("input_shaft", e);
@@ -152,7 +179,7 @@ TEST_CASE("of many channels the one that shows a fault speaks for it", "[analysi
 }
 
 TEST_CASE("a signal in two channels is told, and weighed once", "[analysis][examine]") {
-  Recording record = turning.recording(faulty(1, 5));
+  Recording record = turning.recording(faulty(sun, 5));
   const Examination alone = examine(record, small_reducer());
   record.channels.push_back(record.channels.front());
   record.channels.back().info.name = "copy";
@@ -178,7 +205,7 @@ TEST_CASE("a channel that only drifts is told, and is no evidence", "[analysis][
 
 TEST_CASE("the verdict does not change with the unit", "[analysis][examine]") {
   const Kinematics k = small_reducer();
-  const Eigen::VectorXd x = faulty(1, 8);
+  const Eigen::VectorXd x = faulty(sun, 8);
   const Diagnosis in_m_s2 = conclude({examine(turning.recording(x), k)}, k);
   const Diagnosis scaled = conclude({examine(turning.recording(1e-6 * x), k)}, k);
   REQUIRE(scaled.findings.size() == in_m_s2.findings.size());

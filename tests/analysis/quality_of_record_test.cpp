@@ -19,7 +19,9 @@ const OrderSignals turning{.speed_Hz = 20, .rate_Hz = 1280, .count = 6800};  // 
 
 Kinematics small_reducer() { return analysis::rv_reducer("small", {12, 24, 2, 9, 10}, {}); }
 
-Eigen::VectorXd faulty() { return turning.modulated(20, 1, 0.5) + 0.1 * turning.noise(1); }
+Eigen::VectorXd faulty() {
+  return turning.modulated(240.0 / 21, 20.0 / 21, 0.5) + 0.1 * turning.noise(1);
+}
 
 std::string complaints(const Examination& e) {
   std::string all;

@@ -27,11 +27,12 @@ analysis::Kinematics with_crank() {
 }
 
 // Its part in one point, whose squared depth scatters with this deviation.
-Judgement of_silent_crank(double deviation, const std::vector<Limit>& limits) {
+Judgement of_silent_crank(double smallest_visible, const std::vector<Limit>& limits) {
   const analysis::Kinematics machine = with_crank();
   JudgedPoint point = point_with_peak(0.1);
   point.examination.scores.resize(1);
-  point.examination.scores[0].depth2_variance = deviation * deviation;
+  point.examination.scores[0].depth2_variance = smallest_visible * smallest_visible;
+  point.examination.scores[0].smallest_visible = smallest_visible;
   Judgement judgement;
   judgement.points = {point};
   conclude(judgement, with_limits(machine, limits), limits, measured);
@@ -72,7 +73,7 @@ TEST_CASE("what noise could hide is no pass", "[bench][limits]") {
   CHECK(quiet.limits.at(0).measured == 0);
   CHECK(of_silent_crank(0.02, {}).ending.outcome == Outcome::pass);
 
-  const Judgement noisy = of_silent_crank(0.04, {});
+  const Judgement noisy = of_silent_crank(0.257, {});
   CHECK(noisy.ending.outcome == Outcome::invalid);
   CHECK(noisy.ending.reason ==
         "cannot tell crank: eccentricity: noise hides depths up to 0.257, its limit is 0.2");
@@ -80,7 +81,7 @@ TEST_CASE("what noise could hide is no pass", "[bench][limits]") {
   CHECK(blind.ending.outcome == Outcome::invalid);
   CHECK(blind.ending.reason ==
         "cannot tell crank: eccentricity: no line of its order 0.5 can be read");
-  const Judgement limited = of_silent_crank(0.02, {strict});
+  const Judgement limited = of_silent_crank(0.07, {strict});
   CHECK(limited.ending.outcome == Outcome::invalid);
   CHECK(limited.ending.reason == "modulation_depth of crank could not be measured");
 }

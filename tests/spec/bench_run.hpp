@@ -37,6 +37,17 @@ inline const std::string short_plan = R"({
             "settling": {"hold_s": 0.5}, "record": {"output_turns": 4}}]
 })";
 
+/// The same, with limits of races that its few output turns can be held against.
+inline std::string short_plan_with_limits() {
+  std::string limits;
+  for (const char* part : {"inner", "outer", "ball"}) {
+    limits += std::string(limits.empty() ? "" : ", ") +
+              R"({"measure": "modulation_depth", "unit": "1", "component": "bearing_)" + part +
+              R"(", "max": 0.15, "why": "four output turns hide less"})";
+  }
+  return replaced(short_plan, "\"setup\"", "\"limits\": [" + limits + "], \"setup\"");
+}
+
 /// The band is narrower than the motor's slip: the point is given up after 1.1 s.
 inline std::string unsettled_plan() {
   return replaced(short_plan, "{\"hold_s\": 0.5}",

@@ -29,7 +29,7 @@ class Station {
   explicit Station(const std::string& demands = self_test_and_calibrations) {
     bench::write_file(scratch_.path() / "rig.json",
                       R"({"rig": "sim", "qualification": {"station": "EOL 3", )" + demands + "}}");
-    bench::write_file(scratch_.path() / "short.json", test::short_plan);
+    bench::write_file(scratch_.path() / "short.json", test::short_plan_with_limits());
   }
 
   Answer qualify(std::vector<std::string> words) {

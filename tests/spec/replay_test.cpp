@@ -33,7 +33,8 @@ struct Replayed {
   explicit Replayed(const std::string& preset, const std::string& rig_more = "") {
     bench::write_file(
         scratch / "plan.json",
-        test::replaced(test::replaced(test::short_plan, "[1210]", "[1815]"), "[50]", "[100]"));
+        test::replaced(test::replaced(test::short_plan_with_limits(), "[1210]", "[1815]"), "[50]",
+                       "[100]"));
     simulated = run(scratch, "sim", "SIM", {"--preset", preset, "--seed", "3"});
     bench::write_file(scratch / "rig.json",
                       R"({"rig": "replay", "recording": ")" +

@@ -52,7 +52,7 @@ class Housing final : public PassingAccelerometers {
       const double angle_rad = units::two_pi * turns_;
       const double hum = 0.2 * std::sin(angle_rad) + 0.4 * std::sin(23 * angle_rad + 1);
       for (Eigen::Index c = 0; c < block.scans.cols(); ++c) {
-        block.scans(i, c) += static_cast<float>(hum + 0.5 * noise());
+        block.scans(i, c) += static_cast<float>(hum + 0.1 * noise());
       }
     }
   }

@@ -2,7 +2,6 @@
 
 #include <random>
 
-#include "analysis/evidence/signature_comb.hpp"
 #include "tests/analysis/null_rates.hpp"
 #include "tests/support/under_sanitizer.hpp"
 
@@ -13,6 +12,8 @@ using test::NullDraws;
 
 namespace {
 
+constexpr Eigen::Index decoys_of_a_part = 96;
+
 // Sums over noise lines, each heard in `copies` channels that share all their noise.
 class Sums {
  public:
@@ -22,7 +23,7 @@ class Sums {
     for (int i = 0; i < lines_; ++i) sum += power_(engine_);
     return copies_ * sum;
   }
-  Eigen::VectorXd decoys(Eigen::Index count = analysis::decoys) {
+  Eigen::VectorXd decoys(Eigen::Index count = decoys_of_a_part) {
     return Eigen::VectorXd::NullaryExpr(count, [&] { return draw(); });
   }
 

@@ -52,36 +52,6 @@ TEST_CASE("of several points the interval is their scatter, noise and all",
   CHECK(s.high == 0.4);
 }
 
-TEST_CASE("what no point shows is below what noise would have hidden", "[analysis][evidence]") {
-  // One point: 0.04 and 1.645 deviations of 0.01. A hundred of them: a tenth of the deviation.
-  std::vector<SignatureScore> points{score(0.2, 0.01)};
-  const auto bound = [&] {
-    std::vector<const SignatureScore*> all;
-    for (const SignatureScore& s : points) all.push_back(&s);
-    return analysis::depth_bound(all);
-  };
-  CHECK(bound() == Approx(std::sqrt(0.04 + 0.01645)));
-  points.assign(100, score(0.2, 0.01));
-  CHECK(bound() == Approx(std::sqrt(0.04 + 0.001645)));
-  points.assign(1, score(0, 0.01));
-  CHECK(bound() == Approx(std::sqrt(0.01645)));
-  CHECK_THROWS_AS(analysis::depth_bound({}), std::invalid_argument);
-}
-
-TEST_CASE("a true depth lies above its bound in at most 5 of 100 points",
-          "[analysis][evidence][null]") {
-  std::mt19937 engine(2);
-  std::normal_distribution<double> noise;
-  constexpr int points = 2000;
-  int above = 0;
-  for (int point = 0; point < points; ++point) {
-    const double depth2 = std::max(0.02 + 0.02 * noise(engine), 0.0);
-    SignatureScore s = score(std::sqrt(depth2), 0.02);
-    above += std::sqrt(0.02) > analysis::depth_bound({&s}) ? 1 : 0;
-  }
-  CHECK(above < points * 0.05 + 3 * std::sqrt(points * 0.05 * 0.95));
-}
-
 TEST_CASE("in 95 of 100 matrices the interval holds the severity", "[analysis][evidence][null]") {
   if (test::too_long_under_sanitizer()) return;
   std::mt19937 engine(1);

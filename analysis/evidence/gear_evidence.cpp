@@ -1,0 +1,411 @@
+#include "analysis/evidence/gear_evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "analysis/evidence/decoy_p_value.hpp"
+#include "analysis/evidence/visibility.hpp"
+#include "analysis/order/resolution.hpp"
+#include "analysis/signature_lines.hpp"
+#include "analysis/statistics.hpp"
+
+namespace rvbench::analysis {
+namespace {
+
+using Index = Eigen::Index;
+
+constexpr double lobe_power = 1.5;  // of a Hann line of amplitude 1, over three lines
+constexpr double hann_reach = 1.5;  // lines: what of it lies further away is below 0.1 %
+// A line that is not so many times above what is beside it is part of something broader: a tone
+// that does not follow the shaft and wanders over the lines, or another part's comb.
+constexpr double over_beside = 4;
+constexpr Index lines_beside = 3;
+// A drive holds its speed to some thousandths, and corrects it twice a second at the most. A line
+// that wanders through a resonance of 1 % damping swings by a tenth at the most: a four hundredth
+// of its power.
+constexpr double wander_Hz = 0.6;
+constexpr double wandering = 0.004;
+constexpr double stands_out = 16;  // power over the floor: noise is there once in 10⁷
+constexpr std::size_t most_listed = 24;
+// Noise of a contact goes as its load, which swings by up to a tenth in a sound machine.
+constexpr double swing_of_sound_noise = 0.12;
+constexpr Index most_picked = 96;      // lines that smallest_visible is reckoned with
+constexpr double around_orders = 0.5;  // that a path's gain is read over
+
+// What lines come to.
+struct Sum {
+  double line2 = 0, log_ratio = 0, variance = 0;
+  double lines = 0;
+
+  void add(double of_line2, double of_log_ratio, double of_variance) {
+    line2 += of_line2;
+    log_ratio += of_log_ratio;
+    variance += of_variance;
+    ++lines;
+  }
+  // Another part makes them: they are as good as noise.
+  void explain() {
+    line2 = 0;
+    log_ratio = lines;
+  }
+};
+
+class GearReader {
+ public:
+  GearReader(const Spectrum& spectrum, const GearPlaces& places, double counts_above)
+      : places_(places), counts_above_(counts_above), floor_(line_floor(spectrum, places.locked)) {
+    const Index n = floor_.power.size();
+    log_ratio_.resize(n);
+    gears_.setZero(n + 1);
+    gear_lines_.setZero(n + 1);
+    for (Index i = 0; i < n; ++i) {
+      const double m = floor_.floor_lines[i];
+      log_ratio_[i] = m * std::log1p(floor_.power[i] / (m * floor_.floor[i]));
+      const bool is_gear = places.locked[static_cast<std::size_t>(i)];
+      const double excess = std::max(0.0, floor_.power[i] - floor_.floor[i]);
+      gears_[i + 1] = gears_[i] + (is_gear ? excess : 0.0);
+      gear_lines_[i + 1] = gear_lines_[i] + (is_gear ? 1.0 : 0.0);
+    }
+  }
+
+  GearReading read(const PartLines& part) const {
+    GearReading r;
+    r.decoys = Eigen::VectorXd::Zero(gear_decoys);
+    r.line2 = Eigen::VectorXd::Zero(static_cast<Index>(part.own.size()));
+    // Lines that rivals have as well count together, where they win most of the disputes.
+    Sum alone, shared;
+    int disputed = 0, won = 0;
+    for (std::size_t i = 0; i < part.own.size(); ++i) {
+      const OwnLine& line = part.own[i];
+      const Index at = bin_of(line.order);
+      if (!holds(at)) continue;
+      add_decoys(at, r.decoys);
+      const double line2 = own2(at, line);
+      r.line2[static_cast<Index>(i)] = line2;
+      const bool is_disputed = !line.rivals.empty() && is_heard(at, line.rivals);
+      disputed += is_disputed ? 1 : 0;
+      won += is_disputed && line2 > 0 ? 1 : 0;
+      (line.rivals.empty() ? alone : shared)
+          .add(line2, line2 == 0 ? 1 : log_ratio_[at], variance(at, line2));
+    }
+    if (2 * won < disputed) shared.explain();
+    r.own2 = alone.line2 + shared.line2 - loudest_over_second(part, r.line2);
+    r.own2 = std::max(r.own2, 0.0);
+    r.own2_variance = alone.variance + shared.variance;
+    r.log_ratio = alone.log_ratio + shared.log_ratio;
+    for (const double order : part.mesh) {
+      const Index at = bin_of(order);
+      if (!holds(at)) continue;
+      const double line2 = amplitude2(at);
+      r.mesh2 += line2;
+      r.mesh2_variance += variance(at, line2);
+    }
+    if (part.mesh.empty()) r.mesh2 = floor_.power.sum() / lobe_power;
+    pick(part, r);
+    return r;
+  }
+
+ private:
+  Index bin_of(double order) const {
+    return static_cast<Index>(std::lround(order / places_.resolution));
+  }
+  bool holds(Index at) const { return at >= 2 && at + 1 < floor_.power.size(); }
+
+  // Without noise.
+  double amplitude2(Index at) const {
+    return (floor_.power.segment(at - 1, 3) - floor_.floor.segment(at - 1, 3)).sum() / lobe_power;
+  }
+
+  // |a + n|² of a line a in complex noise of mean power F varies by F² + 2·F·|a|². Lines under a
+  // Hann window share noise: three of them over 1.5 have 2.14 times the first term and 1.30 times
+  // the second.
+  double variance(Index at, double line2) const {
+    const double f = floor_.floor[at];
+    return 2.14 * f * f + 1.30 * 2 * f * std::max(line2, 0.0);
+  }
+
+  // Of the lines that no gear reaches, some to either side: what a tone that wanders spreads over,
+  // and what a speed that wanders takes out of a strong line.
+  double strongest_beside(Index at) const {
+    const Index before = places_.free_before[static_cast<std::size_t>(at)];
+    const Index from = std::max<Index>(0, before - lines_beside);
+    const Index end = std::min(std::ssize(places_.free), before + lines_beside);
+    double strongest = 0;
+    for (Index i = from; i < end; ++i) {
+      strongest = std::max(strongest, floor_.power[places_.free[static_cast<std::size_t>(i)]]);
+    }
+    return strongest;
+  }
+
+  // What a line holds by itself: nothing where what is beside it is as strong.
+  double own2(Index at, const OwnLine& line) const {
+    if (floor_.power[at] < counts_above_ * floor_.floor[at]) return 0;
+    const double line2 = amplitude2(at);
+    double beside2 = strongest_beside(at);
+    bool is_disputed = beside2 > stands_out * floor_.floor[at];
+    for (const double order : line.carriers) {
+      const Index carrier = bin_of(order);
+      if (!holds(carrier)) continue;
+      beside2 = std::max(beside2, wandering * amplitude2(carrier));
+      is_disputed = is_disputed || beside2 > stands_out * floor_.floor[at];
+    }
+    for (const double order : line.rivals) {
+      const Index rival = bin_of(order);
+      if (!holds(rival)) continue;
+      beside2 = std::max(beside2, amplitude2(rival));
+      is_disputed = is_disputed || floor_.power[rival] > stands_out * floor_.floor[rival];
+    }
+    return is_disputed ? std::max(0.0, line2 - over_beside * beside2) : line2;
+  }
+
+  // Whether the line or a rival stands out of the noise.
+  bool is_heard(Index at, const std::vector<double>& rivals) const {
+    const auto stands = [&](Index line) {
+      return holds(line) && floor_.power[line] > stands_out * floor_.floor[line];
+    };
+    return stands(at) ||
+           std::ranges::any_of(rivals, [&](double order) { return stands(bin_of(order)); });
+  }
+
+  // One harmonic alone is a tone that happens to lie there: it counts as much as the second.
+  static double loudest_over_second(const PartLines& part, const Eigen::VectorXd& line2) {
+    std::map<int, double> groups;
+    for (std::size_t i = 0; i < part.own.size(); ++i) {
+      if (part.own[i].harmonic > 0) {
+        groups[part.own[i].harmonic] += std::max(line2[static_cast<Index>(i)], 0.0);
+      }
+    }
+    double first = 0, second = 0;
+    for (const auto& [harmonic, sum] : groups) {
+      second = std::max(second, std::min(first, sum));
+      first = std::max(first, sum);
+    }
+    return first - second;
+  }
+
+  // The gears' mean power around a line.
+  double gears_around(Index at) const {
+    const auto reach = static_cast<Index>(around_orders / places_.resolution);
+    const Index from = std::max<Index>(0, at - reach);
+    const Index end = std::min<Index>(gears_.size() - 1, at + reach + 1);
+    const double lines = gear_lines_[end] - gear_lines_[from];
+    return lines > 0 ? (gears_[end] - gears_[from]) / lines : 0;
+  }
+
+  void pick(const PartLines& part, GearReading& r) const {
+    const auto lines = static_cast<Index>(part.own.size());
+    const Index step = std::max<Index>(1, (lines + most_picked - 1) / most_picked);
+    const Index count = (lines + step - 1) / step;
+    r.picked = static_cast<double>(step);
+    r.floor2 = r.floor_lines = Eigen::VectorXd::Ones(count);
+    r.at_one2 = Eigen::VectorXd::Zero(count);
+    for (Index i = 0; i < count; ++i) {
+      const Index at = bin_of(part.own[static_cast<std::size_t>(i * step)].order);
+      if (!holds(at)) continue;
+      r.floor2[i] = floor_.floor[at];
+      r.floor_lines[i] = floor_.floor_lines[at];
+      r.at_one2[i] = gears_around(at);
+    }
+    const double sum = r.picked * r.at_one2.sum();
+    if (sum > 0) r.at_one2 *= r.mesh2 / 2 / sum;
+  }
+
+  // The nearest lines that no gear reaches, by turns below and above.
+  void add_decoys(Index at, Eigen::VectorXd& decoys) const {
+    const std::vector<Index>& free = places_.free;
+    if (static_cast<Index>(free.size()) < 2 * gear_decoys) return;
+    const Index above = places_.free_before[static_cast<std::size_t>(at)];
+    const Index first = std::clamp<Index>(above - gear_decoys / 2, 0,
+                                          static_cast<Index>(free.size()) - gear_decoys);
+    for (Index d = 0; d < gear_decoys; ++d) {
+      decoys[d] += log_ratio_[free[static_cast<std::size_t>(first + d)]];
+    }
+  }
+
+  const GearPlaces& places_;
+  double counts_above_;  // power over the floor
+  LineFloor floor_;
+  Eigen::VectorXd log_ratio_;
+  Eigen::VectorXd gears_, gear_lines_;  // sums up to each line
+};
+
+// What all channels' lines come to at a severity.
+double expected_log_ratio(const std::vector<std::vector<GearReading>>& readings, std::size_t part,
+                          double severity) {
+  double sum = 0;
+  for (const std::vector<GearReading>& channel : readings) {
+    if (channel.empty()) continue;
+    const GearReading& r = channel[part];
+    const auto power = r.floor2.array() + severity * severity * r.at_one2.array();
+    sum += r.picked *
+           (r.floor_lines.array() * (power / (r.floor_lines.array() * r.floor2.array())).log1p())
+               .sum();
+  }
+  return sum;
+}
+
+// The deepest lines, by their orders.
+void list_lines(const PartLines& part, const GearReading& reading, SignatureScore& score) {
+  std::vector<std::size_t> deepest(part.own.size());
+  std::iota(deepest.begin(), deepest.end(), 0);
+  const auto is_deeper = [&](std::size_t a, std::size_t b) {
+    return reading.line2[static_cast<Index>(a)] > reading.line2[static_cast<Index>(b)];
+  };
+  const std::size_t count = std::min(most_listed, deepest.size());
+  std::ranges::partial_sort(deepest, deepest.begin() + static_cast<std::ptrdiff_t>(count),
+                            is_deeper);
+  deepest.resize(count);
+  std::ranges::sort(deepest);
+  score.line_orders.clear();
+  score.line_depths.clear();
+  for (const std::size_t i : deepest) {
+    const double line2 = std::max(reading.line2[static_cast<Index>(i)], 0.0);
+    score.line_orders.push_back(part.own[i].order);
+    score.line_depths.push_back(std::sqrt(2 * line2 / reading.mesh2));
+  }
+}
+
+double smallest_visible(const std::vector<std::vector<GearReading>>& readings, std::size_t part,
+                        const Eigen::VectorXd& decoys) {
+  const double asked = visible_sum(decoys);
+  return severity_reaching(
+      asked, [&](double severity) { return expected_log_ratio(readings, part, severity); });
+}
+
+void score_part(const std::vector<std::vector<GearReading>>& readings, const PartLines& part,
+                std::size_t s, SignatureScore& score) {
+  score.channel_depths.assign(readings.size(), 0.0);
+  Eigen::VectorXd decoys = Eigen::VectorXd::Zero(gear_decoys);
+  double log_ratio = 0;
+  std::vector<double> depths2, variances;
+  double deepest2 = -1;
+  for (std::size_t c = 0; c < readings.size(); ++c) {
+    if (readings[c].empty()) continue;
+    const GearReading& reading = readings[c][s];
+    log_ratio += reading.log_ratio;
+    decoys += reading.decoys;
+    // A channel that does not hear the mesh says nothing of what is to be held against it.
+    if (!(reading.mesh2 > 3 * std::sqrt(reading.mesh2_variance))) continue;
+    const double depth2 = 2 * reading.own2 / reading.mesh2;
+    depths2.push_back(depth2);
+    variances.push_back(4 * reading.own2_variance / (reading.mesh2 * reading.mesh2));
+    score.channel_depths[c] = std::sqrt(std::max(depth2, 0.0));
+    if (depth2 <= deepest2) continue;
+    deepest2 = depth2;
+    score.channel = static_cast<int>(c);
+    list_lines(part, reading, score);
+  }
+  if (depths2.empty()) return;
+  const auto channels = static_cast<double>(depths2.size());
+  score.depth = std::sqrt(std::max(0.0, median(depths2)));
+  // A median's own variance is π/2 of a mean's.
+  constexpr double of_median = 1.57;
+  score.depth2_variance = of_median * median(variances) / channels;
+  score.log_likelihood_ratio = log_ratio - median({decoys.begin(), decoys.end()});
+  score.p_value = decoy_p_value(log_ratio, decoys);
+  score.smallest_visible = smallest_visible(readings, s, decoys);
+}
+
+std::vector<GearReading> readings_of(const Spectrum& spectrum, const GearPlaces& places,
+                                     double counts_above) {
+  const auto lines = static_cast<Index>(places.locked.size());
+  const GearReader reader({spectrum.resolution, spectrum.amplitude.head(lines)}, places,
+                          counts_above);
+  std::vector<GearReading> readings;
+  for (const PartLines& part : places.parts) readings.push_back(reader.read(part));
+  return readings;
+}
+
+void mark_lines(const Kinematics& kinematics, std::size_t lines, GearPlaces& places) {
+  places.locked = locked_lines(kinematics, places.resolution, lines, hann_reach);
+  for (std::size_t i = 2; i + 1 < lines; ++i) {
+    if (!places.locked[i]) places.free.push_back(static_cast<Index>(i));
+  }
+  for (std::size_t i = 0, before = 0; i < lines; ++i) {
+    places.free_before.push_back(static_cast<Index>(before));
+    if (before < places.free.size() && places.free[before] == static_cast<Index>(i)) ++before;
+  }
+}
+
+}  // namespace
+
+GearPlaces line_places(double turns, double top_order, double speed_Hz, bool is_placed,
+                       const Kinematics& kinematics) {
+  GearPlaces places;
+  places.resolution = 1 / turns;
+  const double top = top_order;
+  constexpr double rounding = 0.99;
+  places.parts = own_lines(kinematics, rounding * lines_to_part * places.resolution,
+                           wander_Hz / speed_Hz, top);
+  // Beyond it a stated speed places no line.
+  const double error = speed_error(is_placed);
+  const double placed = error > 0 ? 0.5 * places.resolution / error : top;
+  for (PartLines& part : places.parts) {
+    std::erase_if(part.own, [&](const OwnLine& line) { return line.order > placed; });
+    if (!part.mesh.empty() && part.mesh.front() > placed) part.own.clear();
+  }
+  mark_lines(kinematics, static_cast<std::size_t>(top / places.resolution), places);
+  return places;
+}
+
+GearPlaces envelope_places(const Kinematics& kinematics, double resolution, std::size_t lines) {
+  GearPlaces places;
+  places.resolution = resolution;
+  for (const auto& part : signature_lines(kinematics, resolution)) {
+    PartLines& own = places.parts.emplace_back();
+    const auto s = places.parts.size() - 1;
+    const Shows shows = kinematics.signatures[s].shows;
+    if (shows == Shows::as_blows || shows == Shows::as_printed) continue;
+    for (const SignatureLine& line : part) own.own.push_back({line.order, line.rivals});
+  }
+  mark_lines(kinematics, lines, places);
+  return places;
+}
+
+std::vector<GearReading> read_gears(const Spectrum& spectrum, const GearPlaces& places) {
+  return readings_of(spectrum, places, 0);
+}
+
+std::vector<GearReading> read_noise(const Spectrum& depths, const GearPlaces& places) {
+  // Without the gears' lines a signal that is not Gaussian swings a little more at their spacings
+  // than between them: only what stands out counts.
+  std::vector<GearReading> readings = readings_of(depths, places, stands_out);
+  for (GearReading& reading : readings) {
+    // The power of noise that swings by m swings by 2·m.
+    constexpr double power_over_amplitude = 2;
+    const double at_one2 = power_over_amplitude * power_over_amplitude;
+    if (reading.mesh2 > 0) reading.at_one2 *= 2 * at_one2 / reading.mesh2;
+    reading.mesh2 = 2 * at_one2;
+  }
+  return readings;
+}
+
+void score_gears(const std::vector<std::vector<GearReading>>& readings, const GearPlaces& places,
+                 std::vector<SignatureScore>& scores) {
+  for (std::size_t s = 0; s < places.parts.size(); ++s) {
+    if (!places.parts[s].own.empty()) score_part(readings, places.parts[s], s, scores[s]);
+  }
+}
+
+void score_noise(const std::vector<std::vector<GearReading>>& readings, const GearPlaces& places,
+                 std::vector<SignatureScore>& scores) {
+  for (std::size_t s = 0; s < places.parts.size(); ++s) {
+    if (places.parts[s].own.empty()) continue;
+    SignatureScore noise = scores[s];
+    score_part(readings, places.parts[s], s, noise);
+    SignatureScore& lines = scores[s];
+    const bool shows = noise.p_value < significant_p && noise.depth > swing_of_sound_noise &&
+                       noise.depth > lines.depth;
+    // Two ways to show are two chances.
+    const double p_value = std::min(1.0, 2 * std::min(noise.p_value, lines.p_value));
+    if (shows || lines.p_value >= significant_p) {
+      if (!std::isnan(lines.smallest_visible)) noise.smallest_visible = lines.smallest_visible;
+      if (shows || std::isnan(lines.smallest_visible)) lines = std::move(noise);
+    }
+    lines.p_value = p_value;
+  }
+}
+
+}  // namespace rvbench::analysis

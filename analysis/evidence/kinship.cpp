@@ -1,0 +1,37 @@
+#include "analysis/evidence/kinship.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rvbench::analysis {
+namespace {
+
+bool turn_alike(const Signature& a, const Signature& b) {
+  constexpr double same = 1e-9;
+  return a.turn > 0 && std::abs(a.turn - b.turn) <= same * a.turn;
+}
+
+bool is_part_of(std::size_t signature, const RollingBearing& b) {
+  return signature == b.inner || signature == b.outer || signature == b.ball ||
+         signature == b.cage_wear;
+}
+
+}  // namespace
+
+bool have_the_same_lines(const Signature& a, const Signature& b) {
+  if (a.shows == Shows::as_printed) return b.shows == a.shows && a.order == b.order;
+  return a.shows == Shows::as_teeth && b.shows == Shows::as_teeth && turn_alike(a, b);
+}
+
+bool may_follow_from(std::size_t lesser, std::size_t graver, const Kinematics& kinematics) {
+  const Signature& consequence = kinematics.signatures[lesser];
+  const Signature& cause = kinematics.signatures[graver];
+  if (consequence.shows == Shows::as_turning && cause.shows == Shows::as_teeth) {
+    return turn_alike(consequence, cause);
+  }
+  return std::ranges::any_of(kinematics.bearings, [&](const RollingBearing& bearing) {
+    return is_part_of(lesser, bearing) && is_part_of(graver, bearing);
+  });
+}
+
+}  // namespace rvbench::analysis

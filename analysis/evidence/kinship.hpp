@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+
+#include "analysis/kinematics.hpp"
+
+namespace rvbench::analysis {
+
+/// Whether no line of any record parts two signatures: gears on one shaft, of other meshes,
+/// and rows of a table that print the same frequency.
+bool have_the_same_lines(const Signature& a, const Signature& b);
+
+/// Whether what one part shows may come of another, graver one: bad teeth load their shaft unevenly
+/// as they go round, and what comes loose from one part of a bearing marks the others.
+///
+/// @param lesser, graver  indices into kinematics.signatures
+bool may_follow_from(std::size_t lesser, std::size_t graver, const Kinematics& kinematics);
+
+}  // namespace rvbench::analysis

@@ -1,0 +1,251 @@
+#include "analysis/evidence/own_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace rvbench::analysis {
+namespace {
+
+constexpr int path_harmonics = 2;   // a path that turns has a mean, a first and a second harmonic
+constexpr double same_turn = 1e-9;  // relative
+constexpr std::size_t fewest_own = 12;  // lines that make a comb of its own
+
+// The places of a line that a turning path spreads.
+std::vector<double> spread(double order, double path) {
+  std::vector<double> orders{order};
+  for (int m = 1; m <= path_harmonics && path > 0; ++m) {
+    orders.push_back(order - m * path);
+    orders.push_back(order + m * path);
+  }
+  return orders;
+}
+
+// A multiple of `turn`, spread by the path.
+bool comb_holds(double turn, double path, double order, double near) {
+  return std::ranges::any_of(spread(order, path), [&](double at) {
+    const double multiple = std::round(at / turn);
+    return multiple >= 1 && std::abs(at - multiple * turn) < near;
+  });
+}
+
+bool is_gear_of(const GearMesh& mesh, double turn) {
+  return std::ranges::any_of(mesh.gears, [&](const MeshingGear& gear) {
+    return std::abs(gear.order - turn) <= same_turn * turn;
+  });
+}
+
+class PartCombs {
+ public:
+  PartCombs(const Kinematics& kinematics, double apart, double wander, double top_order)
+      : k_(kinematics),
+        apart_(apart),
+        wander_(wander),
+        top_(top_order),
+        sound_(sound_lines(k_, top_)) {
+    for (const GearMesh& mesh : k_.meshes) {
+      for (double h = mesh.order; h <= top_; h += mesh.order) {
+        for (const double order : spread(h, mesh.path_order)) carriers_.push_back(order);
+      }
+    }
+    std::ranges::sort(carriers_);
+  }
+
+  PartLines of(const Signature& part) const {
+    PartLines lines;
+    if (part.shows == Shows::as_blows || part.shows == Shows::as_printed) return lines;
+    lines.mesh = mesh_lines(part);
+    // A force at a shaft's order is bad only against the meshes beside it.
+    if (k_.meshes.empty()) return lines;
+    lines.own = part.shows == Shows::as_teeth ? of_teeth(part) : of_turning(part);
+    for (OwnLine& line : lines.own) line.carriers = carriers_near(line.order);
+    return lines;
+  }
+
+ private:
+  // Of the part's meshes; of all where it strikes, or is in none.
+  std::vector<double> mesh_lines(const Signature& part) const {
+    const bool in_one = !part.strikes && std::ranges::any_of(k_.meshes, [&](const GearMesh& mesh) {
+      return is_gear_of(mesh, part.turn);
+    });
+    std::vector<double> lines;
+    for (const GearMesh& mesh : k_.meshes) {
+      if (in_one && !is_gear_of(mesh, part.turn)) continue;
+      for (double h = mesh.order; h <= top_; h += mesh.order) {
+        for (const double order : spread(h, mesh.path_order)) add(order, lines);
+      }
+    }
+    return lines;
+  }
+
+  std::vector<OwnLine> of_teeth(const Signature& part) const {
+    std::vector<OwnLine> alone, shared;
+    std::vector<double> seen;
+    for (int h = 1; h * part.turn <= top_; ++h) {
+      for (const double order : spread(h * part.turn, part.path_order)) {
+        if (!is_free(order) || !add(order, seen)) continue;
+        OwnLine line{order, rivals(part, order), {}, h};
+        (is_held_by_another(part, order) ? shared : alone).push_back(std::move(line));
+      }
+    }
+    if (alone.size() >= fewest_own) return alone;
+    std::erase_if(shared, [](const OwnLine& line) { return line.rivals.empty(); });
+    alone.insert(alone.end(), shared.begin(), shared.end());
+    return alone;
+  }
+
+  std::vector<OwnLine> of_turning(const Signature& part) const {
+    std::vector<OwnLine> own;
+    std::vector<double> seen;
+    const auto take = [&](double order) {
+      if (add(order, seen)) own.push_back({order, rivals(part, order)});
+    };
+    for (int h = 1; h <= part.forces; ++h) take(h * part.order);
+    for (const GearMesh& mesh : k_.meshes) {
+      if (!(part.turn > 0) || !is_gear_of(mesh, part.turn)) continue;
+      for (double h = mesh.order; h + part.turn <= top_; h += mesh.order) {
+        for (const double side : {h - part.turn, h + part.turn}) {
+          for (const double order : spread(side, mesh.path_order)) {
+            if (!is_mesh_line(order, mesh)) take(order);
+          }
+        }
+      }
+    }
+    return own;
+  }
+
+  // The lines beside that only the other parts' combs hold.
+  std::vector<double> rivals(const Signature& part, double order) const {
+    std::vector<double> beside;
+    for (const Signature& other : k_.signatures) {
+      if (&other == &part || other.shows != Shows::as_teeth) continue;
+      if (!comb_holds(other.turn, other.path_order, order, apart_)) continue;
+      for (const int turns : {-2, -1, 1, 2}) {
+        const double at = order + turns * other.turn;
+        const bool is_own =
+            part.shows == Shows::as_teeth && comb_holds(part.turn, part.path_order, at, apart_);
+        if (at < other.turn / 2 || at > top_ || is_own || !is_free(at)) continue;
+        beside.push_back(at);
+      }
+    }
+    return beside;
+  }
+
+  bool is_held_by_another(const Signature& part, double order) const {
+    return std::ranges::any_of(k_.signatures, [&](const Signature& other) {
+      return other.shows == Shows::as_teeth &&
+             std::abs(other.turn - part.turn) > same_turn * part.turn &&
+             comb_holds(other.turn, other.path_order, order, apart_);
+    });
+  }
+
+  // A line of another mesh than the part's, or of the same at another harmonic.
+  bool is_mesh_line(double order, const GearMesh& own) const {
+    return std::ranges::any_of(k_.meshes, [&](const GearMesh& mesh) {
+      return (&mesh == &own ? comb_holds(mesh.order, mesh.path_order, order, apart_)
+                            : is_modulated_line(order, mesh));
+    });
+  }
+
+  bool is_modulated_line(double order, const GearMesh& mesh) const {
+    if (comb_holds(mesh.order, mesh.path_order, order, apart_)) return true;
+    return std::ranges::any_of(mesh.gears, [&](const MeshingGear& gear) {
+      return comb_holds(mesh.order, mesh.path_order, order - gear.order, apart_) ||
+             comb_holds(mesh.order, mesh.path_order, order + gear.order, apart_);
+    });
+  }
+
+  std::vector<double> carriers_near(double order) const {
+    std::vector<double> near;
+    auto next = std::ranges::lower_bound(carriers_, order - wander_);
+    for (; next != carriers_.end() && *next <= order + wander_; ++next) {
+      if (std::abs(*next - order) >= apart_) near.push_back(*next);
+    }
+    return near;
+  }
+
+  // No line of a sound machine.
+  bool is_free(double order) const {
+    const auto next = std::ranges::lower_bound(sound_, order - apart_);
+    return next == sound_.end() || *next >= order + apart_;
+  }
+
+  bool add(double order, std::vector<double>& lines) const {
+    if (order < apart_ || order > top_) return false;
+    const auto near = [&](double line) { return std::abs(line - order) < apart_; };
+    // Orders come nearly ascending: a line that is there already is among the last.
+    const auto last = lines.size() > 64 ? lines.end() - 64 : lines.begin();
+    if (std::any_of(last, lines.end(), near)) return false;
+    lines.push_back(order);
+    return true;
+  }
+
+  const Kinematics& k_;
+  double apart_;
+  double wander_;
+  double top_;
+  std::vector<double> sound_;
+  std::vector<double> carriers_;
+};
+
+}  // namespace
+
+std::vector<double> sound_lines(const Kinematics& kinematics, double top_order) {
+  std::vector<double> lines;
+  const auto take = [&](double order, double path) {
+    for (const double at : spread(order, path)) {
+      if (at > 0 && at <= top_order) lines.push_back(at);
+    }
+  };
+  for (const GearMesh& mesh : kinematics.meshes) {
+    for (double h = mesh.order; h <= top_order + 1; h += mesh.order) {
+      take(h, mesh.path_order);
+      for (const MeshingGear& gear : mesh.gears) {
+        take(h - gear.order, mesh.path_order);
+        take(h + gear.order, mesh.path_order);
+      }
+    }
+  }
+  for (const Signature& part : kinematics.signatures) {
+    if (part.shows != Shows::as_turning) continue;
+    for (int h = 1; h <= part.harmonics; ++h) take(h * part.order, 0);
+  }
+  std::ranges::sort(lines);
+  return lines;
+}
+
+std::vector<PartLines> own_lines(const Kinematics& kinematics, double apart, double wander,
+                                 double top_order) {
+  const PartCombs lines(kinematics, apart, wander, top_order);
+  std::vector<PartLines> all;
+  for (const Signature& part : kinematics.signatures) all.push_back(lines.of(part));
+  return all;
+}
+
+std::vector<bool> locked_lines(const Kinematics& kinematics, double resolution, std::size_t lines,
+                               double reach) {
+  std::vector<bool> locked(lines, false);
+  const double top = static_cast<double>(lines) * resolution;
+  const auto mark = [&](double order) {
+    const double at = order / resolution;
+    for (double line = std::ceil(at - reach); line <= at + reach; ++line) {
+      if (line >= 0 && line < static_cast<double>(lines)) {
+        locked[static_cast<std::size_t>(line)] = true;
+      }
+    }
+  };
+  const auto mark_comb = [&](double turn, double path) {
+    for (double h = 0; h <= top; h += turn) {
+      for (const double order : spread(h, path)) mark(order);
+    }
+  };
+  mark_comb(1 / kinematics.period_turns, 0);
+  for (const Signature& part : kinematics.signatures) {
+    if (part.shows == Shows::as_blows || part.shows == Shows::as_printed) continue;
+    mark_comb(part.order, 0);
+    if (part.turn > 0) mark_comb(part.turn, part.path_order);
+  }
+  return locked;
+}
+
+}  // namespace rvbench::analysis

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "analysis/kinematics.hpp"
+
+namespace rvbench::analysis {
+
+/// A line of the order spectrum that one part makes when it is damaged.
+struct OwnLine {
+  double order = 0;
+  /// Lines of other parts' combs that also hold this one: it speaks for the part as far as it
+  /// exceeds them.
+  std::vector<double> rivals = {};
+  /// Harmonics of meshes, the loudest lines there are, that a speed that wanders spreads this far.
+  std::vector<double> carriers = {};
+  int harmonic = 0;  ///< of the part's turn, whose path spreads it; 0: it is alone
+};
+
+/// Where one signature is looked for in the order spectrum of the signal itself.
+struct PartLines {
+  std::vector<OwnLine> own;
+  std::vector<double> mesh;  ///< harmonics of its meshes with their paths: what severity refers to
+};
+
+/// Every line of a sound machine: meshes with their paths, the first sidebands of their gears, and
+/// shafts at once and twice per turn.
+///
+/// Shape   ascending, up to top_order
+/// Units   orders of the input shaft
+/// Source  McFadden, J. Vib. Acoust. 108(2), 165-170 (1986): gears of a sound mesh modulate it once
+///         per turn; McFadden & Smith, Proc. IMechE 199, 65-70 (1985): a contact that passes the
+///         sensors spreads its lines by multiples of its own order
+std::vector<double> sound_lines(const Kinematics& kinematics, double top_order);
+
+/// The own lines of each signature.
+///
+/// Damage of a tooth repeats with its gear's turn, so its lines lie on any multiple of that turn.
+/// Those that a sound machine has as well, or another part's comb holds, say nothing. A gear whose
+/// every line belongs to another's comb, as the sun's 120/121 belong to the planet's 40/121, is
+/// judged by what it has over the lines beside that are the other's alone. A shaft makes the first
+/// sidebands, which are every gear's: it is judged by what it has over the further ones.
+///
+/// @param apart   orders that two lines must lie apart to be told apart
+/// @param wander  orders: how far a speed that wanders spreads a line, as it passes resonances
+/// Shape   one per signature, in their order; empty for what rolls
+/// Units   orders of the input shaft
+/// Source  of sound_lines(); the choice is ours
+std::vector<PartLines> own_lines(const Kinematics& kinematics, double apart, double wander,
+                                 double top_order);
+
+/// Lines of a spectrum that gears, shafts and pins may reach, sound or damaged: those within
+/// `reach` of a multiple of a turn, or of one over the gear train's period.
+///
+/// Shape   one flag per line of the spectrum
+/// Units   resolution in orders of the input shaft; reach in lines
+std::vector<bool> locked_lines(const Kinematics& kinematics, double resolution, std::size_t lines,
+                               double reach);
+
+}  // namespace rvbench::analysis
