@@ -155,8 +155,8 @@ void join_twins(std::vector<Shown>& shown, const Kinematics& kinematics) {
   }
 }
 
-// A bad rolling element passes the load once per turn of the cage, as a worn cage does. Where its
-// own lines are spread, that of the cage is all there is, and the element is the likelier.
+// A bad rolling element shows once per turn of the cage, as a worn cage does. If slip has spread
+// its own lines, only the cage's is left, and the element is the likelier cause.
 void share_cages(std::vector<Shown>& shown, const Kinematics& kinematics) {
   for (const RollingBearing& bearing : kinematics.bearings) {
     const auto of = [&](std::size_t part) {
@@ -207,9 +207,8 @@ std::vector<UnknownFamily> unknown_of(const std::vector<Examination>& points) {
   return families;
 }
 
-// Lines of the signal itself that modulate a mesh, and have many harmonics: a single tone, the
-// mains or an inverter does neither.
-// One at a multiple of a known part's order is that part's.
+// Lines of the signal itself that modulate a mesh and have many harmonics, which no single tone, no
+// mains and no inverter does. A family at a multiple of a known part's order is that part's.
 bool is_damage_like(const SpectralLine& family, const Kinematics& kinematics) {
   constexpr int fewest_harmonics = 4, fewest_sidebands = 2;
   constexpr double same = 2e-3;  // relative

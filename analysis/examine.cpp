@@ -58,8 +58,8 @@ struct Task {
   const Kinematics& kinematics;
   const ShaftAngle& angle;
   const ExamineOptions& options;
-  const ShaftAngle& by_lines;  // the same angle, or a stated speed as the meshes' lines correct it
-  bool is_placed;              // by_lines is as good as measured
+  const ShaftAngle&
+      by_lines;  // the angle itself, or a stated speed as the meshes' lines correct it
 };
 
 bool is_spoiled(const std::vector<QualityNote>& notes) {
@@ -237,9 +237,11 @@ ChannelResult examine_channel(const Channel& channel, std::vector<QualityNote> q
   const OrderLines lines(channel, task.angle, task.kinematics.period_turns);
   out.examination.lines = spectral_lines(lines, task.kinematics);
   if (places != nullptr) {
-    const bool is_corrected = task.is_placed && !task.angle.is_measured();
-    const OrderLines corrected =
-        is_corrected ? OrderLines(channel, task.by_lines, task.kinematics.period_turns) : lines;
+    std::optional<OrderLines> by_lines;
+    if (&task.by_lines != &task.angle) {
+      by_lines.emplace(channel, task.by_lines, task.kinematics.period_turns);
+    }
+    const OrderLines& corrected = by_lines ? *by_lines : lines;
     out.residual = residual_envelope(corrected, task.kinematics, highest_envelope(task.kinematics));
     const auto held = [](const GearPlaces& gears, Eigen::Index in_spectrum) {
       return !gears.parts.empty() && std::ssize(gears.locked) <= in_spectrum;
@@ -315,6 +317,7 @@ void score(std::vector<ChannelResult>& results, const Kinematics& kinematics, Ex
   std::vector<std::vector<GearReading>> noise;
   std::vector<ResidualEnvelope> residuals;
   std::vector<const ChannelResult*> counted;
+  const std::size_t noise_parts = longest->noise.size();
   for (ChannelResult& result : results) {
     const bool counts = alike(result, *longest) && !result.repeats_another;
     if (!counts && !result.repeats_another && !is_spoiled(result.quality)) {
@@ -322,10 +325,9 @@ void score(std::vector<ChannelResult>& results, const Kinematics& kinematics, Ex
           {result.examination.name, "shorter than the longest channel: not weighed", false});
     }
     if (counts) counted.push_back(&result);
-    gears.push_back(counts ? result.gears : std::vector<GearReading>{});
-    noise.push_back(counts && result.noise.size() == longest->noise.size()
-                        ? result.noise
-                        : std::vector<GearReading>{});
+    gears.push_back(counts ? std::move(result.gears) : std::vector<GearReading>{});
+    noise.push_back(counts && result.noise.size() == noise_parts ? std::move(result.noise)
+                                                                 : std::vector<GearReading>{});
     residuals.push_back(counts ? std::move(result.residual) : ResidualEnvelope{});
   }
   score_gears(gears, longest->places->gears, e.scores);
@@ -337,7 +339,7 @@ void score(std::vector<ChannelResult>& results, const Kinematics& kinematics, Ex
            score.p_value < significant_p;
   });
   const bool is_quiet = !is_struck && e.unknown.empty();
-  if (!longest->noise.empty() && is_quiet) score_noise(noise, longest->places->noise, e.scores);
+  if (noise_parts > 0 && is_quiet) score_noise(noise, longest->places->noise, e.scores);
   add_article(counted, e);
   score_printed(results, kinematics, e);
   for (SignatureScore& score : e.scores) {
@@ -466,7 +468,7 @@ Examination examine(const Recording& record, const Kinematics& kinematics,
     corrected = corrected_by_lines(channels, quality, *angle, kinematics);
   }
   const bool is_placed = angle->is_measured() || corrected.has_value();
-  const Task task{kinematics, *angle, options, corrected ? *corrected : *angle, is_placed};
+  const Task task{kinematics, *angle, options, corrected ? std::as_const(*corrected) : *angle};
   const auto places = places_of(channels, task.by_lines, is_placed, kinematics);
   leave_out_spoiled(quality, options.channels_may_fail);
   parallel_for(channels.size(), [&](std::size_t i) {

@@ -87,6 +87,11 @@ LineFloor floor_of(const Spectrum& spectrum, IsClean is_clean) {
 
 }  // namespace
 
+double LineFloor::log_ratio(Eigen::Index line) const {
+  const double m = floor_lines[line];
+  return m * std::log1p(power[line] / (m * floor[line]));
+}
+
 bool LineFloor::is_neighbour(Eigen::Index line) const { return is_clean(line, locked_every); }
 
 bool LineFloor::is_locked(Eigen::Index line) const {

@@ -20,6 +20,18 @@ struct LineFloor {
   Eigen::VectorXd neighbours;   ///< lines whose median each floor value is
   Eigen::Index locked_every = 0;
 
+  /// How much better a line of free amplitude and phase explains its power than noise does.
+  ///
+  ///     m·ln(1 + X/(m·F))  →  X/F   for a floor F that is known well
+  ///
+  /// With X the power of the line and m the independent lines that its floor is worth. It is also
+  /// −ln p of the line: X/F of noise is F-distributed with 2 and 2m degrees of freedom, and its
+  /// logarithm exponentially distributed with mean 1.
+  /// Source  Kay, Fundamentals of Statistical Signal Processing, vol. 2 (1998), ch. 6 and 9: GLRT
+  /// of
+  ///         a sinusoid in noise of unknown level
+  double log_ratio(Eigen::Index line) const;
+
   /// Whether a line is one of the neighbours of the floors around it, its own among them.
   bool is_neighbour(Eigen::Index line) const;
 

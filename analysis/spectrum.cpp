@@ -1,5 +1,6 @@
 #include "analysis/spectrum.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -56,6 +57,14 @@ Spectrum amplitude_spectrum(Eigen::VectorXcd lines, Eigen::Index n, double rate,
   // Half the sample rate has no negative twin that would carry the other half of its amplitude.
   if (n % 2 == 0) spectrum.amplitude[n / 2] /= 2;
   return spectrum;
+}
+
+Eigen::VectorXcd lines_under_hann(const Eigen::VectorXcd& lines, Eigen::Index count) {
+  Eigen::VectorXcd windowed = Eigen::VectorXcd::Zero(count);
+  const Eigen::Index inner = std::min(count, lines.size() - 1) - 1;
+  windowed.segment(1, inner) =
+      lines.segment(1, inner) - 0.5 * (lines.segment(0, inner) + lines.segment(2, inner));
+  return windowed;
 }
 
 double place_of_tone(const Eigen::VectorXd& amplitude, Eigen::Index line) {

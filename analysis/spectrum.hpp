@@ -30,6 +30,11 @@ Spectrum amplitude_spectrum(const Eigen::Ref<const Eigen::VectorXd>& x, double r
 /// Errors  throws std::invalid_argument: n < 2, another number of lines, rate ≤ 0
 Spectrum amplitude_spectrum(Eigen::VectorXcd lines, Eigen::Index n, double rate, Window window);
 
+/// The first `count` lines of an unscaled transform under a Hann window of mean 1; line 0 and the
+/// last, which lack a neighbour, are 0.
+/// Shape   at least 3 lines, count >= 2
+Eigen::VectorXcd lines_under_hann(const Eigen::VectorXcd& lines, Eigen::Index count);
+
 /// Where between the lines a tone lies whose two highest lines, under a Hann window, are `line` and
 /// a neighbour; `line` has two.
 /// Units   lines

@@ -48,7 +48,7 @@ struct SlippingLines {
 /// Limits  two bearings of which one's lines fall on more than half of the other's cannot be told
 ///         apart, whatever else they show
 /// Errors  none thrown
-/// Source  ours; who explains first: of score_signatures(); where each stands: SlippingComb
+/// Source  ours; who explains first: as score_rolling() has it; where each stands: SlippingComb
 SlippingLines find_slipping_lines(const Kinematics& kinematics,
                                   const std::vector<Quantity>& quantities, const Spectrum& spectrum,
                                   const LineFloor& floor, double blocks, double speed_error);

@@ -19,8 +19,7 @@ ArticleReading::Line line_at(const EnvelopeSpectra& envelope, double order, doub
   const Eigen::Index from = bin(order * (1 - slip)), to = bin(order * (1 + slip));
   ArticleReading::Line line{.order = order};
   for (Eigen::Index i = from; i <= to; ++i) {
-    const double m = floor.floor_lines[i];
-    const double ratio = m * std::log1p(floor.power[i] / (m * floor.floor[i]));
+    const double ratio = floor.log_ratio(i);
     if (ratio <= line.log_ratio) continue;
     const double excess = std::max(0.0, floor.power[i] - floor.floor[i]);
     line = {ratio, static_cast<double>(i) * resolution, std::sqrt(excess) / envelope.mean};

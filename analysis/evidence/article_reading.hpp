@@ -7,8 +7,8 @@
 
 namespace rvbench::analysis {
 
-/// What the article alone sees of the parts: how far the line at each part's order stands above
-/// noise in the Hilbert envelope spectra of the first IMFs.
+/// The article's own reading: how far the line at each part's order stands above noise in the
+/// Hilbert envelope spectra of the first IMFs.
 class ArticleReading {
  public:
   explicit ArticleReading(const Kinematics& kinematics);

@@ -34,7 +34,7 @@ constexpr double swing_of_sound_noise = 0.12;
 constexpr Index most_picked = 96;      // lines that smallest_visible is reckoned with
 constexpr double around_orders = 0.5;  // that a path's gain is read over
 
-// What lines come to.
+// Totals over some lines.
 struct Sum {
   double line2 = 0, log_ratio = 0, variance = 0;
   double lines = 0;
@@ -61,8 +61,7 @@ class GearReader {
     gears_.setZero(n + 1);
     gear_lines_.setZero(n + 1);
     for (Index i = 0; i < n; ++i) {
-      const double m = floor_.floor_lines[i];
-      log_ratio_[i] = m * std::log1p(floor_.power[i] / (m * floor_.floor[i]));
+      log_ratio_[i] = floor_.log_ratio(i);
       const bool is_gear = places.locked[static_cast<std::size_t>(i)];
       const double excess = std::max(0.0, floor_.power[i] - floor_.floor[i]);
       gears_[i + 1] = gears_[i] + (is_gear ? excess : 0.0);
@@ -126,8 +125,8 @@ class GearReader {
     return 2.14 * f * f + 1.30 * 2 * f * std::max(line2, 0.0);
   }
 
-  // Of the lines that no gear reaches, some to either side: what a tone that wanders spreads over,
-  // and what a speed that wanders takes out of a strong line.
+  // The strongest of the nearest lines that no gear reaches. A tone that does not follow the shaft
+  // spreads over them, and a wandering speed spreads a strong line over them.
   double strongest_beside(Index at) const {
     const Index before = places_.free_before[static_cast<std::size_t>(at)];
     const Index from = std::max<Index>(0, before - lines_beside);
@@ -139,7 +138,7 @@ class GearReader {
     return strongest;
   }
 
-  // What a line holds by itself: nothing where what is beside it is as strong.
+  // The squared amplitude that belongs to the line alone; 0 if its surroundings are as strong.
   double own2(Index at, const OwnLine& line) const {
     if (floor_.power[at] < counts_above_ * floor_.floor[at]) return 0;
     const double line2 = amplitude2(at);
@@ -335,18 +334,17 @@ GearPlaces line_places(double turns, double top_order, double speed_Hz, bool is_
                        const Kinematics& kinematics) {
   GearPlaces places;
   places.resolution = 1 / turns;
-  const double top = top_order;
   constexpr double rounding = 0.99;
   places.parts = own_lines(kinematics, rounding * lines_to_part * places.resolution,
-                           wander_Hz / speed_Hz, top);
+                           wander_Hz / speed_Hz, top_order);
   // Beyond it a stated speed places no line.
   const double error = speed_error(is_placed);
-  const double placed = error > 0 ? 0.5 * places.resolution / error : top;
+  const double placed = error > 0 ? 0.5 * places.resolution / error : top_order;
   for (PartLines& part : places.parts) {
     std::erase_if(part.own, [&](const OwnLine& line) { return line.order > placed; });
     if (!part.mesh.empty() && part.mesh.front() > placed) part.own.clear();
   }
-  mark_lines(kinematics, static_cast<std::size_t>(top / places.resolution), places);
+  mark_lines(kinematics, static_cast<std::size_t>(top_order / places.resolution), places);
   return places;
 }
 

@@ -53,7 +53,7 @@ struct GearReading {
 ///
 /// Shape   one per part; that of a rolling element is empty
 /// Units   squares of the channel's unit
-/// Source  log_ratio: as comb_evidence() has it
+/// Source  log_ratio: LineFloor::log_ratio()
 std::vector<GearReading> read_gears(const Spectrum& spectrum, const GearPlaces& places);
 
 /// The same of envelope_places(), off a squared envelope in depths.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 
 namespace rvbench::analysis {
 namespace {
@@ -29,6 +30,15 @@ bool comb_holds(double turn, double path, double order, double near) {
   });
 }
 
+// Of a mesh, each spread by its path.
+std::vector<double> harmonics_of(const GearMesh& mesh, double top_order) {
+  std::vector<double> orders;
+  for (double h = mesh.order; h <= top_order; h += mesh.order) {
+    std::ranges::copy(spread(h, mesh.path_order), std::back_inserter(orders));
+  }
+  return orders;
+}
+
 bool is_gear_of(const GearMesh& mesh, double turn) {
   return std::ranges::any_of(mesh.gears, [&](const MeshingGear& gear) {
     return std::abs(gear.order - turn) <= same_turn * turn;
@@ -44,9 +54,7 @@ class PartCombs {
         top_(top_order),
         sound_(sound_lines(k_, top_)) {
     for (const GearMesh& mesh : k_.meshes) {
-      for (double h = mesh.order; h <= top_; h += mesh.order) {
-        for (const double order : spread(h, mesh.path_order)) carriers_.push_back(order);
-      }
+      std::ranges::copy(harmonics_of(mesh, top_), std::back_inserter(carriers_));
     }
     std::ranges::sort(carriers_);
   }
@@ -71,9 +79,7 @@ class PartCombs {
     std::vector<double> lines;
     for (const GearMesh& mesh : k_.meshes) {
       if (in_one && !is_gear_of(mesh, part.turn)) continue;
-      for (double h = mesh.order; h <= top_; h += mesh.order) {
-        for (const double order : spread(h, mesh.path_order)) add(order, lines);
-      }
+      for (const double order : harmonics_of(mesh, top_)) add(order, lines);
     }
     return lines;
   }

@@ -27,14 +27,6 @@ bool repeats(const Kinematics& kinematics, double turns) {
   });
 }
 
-Eigen::VectorXcd hann_lines(const Eigen::VectorXcd& lines, Index count) {
-  Eigen::VectorXcd windowed = Eigen::VectorXcd::Zero(count);
-  const Index inner = std::min(count, lines.size() - 1) - 1;
-  windowed.segment(1, inner) =
-      lines.segment(1, inner) - 0.5 * (lines.segment(0, inner) + lines.segment(2, inner));
-  return windowed;
-}
-
 // Each line over the root mean square of those around it that are not taken out.
 void whiten(Eigen::VectorXcd& lines, const std::vector<bool>& taken) {
   const Index n = lines.size();
@@ -90,7 +82,7 @@ ResidualEnvelope residual_envelope(const OrderLines& x, const Kinematics& kinema
   const bool is_periodic = repeats(kinematics, x.turns());
   const double reach = is_periodic ? 0.25 : window_reach;
   Eigen::VectorXcd lines =
-      is_periodic ? Eigen::VectorXcd(x.lines().head(count)) : hann_lines(x.lines(), count);
+      is_periodic ? Eigen::VectorXcd(x.lines().head(count)) : lines_under_hann(x.lines(), count);
   const auto samples = static_cast<double>(x.samples());
   const double scale = 2 / (samples * samples) / (is_periodic ? 1 : 1.5);
   std::vector<bool> taken =
@@ -123,7 +115,7 @@ ResidualEnvelope residual_envelope(const OrderLines& x, const Kinematics& kinema
   result.locked =
       locked_lines(kinematics, result.resolution, static_cast<std::size_t>(asked), reach);
   result.lines = line_floor(depth, result.locked);
-  const Eigen::VectorXcd windowed = is_periodic ? hann_lines(envelope, asked) : envelope;
+  const Eigen::VectorXcd windowed = is_periodic ? lines_under_hann(envelope, asked) : envelope;
   result.windowed = {result.resolution, 2 / mean * windowed.head(asked).cwiseAbs()};
   result.windowed.amplitude.head(3).setZero();
   return result;

@@ -35,10 +35,7 @@ class BlowLines {
       }
       if (channel.lines.power.size() != sum_.size()) continue;
       ++channels_;
-      for (Index i = 0; i < sum_.size(); ++i) {
-        const double m = channel.lines.floor_lines[i];
-        sum_[i] += m * std::log1p(channel.lines.power[i] / (m * channel.lines.floor[i]));
-      }
+      for (Index i = 0; i < sum_.size(); ++i) sum_[i] += channel.lines.log_ratio(i);
     }
     for (Index i = 0; i < sum_.size(); ++i) {
       if (i < 3 || locked_[static_cast<std::size_t>(i)]) sum_[i] = channels_;
@@ -51,14 +48,8 @@ class BlowLines {
   double channels() const { return channels_; }
   double highest_order() const { return resolution_ * static_cast<double>(sum_.size()); }
   // Without what slip and jitter spread.
-  double exactly_at(double order) const {
-    const auto line = static_cast<Index>(std::lround(order / resolution_));
-    return line > 2 && line < sum_.size() ? sum_[line] : channels_;
-  }
-  double at(double order) const {
-    const auto line = static_cast<Index>(std::lround(order / resolution_));
-    return line > 2 && line < sum_.size() ? highest_[line] : channels_;
-  }
+  double exactly_at(double order) const { return read(sum_, order); }
+  double at(double order) const { return read(highest_, order); }
   bool hears(double order) const {
     constexpr double over_noise = 3;  // its mean −ln p, in each channel
     return at(order) > over_noise * channels_;
@@ -82,6 +73,11 @@ class BlowLines {
   }
 
  private:
+  double read(const Eigen::VectorXd& lines, double order) const {
+    const auto line = static_cast<Index>(std::lround(order / resolution_));
+    return line > 2 && line < lines.size() ? lines[line] : channels_;
+  }
+
   Eigen::VectorXd highest_;
   Eigen::VectorXd sum_;
   std::vector<bool> locked_;
@@ -245,6 +241,23 @@ double blows2(const ResidualEnvelope& channel, double order) {
   return std::sqrt(std::max(0.0, sum));
 }
 
+// Squared depth of such blows in each channel; NaN where it has no envelope.
+std::vector<double> depths2_of(const std::vector<ResidualEnvelope>& channels,
+                               const Kinematics& kinematics, double order) {
+  std::vector<double> depths2;
+  for (const ResidualEnvelope& channel : channels) {
+    depths2.push_back(channel.lines.power.size() == 0
+                          ? not_known
+                          : 2 * blows2(channel, order) / reference2(channel, kinematics));
+  }
+  return depths2;
+}
+
+double median_of_known(std::vector<double> values) {
+  std::erase_if(values, [](double value) { return std::isnan(value); });
+  return median(std::move(values));
+}
+
 class BearingScore {
  public:
   BearingScore(const RollingBearing& bearing, const std::vector<ResidualEnvelope>& channels,
@@ -262,12 +275,12 @@ class BearingScore {
     const FoundBlows ball = found_(comb(b_.ball), lines, 1, reach(b_.ball));
     BlowLines left = lines;
     const FoundBlows* first = &inner;
-    const double of_inner = power(b_.inner, inner), of_outer = power(b_.outer, outer);
+    const double of_inner = depth2(b_.inner, inner), of_outer = depth2(b_.outer, outer);
     if (of_outer > of_inner) first = &outer;
     // Slip may bring a rolling element's lines to a race's order: it is the element only where it
     // has clearly more.
     constexpr double clearly = 1.3;
-    if (power(b_.ball, ball) > clearly * std::max(of_inner, of_outer)) first = &ball;
+    if (depth2(b_.ball, ball) > clearly * std::max(of_inner, of_outer)) first = &ball;
     if (first == &inner) {
       put(b_.inner, inner);
       explain(b_.inner, inner, left);
@@ -303,16 +316,10 @@ class BearingScore {
   }
   double cage_of_inner(double stretch) const { return 1 - (1 - b_.cage) * stretch; }
 
-  // Over that of the gears, median over the channels; 0 where the part does not show.
-  double power(std::size_t part, const FoundBlows& blows) const {
+  // Median over the channels; 0 where the part does not show.
+  double depth2(std::size_t part, const FoundBlows& blows) const {
     if (blows.p_value >= significant_p) return 0;
-    std::vector<double> shares;
-    for (const ResidualEnvelope& channel : channels_) {
-      if (channel.lines.power.size() == 0) continue;
-      shares.push_back(blows2(channel, k_.signatures[part].order * blows.stretch) /
-                       reference2(channel, k_));
-    }
-    return median(std::move(shares));
+    return median_of_known(depths2_of(channels_, k_, k_.signatures[part].order * blows.stretch));
   }
 
   // At the cage speed that the other race has set, to half a line.
@@ -337,13 +344,11 @@ class BearingScore {
     score.depth2_variance = std::numeric_limits<double>::min();
     score.channel_depths.assign(channels_.size(), 0.0);
     if (blows.p_value >= significant_p) return;
-    for (std::size_t c = 0; c < channels_.size(); ++c) {
-      const ResidualEnvelope& channel = channels_[c];
-      if (channel.lines.power.size() == 0) continue;
-      score.channel_depths[c] =
-          std::sqrt(2 * blows2(channel, score.order) / reference2(channel, k_));
+    const std::vector<double> depths2 = depths2_of(channels_, k_, score.order);
+    for (std::size_t c = 0; c < depths2.size(); ++c) {
+      if (!std::isnan(depths2[c])) score.channel_depths[c] = std::sqrt(depths2[c]);
     }
-    score.depth = std::sqrt(2 * power(part, blows));
+    score.depth = std::sqrt(median_of_known(depths2));
     score.channel = static_cast<int>(std::ranges::max_element(score.channel_depths) -
                                      score.channel_depths.begin());
     for (int h = 1; h <= harmonics; ++h) {
@@ -410,12 +415,7 @@ class UnknownBlows {
     family.p_value = std::min(
         1.0, tries * 0.5 * std::erfc((best_root - centre) / deviation / std::numbers::sqrt2));
     if (family.p_value > significant_p || family.harmonics < harmonics) return {};
-    std::vector<double> depths2;
-    for (const ResidualEnvelope& channel : channels_) {
-      if (channel.lines.power.size() == 0) continue;
-      depths2.push_back(2 * blows2(channel, best) / reference2(channel, k_));
-    }
-    family.severity = std::sqrt(median(std::move(depths2)));
+    family.severity = std::sqrt(median_of_known(depths2_of(channels_, k_, best)));
     return {family};
   }
 

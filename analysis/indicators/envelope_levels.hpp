@@ -24,7 +24,7 @@ namespace rvbench::analysis {
 ///         is looked for within their slip, with what repeats with the gear train taken out: the
 ///         most that noise has there counts
 /// Source  Randall & Antoni, Mech. Syst. Signal Process. 25(2), 485-520 (2011) for the spectrum;
-///         the sum over IMFs is ours, as in comb_evidence()
+///         the sum over IMFs is ours
 class EnvelopeLevels {
  public:
   /// @param speed_error  relative: how far orders may be off, 0 where the angle was measured

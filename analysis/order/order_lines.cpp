@@ -38,15 +38,11 @@ double OrderLines::top_order_of(double rate_Hz, const ShaftAngle& angle) {
 }
 
 Spectrum OrderLines::spectrum() const {
-  // A Hann window is a sum of three lines.
   const Eigen::Index n = lines_.size();
   Spectrum spectrum{1 / turns_, Eigen::VectorXd::Zero(n)};
   if (n < 3) return spectrum;
   const double scale = 2 / static_cast<double>(samples_.size());
-  spectrum.amplitude.segment(1, n - 2) =
-      scale * (lines_.segment(1, n - 2) - 0.5 * (lines_.head(n - 2) + lines_.tail(n - 2)))
-                  .cwiseAbs2()
-                  .cwiseSqrt();
+  spectrum.amplitude = scale * lines_under_hann(lines_, n).cwiseAbs2().cwiseSqrt();
   spectrum.amplitude[0] = std::abs(mean_);
   return spectrum;
 }

@@ -22,12 +22,7 @@ constexpr double lobes = 90.0 / 21;
 const OrderSignals turning{.speed_Hz = 20, .rate_Hz = 1280, .count = 10760};  // 8 periods
 
 const SignatureScore& score_of(const std::string& component, const Examination& e) {
-  const Kinematics k = small_reducer();
-  for (const SignatureScore& s : e.scores) {
-    if (k.signatures[static_cast<std::size_t>(s.signature)].component == component) return s;
-  }
-  FAIL("no score of " << component);
-  return e.scores.front();
+  return e.scores.at(test::index_of(small_reducer(), component));
 }
 
 // Meshes of a sound reducer: lines without sidebands, in noise.

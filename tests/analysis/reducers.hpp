@@ -1,5 +1,8 @@
 #pragma once
 
+#include <catch2/catch.hpp>
+#include <string>
+
 #include "analysis/rv_reducer.hpp"
 
 namespace rvbench::test {
@@ -13,6 +16,15 @@ inline analysis::Kinematics rv20e() {
 /// and lobes at 90/21. Likewise with bearings.
 inline analysis::Kinematics small_reducer() {
   return analysis::rv_reducer("small", {12, 24, 2, 9, 10}, {11, 5, 26, 0});
+}
+
+/// The first signature of a component.
+inline std::size_t index_of(const analysis::Kinematics& kinematics, const std::string& component) {
+  for (std::size_t s = 0; s < kinematics.signatures.size(); ++s) {
+    if (kinematics.signatures[s].component == component) return s;
+  }
+  FAIL("no signature of " << component);
+  return 0;
 }
 
 }  // namespace rvbench::test

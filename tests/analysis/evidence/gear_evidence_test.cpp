@@ -42,12 +42,7 @@ struct ScoredGears {
   std::vector<SignatureScore> scores;
 
   const SignatureScore& of(const std::string& component) const {
-    const Kinematics k = test::rv20e();
-    for (std::size_t s = 0; s < scores.size(); ++s) {
-      if (k.signatures[s].component == component) return scores[s];
-    }
-    FAIL("no " << component);
-    return scores.front();
+    return scores[test::index_of(test::rv20e(), component)];
   }
 };
 

@@ -7,16 +7,9 @@
 
 using namespace rvbench;
 using analysis::Kinematics;
+using test::index_of;
 
 namespace {
-
-std::size_t index_of(const Kinematics& k, const std::string& component) {
-  for (std::size_t s = 0; s < k.signatures.size(); ++s) {
-    if (k.signatures[s].component == component) return s;
-  }
-  FAIL("no " << component);
-  return 0;
-}
 
 bool follows(const Kinematics& k, const char* lesser, const char* graver) {
   return analysis::may_follow_from(index_of(k, lesser), index_of(k, graver), k);

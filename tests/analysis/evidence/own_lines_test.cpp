@@ -49,11 +49,7 @@ std::set<int> lines_of(const PartLines& part) {
 PartLines part_of(const Kinematics& kinematics, const std::string& component) {
   const auto all = analysis::own_lines(kinematics, lattice, 0, top_line / carrier_turns);
   REQUIRE(all.size() == kinematics.signatures.size());
-  for (std::size_t s = 0; s < all.size(); ++s) {
-    if (kinematics.signatures[s].component == component) return all[s];
-  }
-  FAIL("no " << component);
-  return {};
+  return all[test::index_of(kinematics, component)];
 }
 
 }  // namespace

@@ -48,12 +48,7 @@ struct ScoredBlows {
   std::vector<analysis::UnknownFamily> unknown;
 
   const SignatureScore& of(const std::string& component) const {
-    const Kinematics k = test::small_reducer();
-    for (std::size_t s = 0; s < scores.size(); ++s) {
-      if (k.signatures[s].component == component) return scores[s];
-    }
-    FAIL("no " << component);
-    return scores.front();
+    return scores[test::index_of(test::small_reducer(), component)];
   }
 };
 
