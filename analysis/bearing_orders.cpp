@@ -25,4 +25,12 @@ BearingOrders bearing_orders(const BearingGeometry& b) {
           .ball = b.pitch_diameter_mm / b.ball_diameter_mm * (1 - ratio * ratio)};
 }
 
+BearingGeometry bearing_of_races(double outer, double inner, double contact_angle_deg) {
+  const double cosine = std::cos(contact_angle_deg * std::numbers::pi / 180);
+  return {.rolling_elements = static_cast<int>(std::lround(outer + inner)),
+          .ball_diameter_mm = (inner - outer) / (inner + outer) / cosine,
+          .pitch_diameter_mm = 1,
+          .contact_angle_deg = contact_angle_deg};
+}
+
 }  // namespace rvbench::analysis

@@ -65,6 +65,19 @@ void list_lines(const Evidence& evidence, Finding& finding) {
   }
 }
 
+// NaN where a channel's unit is not known, or the part shows in the noise alone.
+double amplitude_m_s2(const Evidence& evidence) {
+  std::vector<double> amplitudes;
+  for (std::size_t i = 0; i < evidence.scores.size(); ++i) {
+    const std::vector<ChannelExamination>& channels = evidence.shown_by[i]->channels;
+    const bool is_si = std::ranges::all_of(
+        channels, [](const ChannelExamination& channel) { return channel.unit == "m/s²"; });
+    const double amplitude = evidence.scores[i]->amplitude;
+    if (is_si && !std::isnan(amplitude)) amplitudes.push_back(amplitude);
+  }
+  return amplitudes.empty() ? not_known : median(std::move(amplitudes));
+}
+
 std::string name_of(const Signature& s) {
   return fmt::format("{}: {} at order {:.4g}", s.component, s.mechanism, s.order);
 }
@@ -100,6 +113,7 @@ Finding weigh(const Signature& signature, const Evidence& evidence, double tests
   f.severity = severity.depth;
   f.severity_low = severity.low;
   f.severity_high = severity.high;
+  f.over_sound = (f.severity - signature.sound_median) / signature.sound_scatter;
   return f;
 }
 
@@ -114,6 +128,7 @@ void describe(Finding& f, const Evidence& evidence, const Kinematics& kinematics
     }
   }
   std::sort(f.imfs.begin(), f.imfs.end());
+  f.severity_m_s2 = amplitude_m_s2(evidence);
   list_lines(evidence, f);
   f.growth = growth_law(evidence.shown_by, signature);
   f.growth_p_value = p_value_of_growth(f.growth.load, kinematics.signatures[signature].load_growth);

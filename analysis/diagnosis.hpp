@@ -27,7 +27,10 @@ struct SignatureScore {
   double order = 0;   ///< where it was found; off the nominal one only within slip or tolerance
   double depth = 0;   ///< amplitude of its own lines over the rms of the mesh; of blows over that
                       ///< of all gear lines; median over the channels, without noise
-  double depth2_variance = 0;       ///< of the squared depth, by the record's noise
+  double amplitude = not_known;  ///< that depth times the rms it refers to, in the channel's unit;
+                                 ///< median over the channels
+  bool by_noise = false;         ///< it is how the noise swings that shows it, not lines of its own
+  double depth2_variance = 0;    ///< of the squared depth, by the record's noise
   double log_likelihood_ratio = 0;  ///< against noise, over lines and channels, less what its
                                     ///< decoys have
   double p_value = 1;               ///< of the ratio, for all orders searched
@@ -83,8 +86,8 @@ struct ChannelExamination {
 /// One record, examined.
 struct Examination {
   std::string source;
-  double speed_rpm = not_known;
-  bool angle_measured = false;  ///< else orders are as sure as the speed that was stated
+  double speed_rpm = not_known;  ///< by the angle, or by the meshes' lines near what was stated
+  bool angle_measured = false;   ///< else orders are as sure as the speed
   double load_pct = not_known;
   int repeat = 0;
   double periods = 0;       ///< output turns (or input turns) that the record spans
@@ -125,9 +128,12 @@ struct Finding {
   double severity_low = 0;  ///< of its 95 % interval; where none shows it 0 to what it is below,
                             ///< NaN if no line of it could be read
   double severity_high = 0;
+  double severity_m_s2 =
+      not_known;  ///< the amplitude behind it: median over the points that show it
   double smallest_visible = not_known;  ///< the least severity that the points would have shown
                                         ///< with 90 %
   double limit = 0;                     ///< of severity
+  double over_sound = not_known;  ///< how many scatters of sound units it lies above their median
   double confidence = 0;  ///< 0..1: share of severity over limit, less what growth speaks against
                           ///< it, among all findings; a cause has at least its consequence's
   std::string advice;

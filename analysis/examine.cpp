@@ -58,8 +58,6 @@ struct Task {
   const Kinematics& kinematics;
   const ShaftAngle& angle;
   const ExamineOptions& options;
-  const ShaftAngle&
-      by_lines;  // the angle itself, or a stated speed as the meshes' lines correct it
 };
 
 bool is_spoiled(const std::vector<QualityNote>& notes) {
@@ -237,16 +235,11 @@ ChannelResult examine_channel(const Channel& channel, std::vector<QualityNote> q
   const OrderLines lines(channel, task.angle, task.kinematics.period_turns);
   out.examination.lines = spectral_lines(lines, task.kinematics);
   if (places != nullptr) {
-    std::optional<OrderLines> by_lines;
-    if (&task.by_lines != &task.angle) {
-      by_lines.emplace(channel, task.by_lines, task.kinematics.period_turns);
-    }
-    const OrderLines& corrected = by_lines ? *by_lines : lines;
-    out.residual = residual_envelope(corrected, task.kinematics, highest_envelope(task.kinematics));
+    out.residual = residual_envelope(lines, task.kinematics, highest_envelope(task.kinematics));
     const auto held = [](const GearPlaces& gears, Eigen::Index in_spectrum) {
       return !gears.parts.empty() && std::ssize(gears.locked) <= in_spectrum;
     };
-    const Spectrum spectrum = corrected.spectrum();
+    const Spectrum spectrum = lines.spectrum();
     if (held(places->gears, spectrum.amplitude.size())) {
       out.places = places;
       out.gears = read_gears(spectrum, places->gears);
@@ -426,6 +419,14 @@ void examine_hysteresis(const Recording& record, const Kinematics& kinematics, E
   }
 }
 
+// What the angle tells goes before what the record states.
+void set_speed(const ShaftAngle& angle, bool by_lines, Examination& e) {
+  e.angle_measured = angle.is_measured();
+  if (!e.angle_measured && !by_lines && std::isfinite(e.speed_rpm)) return;
+  const double direction = e.speed_rpm < 0 ? -1 : 1;
+  e.speed_rpm = direction * units::rpm_from_Hz(angle.mean_speed_Hz());
+}
+
 }  // namespace
 
 Examination examine(const Recording& record, const Kinematics& kinematics,
@@ -449,35 +450,30 @@ Examination examine(const Recording& record, const Kinematics& kinematics,
     e.quality.push_back({record.source, "no acceleration channel", true});
     return e;
   }
-  const std::optional<ShaftAngle> angle = ShaftAngle::of(record);
-  if (!angle) {
+  const std::optional<ShaftAngle> told = ShaftAngle::of(record);
+  if (!told) {
     e.quality.push_back({record.source, "the shaft's speed is not known or not steady", true});
     return e;
   }
-  e.angle_measured = angle->is_measured();
-  if (e.angle_measured || !std::isfinite(e.speed_rpm)) {
-    const double direction = e.speed_rpm < 0 ? -1 : 1;
-    e.speed_rpm = direction * units::rpm_from_Hz(angle->mean_speed_Hz());
-  }
+  std::vector<std::vector<QualityNote>> quality =
+      record_quality(channels, *told, kinematics, options.clip_level);
+  std::optional<ShaftAngle> by_lines;
+  if (!told->is_measured()) by_lines = corrected_by_lines(channels, quality, *told, kinematics);
+  const ShaftAngle& angle = by_lines ? *by_lines : *told;
+  set_speed(angle, by_lines.has_value(), e);
 
   std::vector<ChannelResult> results(channels.size());
-  std::vector<std::vector<QualityNote>> quality =
-      record_quality(channels, *angle, kinematics, options.clip_level);
-  std::optional<ShaftAngle> corrected;
-  if (!angle->is_measured()) {
-    corrected = corrected_by_lines(channels, quality, *angle, kinematics);
-  }
-  const bool is_placed = angle->is_measured() || corrected.has_value();
-  const Task task{kinematics, *angle, options, corrected ? std::as_const(*corrected) : *angle};
-  const auto places = places_of(channels, task.by_lines, is_placed, kinematics);
+  const bool is_placed = angle.is_measured() || by_lines.has_value();
+  const Task task{kinematics, angle, options};
+  const auto places = places_of(channels, angle, is_placed, kinematics);
   leave_out_spoiled(quality, options.channels_may_fail);
   parallel_for(channels.size(), [&](std::size_t i) {
     results[i] = examine_channel(*channels[i], std::move(quality[i]), places[i], task);
   });
   mark_repeated(channels, results);
   gather(std::move(results), kinematics, e);
-  tell_unplaced(*angle, kinematics, e);
-  e.indicators = shaft_indicators(record, *angle, kinematics);
+  tell_unplaced(angle, kinematics, e);
+  e.indicators = shaft_indicators(record, angle, kinematics);
   e.resolvable = e.periods >= fewest_periods;
   tell_why_unresolvable(record.source, channels, task, e);
   return e;

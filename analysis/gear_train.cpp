@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "analysis/rv_reducer.hpp"
+#include "analysis/bearing_signatures.hpp"
 
 namespace rvbench::analysis {
 namespace {

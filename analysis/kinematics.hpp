@@ -63,6 +63,8 @@ struct Signature {
   GrowthRange load_growth = any_growth;
   double depth_limit = 0;  ///< modulation depth above which the part counts as bad
   std::string limit_why;
+  double sound_median = not_known;   ///< severity of sound units of the same kind, if any were
+  double sound_scatter = not_known;  ///< shown, and how far one lies from another
   std::string advice;
 };
 
@@ -100,12 +102,14 @@ struct RvGeometry {
   int pins = 0;          ///< zp = zc + 1
 };
 
-/// Rolling bearing; inner race on the shaft, outer race in what it is carried by.
+/// Rolling bearing; inner race on the shaft, outer race in what it is carried by, but for
+/// inner_stands.
 struct BearingGeometry {
   int rolling_elements = 0;
   double ball_diameter_mm = 0;
   double pitch_diameter_mm = 0;
   double contact_angle_deg = 0;
+  bool inner_stands = false;  ///< under the load, while the outer race turns, as in a planet
 };
 
 /// Defect orders of a bearing per revolution of its inner race against its outer race.
@@ -122,5 +126,10 @@ struct BearingOrders {
 /// @throws std::invalid_argument naming the first value out of range
 /// Source  of BearingOrders
 BearingOrders bearing_orders(const BearingGeometry& bearing);
+
+/// A bearing with such races: the inverse of bearing_orders(), with a pitch diameter of 1 mm.
+/// @param outer, inner  orders of the races per turn of the inner race against the outer one
+/// Source  of BearingOrders
+BearingGeometry bearing_of_races(double outer, double inner, double contact_angle_deg);
 
 }  // namespace rvbench::analysis

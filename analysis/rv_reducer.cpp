@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/bearing_signatures.hpp"
+#include "analysis/planetary_stage.hpp"
 #include "hal/types/require_positive.hpp"
 
 namespace rvbench::analysis {
@@ -83,50 +85,10 @@ std::vector<GearMesh> meshes(const RvGeometry& g, const Rates& r) {
            r.orbit}};
 }
 
-// A bad input shaft or sun: what turns with the motor, or with it against the carrier.
-// Equal planets cancel what is alike in their meshes: with two the odd harmonics, whose sidebands
-// stay, so that a sound swing seems deeper; with more the first sidebands themselves.
-double by_planets(int planets, double one, double two, double more) {
-  if (planets == 1) return one;
-  return planets == 2 ? two : more;
-}
-
-std::vector<Signature> input_signatures(const Rates& r, int planets) {
-  return {
-      {.component = "input_shaft",
-       .mechanism = "misalignment",
-       .table4_item = "Drive shaft frequency",
-       .order = 1,
-       .harmonics = 2,
-       .sidebands = {},
-       .shows = Shows::as_turning,
-       .forces = 2,
-       .turn = r.sun,
-       .path_order = r.unit,
-       .load_growth = grows_as_shape,
-       .depth_limit = by_planets(planets, 0.15, 0.25, 0.08),
-       .limit_why = "assumed: a shaft within tolerance leans on its bearing by less than a sixth "
-                    "of its preload",
-       .advice = "stiffen or shorten the input shaft, or support its free end with a bearing; "
-                 "check the run-out at the sun and the alignment of the coupling"},
-      {.component = "sun_gear",
-       .mechanism = "profile_error",
-       .table4_item = "Planetary gear meshing frequency",
-       .order = r.sun,
-       .harmonics = 8,
-       .sidebands = {r.unit, 2 * r.unit},
-       .shows = Shows::as_teeth,
-       .turn = r.sun,
-       .path_order = r.unit,
-       .load_growth = grows_as_shape,
-       .depth_limit = by_planets(planets, 0.1, 0.1, 0.06),
-       .limit_why = "assumed: teeth of one quality class share the load within a tenth",
-       .advice = "measure the sun gear's tooth profile and pitch; replace the input gear"},
-  };
-}
-
 // A bad crank, planet or pin: what goes round in the carrier.
-std::vector<Signature> carried_signatures(const Rates& r) {
+std::vector<Signature> carried_signatures(const Rates& r, Signature planet) {
+  planet.table4_item = "Planetary gear rotation frequency";
+  planet.first_harmonic = 2;  // once per crank turn is what eccentricity does, too
   return {
       {.component = "crank",
        .mechanism = "eccentricity",
@@ -140,21 +102,7 @@ std::vector<Signature> carried_signatures(const Rates& r) {
        .depth_limit = 0.3,
        .limit_why = "assumed: equal cranks load the discs alike all the way round",
        .advice = "measure the eccentricity of the cranks against each other"},
-      {.component = "planet_gear",
-       .mechanism = "tooth_damage",
-       .table4_item = "Planetary gear rotation frequency",
-       .order = r.crank,
-       .first_harmonic = 2,  // once per crank turn is what eccentricity does, too
-       .harmonics = 24,
-       .sidebands = {r.unit},
-       .shows = Shows::as_teeth,
-       .strikes = true,
-       .turn = r.crank,
-       .path_order = r.unit,
-       .load_growth = any_growth,
-       .depth_limit = 0.05,
-       .limit_why = "assumed: one tooth among many may not stand out by more than its share",
-       .advice = "open the reducer and look at the planets' flanks; replace the planet pair"},
+      std::move(planet),
       {.component = "pin_housing",
        .mechanism = "pin_damage",
        .table4_item = "Pin tooth meshing frequency",
@@ -166,7 +114,7 @@ std::vector<Signature> carried_signatures(const Rates& r) {
        .strikes = true,
        .turn = r.orbit,
        .load_growth = any_growth,
-       .depth_limit = 0.05,
+       .depth_limit = 0.03,
        .limit_why = "assumed: pins of one class share the load alike",
        .advice = "look at the pins and their grooves in the shell; replace pins as a set"},
   };
@@ -186,8 +134,17 @@ Kinematics rv_reducer(const std::string& machine, const RvGeometry& geometry,
   k.gear_ratio = i;
   k.orders = order_table(geometry, rates);
   k.meshes = meshes(geometry, rates);
-  k.signatures = input_signatures(rates, geometry.planets);
-  for (Signature& s : carried_signatures(rates)) k.signatures.push_back(std::move(s));
+  const SunStage stage{.planets = geometry.planets,
+                       .sun_teeth = geometry.sun_teeth,
+                       .sun = rates.sun,
+                       .planet = rates.crank,
+                       .carrier = rates.unit};
+  k.signatures = input_signatures(stage);
+  k.signatures[0].table4_item = "Drive shaft frequency";
+  k.signatures[1].table4_item = "Planetary gear meshing frequency";
+  for (Signature& s : carried_signatures(rates, planet_signature(stage))) {
+    k.signatures.push_back(std::move(s));
+  }
   if (crank_bearing.rolling_elements > 0) {
     k.bearings.push_back(
         rolling_bearing("crank bearing", crank_bearing, rates.crank, k.signatures.size()));
@@ -198,41 +155,6 @@ Kinematics rv_reducer(const std::string& machine, const RvGeometry& geometry,
     }
   }
   return k;
-}
-
-RollingBearing rolling_bearing(const std::string& name, const BearingGeometry& bearing,
-                               double race_order, std::size_t first) {
-  return {name,       bearing.rolling_elements,
-          race_order, bearing_orders(bearing).cage,
-          first,      first + 1,
-          first + 2,  first + 3};
-}
-
-std::vector<Signature> bearing_signatures(const BearingGeometry& bearing, double race_order,
-                                          double slip) {
-  const BearingOrders o = bearing_orders(bearing);
-  const auto signature = [&](const char* component, double order, std::vector<double> sidebands) {
-    return Signature{
-        .component = component,
-        .mechanism = "spall",
-        .table4_item = "",
-        .order = order * race_order,
-        .harmonics = 4,
-        .sidebands = std::move(sidebands),
-        .slip = slip,
-        .shows = Shows::as_blows,
-        .depth_limit = 0.07,
-        .limit_why = "assumed: a sound race leaves no periodic blows; what noise leaves is less",
-        .advice = "replace the bearing; look for the cause in load, fit and grease"};
-  };
-  Signature cage = signature("bearing_cage", o.cage, {});
-  cage.mechanism = "wear";
-  cage.depth_limit = 0.3;
-  cage.limit_why =
-      "assumed: rolling elements of unequal size shift the load once per cage turn, too";
-  return {signature("bearing_inner", o.inner, {race_order}),
-          signature("bearing_outer", o.outer, {}),
-          signature("bearing_ball", o.ball, {o.cage * race_order}), std::move(cage)};
 }
 
 }  // namespace rvbench::analysis

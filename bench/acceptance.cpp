@@ -224,7 +224,8 @@ Judgement run_acceptance(Acceptance acceptance, hal::Rig& rig, ProgressBar& bar,
   Nowhere nowhere;
   Judgement judgement;
   try {
-    const analysis::ExamineOptions options{.clip_level = rig.accelerometers->range_m_s2()};
+    const analysis::ExamineOptions options{.clip_level = rig.accelerometers->range_m_s2(),
+                                           .channels_may_fail = acceptance.plan.channels_may_fail};
     judgement.ending = measure_or_fail(acceptance, rig, *log, stop);
     judgement.facts = acceptance.facts;
     conclude_run(judgement, acceptance, *log, acceptance.facts.must_exit ? nowhere.bar : bar,

@@ -97,7 +97,9 @@ Json json_of_finding(const Finding& finding) {
                         {"cannot_tell_from", finding.cannot_tell_from},
                         {"may_follow_from", nullptr},
                         {"one_of", finding.one_of},
-                        {"smallest_visible", finding.smallest_visible}});
+                        {"smallest_visible", finding.smallest_visible},
+                        {"over_sound", finding.over_sound},
+                        {"severity_m_s2", finding.severity_m_s2}});
   if (!finding.points.empty()) json["of_limit"] = finding.severity / finding.limit;
   if (std::isfinite(finding.growth.load.exponent)) {
     json["growth_fits"] = finding.growth_fits;
@@ -143,6 +145,8 @@ Finding finding_from(const Json& json) {
   }
   finding.one_of = json.value("one_of", std::vector<std::string>());
   finding.smallest_visible = number_or_nan(json.value("smallest_visible", Json()));
+  finding.over_sound = number_or_nan(json.value("over_sound", Json()));
+  finding.severity_m_s2 = number_or_nan(json.value("severity_m_s2", Json()));
   return finding;
 }
 
@@ -171,6 +175,8 @@ Json json_of_score(const SignatureScore& score) {
   return hal::json_object({{"signature", score.signature},
                            {"order", score.order},
                            {"depth", score.depth},
+                           {"amplitude", score.amplitude},
+                           {"by_noise", score.by_noise},
                            {"depth2_variance", score.depth2_variance},
                            {"statistic", score.log_likelihood_ratio},
                            {"p_value", score.p_value},
@@ -188,6 +194,8 @@ SignatureScore score_from(const Json& json) {
   json.at("signature").get_to(score.signature);
   score.order = number_or_nan(json.at("order"));
   score.depth = number_or_nan(json.at("depth"));
+  score.amplitude = number_or_nan(json.value("amplitude", Json()));
+  score.by_noise = json.value("by_noise", false);
   score.depth2_variance = number_or_nan(json.value("depth2_variance", Json()));
   score.log_likelihood_ratio = number_or_nan(json.at("statistic"));
   score.p_value = number_or_nan(json.at("p_value"));

@@ -8,6 +8,7 @@
 
 #include "analysis/indicators/earlier_records.hpp"
 #include "analysis/indicators/indicator_places.hpp"
+#include "analysis/quality/gear_train_fit.hpp"
 #include "bench/limit_checks.hpp"
 #include "bench/report/finding_text.hpp"
 #include "bench/this_machine.hpp"
@@ -108,6 +109,34 @@ void put_refusals_first(std::vector<analysis::QualityNote>& notes) {
                         std::mem_fn(&analysis::QualityNote::invalidates));
 }
 
+// An induction motor under load lags by up to so much behind the speed that is on its plate.
+constexpr double one_slip = 0.03;
+
+// Where no angle was measured, a stated speed gives way to one within a slip of it that the gear
+// train's lines fit so much better that it stands out from all others.
+analysis::Examination examined_at_its_speed(const Recording& record,
+                                            const analysis::Kinematics& kinematics,
+                                            const analysis::ExamineOptions& options) {
+  analysis::Examination stated = analysis::examine(record, kinematics, options);
+  if (stated.angle_measured || !stated.resolvable || kinematics.meshes.empty()) return stated;
+  const double better = analysis::gear_train_fit({stated}, kinematics).best_speed;
+  if (!(std::abs(better - 1) <= one_slip)) return stated;
+  Recording slipped = record;
+  slipped.speed_rpm = better * stated.speed_rpm;
+  return analysis::examine(slipped, kinematics, options);
+}
+
+// Orders of a record without an angle are counted by the speed that its lines tell.
+void tell_speed(const Recording& record, analysis::Examination& e) {
+  if (e.angle_measured || !(std::abs(e.speed_rpm - record.speed_rpm) > 0)) return;
+  e.quality.push_back(
+      {record.source,
+       fmt::format(
+           "judged at {:.6g} rpm, where the lines of the gear train lie; stated were {:.5g} rpm",
+           e.speed_rpm, record.speed_rpm),
+       false});
+}
+
 // The earlier repeats of a point, at its speed and load, are to NA4 the history of its gears.
 void hold_against_earlier(std::vector<JudgedPoint>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -139,6 +168,14 @@ analysis::Kinematics with_limits(analysis::Kinematics kinematics,
   return kinematics;
 }
 
+std::vector<std::string> parts_of(const analysis::Kinematics& kinematics) {
+  std::vector<std::string> parts;
+  for (const analysis::Signature& signature : kinematics.signatures) {
+    if (!is_among(parts, signature.component)) parts.push_back(signature.component);
+  }
+  return parts;
+}
+
 std::vector<analysis::Examination> examined_points(const Judgement& judgement) {
   std::vector<analysis::Examination> examined;
   for (const JudgedPoint& point : judgement.points) {
@@ -166,10 +203,7 @@ std::vector<hal::ConfigFault> limits_out_of_place(const std::vector<sequences::L
 
 std::vector<hal::ConfigFault> limits_on_unknown_parts(const std::vector<sequences::Limit>& limits,
                                                       const analysis::Kinematics& kinematics) {
-  std::vector<std::string> parts;
-  for (const analysis::Signature& signature : kinematics.signatures) {
-    if (!is_among(parts, signature.component)) parts.push_back(signature.component);
-  }
+  const std::vector<std::string> parts = parts_of(kinematics);
   std::vector<hal::ConfigFault> faults;
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const std::string& measure = limits[i].measure;
@@ -205,7 +239,8 @@ JudgedPoint judge_point(const Recording& record, const analysis::Kinematics& kin
     worst = std::fmax(worst, channel.time_uncertainty_s);
   }
   if (point.status == "ok") {
-    point.examination = analysis::examine(record, kinematics, options);
+    point.examination = examined_at_its_speed(record, kinematics, options);
+    tell_speed(record, point.examination);
   } else {
     point.examination.source = record.source;
     point.examination.speed_rpm = record.speed_rpm;

@@ -10,6 +10,9 @@
 
 namespace rvbench::bench {
 
+/// Every part whose damage has a signature, once.
+std::vector<std::string> parts_of(const analysis::Kinematics& kinematics);
+
 /// The kinematics with the plan's limits on "modulation_depth" in place of its own: of each part
 /// the strictest of those that are about it.
 /// Units  of depths: 1. Errors  none thrown. Source  the plan

@@ -1,11 +1,15 @@
 #include "bench/kinematics_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
 
 #include "analysis/gear_train.hpp"
+#include "analysis/planetary_stage.hpp"
 #include "analysis/rv_reducer.hpp"
 #include "bench/file_kind.hpp"
 #include "bench/kinematics_files.hpp"
@@ -30,16 +34,53 @@ hal::ConfigReader open(const std::string& name_or_path) {
                          : hal::ConfigReader::from_file(name_or_path);
 }
 
-analysis::BearingGeometry read_bearing(hal::ConfigReader& b) {
-  analysis::BearingGeometry geometry{
-      .rolling_elements = b.integer("rolling_elements", {2, 1000}),
-      .ball_diameter_mm = b.number("ball_diameter_mm", length_mm),
-      .pitch_diameter_mm = b.number("pitch_diameter_mm", length_mm),
-      .contact_angle_deg = b.number("contact_angle_deg", {0, 89}, 0)};
-  b.text("assumption", "");
+constexpr hal::Bounds race_orders{0.1, 1000};
+
+// Makers state a bearing by its size, or by what its races do per turn.
+void read_sizes(hal::ConfigReader& b, analysis::BearingGeometry& geometry) {
+  geometry.rolling_elements = b.integer("rolling_elements", {2, 1000});
+  geometry.ball_diameter_mm = b.number("ball_diameter_mm", length_mm);
+  geometry.pitch_diameter_mm = b.number("pitch_diameter_mm", length_mm);
   if (geometry.ball_diameter_mm >= geometry.pitch_diameter_mm) {
     b.fault("ball_diameter_mm", "must be below pitch_diameter_mm");
   }
+}
+
+// A rolling element passes either the one race or the other.
+constexpr double whole_within = 0.02;
+
+void read_races(hal::ConfigReader& b, analysis::BearingGeometry& geometry) {
+  const double outer = b.number("outer_race_order", race_orders);
+  const double inner = b.number("inner_race_order", race_orders);
+  if (!b.faults().empty()) return;
+  const double sum = outer + inner;
+  if (std::abs(sum - std::round(sum)) > whole_within) {
+    b.fault("inner_race_order",
+            fmt::format("adds up to {:.4g} with outer_race_order, must be a whole number, "
+                        "of rolling elements",
+                        sum));
+  } else if (inner <= outer) {
+    b.fault("inner_race_order", "must be above outer_race_order");
+  } else {
+    geometry = analysis::bearing_of_races(outer, inner, geometry.contact_angle_deg);
+    if (geometry.ball_diameter_mm >= geometry.pitch_diameter_mm) {
+      b.fault("contact_angle_deg", "is too large for these races");
+    }
+  }
+}
+
+// @param fixed  the race that stands where the file does not say so
+analysis::BearingGeometry read_bearing(hal::ConfigReader& b, const char* fixed = "outer") {
+  analysis::BearingGeometry geometry;
+  geometry.contact_angle_deg = b.number("contact_angle_deg", {0, 89}, 0);
+  if (b.has("outer_race_order") || b.has("inner_race_order")) {
+    read_races(b, geometry);
+  } else {
+    read_sizes(b, geometry);
+  }
+  geometry.inner_stands =
+      (b.has("fixed_race") ? b.choice("fixed_race", {"inner", "outer"}) : fixed) == "inner";
+  b.text("assumption", "");
   return geometry;
 }
 
@@ -62,6 +103,28 @@ analysis::Kinematics read_rv_reducer(const std::string& machine, hal::ConfigRead
   root.finish();
   if (!root.faults().empty()) return {};
   analysis::Kinematics kinematics = analysis::rv_reducer(machine, geometry, bearing);
+  kinematics.rated_output_torque_Nm = rated_Nm;
+  return kinematics;
+}
+
+analysis::Kinematics read_planetary(const std::string& machine, hal::ConfigReader& root) {
+  hal::ConfigReader stage = root.object("planetary");
+  const analysis::PlanetaryGeometry geometry{.sun_teeth = stage.integer("sun_teeth", teeth),
+                                             .planet_teeth = stage.integer("planet_teeth", teeth),
+                                             .ring_teeth = stage.integer("ring_teeth", teeth),
+                                             .planets = stage.integer("planets", {1, 12})};
+  analysis::BearingGeometry bearing;
+  if (auto b = stage.optional_object("planet_bearing")) bearing = read_bearing(*b, "inner");
+  const double rated_Nm = stage.has("rated_output_torque_Nm")
+                              ? stage.number("rated_output_torque_Nm", {0.1, 100000})
+                              : not_known;
+  const int fitting = geometry.sun_teeth + 2 * geometry.planet_teeth;
+  if (std::abs(geometry.ring_teeth - fitting) > analysis::most_shifted_teeth) {
+    stage.fault("ring_teeth", fmt::format("must be about sun_teeth + 2 planet_teeth, {}", fitting));
+  }
+  root.finish();
+  if (!root.faults().empty()) return {};
+  analysis::Kinematics kinematics = analysis::planetary_stage(machine, geometry, bearing);
   kinematics.rated_output_torque_Nm = rated_Nm;
   return kinematics;
 }
@@ -172,8 +235,9 @@ std::variant<analysis::Kinematics, std::vector<hal::ConfigFault>> read_kinematic
   if (auto fault = other_kind_fault(root, "kinematics")) return Faults{*fault};
   const std::string machine = root.text("machine");
   root.text("source", "");
-  analysis::Kinematics kinematics =
-      root.has("rv_reducer") ? read_rv_reducer(machine, root) : read_gear_train(machine, root);
+  analysis::Kinematics kinematics = root.has("rv_reducer")  ? read_rv_reducer(machine, root)
+                                    : root.has("planetary") ? read_planetary(machine, root)
+                                                            : read_gear_train(machine, root);
   if (!root.faults().empty()) return root.faults();
   return kinematics;
 }

@@ -9,8 +9,8 @@
 
 namespace rvbench::bench {
 
-/// A machine from a kinematics file: an RV reducer by its tooth counts, or shafts with their
-/// meshes and bearings.
+/// A machine from a kinematics file: an RV reducer or a planetary stage by its tooth counts, or
+/// shafts with their meshes and bearings.
 /// @param name_or_path  a shipped one ("rv20e", "cwru_6205", ...), or a path
 /// @return the machine, or every fault of the file
 std::variant<analysis::Kinematics, std::vector<hal::ConfigFault>> read_kinematics(

@@ -19,7 +19,7 @@ namespace {
 using analysis::LimitSide;
 using sequences::Limit;
 
-bool is_learnable(const Limit& limit) { return limit.measure != measure_names::modulation_depth; }
+bool is_of_depth(const Limit& limit) { return limit.measure == measure_names::modulation_depth; }
 
 LimitSide side_of(const Limit& limit) {
   return std::isfinite(limit.min) ? LimitSide::min : LimitSide::max;
@@ -33,7 +33,7 @@ std::vector<Limit> limits_to_learn(const LearningTask& task) {
   for (const Limit& limit : task.plan.limits) {
     const bool wanted = task.measures.empty() ||
                         std::ranges::find(task.measures, limit.measure) != task.measures.end();
-    if (wanted && is_learnable(limit)) asked.push_back(limit);
+    if (wanted && !is_of_depth(limit)) asked.push_back(limit);
   }
   for (const std::string& name : task.measures) {
     const Measure* measure = find_measure(name);
@@ -41,7 +41,14 @@ std::vector<Limit> limits_to_learn(const LearningTask& task) {
       continue;
     }
     const Limit limit{name, "", std::string(measure->units.front()), not_known, "", "", not_known};
-    if (is_learnable(limit)) asked.push_back(limit);
+    if (!is_of_depth(limit)) asked.push_back(limit);
+  }
+  const std::string depth(measure_names::modulation_depth);
+  if (!task.measures.empty() && std::ranges::find(task.measures, depth) == task.measures.end()) {
+    return asked;
+  }
+  for (const std::string& part : task.parts) {
+    asked.push_back({depth, part, "1", not_known, "", "", not_known});
   }
   return asked;
 }
@@ -53,7 +60,8 @@ bool is_from_below(const Limit& limit) {
 }
 
 bool is_same_but_for_points(const Limit& a, const Limit& b) {
-  return a.measure == b.measure && a.of == b.of && is_from_below(a) == is_from_below(b);
+  return a.measure == b.measure && a.of == b.of && a.component == b.component &&
+         is_from_below(a) == is_from_below(b);
 }
 
 // Of each limit one for each point that it holds at and that shows it, and no two alike.
@@ -61,6 +69,10 @@ std::vector<Limit> at_each_point(const std::vector<Limit>& limits,
                                  const sequences::TestPlan& plan) {
   std::vector<Limit> split;
   for (const Limit& limit : limits) {
+    if (is_of_depth(limit)) {
+      split.push_back(limit);  // concluded from all points together
+      continue;
+    }
     for (const SetPoint& point : sequences::set_points_of(*find_measure(limit.measure), plan)) {
       if (!overlap(limit.at, point)) continue;
       Limit one = limit;
@@ -78,7 +90,9 @@ std::vector<Limit> at_each_point(const std::vector<Limit>& limits,
 double bound_in_force(const Limit& limit, const std::vector<Limit>& in_force) {
   double strictest = not_known;
   for (const Limit& other : in_force) {
-    if (!covers(other.at, limit.at) || !is_same_but_for_points(limit, other)) continue;
+    const bool is_of_all = is_of_depth(limit) && is_of_depth(other) && other.component.empty();
+    if (!is_of_all && !is_same_but_for_points(limit, other)) continue;
+    if (!covers(other.at, limit.at)) continue;
     const double bound = in_unit(bound_of(other), other.unit, limit.unit);
     strictest = is_from_below(limit) ? std::fmax(strictest, bound) : std::fmin(strictest, bound);
   }
@@ -140,8 +154,11 @@ struct Taught {
 Result<Taught> taught(const ResultDatabase& database, const LearningTask& task, const Runs& runs,
                       const Limit& limit) {
   const bool least = is_from_below(limit);
-  const auto values =
-      database.series({.measure = limit.measure, .of = limit.of, .at = limit.at, .least = least});
+  const auto values = database.series({.measure = limit.measure,
+                                       .of = is_of_depth(limit) ? limit.component : limit.of,
+                                       .at = limit.at,
+                                       .least = least,
+                                       .may_be_hid = true});
   if (!values) return values.error();
   Taught all;
   analysis::IndicatorHistory& history = all.history;
@@ -252,9 +269,9 @@ std::string learnt_text(const LearntLimits& learnt) {
   }
   for (const LearntLimit& one : learnt.learnt) {
     const analysis::LimitProposal& proposal = one.proposal;
-    const std::string name = one.limit.measure +
-                             (one.limit.of.empty() ? "" : " of " + one.limit.of) +
-                             at_text(one.limit.at);
+    const std::string& of = one.limit.of.empty() ? one.limit.component : one.limit.of;
+    const std::string name =
+        one.limit.measure + (of.empty() ? "" : " of " + of) + at_text(one.limit.at);
     const std::string old =
         std::isfinite(one.in_force) ? with_unit(one.in_force, one.limit.unit) : "none";
     if (!proposal.refusal.empty()) {

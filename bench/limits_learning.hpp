@@ -15,7 +15,8 @@ namespace rvbench::bench {
 struct LearningTask {
   std::string version;
   sequences::TestPlan plan;  ///< with the limits in force: what is not learnt stays as it is
-  std::vector<std::string> measures;  ///< to learn; empty: those that are limited
+  std::vector<std::string> measures;  ///< to learn; empty: those that are limited, and depths
+  std::vector<std::string> parts;     ///< of the specimen: whose depths are learnt, each by itself
   std::string rig_kind = {};          ///< on which they ran: kinds are never mixed
   bool per_point = false;         ///< a limit for each point of the matrix, in place of one for all
   std::set<std::string> serials;  ///< good units; empty: all that passed
@@ -44,9 +45,9 @@ struct LearntLimits {
 /// value over all channels of the points that the limit is for, as it is held against it. A limit
 /// for a point is added to one for all points that is in force: both hold.
 /// @param utc  of now, for the reasons
+/// A depth that is not shown counts as what noise may hide.
 /// Units   of the limit in force, else of the measure. Errors  as ResultDatabase; too few units are
 ///         a refusal of that limit. @throws std::invalid_argument as propose_limits()
-/// Limits  depths of findings are not learnt: below its limit a depth is mostly noise
 /// Source  analysis::propose_limits()
 Result<LearntLimits> learn_limits(const ResultDatabase& database, const LearningTask& task,
                                   const std::string& utc);

@@ -40,7 +40,8 @@ Ending judge_recordings(Judgement& judgement, const StoredRun& run,
   } else {
     ending = {Outcome::error, ErrorKind::none, describe(opened.error())};
   }
-  const analysis::ExamineOptions options{.clip_level = range_of(run.folder)};
+  const analysis::ExamineOptions options{.clip_level = range_of(run.folder),
+                                         .channels_may_fail = run.plan.channels_may_fail};
   const std::vector<hal::PlannedPoint> points = run.plan.points();
   for (int number = 0; number < static_cast<int>(points.size()); ++number) {
     const hal::PlannedPoint& planned = points[std::size_t(number)];

@@ -47,6 +47,8 @@ void print_finding(Console& console, const analysis::Finding& finding, double pe
   console.out << "    seen in " << finding.points.size()
               << (finding.points.size() == 1 ? " point" : " points")
               << "; envelope lines (order depth): " << evidence_of(finding, period_turns) << '\n';
+  const std::string sound = report::sound_text(finding);
+  if (!sound.empty()) console.out << "    " << sound << '\n';
   const std::string growth = report::growth_text(finding);
   if (!growth.empty()) console.out << "    " << growth << '\n';
   const std::string rivals = report::rivals_text(finding);

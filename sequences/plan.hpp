@@ -55,6 +55,8 @@ struct TestPlan {
   std::string description;
   Specimen specimen;
   double acceleration_rate_Hz = 4960;
+  int channels_may_fail = 0;  ///< accelerations of a point that are left out, where they cannot be
+                              ///< trusted; two thirds and four must remain
   Interlocks interlocks;
   std::vector<std::unique_ptr<Phase>> setup;
   std::vector<std::unique_ptr<Phase>> main;

@@ -249,6 +249,7 @@ std::variant<TestPlan, std::vector<hal::ConfigFault>> parse_plan(hal::ConfigRead
   plan.specimen = parse_specimen(root.object("specimen"));
   plan.acceleration_rate_Hz =
       root.number("acceleration_rate_Hz", {100, 102400}, plan.acceleration_rate_Hz);
+  plan.channels_may_fail = root.integer("channels_may_fail", {0, 100}, plan.channels_may_fail);
   hal::ConfigReader interlocks = root.object("interlocks");
   plan.interlocks = parse_interlocks(interlocks);
   plan.setup = parse_phases(root, "setup");
@@ -275,6 +276,7 @@ std::string plan_to_json(const TestPlan& plan) {
                           {"gear_ratio", plan.specimen.gear_ratio},
                           {"rated_output_torque_Nm", plan.specimen.rated_output_torque_Nm}})},
        {"acceleration_rate_Hz", plan.acceleration_rate_Hz},
+       {"channels_may_fail", plan.channels_may_fail},
        {"interlocks", hal::json_object({{"input_speed_rpm", limits.input_speed_rpm},
                                         {"input_torque_Nm", limits.input_torque_Nm},
                                         {"acceleration_m_s2", limits.acceleration_m_s2},

@@ -99,6 +99,38 @@ ArticleRule extent(const Finding& finding, const Kinematics& kinematics) {
                       100 * share)};
 }
 
+// The part whose order stands highest in the envelopes, as the article reads them by eye.
+std::optional<ArticleRule> alone(const std::vector<Examination>& points,
+                                 const Kinematics& kinematics) {
+  struct Part {
+    std::string component;
+    double statistic = 0;
+  };
+  std::vector<Part> parts;
+  double envelopes = 0;
+  for (const Signature& signature : kinematics.signatures) parts.push_back({signature.component});
+  for (const Examination& point : points) {
+    if (point.scores.size() != parts.size()) continue;
+    envelopes += 5 * static_cast<double>(point.channels.size());
+    for (std::size_t s = 0; s < parts.size(); ++s) {
+      parts[s].statistic += point.scores[s].article_statistic;
+    }
+  }
+  if (envelopes == 0) return {};
+  std::ranges::stable_sort(parts, std::ranges::greater{}, &Part::statistic);
+  // A line of noise has -ln p = 1 with a scatter of 1.
+  const double by_noise = 3 * std::sqrt(envelopes);
+  std::string why;
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, parts.size()); ++i) {
+    why += fmt::format("{}{} {:.0f}", why.empty() ? "-ln p above noise's: " : ", ",
+                       parts[i].component, parts[i].statistic);
+  }
+  const bool stands_out = parts.front().statistic > by_noise;
+  return ArticleRule{"which part, by the envelopes of IMF 1 to 5 alone?",
+                     stands_out ? parts.front().component : "none",
+                     why + fmt::format("; noise has up to {:.0f}", by_noise)};
+}
+
 const Finding* hypothesis_of(const Diagnosis& diagnosis, const char* component) {
   const std::vector<const Finding*> all = diagnosis.hypotheses();
   const auto found = std::ranges::find(all, component, &Finding::component);
@@ -132,9 +164,10 @@ std::optional<ArticleRule> shaft_or_sun(const Diagnosis& diagnosis) {
 
 std::vector<ArticleRule> article_rules(const std::vector<Examination>& points,
                                        const Diagnosis& diagnosis, const Kinematics& kinematics) {
-  if (diagnosis.findings.empty()) return {};
-  const Finding& first = diagnosis.findings.front();
   std::vector<ArticleRule> rules;
+  if (auto rule = alone(points, kinematics)) rules.push_back(std::move(*rule));
+  if (diagnosis.findings.empty()) return rules;
+  const Finding& first = diagnosis.findings.front();
   ArticleRule how_far = extent(first, kinematics);
   if (std::ranges::any_of(kinematics.orders, &CharacteristicOrder::mesh)) {
     rules.push_back(stationary(points, first, how_far.answer == "local", kinematics));

@@ -14,8 +14,9 @@ struct ArticleRule {
   std::string why;       ///< with the figures
 };
 
-/// What the article's section 5.1 asks of the first finding:
+/// What the article's method alone would name, and what its section 5.1 asks of the first finding:
 ///
+///     alone        the part whose order stands highest in the envelope spectra of IMF 1 to 5
 ///     stationary   sidebands of the part's rotation around mesh harmonics in most of the points,
 ///                  and its rotation and multiples themselves as low-frequency lines; a local
 ///                  fault has both as well, and is none
@@ -25,8 +26,8 @@ struct ArticleRule {
 ///                  it passes the carrier with, which is the only other one that turns with it
 ///
 /// @param points  that the diagnosis was drawn from
-/// @return empty without a finding; the first rule only of a machine with meshes, the last only
-///         where shaft or sun leads
+/// @return the first alone without a finding; the second only of a machine with meshes, the last
+///         only where shaft or sun leads
 /// Units   orders of the input shaft, depths over the mean envelope
 /// Errors  none thrown
 /// Source  the article, sec. 5.1, after its reference 23; half of the points and half of the

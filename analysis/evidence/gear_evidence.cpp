@@ -278,7 +278,7 @@ void score_part(const std::vector<std::vector<GearReading>>& readings, const Par
   score.channel_depths.assign(readings.size(), 0.0);
   Eigen::VectorXd decoys = Eigen::VectorXd::Zero(gear_decoys);
   double log_ratio = 0;
-  std::vector<double> depths2, variances;
+  std::vector<double> depths2, variances, amplitudes;
   double deepest2 = -1;
   for (std::size_t c = 0; c < readings.size(); ++c) {
     if (readings[c].empty()) continue;
@@ -290,6 +290,7 @@ void score_part(const std::vector<std::vector<GearReading>>& readings, const Par
     const double depth2 = 2 * reading.own2 / reading.mesh2;
     depths2.push_back(depth2);
     variances.push_back(4 * reading.own2_variance / (reading.mesh2 * reading.mesh2));
+    amplitudes.push_back(std::sqrt(std::max(reading.own2, 0.0)));
     score.channel_depths[c] = std::sqrt(std::max(depth2, 0.0));
     if (depth2 <= deepest2) continue;
     deepest2 = depth2;
@@ -299,6 +300,7 @@ void score_part(const std::vector<std::vector<GearReading>>& readings, const Par
   if (depths2.empty()) return;
   const auto channels = static_cast<double>(depths2.size());
   score.depth = std::sqrt(std::max(0.0, median(depths2)));
+  score.amplitude = median(std::move(amplitudes));
   // A median's own variance is π/2 of a mean's.
   constexpr double of_median = 1.57;
   score.depth2_variance = of_median * median(variances) / channels;
@@ -393,6 +395,8 @@ void score_noise(const std::vector<std::vector<GearReading>>& readings, const Ge
     if (places.parts[s].own.empty()) continue;
     SignatureScore noise = scores[s];
     score_part(readings, places.parts[s], s, noise);
+    noise.by_noise = true;
+    noise.amplitude = not_known;
     SignatureScore& lines = scores[s];
     const bool shows = noise.p_value < significant_p && noise.depth > swing_of_sound_noise &&
                        noise.depth > lines.depth;

@@ -349,6 +349,11 @@ class BearingScore {
       if (!std::isnan(depths2[c])) score.channel_depths[c] = std::sqrt(depths2[c]);
     }
     score.depth = std::sqrt(median_of_known(depths2));
+    std::vector<double> amplitudes;
+    for (std::size_t c = 0; c < depths2.size(); ++c) {
+      amplitudes.push_back(std::sqrt(depths2[c] * reference2(channels_[c], k_)));
+    }
+    score.amplitude = median_of_known(std::move(amplitudes));
     score.channel = static_cast<int>(std::ranges::max_element(score.channel_depths) -
                                      score.channel_depths.begin());
     for (int h = 1; h <= harmonics; ++h) {

@@ -129,6 +129,14 @@ std::vector<ChannelLines> evened(std::vector<ChannelLines> channels) {
   return channels;
 }
 
+// Each line as good as any.
+std::vector<ChannelLines> counted(std::vector<ChannelLines> channels) {
+  for (ChannelLines& lines : channels) {
+    for (Line& line : lines) line.power = 1;
+  }
+  return channels;
+}
+
 // Share of the power of lines that fit at each of these speeds.
 double share_at(std::initializer_list<double> speeds, const std::vector<ChannelLines>& channels,
                 const OwnOrders& own) {
@@ -172,7 +180,7 @@ struct Tried {
 class Trials {
  public:
   Trials(const std::vector<ChannelLines>& channels, const OwnOrders& own)
-      : channels_(channels), even_(evened(channels)), own_(own) {}
+      : channels_(channels), even_(evened(channels)), counted_(counted(channels)), own_(own) {}
 
   Tried at(double speed) const {
     return {speed, share_at({speed}, channels_, own_), share_at({speed}, even_, own_)};
@@ -206,9 +214,25 @@ class Trials {
       consider(1 / ratio, stands_out);
       const double of_both =
           share_at({1, ratio}, channels_, own_) + share_at({1, ratio}, even_, own_);
-      if (of_both >= nearly_all * here.both()) consider(ratio, nearly_all);
+      if (of_both >= nearly_all * here.both() && !has_lines_of_its_own(ratio)) {
+        consider(ratio, nearly_all);
+      }
     }
     return best;
+  }
+
+  // Whether more lines, however weak, speak for this speed and against the one that is off by the
+  // ratio than at any other speed that is tried.
+  bool has_lines_of_its_own(double ratio) const {
+    const auto alone = [&](double speed) {
+      return share_at({speed}, counted_, own_) - share_at({speed, speed * ratio}, counted_, own_);
+    };
+    const double here = alone(1);
+    for (int i = 0; i < tries_each_way; ++i) {
+      const double off = furthest * (i + 1) / tries_each_way;
+      if (alone(1 - off) >= here || alone(1 + off) >= here) return false;
+    }
+    return true;
   }
 
   // Closer than those that are tried for chance: as far off as a rounded speed.
@@ -221,6 +245,7 @@ class Trials {
  private:
   const std::vector<ChannelLines>& channels_;
   std::vector<ChannelLines> even_;
+  std::vector<ChannelLines> counted_;
   const OwnOrders& own_;
 };
 

@@ -20,6 +20,7 @@
 #include "bench/run_results.hpp"
 #include "bench/sha256.hpp"
 #include "bench/software_version.hpp"
+#include "bench/sound_units.hpp"
 #include "bench/stop_on_signal.hpp"
 #include "bench/summary.hpp"
 #include "bench/text_file.hpp"
@@ -37,6 +38,8 @@ class JudgeCommand final : public Command {
   std::string summary() const override { return "diagnoses stored recordings of one machine"; }
   std::string examples() const override {
     return "  rvbench judge IR007_0.mat --kinematics cwru_6205 --rate 12000 --speed 1797\n"
+           "  rvbench judge suspect.csv --kinematics two_stage --rate 12800 --speed 1780 --sound "
+           "good/\n"
            "  rvbench judge runs/A17/20260102T030405Z/recording.h5 --kinematics rv20e --json\n";
   }
   std::vector<Option> options() override {
@@ -53,6 +56,13 @@ class JudgeCommand final : public Command {
          &catalogue_,
          false,
          {"derived", "published"}},
+        {"--sound",
+         "sound units of the same kind, whose scatter sets the limits: recordings, folders of "
+         "runs, "
+         "of answers of --out or of recordings, or serials",
+         &sound_},
+        {"--runs", "folder of run folders, where serials are looked for; default: " + runs_,
+         &runs_},
         {"--out", "folder for verdict.json and report.html; default: none are written", &out_},
         {"--json", "one JSON document on standard output", &json_}};
   }
@@ -62,11 +72,14 @@ class JudgeCommand final : public Command {
   int read_machine(Console& console);
   int check_options(Console& console, OutFolder& folder) const;
   int load(Console& console);
+  int learn_from_sound(Console& console);
+  std::variant<Judgement, int> judged_sound(Console& console, const std::filesystem::path& file);
   void tell_notes(Console& console) const;
   std::variant<Judgement, int> judged(Console& console);
   bool is_published() const { return catalogue_ == "published"; }
   analysis::Kinematics published_for(const Recording& record) const;
-  Judgement judge(Console& console, bool published) const;
+  Judgement judge(Console& console, const std::vector<Recording>& records, bool published,
+                  const char* doing = "judge") const;
   Judgement judge_by_catalogue(Console& console) const;
   // The machine by whose lines it was judged.
   analysis::Kinematics used() const {
@@ -80,6 +93,8 @@ class JudgeCommand final : public Command {
   std::optional<double> rate_Hz_;
   std::string channel_;
   std::string catalogue_ = "derived";
+  std::vector<std::string> sound_;
+  std::string runs_ = "runs";
   std::string out_;
   bool json_ = false;
   analysis::Kinematics derived_;
@@ -111,6 +126,7 @@ std::variant<Judgement, int> JudgeCommand::judged(Console& console) {
       return refused;
     if (const int refused = read_machine(console); refused != exit_codes::done) return refused;
     if (const int refused = load(console); refused != exit_codes::done) return refused;
+    if (const int refused = learn_from_sound(console); refused != exit_codes::done) return refused;
     Judgement judgement = judge_by_catalogue(console);
     if (!out_.empty()) {
       tell_in_files(judgement, [this](const Judgement& told) { return write_out(told); });
@@ -141,6 +157,57 @@ int JudgeCommand::check_options(Console& console, OutFolder& folder) const {
   const std::string why = folder.make(out_, {"verdict.json", "report.html"});
   return why.empty() ? exit_codes::done
                      : refuse_usage(console, "judge: --out " + out_ + ": " + why);
+}
+
+// Sets the limits by sound units. @return why not, or done
+int JudgeCommand::learn_from_sound(Console& console) {
+  if (sound_.empty()) return exit_codes::done;
+  const auto found = sound_files(sound_, runs_);
+  if (const auto* why = std::get_if<std::string>(&found)) {
+    return refuse_usage(console, "judge: --sound: " + *why);
+  }
+  std::vector<analysis::Diagnosis> units;
+  for (const std::filesystem::path& file : std::get<0>(found)) {
+    auto unit = judged_sound(console, file);
+    if (const int* refused = std::get_if<int>(&unit)) return *refused;
+    const auto& judgement = std::get<Judgement>(unit);
+    if (judgement.diagnosis.resolvable) {
+      units.push_back(judgement.diagnosis);
+    } else {
+      console.err << "rvbench: note: --sound: " << file.string()
+                  << ": not counted: " << judgement.ending.reason << '\n';
+    }
+  }
+  if (units.size() < fewest_sound_units) {
+    return refuse_data(console, fmt::format("--sound: {} sound units could be read, and {} are "
+                                            "needed to tell how much they scatter",
+                                            units.size(), fewest_sound_units));
+  }
+  derived_ = with_sound_units(derived_, units);
+  return exit_codes::done;
+}
+
+// What a sound unit came to: as it was judged before, or judged now.
+std::variant<Judgement, int> JudgeCommand::judged_sound(Console& console,
+                                                        const std::filesystem::path& file) {
+  const auto refuse = [&](const std::string& why) {
+    return refuse_data(console, "--sound: " + file.string() + ": " + why);
+  };
+  if (file.extension() == ".json") {
+    auto judgement = judgement_from_json(read_file(file).value_or(""));
+    if (!judgement) return refuse("is no verdict.json");
+    if (judgement->machine != derived_.machine) {
+      return refuse("is of another machine: " + judgement->machine);
+    }
+    return std::move(*judgement);
+  }
+  auto read = recordings_to_judge({.files = {file.string()},
+                                   .hints = {.rate_Hz = rate_Hz_.value_or(not_known),
+                                             .speed_rpm = speed_rpm_.value_or(not_known)},
+                                   .channel = channel_,
+                                   .stop = stop_});
+  if (const auto* refusal = std::get_if<JudgeRefusal>(&read)) return refuse(refusal->reason);
+  return judge(console, std::get<0>(read), false, "sound unit");
 }
 
 // Reads every file, and tells what was not obvious about them. @return why not, or done
@@ -186,15 +253,16 @@ analysis::Kinematics JudgeCommand::published_for(const Recording& record) const 
   return analysis::published_table4(std::abs(record.speed_rpm));
 }
 
-Judgement JudgeCommand::judge(Console& console, bool published) const {
+Judgement JudgeCommand::judge(Console& console, const std::vector<Recording>& records,
+                              bool published, const char* doing) const {
   ProgressBar bar(console, progress_style(console, json_));
   Judgement judgement;
   judgement.facts.software = software_version();
   judgement.facts.started_utc = utc_now();
-  for (std::size_t i = 0; i < records_.size(); ++i) {
+  for (std::size_t i = 0; i < records.size(); ++i) {
     end_if_stopped(stop_);
-    const Recording& record = records_[i];
-    bar.show("judge", double(i) / double(records_.size()), record.source);
+    const Recording& record = records[i];
+    bar.show(doing, double(i) / double(records.size()), record.source);
     JudgedPoint point = judge_point(record, published ? published_for(record) : derived_,
                                     {.channels_may_fail = std::numeric_limits<int>::max()});
     for (const std::string& note : record.notes) {
@@ -203,16 +271,16 @@ Judgement JudgeCommand::judge(Console& console, bool published) const {
     judgement.points.push_back(std::move(point));
   }
   bar.clear();
-  conclude(judgement, published ? published_for(records_.front()) : derived_, {},
+  conclude(judgement, published ? published_for(records.front()) : derived_, {},
            {Outcome::pass, ErrorKind::none, "every recording was read"});
   return judgement;
 }
 
 Judgement JudgeCommand::judge_by_catalogue(Console& console) const {
-  Judgement derived = judge(console, false);
+  Judgement derived = judge(console, records_, false);
   demand_confirmation(derived, derived_);
   if (!is_published()) return derived;
-  Judgement published = judge(console, true);
+  Judgement published = judge(console, records_, true);
   hold_against_derived(published, derived);
   return published;
 }

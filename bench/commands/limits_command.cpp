@@ -12,6 +12,8 @@
 #include "bench/fault_lines.hpp"
 #include "bench/find_plan.hpp"
 #include "bench/json_text.hpp"
+#include "bench/judging.hpp"
+#include "bench/kinematics_file.hpp"
 #include "bench/limits_effect.hpp"
 #include "bench/limits_in_force.hpp"
 #include "bench/limits_learning.hpp"
@@ -179,6 +181,8 @@ std::variant<LearningTask, int> LimitsCommand::learning_task(Console& console) c
   task.plan = of_runs ? std::move(*of_runs) : std::get<0>(std::move(plan));
   const auto limits = put_in_force(out_, plan_, task.plan);
   if (limits.index() == 1) return refuse_usage(console, "limits: " + std::get<1>(limits));
+  const auto machine = read_kinematics(task.plan.specimen.kinematics);
+  if (machine.index() == 0) task.parts = parts_of(std::get<0>(machine));
   if (serials_.empty()) return task;
   const auto text = read_file(serials_);
   if (!text) return refuse_usage(console, "limits: --serials " + serials_ + " cannot be read");

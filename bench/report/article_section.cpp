@@ -8,10 +8,11 @@
 namespace rvbench::bench::report {
 
 std::string article_section(const ReportInput& input) {
-  if (!findings_stand(input.judgement)) return "";
+  analysis::Diagnosis diagnosis = input.judgement.diagnosis;
+  if (!findings_stand(input.judgement)) diagnosis.findings.clear();
   std::vector<std::vector<std::string>> rows;
   for (const analysis::ArticleRule& rule : analysis::article_rules(
-           examined_points(input.judgement), input.judgement.diagnosis, input.kinematics)) {
+           examined_points(input.judgement), diagnosis, input.kinematics)) {
     rows.push_back({xml_escaped(rule.question), xml_escaped(rule.answer), xml_escaped(rule.why)});
   }
   if (rows.empty()) return "";

@@ -42,6 +42,13 @@ std::string limit_text(const analysis::Finding& finding) {
   return fmt::format("{}, {:.2f} {}", side, share, above ? "times it" : "of it");
 }
 
+std::string sound_text(const analysis::Finding& finding) {
+  if (std::isnan(finding.over_sound)) return "";
+  const bool above = finding.over_sound >= 0;
+  return fmt::format("{:.1f} times their scatter {} the median of sound units",
+                     std::abs(finding.over_sound), above ? "above" : "below");
+}
+
 bool is_close(const analysis::Finding& finding) {
   return finding.severity_low < finding.limit && finding.limit < finding.severity_high;
 }

@@ -7,6 +7,9 @@
 
 namespace rvbench::bench::report {
 
+/// Where it lies among sound units of the same kind; empty if none were asked.
+std::string sound_text(const analysis::Finding& finding);
+
 /// "0.412 (0.398 to 0.431)": modulation depth and its 95 % interval, if it is known; and
 /// "below 0.021" of what no point shows.
 std::string severity_text(const analysis::Finding& finding);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bench/findings_stand.hpp"
 #include "bench/report/finding_text.hpp"
@@ -53,6 +54,11 @@ std::string block_of(const Finding& finding, const ReportInput& input, bool coun
   html += fmt::format("<dt>Severity</dt><dd>modulation depth {}, limit {:.3f}{}</dd>",
                       severity_text(finding), finding.limit,
                       is_close(finding) ? ": its interval reaches across" : "");
+  if (std::isfinite(finding.severity_m_s2)) {
+    html += "<dt>Amplitude</dt><dd>" + number(finding.severity_m_s2) + " m/s²</dd>";
+  }
+  const std::string sound = sound_text(finding);
+  if (!sound.empty()) html += "<dt>Sound units</dt><dd>" + xml_escaped(sound) + "</dd>";
   const std::string rivals = rivals_text(finding);
   if (!rivals.empty()) html += "<dt>Certainty</dt><dd>" + xml_escaped(rivals) + "</dd>";
   const std::string cause = cause_text(finding);

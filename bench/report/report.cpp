@@ -19,6 +19,7 @@ std::string make_report(const ReportInput& input) {
       "</style></head><body><main>\n";
   html += report::verdict_section(input);
   html += report::findings_section(input);
+  html += report::deciding_section(input);
   html += report::article_section(input);
   html += report::matrix_section(input);
   html += report::limits_section(input);

@@ -11,7 +11,8 @@ namespace rvbench::bench::report {
 std::string verdict_section(const ReportInput& input);
 std::string matrix_section(const ReportInput& input);
 std::string findings_section(const ReportInput& input);
-std::string article_section(const ReportInput& input);  ///< its rules on the first finding
+std::string deciding_section(const ReportInput& input);  ///< the lines that a part was judged by
+std::string article_section(const ReportInput& input);   ///< its rules on the first finding
 std::string frequency_section(const ReportInput& input);
 std::string signal_section(const ReportInput& input);   ///< time, spectra, IMFs, envelope spectra
 std::string methods_section(const ReportInput& input);  ///< what each envelope method found

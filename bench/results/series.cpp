@@ -36,7 +36,8 @@ constexpr const char* at_some_points =
     "GROUP BY points.run ORDER BY runs.started_utc, runs.folder";
 
 constexpr const char* depths =
-    "SELECT MAX(CASE standing WHEN 'not_shown' THEN 0 ELSE depth END), '1', component, -1, '', "
+    "SELECT MAX(CASE WHEN standing != 'not_shown' THEN depth WHEN ?3 THEN depth_high ELSE 0 END), "
+    "'1', component, -1, '', "
     "runs.folder, runs.serial, runs.started_utc, runs.verdict "
     "FROM findings JOIN runs ON runs.id = findings.run WHERE (?1 = '' OR component = ?1) "
     "AND (?2 = '' OR runs.serial = ?2) AND (standing != 'not_shown' OR depth_high <= depth_limit) "
@@ -45,7 +46,7 @@ constexpr const char* depths =
 SqlStatement query_of(const SqliteFile& file, const SeriesOf& asked) {
   if (asked.measure == measure_names::modulation_depth) {
     SqlStatement query(file, depths);
-    query.bind(asked.of, asked.serial);
+    query.bind(asked.of, asked.serial, static_cast<int>(asked.may_be_hid));
     return query;
   }
   const char* worst = asked.least ? "MIN" : "MAX";

@@ -15,7 +15,8 @@ struct SeriesOf {
   SetPoint at = {};
   std::string channel = {};
   std::string serial = {};
-  bool least = false;  ///< the smallest value of a run is its worst
+  bool least = false;       ///< the smallest value of a run is its worst
+  bool may_be_hid = false;  ///< a depth that is not shown counts as what noise may hide, not as 0
 };
 
 /// The worst of one run, among those asked for.
@@ -31,7 +32,7 @@ struct RunValue {
 /// One value per run that has any, oldest first.
 /// Units   as measured: RunValue::unit. Errors  refused: the file cannot be read
 /// The depth of what was found is of no point or channel: narrowed by `of`, a part, and by serial.
-/// A part that noise may hide is not told; one that is not shown has depth 0.
+/// A part that noise may hide beyond its limit is not told; one that is not shown has depth 0.
 Result<std::vector<RunValue>> read_series(const SqliteFile& file, const SeriesOf& asked);
 
 }  // namespace rvbench::bench

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 #include <stdexcept>
 
+#include "analysis/bearing_signatures.hpp"
 #include "analysis/kinematics.hpp"
-#include "analysis/rv_reducer.hpp"
 
 using rvbench::analysis::bearing_orders;
 using rvbench::analysis::bearing_signatures;
@@ -51,6 +51,15 @@ TEST_CASE("every ball passes each race once per cage turn against it", "[analysi
   const double ball_turns =
       orders.cage * (26 + 5 * std::cos(contact_deg * std::acos(-1.0) / 180)) / 5;
   CHECK(orders.ball == Approx(2 * ball_turns));
+}
+
+TEST_CASE("a bearing is known by its races as well as by its size", "[analysis][kinematics]") {
+  const BearingOrders sized = bearing_orders({16, 8.407, 71.501, 15.17});
+  const BearingOrders raced =
+      bearing_orders(rvbench::analysis::bearing_of_races(sized.outer, sized.inner, 15.17));
+  CHECK(raced.outer == Approx(sized.outer));
+  CHECK(raced.inner == Approx(sized.inner));
+  CHECK(raced.cage == Approx(sized.cage));
 }
 
 TEST_CASE("a bearing that cannot be built is refused", "[analysis][kinematics][errors]") {

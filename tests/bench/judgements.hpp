@@ -62,7 +62,18 @@ inline bench::JudgedPoint recorded_point() {
                                      {"band_rms", "below the meshes", 0.4, "m/s²"},
                                      {"band_rms", "sun-planet mesh", 1.5, "m/s²"}}}};
   recorded.examination.indicators = {{"torque_ripple", "input_torque", 0.12, "1"}};
-  recorded.examination.scores = {{0, 1, 0.6, 1e-4, 812.5, 1e-12, 1, 0, {1, 2}, {0.5, 0.3}, {0.6}}};
+  analysis::SignatureScore score;
+  score.order = 1;
+  score.depth = 0.6;
+  score.amplitude = 1.2;
+  score.depth2_variance = 1e-4;
+  score.log_likelihood_ratio = 812.5;
+  score.p_value = 1e-12;
+  score.imf = 1;
+  score.line_orders = {1, 2};
+  score.line_depths = {0.5, 0.3};
+  score.channel_depths = {0.6};
+  recorded.examination.scores = {score};
   return recorded;
 }
 

@@ -94,6 +94,38 @@ TEST_CASE("a bearing's orders are those of its geometry, on the shaft that it ca
   CHECK(0.5 * 9 / 2 * (1 + ratio) == Approx(0.5 * 5.4152).epsilon(5e-4));
 }
 
+TEST_CASE("a planetary stage is known by its teeth, and a bearing by the orders of its races",
+          "[bench]") {
+  const auto machine = machine_of(R"({"machine": "P", "planetary": {
+      "sun_teeth": 20, "planet_teeth": 20, "ring_teeth": 60, "planets": 3,
+      "planet_bearing": {"outer_race_order": 3.585, "inner_race_order": 5.415}}})");
+  CHECK(machine.gear_ratio == 4);
+  CHECK(has_order(machine, 0.75 * 3.585));
+  // The pin that it turns on stands, unless the file says otherwise.
+  CHECK(has_order(machine, 0.75 * 5.415 / 9));
+  const auto other = machine_of(R"({"machine": "P", "planetary": {
+      "sun_teeth": 20, "planet_teeth": 20, "ring_teeth": 60, "planets": 3, "planet_bearing": {
+      "outer_race_order": 3.585, "inner_race_order": 5.415, "fixed_race": "outer"}}})");
+  CHECK(has_order(other, 0.75 * 3.585 / 9));
+}
+
+TEST_CASE("races that pass no whole number of rolling elements are a fault", "[bench]") {
+  const auto text = [](const char* inner) {
+    return std::string(R"({"machine": "M", "shafts": [{"name": "s"}], "bearings": [
+        {"name": "b", "shaft": "s", "outer_race_order": 3.585, "inner_race_order": )") +
+           inner + "}]}";
+  };
+  CHECK(machine_of(text("5.4")).bearings.size() == 1);  // 8.985 is 9, as printed figures go
+  CHECK(places_of(text("5.39")) == std::vector<std::string>{"/bearings/0/inner_race_order"});
+  CHECK(places_of(text("2.415")) == std::vector<std::string>{"/bearings/0/inner_race_order"});
+}
+
+TEST_CASE("planets that do not fit between sun and ring are a fault", "[bench]") {
+  CHECK(places_of(R"({"machine": "P", "planetary": {"sun_teeth": 20, "planet_teeth": 20,
+                      "ring_teeth": 70, "planets": 3}})") ==
+        std::vector<std::string>{"/planetary/ring_teeth"});
+}
+
 TEST_CASE("a shaft that no mesh leads to is a fault", "[bench]") {
   const auto places =
       places_of(R"({"machine": "loose", "shafts": [{"name": "in"}, {"name": "free"}]})");

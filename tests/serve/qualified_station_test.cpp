@@ -78,8 +78,7 @@ TEST_CASE("points of a plan that was edited since the verdict on show were not m
   const ScratchFolder scratch;
   write_rig(scratch);
   calibrate(scratch);
-  const std::string quick =
-      bench::read_file(test::source_dir() / "sequences/plans/quick.json").value();
+  const std::string quick = test::quick_at_top_speed();
   bench::write_file(scratch / "plan.json", quick);
   ServedStation station(scratch, R"("plan": "plan.json")", "rig.json");
   REQUIRE(station.log_in("otto").status == 200);
@@ -102,7 +101,7 @@ TEST_CASE("points of a plan that was edited since the verdict on show were not m
   const auto has_ended = [](const std::string& stream) {
     return stream.find("\"phase\":\"ended\"") < stream.npos;
   };
-  (void)test::received(events, has_ended, std::chrono::seconds(120));
+  (void)test::received(events, has_ended, test::longest_run);
   CHECK(statuses() == Statuses{"done"});
   scanned(station, "g01");  // is refused: the verdict stays on show
   CHECK(statuses() == Statuses{"done"});

@@ -7,6 +7,8 @@
 #include "bench/serve/tokens.hpp"
 #include "bench/text_file.hpp"
 #include "tests/spec/rvbench.hpp"
+#include "tests/support/replaced.hpp"
+#include "tests/support/source_dir.hpp"
 
 namespace rvbench::test {
 namespace {
@@ -30,6 +32,11 @@ std::filesystem::path written(const ScratchFolder& scratch, const std::string& k
 }
 
 }  // namespace
+
+std::string quick_at_top_speed() {
+  const auto quick = bench::read_file(source_dir() / "sequences/plans/quick.json");
+  return replaced(quick.value(), "[1210, 1815]", "[1815]");
+}
 
 std::string token_of(const std::string& user) { return user + "." + std::string(32, 'a'); }
 

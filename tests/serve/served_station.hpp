@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -8,6 +9,12 @@
 #include "tests/support/program.hpp"
 
 namespace rvbench::test {
+
+/// The plan "quick" at its highest speed alone: the thread sanitizer takes a minute for two points.
+std::string quick_at_top_speed();
+
+/// A run of that plan and its judgement, on a busy computer.
+constexpr std::chrono::seconds longest_run{180};
 
 /// `rvbench serve` on a free port, with a simulated bench and a user for each role.
 class ServedStation {

@@ -57,6 +57,20 @@ TEST_CASE("without a finding the article has nothing to ask", "[analysis][eviden
   CHECK(article_rules({point({1, mesh})}, {}, rv20e()).empty());
 }
 
+TEST_CASE("alone the article names the part whose order stands highest in the envelopes",
+          "[analysis][evidence]") {
+  const std::string asked = "which part, by the envelopes of IMF 1 to 5 alone?";
+  Examination e = point({});
+  e.scores.resize(rv20e().signatures.size());
+  CHECK(answer(asked, {e}, {}) == "none");
+  e.scores[1].article_statistic = 40;
+  e.scores[2].article_statistic = 60;
+  CHECK(answer(asked, {e}, {}) == rv20e().signatures[2].component);
+  // In ten channels noise alone may reach as much.
+  e.channels.resize(100);
+  CHECK(answer(asked, {e}, {}) == "none");
+}
+
 TEST_CASE("a fault is stationary if its part's rotation is beside the mesh and by itself",
           "[analysis][evidence]") {
   const std::string asked = "stationary fault?";

@@ -16,7 +16,8 @@ sys.path.insert(0, str(HERE))
 from draws import TURN, Draws  # noqa: E402
 from housing import Housing, fast_length  # noqa: E402
 from machines import PlanetaryStage, RvReducer, TwoStageTrain  # noqa: E402
-from parts import PARTS, SCORE, TUNING, specimens  # noqa: E402
+from counting import answer  # noqa: E402
+from parts import KINDS, PARTS, SCORE, SHORT, TUNING, short_units, sound_units, specimens  # noqa: E402
 from sources import Forces, Race, blows  # noqa: E402
 from unit import RATE_HZ, Unit  # noqa: E402
 
@@ -144,7 +145,7 @@ class Files(unittest.TestCase):
     def test_the_recording_is_written_without_the_project_and_keeps_its_truth_to_itself(self):
         with tempfile.TemporaryDirectory() as scratch:
             alone = Path(scratch, "alone")
-            shutil.copytree(HERE, alone, ignore=shutil.ignore_patterns("score", "__pycache__"))
+            shutil.copytree(HERE, alone, ignore=shutil.ignore_patterns("score", "asking.py", "counting.py", "__pycache__"))
             given, truth = Path(scratch, "given"), Path(scratch, "truth")
             subprocess.run([alone / "generate", given, truth, "--machine", "planetary", "--kind", "ring"], check=True,
                            cwd=scratch)
@@ -157,8 +158,25 @@ class Files(unittest.TestCase):
 
 class Score(unittest.TestCase):
     def test_seeds_of_tuning_and_score_and_of_the_parts_do_not_meet(self):
-        seeds = [s.seed for base in (TUNING, SCORE) for part in PARTS for s in specimens(part, base)]
+        units = [s for base in (TUNING, SCORE) for part in PARTS for s in specimens(part, base)]
+        units += [s for base in (TUNING, SCORE) for machine in KINDS for s in sound_units(machine, 3, base)]
+        units += short_units(SHORT)
+        seeds = [(s.seed, s.sitting) for s in units]
         self.assertEqual(len(seeds), len(set(seeds)))
+
+    def test_an_answer_is_right_only_if_the_first_finding_is(self):
+        def row(verdict, *named, truth=("pin_housing",)):
+            return {"truth": list(truth), "verdict": verdict, "findings": [{"component": name} for name in named]}
+        self.assertEqual(answer(row("FAIL", "pin_housing")), "right")
+        self.assertEqual(answer(row("FAIL", "pin_housing", "crank")), "wrong")
+        self.assertEqual(answer(row("INVALID", "crank")), "wrong")
+        self.assertEqual(answer(row("PASS")), "false PASS")
+        self.assertEqual(answer(row("INVALID")), "INVALID")
+        self.assertEqual(answer(row("PASS", truth=())), "clean")
+        self.assertEqual(answer(row("FAIL", "crank", truth=())), "false alarm")
+        follows = row("FAIL", "pin_housing", "crank")
+        follows["findings"][1]["may_follow_from"] = "pin_housing: pin_damage"
+        self.assertEqual(answer(follows), "right")
 
 
 if __name__ == "__main__":

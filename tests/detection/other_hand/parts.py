@@ -11,7 +11,8 @@ KINDS = {"rv20e": tuple(RvReducer.parts), "other_rv": tuple(RvReducer.parts), "o
          "two_stage": tuple(TwoStageTrain.parts), "planetary": tuple(PlanetaryStage.parts)}
 THREE_POINTS = ((605, 100), (1210, 100), (1815, 100))
 NINE_POINTS = tuple((rpm, load) for rpm in (605, 1210, 1815) for load in (50, 100, 150))
-TUNING, SCORE = 0, 10_000_000  # where seeds begin
+TUNING, SCORE, SHORT = 0, 10_000_000, 20_000_000  # where seeds begin
+OF_SOUND_UNITS = 5_000_000  # further
 
 
 @dataclass
@@ -64,6 +65,39 @@ def faulty(count, machine="rv20e", **changes):
     return of
 
 
+def remounted(part, first_seed):
+    """Each unit twice: with other noise the second time, and its sensors mounted anew."""
+    kinds = KINDS["rv20e"]
+    return [Specimen(part, n, first_seed + n // 2, planets=2 + n // 2 % 2, sitting=n % 2,
+                     damages={} if n // 2 % 2 else {kinds[n // 4 % 5]: 1.0}) for n in range(200)]
+
+
+def visible(low, high):
+    """Damage of so many times what the sound record says would be seen."""
+    def of(part, first_seed):
+        kinds = KINDS["rv20e"]
+        return [Specimen(part, n, first_seed + n, planets=2 + n // 5 % 2, damages={kinds[n % 5]: 1.0},
+                         changes={"times_visible": low + (high - low) * n / 199}) for n in range(200)]
+    return of
+
+
+def sound_units(machine, planets, base):
+    """Twenty of other housings than any part has."""
+    first = base + OF_SOUND_UNITS + 100 * (list(KINDS).index(machine) * 10 + planets)
+    return [Specimen("sound", n, first + n, machine=machine, planets=planets) for n in range(20)]
+
+
+def short_units(base):
+    """Of each machine two sound units and four bad ones, one of the RV-20E for each number of planets."""
+    units = []
+    for machine, planets in (("rv20e", 2), ("rv20e", 3), ("two_stage", 2), ("planetary", 2)):
+        for n, kind in enumerate(("", "", *KINDS[machine][:4])):
+            number = len(units)
+            units.append(Specimen("short", number, base + number + 1, machine=machine, planets=planets,
+                                  damages={kind: 1.0} if kind else {}))
+    return units
+
+
 PARTS = {
     "two_planets": first_line(planets=2),
     "three_planets": first_line(planets=3),
@@ -84,6 +118,14 @@ PARTS = {
     "angle_noise": half_and_half(50, angle_noise_rad=0.003),
     "dead_channel": half_and_half(100, dead_channel=True),
     "clipped_channel": half_and_half(100, clipped_channel=True),
+    "remounted": remounted,
+    "above_visible": visible(1.0, 1.5),
+    "below_visible": visible(0.4, 0.6),
+    "two_planets_quarter": first_line(0.25, healthy=0, planets=2),
+    "three_planets_quarter": first_line(0.25, healthy=0, planets=3),
+    "six_sensors": first_line(healthy=100, each=20, planets=2, changes={"channels": 6}),
+    "three_sensors": first_line(healthy=100, each=20, planets=2, changes={"channels": 3}),
+    "one_sensor": first_line(healthy=100, each=20, planets=2, changes={"channels": 1}),
     "nine_points": first_line(healthy=20, each=8, planets=2, points=NINE_POINTS),
 }
 

@@ -1,6 +1,7 @@
 """One specimen: its unit, its records, and what is done to them on their way into a file."""
 import functools
 import json
+from pathlib import Path
 
 import numpy as np
 
@@ -54,6 +55,8 @@ def changed(record, unit, changes, point):
     channel = int(Draws(*unit.draws.seed, 78).stream("channel").integers(len(heard)))
     if "dead_channel" in changes:
         heard[channel] = 0
+    if "channels" in changes:
+        heard = heard[: changes["channels"]]
     if "clipped_channel" in changes:
         peak = 0.3 * np.max(np.abs(heard[channel]))
         heard[channel] = np.clip(heard[channel], -peak, peak)
@@ -73,10 +76,29 @@ def write(folder, truth, specimen):
                     [changed(record, unit, changes, n) for n, record in enumerate(records)])
     if isinstance(unit.machine.kinematics, dict):
         (folder / "kinematics.json").write_text(json.dumps(unit.machine.kinematics, indent=1) + "\n")
-    told = {"parts": [unit.machine.parts[kind] for kind in damages], "damages": damages, "changes": changes,
+    told = {"parts": truth_of(specimen), "damages": damages, "changes": changes,
             "index": {kind: index(records) for kind in damages}, "drawn": unit.draws.drawn}
     (truth / "truth.json").write_text(json.dumps(told, indent=1) + "\n")
     return told
+
+
+SHIPPED = Path(__file__).resolve().parents[3] / "bench/kinematics/rv20e.json"
+CLASSES = {"two_stage": TwoStageTrain, "planetary": PlanetaryStage}
+
+
+def truth_of(specimen):
+    """The damaged parts, as rvbench names them."""
+    return [CLASSES.get(specimen.machine, RvReducer).parts[kind] for kind in specimen.damages]
+
+
+def kinematics_of(specimen, folder):
+    """The file that a recording is to be judged by; an RV-20E's is the one that ships, with its planets."""
+    own = folder / "kinematics.json"
+    if not own.exists():
+        shipped = json.loads(SHIPPED.read_text())
+        shipped["rv_reducer"]["planets"] = specimen.planets
+        own.write_text(json.dumps(shipped))
+    return own
 
 
 def index(records):

@@ -1,0 +1,134 @@
+#include "bench/sound_units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "analysis/station/robust_limit.hpp"
+#include "analysis/statistics.hpp"
+#include "bench/run_folder.hpp"
+#include "hal/formats/choose_format.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using Files = std::vector<fs::path>;
+
+constexpr const char* verdict_name = "verdict.json";
+
+// A folder's own verdicts, or its recordings.
+Files files_below(const fs::path& folder) {
+  Files verdicts, recordings;
+  std::error_code ignored;
+  constexpr auto quietly = fs::directory_options::skip_permission_denied;
+  for (const auto& entry : fs::recursive_directory_iterator(folder, quietly, ignored)) {
+    if (!entry.is_regular_file(ignored) || entry.file_size(ignored) == 0) continue;
+    if (entry.path().filename() == verdict_name) verdicts.push_back(entry.path());
+    if (hal::formats::choose_format(entry.path())) recordings.push_back(entry.path());
+  }
+  return verdicts.empty() ? recordings : verdicts;
+}
+
+std::optional<fs::path> newest_verdict(const fs::path& runs, const std::string& serial) {
+  std::optional<fs::path> newest;
+  int number = -1;
+  for (const fs::path& run : folders_in(runs / folder_name_of(serial))) {
+    const int its = read_run_begin(run).number;
+    if (its <= number || !is_finished(run)) continue;
+    number = its;
+    newest = run / verdict_name;
+  }
+  return newest;
+}
+
+// What one part shows in each sound unit that could judge it.
+struct Shown {
+  std::vector<double> severities;
+  std::vector<double> visible;
+};
+
+Shown shown_by(const analysis::Signature& part, const std::vector<analysis::Diagnosis>& units) {
+  Shown shown;
+  for (const analysis::Diagnosis& unit : units) {
+    for (const analysis::Finding* f : unit.hypotheses()) {
+      const bool is_it = f->component == part.component && f->mechanism == part.mechanism;
+      if (!is_it || std::isnan(f->smallest_visible) || std::isnan(f->severity)) continue;
+      shown.severities.push_back(f->severity);
+      shown.visible.push_back(f->smallest_visible);
+    }
+  }
+  return shown;
+}
+
+struct Spread {
+  double median = 0, scatter = 0, factor = 0;
+};
+
+// Of so few units each counts; of more those that are unlike the others do not.
+Spread spread_of(const std::vector<double>& values) {
+  const std::size_t units = values.size();
+  Spread spread;
+  spread.median = analysis::median(values);
+  if (units < analysis::least_units_of_a_limit) {
+    spread.factor = analysis::one_sided_tolerance_factor(units, {});
+    double sum2 = 0;
+    for (const double value : values) sum2 += (value - spread.median) * (value - spread.median);
+    spread.scatter = std::sqrt(sum2 / static_cast<double>(units - 1));
+    return spread;
+  }
+  spread.factor = analysis::robust_tolerance_factor(units, {});
+  std::vector<double> off;
+  for (const double value : values) off.push_back(std::abs(value - spread.median));
+  constexpr double sigma_over_mad = 1.4826;
+  spread.scatter = sigma_over_mad * analysis::median(std::move(off));
+  return spread;
+}
+
+}  // namespace
+
+std::variant<Files, std::string> sound_files(const std::vector<std::string>& words,
+                                             const fs::path& runs) {
+  Files files;
+  for (const std::string& word : words) {
+    std::error_code ignored;
+    if (word.empty()) return std::string("a name is empty");
+    if (fs::is_directory(word, ignored)) {
+      const Files below = files_below(word);
+      if (below.empty()) return word + " holds no verdict.json and no recording";
+      files.insert(files.end(), below.begin(), below.end());
+    } else if (fs::exists(word, ignored)) {
+      files.emplace_back(word);
+    } else if (const auto verdict = newest_verdict(runs, word)) {
+      files.push_back(*verdict);
+    } else {
+      return word + " is no file or folder, and " + runs.string() +
+             " has no finished run of such a serial";
+    }
+  }
+  std::ranges::sort(files);
+  const auto twice = std::ranges::unique(files);
+  files.erase(twice.begin(), twice.end());
+  return files;
+}
+
+analysis::Kinematics with_sound_units(analysis::Kinematics kinematics,
+                                      const std::vector<analysis::Diagnosis>& units) {
+  for (analysis::Signature& part : kinematics.signatures) {
+    const Shown shown = shown_by(part, units);
+    if (shown.severities.size() < fewest_sound_units) continue;
+    Spread spread = spread_of(shown.severities);
+    spread.scatter = std::max(spread.scatter, std::ranges::max(shown.visible) / spread.factor);
+    part.sound_median = spread.median;
+    part.sound_scatter = spread.scatter;
+    part.depth_limit = spread.median + spread.factor * spread.scatter;
+    part.limit_why =
+        fmt::format("{} sound units: median {:.3g} and {:.1f} times their scatter of {:.3g}",
+                    shown.severities.size(), spread.median, spread.factor, spread.scatter);
+  }
+  return kinematics;
+}
+
+}  // namespace rvbench::bench

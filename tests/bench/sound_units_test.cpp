@@ -1,0 +1,100 @@
+#include "bench/sound_units.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "bench/text_file.hpp"
+#include "tests/bench/answers.hpp"
+#include "tests/bench/entered_run.hpp"
+#include "tests/bench/judgements.hpp"
+#include "tests/support/scratch_folder.hpp"
+#include "tests/support/signals.hpp"
+
+namespace rvbench::bench {
+namespace {
+
+using Catch::Matchers::Contains;
+using rvbench::test::ScratchFolder;
+
+analysis::Kinematics one_part() {
+  analysis::Kinematics k;
+  analysis::Signature part;
+  part.component = "shaft";
+  part.mechanism = "bend";
+  part.depth_limit = 0.5;
+  k.signatures = {part};
+  return k;
+}
+
+analysis::Diagnosis unit(double severity, double visible = 0.001) {
+  analysis::Finding finding;
+  finding.component = "shaft";
+  finding.mechanism = "bend";
+  finding.severity = severity;
+  finding.smallest_visible = visible;
+  analysis::Diagnosis diagnosis;
+  diagnosis.below_limit = {finding};
+  return diagnosis;
+}
+
+std::vector<analysis::Diagnosis> units_like(double mean, double scatter, int count) {
+  std::vector<analysis::Diagnosis> units;
+  const Eigen::VectorXd noise = rvbench::test::white_noise(count, 11);
+  for (const double x : noise) units.push_back(unit(mean + scatter * x));
+  return units;
+}
+
+double limit_by(const std::vector<analysis::Diagnosis>& units) {
+  return with_sound_units(one_part(), units).signatures[0].depth_limit;
+}
+
+std::string why_no_files(const std::vector<std::string>& words) {
+  const auto found = sound_files(words, "no_runs");
+  return found.index() == 1 ? std::get<1>(found) : "";
+}
+
+}  // namespace
+
+TEST_CASE("sound units set the limit above their own scatter", "[bench][sound]") {
+  const double limit = limit_by(units_like(0.2, 0.01, 40));
+  CHECK(limit > 0.2 + 3 * 0.01);
+  CHECK(limit < 0.2 + 6 * 0.01);
+}
+
+TEST_CASE("a bad unit among twenty sound ones moves the limit by less than a tenth",
+          "[bench][sound]") {
+  auto units = units_like(0.2, 0.01, 20);
+  const double clean = limit_by(units);
+  units[7] = unit(1.5);
+  CHECK(limit_by(units) == Approx(clean).epsilon(0.1));
+}
+
+TEST_CASE("of few units each counts, and their limit is wider", "[bench][sound]") {
+  CHECK(limit_by(units_like(0.2, 0.01, 4)) > limit_by(units_like(0.2, 0.01, 40)));
+}
+
+TEST_CASE("what sound units do not show may be as much as their noise hides", "[bench][sound]") {
+  const std::vector<analysis::Diagnosis> silent(5, unit(0, 0.03));
+  CHECK(limit_by(silent) == Approx(0.03));
+}
+
+TEST_CASE("a part that too few sound units could judge keeps its limit", "[bench][sound]") {
+  const std::vector<analysis::Diagnosis> blind(5, unit(0, not_known));
+  CHECK(limit_by(blind) == 0.5);
+}
+
+TEST_CASE("sound units are found by file, folder and serial", "[bench][sound]") {
+  const ScratchFolder scratch;
+  Judgement judgement = test::passed_run();
+  for (const char* serial : {"S1", "S2"}) {
+    judgement.facts.serial = serial;
+    test::enter_run(scratch / "runs", judgement);
+  }
+  const auto below = sound_files({(scratch / "runs").string()}, "no_runs");
+  REQUIRE(below.index() == 0);
+  CHECK(std::get<0>(below).size() == 2);
+  CHECK_THAT(why_no_files({"S3"}), Contains("S3"));
+  std::filesystem::create_directory(scratch / "empty");
+  CHECK_THAT(why_no_files({(scratch / "empty").string()}), Contains("no verdict.json"));
+}
+
+}  // namespace rvbench::bench
