@@ -43,15 +43,25 @@ struct Evidence {
 
 Evidence gather(const std::vector<Examination>& points, std::size_t signature) {
   Evidence evidence;
+  const auto shows = [](const SignatureScore& score) {
+    return score.p_value < significant_p && score.depth > 0;
+  };
+  std::size_t by_noise = 0;
   for (const Examination& point : points) {
     if (!point.resolvable) continue;
     const SignatureScore& score = point.scores[signature];
     if (!score.is_read()) continue;
     evidence.all.push_back(&score);
-    if (score.p_value < significant_p && score.depth > 0) {
-      evidence.shown_by.push_back(&point);
-      evidence.scores.push_back(&score);
-    }
+    by_noise += shows(score) && score.by_noise ? 1 : 0;
+  }
+  // What swings at a few points alone is a tone that runs through a resonance there.
+  const bool noise_counts = 2 * by_noise >= evidence.all.size();
+  for (const Examination& point : points) {
+    if (!point.resolvable) continue;
+    const SignatureScore& score = point.scores[signature];
+    if (!score.is_read() || !shows(score) || (score.by_noise && !noise_counts)) continue;
+    evidence.shown_by.push_back(&point);
+    evidence.scores.push_back(&score);
   }
   return evidence;
 }

@@ -18,6 +18,7 @@
 #include "analysis/indicators/hysteresis_record.hpp"
 #include "analysis/indicators/shaft_indicators.hpp"
 #include "analysis/indicators/signal_levels.hpp"
+#include "analysis/order/loud_tones.hpp"
 #include "analysis/order/resolution.hpp"
 #include "analysis/quality.hpp"
 #include "analysis/quality/record_quality.hpp"
@@ -217,6 +218,14 @@ std::vector<std::shared_ptr<const RecordPlaces>> places_of(
   return all;
 }
 
+// The lines of a channel without loud tones; empty if it has none.
+OrderLines quiet_lines(const Channel& channel, const OrderLines& lines, const Task& task) {
+  const auto from_gears = [&](double order) { return distance_from_gears(task.kinematics, order); };
+  const Channel quiet = without_loud_tones(channel, task.angle, lines, from_gears);
+  if (quiet.samples == channel.samples) return {};
+  return {quiet, task.angle, task.kinematics.period_turns};
+}
+
 ChannelResult examine_channel(const Channel& channel, std::vector<QualityNote> quality,
                               std::shared_ptr<const RecordPlaces> places, const Task& task) {
   ChannelResult out;
@@ -235,11 +244,13 @@ ChannelResult examine_channel(const Channel& channel, std::vector<QualityNote> q
   const OrderLines lines(channel, task.angle, task.kinematics.period_turns);
   out.examination.lines = spectral_lines(lines, task.kinematics);
   if (places != nullptr) {
-    out.residual = residual_envelope(lines, task.kinematics, highest_envelope(task.kinematics));
+    const OrderLines without_tones = quiet_lines(channel, lines, task);
+    const OrderLines& quiet = without_tones.empty() ? lines : without_tones;
+    out.residual = residual_envelope(quiet, task.kinematics, highest_envelope(task.kinematics));
     const auto held = [](const GearPlaces& gears, Eigen::Index in_spectrum) {
       return !gears.parts.empty() && std::ssize(gears.locked) <= in_spectrum;
     };
-    const Spectrum spectrum = lines.spectrum();
+    const Spectrum spectrum = quiet.spectrum();
     if (held(places->gears, spectrum.amplitude.size())) {
       out.places = places;
       out.gears = read_gears(spectrum, places->gears);

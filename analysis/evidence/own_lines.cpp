@@ -228,6 +228,22 @@ std::vector<PartLines> own_lines(const Kinematics& kinematics, double apart, dou
   return all;
 }
 
+double distance_from_gears(const Kinematics& kinematics, double order) {
+  double nearest = order;
+  const auto hold = [&](double turn, double path) {
+    for (const double at : spread(order, path)) {
+      nearest = std::min(nearest, std::abs(at - std::round(at / turn) * turn));
+    }
+  };
+  hold(1 / kinematics.period_turns, 0);
+  for (const Signature& part : kinematics.signatures) {
+    if (part.shows == Shows::as_blows || part.shows == Shows::as_printed) continue;
+    hold(part.order, 0);
+    if (part.turn > 0) hold(part.turn, part.path_order);
+  }
+  return nearest;
+}
+
 std::vector<bool> locked_lines(const Kinematics& kinematics, double resolution, std::size_t lines,
                                double reach) {
   std::vector<bool> locked(lines, false);

@@ -50,6 +50,10 @@ std::vector<double> sound_lines(const Kinematics& kinematics, double top_order);
 std::vector<PartLines> own_lines(const Kinematics& kinematics, double apart, double wander,
                                  double top_order);
 
+/// How far an order is from the nearest that gears, shafts and pins may reach, sound or damaged.
+/// Units  orders of the input shaft
+double distance_from_gears(const Kinematics& kinematics, double order);
+
 /// Lines of a spectrum that gears, shafts and pins may reach, sound or damaged: those within
 /// `reach` of a multiple of a turn, or of one over the gear train's period.
 ///

@@ -18,6 +18,8 @@ namespace rvbench::analysis {
 ///         gear keeps the lines at multiples of its order, and no others
 class OrderLines {
  public:
+  OrderLines() = default;  ///< empty
+
   /// Errors  throws std::invalid_argument: a sample is not finite
   OrderLines(const Channel& x, const ShaftAngle& angle, double period_turns);
 

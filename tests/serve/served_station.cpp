@@ -8,7 +8,7 @@
 #include "bench/text_file.hpp"
 #include "tests/spec/rvbench.hpp"
 #include "tests/support/replaced.hpp"
-#include "tests/support/source_dir.hpp"
+#include "tests/support/this_build.hpp"
 
 namespace rvbench::test {
 namespace {
