@@ -105,9 +105,9 @@ TEST_CASE("points of a plan that was edited since the verdict on show were not m
   CHECK(statuses() == Statuses{"done"});
   scanned(station, "g01");  // is refused: the verdict stays on show
   CHECK(statuses() == Statuses{"done"});
-  std::string edited = quick;
-  edited.replace(edited.find("[50, 100]"), 9, "[25, 100]");
-  bench::write_file(scratch / "plan.json", edited);
+  auto edited = nlohmann::ordered_json::parse(quick);
+  edited["main"][0]["loads_pct"] = {25, 100};
+  bench::write_file(scratch / "plan.json", edited.dump(2));
   scanned(station, "g01");
   CHECK(statuses() == Statuses{"open"});
 }
