@@ -43,9 +43,8 @@ struct Evidence {
 
 Evidence gather(const std::vector<Examination>& points, std::size_t signature) {
   Evidence evidence;
-  const auto shows = [](const SignatureScore& score) {
-    return score.p_value < significant_p && score.depth > 0;
-  };
+  // Also where its median channel has no more than noise: else only depths that noise raised count.
+  const auto shows = [](const SignatureScore& score) { return score.p_value < significant_p; };
   std::size_t by_noise = 0;
   for (const Examination& point : points) {
     if (!point.resolvable) continue;
@@ -92,13 +91,17 @@ std::string name_of(const Signature& s) {
   return fmt::format("{}: {} at order {:.4g}", s.component, s.mechanism, s.order);
 }
 
-// The median over the points; NaN where none could read a line of the part.
+// What half of the points would have shown, as a part has to; NaN where none could read a line of
+// it.
 double smallest_visible(const std::vector<const SignatureScore*>& scores) {
   std::vector<double> visible;
   for (const SignatureScore* score : scores) {
     if (!std::isnan(score->smallest_visible)) visible.push_back(score->smallest_visible);
   }
-  return visible.empty() ? not_known : median(std::move(visible));
+  if (visible.empty()) return not_known;
+  const auto middle = visible.begin() + (std::ssize(visible) - 1) / 2;
+  std::ranges::nth_element(visible, middle);
+  return *middle;
 }
 
 // The hypothesis as far as it goes whether or not a point shows it.
@@ -118,8 +121,12 @@ Finding weigh(const Signature& signature, const Evidence& evidence, double tests
   f.p_value = std::min(1.0, combined_p_value(p_values) * tests);
   for (const Examination* point : evidence.shown_by) f.points.push_back(point->source);
   f.smallest_visible = smallest_visible(evidence.all);
-  const Severity severity =
-      evidence.scores.empty() ? Severity{0, 0, f.smallest_visible} : severity_of(evidence.scores);
+  Severity severity{0, 0, f.smallest_visible};
+  if (!evidence.scores.empty()) severity = severity_of(evidence.scores);
+  if (severity.depth == 0) {
+    f.points.clear();  // what they show is no deeper than their noise
+    severity.high = f.smallest_visible;
+  }
   f.severity = severity.depth;
   f.severity_low = severity.low;
   f.severity_high = severity.high;
@@ -282,7 +289,7 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
   for (std::size_t s = 0; s < kinematics.signatures.size(); ++s) {
     Evidence evidence = gather(points, s);
     Finding f = weigh(kinematics.signatures[s], evidence, tests);
-    if (!evidence.shows(tests) || f.p_value >= significant_p) {
+    if (!evidence.shows(tests) || f.p_value >= significant_p || f.severity == 0) {
       d.not_shown.push_back(std::move(f));
       continue;
     }

@@ -96,7 +96,7 @@ Signature planet_signature(const SunStage& stage) {
           .turn = stage.planet,
           .path_order = stage.carrier,
           .load_growth = any_growth,
-          .depth_limit = 0.035,
+          .depth_limit = 0.045,
           .limit_why = "assumed: one tooth among many may not stand out by more than its share",
           .advice = "open the reducer and look at the planets' flanks; replace the planet pair"};
 }

@@ -38,8 +38,7 @@ class JudgeCommand final : public Command {
   std::string summary() const override { return "diagnoses stored recordings of one machine"; }
   std::string examples() const override {
     return "  rvbench judge IR007_0.mat --kinematics cwru_6205 --rate 12000 --speed 1797\n"
-           "  rvbench judge suspect.csv --kinematics two_stage --rate 12800 --speed 1780 --sound "
-           "good/\n"
+           "  rvbench judge suspect.h5 --kinematics two_stage --sound good/\n"
            "  rvbench judge runs/A17/20260102T030405Z/recording.h5 --kinematics rv20e --json\n";
   }
   std::vector<Option> options() override {

@@ -69,7 +69,13 @@ TEST_CASE("a bad unit among twenty sound ones moves the limit by less than a ten
 }
 
 TEST_CASE("of few units each counts, and their limit is wider", "[bench][sound]") {
-  CHECK(limit_by(units_like(0.2, 0.01, 4)) > limit_by(units_like(0.2, 0.01, 40)));
+  std::vector<analysis::Diagnosis> few, many;
+  for (int i = 0; i < 40; ++i) {
+    const double alike = 0.2 + 0.01 * std::vector<double>{-1, -0.3, 0.3, 1}[std::size_t(i % 4)];
+    many.push_back(unit(alike));
+    if (i < 4) few.push_back(unit(alike));
+  }
+  CHECK(limit_by(few) > limit_by(many));
 }
 
 TEST_CASE("what sound units do not show may be as much as their noise hides", "[bench][sound]") {
