@@ -43,7 +43,7 @@ Signature ring_signature(const SunStage& stage) {
           .shows = Shows::as_teeth,
           .strikes = true,
           .turn = passing,
-          .depth_limit = 0.035,
+          .depth_limit = 0.045,
           .limit_why = "assumed: one tooth among many may not stand out by more than its share",
           .advice = "look at the ring's flanks; replace the ring"};
 }
