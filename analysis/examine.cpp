@@ -40,6 +40,8 @@ constexpr double relevant_correlation = 0.1;      // an IMF below it says nothin
 struct RecordPlaces {
   GearPlaces gears;
   GearPlaces noise;
+  ResidualPlaces residual;
+  std::vector<double> sound;  // orders that a sound machine has
 };
 
 // What one channel came to.
@@ -208,6 +210,9 @@ std::vector<std::shared_ptr<const RecordPlaces>> places_of(
     }
     const auto lines = envelope_lines(turns, top_order, highest_envelope(kinematics));
     auto of_channel = std::make_shared<RecordPlaces>();
+    of_channel->residual =
+        residual_places(turns, top_order, kinematics, highest_envelope(kinematics));
+    of_channel->sound = sound_lines(kinematics, top_order);
     of_channel->gears = line_places(turns, top_order, angle.mean_speed_Hz(), is_placed, kinematics);
     if (lines > 0) {
       of_channel->noise = envelope_places(kinematics, 1 / turns, static_cast<std::size_t>(lines));
@@ -219,11 +224,12 @@ std::vector<std::shared_ptr<const RecordPlaces>> places_of(
 }
 
 // The lines of a channel without loud tones; empty if it has none.
-OrderLines quiet_lines(const Channel& channel, const OrderLines& lines, const Task& task) {
+OrderLines quiet_lines(const Channel& channel, const OrderLines& lines,
+                       const std::vector<double>& sound, const Task& task) {
   const auto from_gears = [&](double order) { return distance_from_gears(task.kinematics, order); };
-  const Channel quiet = without_loud_tones(channel, task.angle, lines, from_gears);
-  if (quiet.samples == channel.samples) return {};
-  return {quiet, task.angle, task.kinematics.period_turns};
+  const auto quiet = without_loud_tones(channel, task.angle, lines, sound, from_gears);
+  if (!quiet) return {};
+  return {*quiet, task.angle, task.kinematics.period_turns};
 }
 
 ChannelResult examine_channel(const Channel& channel, std::vector<QualityNote> quality,
@@ -244,13 +250,13 @@ ChannelResult examine_channel(const Channel& channel, std::vector<QualityNote> q
   const OrderLines lines(channel, task.angle, task.kinematics.period_turns);
   out.examination.lines = spectral_lines(lines, task.kinematics);
   if (places != nullptr) {
-    const OrderLines without_tones = quiet_lines(channel, lines, task);
+    const OrderLines without_tones = quiet_lines(channel, lines, places->sound, task);
     const OrderLines& quiet = without_tones.empty() ? lines : without_tones;
-    out.residual = residual_envelope(quiet, task.kinematics, highest_envelope(task.kinematics));
+    out.residual = residual_envelope(quiet, places->residual);
     const auto held = [](const GearPlaces& gears, Eigen::Index in_spectrum) {
       return !gears.parts.empty() && std::ssize(gears.locked) <= in_spectrum;
     };
-    const Spectrum spectrum = quiet.spectrum();
+    const Spectrum& spectrum = quiet.spectrum();
     if (held(places->gears, spectrum.amplitude.size())) {
       out.places = places;
       out.gears = read_gears(spectrum, places->gears);

@@ -52,6 +52,13 @@ Eigen::VectorXcd transformed(Plans& plans, Eigen::VectorXcd x, int sign) {
   return x;
 }
 
+bool is_fast(Eigen::Index length) {
+  for (const Eigen::Index factor : {2, 3, 5}) {
+    while (length % factor == 0) length /= factor;
+  }
+  return length == 1;
+}
+
 }  // namespace
 
 Eigen::VectorXcd fft(const Eigen::Ref<const Eigen::VectorXd>& x) {
@@ -96,13 +103,14 @@ Eigen::VectorXcd inverse_complex_fft(Eigen::VectorXcd lines) {
 
 Eigen::Index next_fast_length(Eigen::Index n) {
   if (n < 1) throw std::invalid_argument("next_fast_length: n = " + std::to_string(n));
-  for (Eigen::Index length = n;; ++length) {
-    Eigen::Index rest = length;
-    for (const Eigen::Index factor : {2, 3, 5}) {
-      while (rest % factor == 0) rest /= factor;
-    }
-    if (rest == 1) return length;
-  }
+  while (!is_fast(n)) ++n;
+  return n;
+}
+
+Eigen::Index fast_length_within(Eigen::Index n) {
+  if (n < 1) return n;
+  while (!is_fast(n)) --n;
+  return n;
 }
 
 }  // namespace rvbench::analysis

@@ -33,4 +33,7 @@ Eigen::VectorXcd inverse_complex_fft(Eigen::VectorXcd lines);
 /// Source  FFTW manual, "Complex DFTs": sizes of small factors are the fast ones
 Eigen::Index next_fast_length(Eigen::Index n);
 
+/// The largest such length that is no more than n.
+Eigen::Index fast_length_within(Eigen::Index n);
+
 }  // namespace rvbench::analysis

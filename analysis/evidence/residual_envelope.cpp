@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "analysis/fft.hpp"
 
@@ -69,24 +70,34 @@ Index envelope_lines(double turns, double top_order, double highest_order) {
   return asked < fewest_lines ? 0 : asked;
 }
 
-ResidualEnvelope residual_envelope(const OrderLines& x, const Kinematics& kinematics,
-                                   double highest_order) {
+ResidualPlaces residual_places(double turns, double top_order, const Kinematics& kinematics,
+                               double highest_order) {
+  ResidualPlaces places;
+  const auto count = static_cast<Index>(top_order * turns);
+  const Index asked = envelope_lines(turns, top_order, highest_order);
+  if (count < fewest_lines || asked == 0) return places;
+  places.is_periodic = repeats(kinematics, turns);
+  const double reach = places.is_periodic ? 0.25 : window_reach;
+  places.gears = locked_lines(kinematics, 1 / turns, static_cast<std::size_t>(count), reach);
+  places.locked = locked_lines(kinematics, 1 / turns, static_cast<std::size_t>(asked), reach);
+  return places;
+}
+
+ResidualEnvelope residual_envelope(const OrderLines& x, const ResidualPlaces& places) {
   ResidualEnvelope result;
   if (x.empty()) return result;
   result.resolution = 1 / x.turns();
   result.order_error = x.angle_is_measured() ? 0 : stated_slip;
-  const auto count = std::min(x.lines().size(), static_cast<Index>(x.top_order() * x.turns()));
-  const Index asked = envelope_lines(x.turns(), x.top_order(), highest_order);
+  const Index count = std::min(x.lines().size(), std::ssize(places.gears));
+  const Index asked = std::ssize(places.locked);
   if (count < fewest_lines || asked == 0) return result;
 
-  const bool is_periodic = repeats(kinematics, x.turns());
-  const double reach = is_periodic ? 0.25 : window_reach;
+  const bool is_periodic = places.is_periodic;
   Eigen::VectorXcd lines =
       is_periodic ? Eigen::VectorXcd(x.lines().head(count)) : lines_under_hann(x.lines(), count);
   const auto samples = static_cast<double>(x.samples());
   const double scale = 2 / (samples * samples) / (is_periodic ? 1 : 1.5);
-  std::vector<bool> taken =
-      locked_lines(kinematics, result.resolution, static_cast<std::size_t>(count), reach);
+  std::vector<bool> taken(places.gears.begin(), places.gears.begin() + count);
   const std::vector<bool> tones = tones_among(lines, taken);
   for (Index i = 0; i < count; ++i) {
     const auto line = static_cast<std::size_t>(i);
@@ -112,8 +123,7 @@ ResidualEnvelope residual_envelope(const OrderLines& x, const Kinematics& kinema
   if (!(mean > 0)) return result;
   Spectrum depth{result.resolution, 2 / mean * envelope.head(asked).cwiseAbs()};
   depth.amplitude.head(3).setZero();
-  result.locked =
-      locked_lines(kinematics, result.resolution, static_cast<std::size_t>(asked), reach);
+  result.locked = places.locked;
   result.lines = line_floor(depth, result.locked);
   const Eigen::VectorXcd windowed = is_periodic ? lines_under_hann(envelope, asked) : envelope;
   result.windowed = {result.resolution, 2 / mean * windowed.head(asked).cwiseAbs()};

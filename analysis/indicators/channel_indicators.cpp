@@ -198,7 +198,7 @@ ChannelIndicators channel_indicators(const Channel& x, const OrderLines& lines,
   List list(x.info.unit);
   add_whole(x, list);
   if (lines.empty()) return {list.sorted(), {}};
-  const Spectrum spectrum = lines.spectrum();
+  const Spectrum& spectrum = lines.spectrum();
   const LineFloor floor = line_floor(
       spectrum, static_cast<Eigen::Index>(std::lround(lines.turns() / kinematics.period_turns)));
   const Task task{lines, spectrum, floor, kinematics, heard};

@@ -72,11 +72,32 @@ double power_near(const Spectrum& orders, double order) {
   return highest;
 }
 
+// A look at a piece of the record, which costs little: whether it has a tone where a sound machine
+// has none.
+bool may_have_loud_tone(const Channel& x, double mean_speed_Hz, const std::vector<double>& sound) {
+  constexpr Index piece = 16384;
+  constexpr double apart = 2;  // lines of the piece
+  const Index n = std::min(piece, x.samples.size());
+  const auto middle = x.samples.segment((x.samples.size() - n) / 2, n);
+  const double power = (middle.array() - middle.mean()).square().mean();
+  const Spectrum spectrum = amplitude_spectrum(middle, x.rate_Hz, Window::hann);
+  const double resolution = spectrum.resolution / mean_speed_Hz;
+  const auto is_strange = [&](const Peak& peak) {
+    const double order = peak.at * resolution, near = apart * resolution;
+    const auto next = std::ranges::lower_bound(sound, order - near);
+    return next == sound.end() || *next > order + near;
+  };
+  return loudest(spectrum, loud * power, is_strange).has_value();
+}
+
 }  // namespace
 
-Channel without_loud_tones(const Channel& x, const ShaftAngle& angle, const OrderLines& lines,
-                           const std::function<double(double order)>& from_gears) {
+std::optional<Channel> without_loud_tones(const Channel& x, const ShaftAngle& angle,
+                                          const OrderLines& lines, const std::vector<double>& sound,
+                                          const std::function<double(double order)>& from_gears) {
+  if (lines.empty() || !may_have_loud_tone(x, lines.mean_speed_Hz(), sound)) return {};
   Channel quiet = x;
+  bool is_changed = false;
   const Index n = x.samples.size();
   const double mean_Hz = lines.mean_speed_Hz();
   Spectrum orders = lines.spectrum();
@@ -104,8 +125,10 @@ Channel without_loud_tones(const Channel& x, const ShaftAngle& angle, const Orde
       }
     }
     subtract(quiet.samples, phase_rad);
+    is_changed = true;
     orders = OrderLines(quiet, angle, lines.turns()).spectrum();
   }
+  if (!is_changed) return {};
   return quiet;
 }
 

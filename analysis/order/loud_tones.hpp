@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <vector>
 
 #include "analysis/order/order_lines.hpp"
 
@@ -14,12 +16,14 @@ namespace rvbench::analysis {
 /// A tone is fixed in Hz if it is narrower there than over the shaft's angle; else it follows the
 /// shaft, and goes where no gear has a line so near. The louder go first, eight at the most.
 ///
-/// @param lines      of the channel
+/// @param lines       of the channel
+/// @param sound       orders that a sound machine has, ascending: a tone on one of them stays
 /// @param from_gears  how far an order is from the nearest that a gear may have, in orders
-/// @return as `x`, where there are none
+/// @return nothing where there are none
 /// Source  of the frequency between two lines: Jain, Collins & Davis, IEEE Trans. Instrum. Meas.
 ///         28(2), 113-122 (1979), for a Hann window
-Channel without_loud_tones(const Channel& x, const ShaftAngle& angle, const OrderLines& lines,
-                           const std::function<double(double order)>& from_gears);
+std::optional<Channel> without_loud_tones(const Channel& x, const ShaftAngle& angle,
+                                          const OrderLines& lines, const std::vector<double>& sound,
+                                          const std::function<double(double order)>& from_gears);
 
 }  // namespace rvbench::analysis

@@ -31,20 +31,16 @@ OrderLines::OrderLines(const Channel& x, const ShaftAngle& angle, double period_
   top_order_ = top_order_of(x.rate_Hz, angle);
   lines_ = fft(samples_);
   lines_[0] = 0;  // but for rounding
+  const Eigen::Index n = lines_.size();
+  spectrum_ = {1 / turns_, Eigen::VectorXd::Zero(n)};
+  if (n < 3) return;
+  const double scale = 2 / static_cast<double>(samples_.size());
+  spectrum_.amplitude = scale * lines_under_hann(lines_, n).cwiseAbs2().cwiseSqrt();
+  spectrum_.amplitude[0] = std::abs(mean_);
 }
 
 double OrderLines::top_order_of(double rate_Hz, const ShaftAngle& angle) {
   return held * rate_Hz / angle.mean_speed_Hz();
-}
-
-Spectrum OrderLines::spectrum() const {
-  const Eigen::Index n = lines_.size();
-  Spectrum spectrum{1 / turns_, Eigen::VectorXd::Zero(n)};
-  if (n < 3) return spectrum;
-  const double scale = 2 / static_cast<double>(samples_.size());
-  spectrum.amplitude = scale * lines_under_hann(lines_, n).cwiseAbs2().cwiseSqrt();
-  spectrum.amplitude[0] = std::abs(mean_);
-  return spectrum;
 }
 
 Eigen::VectorXd OrderLines::between(double from, double to) const {

@@ -35,7 +35,7 @@ class OrderLines {
 
   /// Amplitudes under a Hann window, as amplitude_spectrum() has them; the last line, at half the
   /// rate, is 0.
-  Spectrum spectrum() const;
+  const Spectrum& spectrum() const { return spectrum_; }
 
   /// fft() of the samples about their mean, `turns()` lines an order.
   const Eigen::VectorXcd& lines() const { return lines_; }
@@ -54,6 +54,7 @@ class OrderLines {
  private:
   Eigen::VectorXd samples_;  ///< about their mean
   Eigen::VectorXcd lines_;   ///< fft() of them
+  Spectrum spectrum_;        ///< of `lines_`, under a Hann window
   double mean_ = 0;
   double turns_ = 0;
   double top_order_ = 0;

@@ -61,7 +61,9 @@ analysis::Spectrum spectrum_of(const Deciding& d, const Channel& channel, Record
   if (lines.empty()) return {};
   if (!d.is_in_envelope()) return lines.spectrum();
   const double highest = 1.1 * std::ranges::max(d.score->line_orders);
-  return analysis::residual_envelope(lines, input.kinematics, highest).windowed;
+  const auto places =
+      analysis::residual_places(lines.turns(), lines.top_order(), input.kinematics, highest);
+  return analysis::residual_envelope(lines, places).windowed;
 }
 
 std::string figure_of(const Deciding& d, const ReportInput& input) {

@@ -24,7 +24,8 @@ constexpr double outer_race = 5.5 * (1 - 5.0 / 26) * race_order;
 ResidualEnvelope residual_of(const Eigen::VectorXd& x) {
   const Kinematics k = test::small_reducer();
   const analysis::OrderLines lines(ball_shaft.channel(x), ball_shaft.angle(), k.period_turns);
-  return analysis::residual_envelope(lines, k, 20);
+  return analysis::residual_envelope(
+      lines, analysis::residual_places(lines.turns(), lines.top_order(), k, 20));
 }
 
 // One sample long, `order` times per turn, with a scatter of a hundredth of the step.
