@@ -10,13 +10,14 @@
 namespace rvbench::analysis {
 namespace {
 
-// Equal planets cancel what is alike in their meshes, unless it comes in phase. Where the teeth put
-// a neighbour of a cancelled mesh line in phase, a sound swing seems deep beside the mesh.
+// Equal planets cancel what is alike in their meshes, unless it comes in phase. Beside a mesh that
+// is cancelled a sound swing seems deeper, and most where the teeth put its own line in phase.
 double shaft_limit(const SunStage& stage) {
   if (stage.planets == 1) return 0.15;
   const int off = stage.sun_teeth % stage.planets;
   const bool neighbours_add = off == 1 || off == stage.planets - 1;
-  return neighbours_add ? 0.25 : 0.06;
+  if (neighbours_add) return 0.25;
+  return off == 0 ? 0.06 : 0.1;
 }
 
 void check(const PlanetaryGeometry& g) {

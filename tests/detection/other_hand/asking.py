@@ -36,7 +36,8 @@ def judged(specimen, folder, truth, program, *words):
 
 
 def hypotheses(document):
-    return [f for key in ("findings", "below_limit", "not_shown") for f in document.get(key, [])]
+    """Each with where it stands: "findings", "below_limit", "not_shown"."""
+    return [f | {"standing": key} for key in ("findings", "below_limit", "not_shown") for f in document.get(key, [])]
 
 
 def just_visible(specimen, program, scratch):
@@ -74,8 +75,8 @@ def ask(specimen, program):
     return row | {
         "damages": asked.damages, "index": told["index"], "drawn": told["drawn"], "verdict": document["verdict"],
         "findings": [{key: f[key] for key in KEPT if key in f} for f in document.get("findings", [])],
-        "parts": {f["component"]: [f["severity"], f["smallest_visible"], f["limit"]] for f in hypotheses(document)
-                  if "smallest_visible" in f},
+        "parts": {f["component"]: [f["severity"], f["smallest_visible"], f["limit"], f["standing"]]
+                  for f in hypotheses(document) if "smallest_visible" in f},
         "unknown": document.get("unknown", []),
         "notes": [q for q in document.get("quality", []) if not isinstance(q, dict) or q.get("invalidates")][:3],
         "written_s": spent_s[0], "judged_s": spent_s[1]}

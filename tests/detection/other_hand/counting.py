@@ -90,6 +90,13 @@ def twice(rows):
     print(f"judged twice: {len(both)}; the same verdict: {same}")
 
 
+def seen(rows):
+    """Of damage that was made as large as what a sound record said would be seen, how much was shown."""
+    shown = [r for r in rows if any(r.get("parts", {}).get(part, ["not_shown"])[-1] != "not_shown" for part in r["truth"])]
+    if rows:
+        print(f"{rows[0]['part']}: {len(rows)} units; shown: {len(shown)}")
+
+
 def quartiles(rows):
     drawn = defaultdict(list)
     for row in rows:
@@ -115,5 +122,7 @@ def report(rows, whole=False):
     print("\nconfidence")
     reliability(rows)
     twice([row for row in rows if row["part"] == "remounted"])
+    for part in ("above_visible", "below_visible"):
+        seen([row for row in rows if row["part"] == part])
     print("\ndrawn: quartiles")
     quartiles(rows)
