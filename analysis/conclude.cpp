@@ -205,11 +205,43 @@ void share_cages(std::vector<Shown>& shown, const Kinematics& kinematics) {
   }
 }
 
+// Blows of a bad bearing slip, and meet lines of gears by chance: where they sound, a gear that is
+// hardly to be seen is not shown.
+void drop_doubtful(std::vector<Shown>& shown, const Kinematics& kinematics, Diagnosis& d) {
+  constexpr double plainly = 2;  // times what would just be seen
+  const auto rolls = [&](const Shown& s) {
+    return kinematics.signatures[s.signature].shows == Shows::as_blows;
+  };
+  const bool is_struck =
+      std::ranges::any_of(shown, [&](const Shown& s) { return rolls(s) && s.is_bad(); });
+  if (!is_struck) return;
+  const auto is_doubtful = [&](const Shown& s) {
+    return !rolls(s) && s.finding.severity < plainly * s.finding.smallest_visible;
+  };
+  for (Shown& s : shown) {
+    if (!is_doubtful(s)) continue;
+    s.finding.points.clear();
+    d.not_shown.push_back(s.finding);
+  }
+  std::erase_if(shown, is_doubtful);
+}
+
+// Whether a gear's lines may be what those of a far worse one in its mesh spread, as the speed
+// wanders.
+bool is_spread_by(const Shown& lesser, const Shown& graver, const Kinematics& kinematics) {
+  constexpr double far_worse = 10;
+  return share_a_mesh(lesser.signature, graver.signature, kinematics) &&
+         far_worse * lesser.finding.severity < graver.finding.severity;
+}
+
 // Names the gravest of those before it that it may follow from.
 void relate(std::vector<Shown>& shown, const Kinematics& kinematics) {
   for (std::size_t i = 1; i < shown.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (!may_follow_from(shown[i].signature, shown[j].signature, kinematics)) continue;
+      if (!may_follow_from(shown[i].signature, shown[j].signature, kinematics) &&
+          !is_spread_by(shown[i], shown[j], kinematics)) {
+        continue;
+      }
       const Finding& graver = shown[j].finding;
       shown[i].finding.may_follow_from = graver.component + ": " + graver.mechanism;
       break;
@@ -241,14 +273,23 @@ std::vector<UnknownFamily> unknown_of(const std::vector<Examination>& points) {
 
 // Lines of the signal itself that modulate a mesh and have many harmonics, which no single tone, no
 // mains and no inverter does. A family at a multiple of a known part's order is that part's.
-bool is_damage_like(const SpectralLine& family, const Kinematics& kinematics) {
+bool is_damage_like(const SpectralLine& family, const Diagnosis& d, const Kinematics& kinematics) {
   constexpr int fewest_harmonics = 4, fewest_sidebands = 2;
   constexpr double same = 2e-3;  // relative
   const bool is_known = std::ranges::any_of(kinematics.orders, [&](const CharacteristicOrder& o) {
     const double multiple = std::max(1.0, std::round(family.order / o.order));
     return std::abs(family.order - multiple * o.order) < same * family.order;
   });
-  return !is_known && family.harmonics >= fewest_harmonics && family.sidebands >= fewest_sidebands;
+  // Blows that slip are the bearing's that was found.
+  constexpr double jitter = 0.01;
+  const auto hypotheses = d.hypotheses();
+  const bool is_found = std::ranges::any_of(hypotheses, [&](const Finding* f) {
+    if (f->points.empty()) return false;
+    const double multiple = std::max(1.0, std::round(family.order / f->order));
+    return std::abs(family.order - multiple * f->order) < jitter * family.order;
+  });
+  return !is_known && !is_found && family.harmonics >= fewest_harmonics &&
+         family.sidebands >= fewest_sidebands;
 }
 
 UnknownFamily unknown_family(const SpectralLine& family, const std::vector<Examination>& points) {
@@ -298,6 +339,7 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
     shown.push_back({s, std::move(f), std::move(evidence), own});
   }
   std::ranges::stable_sort(shown, is_graver);
+  drop_doubtful(shown, kinematics, d);
   join_twins(shown, kinematics);
   share_cages(shown, kinematics);
   relate(shown, kinematics);
@@ -312,7 +354,7 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
   d.unknown = unknown_of(points);
   d.unexplained = unexplained_families(points, kinematics);
   for (const SpectralLine& family : d.unexplained) {
-    if (is_damage_like(family, kinematics)) d.unknown.push_back(unknown_family(family, points));
+    if (is_damage_like(family, d, kinematics)) d.unknown.push_back(unknown_family(family, points));
   }
   return d;
 }

@@ -23,6 +23,20 @@ bool have_the_same_lines(const Signature& a, const Signature& b) {
   return a.shows == Shows::as_teeth && b.shows == Shows::as_teeth && turn_alike(a, b);
 }
 
+bool share_a_mesh(std::size_t one, std::size_t other, const Kinematics& kinematics) {
+  const Signature& a = kinematics.signatures[one];
+  const Signature& b = kinematics.signatures[other];
+  if (a.shows != Shows::as_teeth || b.shows != Shows::as_teeth || turn_alike(a, b)) return false;
+  return std::ranges::any_of(kinematics.meshes, [&](const GearMesh& mesh) {
+    const auto holds = [&](const Signature& part) {
+      return std::ranges::any_of(mesh.gears, [&](const MeshingGear& gear) {
+        return std::abs(gear.order - part.turn) <= 1e-9 * part.turn;
+      });
+    };
+    return holds(a) && holds(b);
+  });
+}
+
 bool may_follow_from(std::size_t lesser, std::size_t graver, const Kinematics& kinematics) {
   const Signature& consequence = kinematics.signatures[lesser];
   const Signature& cause = kinematics.signatures[graver];

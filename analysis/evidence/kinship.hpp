@@ -16,4 +16,7 @@ bool have_the_same_lines(const Signature& a, const Signature& b);
 /// @param lesser, graver  indices into kinematics.signatures
 bool may_follow_from(std::size_t lesser, std::size_t graver, const Kinematics& kinematics);
 
+/// Whether both are gears of one mesh, and none sits on the other's shaft.
+bool share_a_mesh(std::size_t one, std::size_t other, const Kinematics& kinematics);
+
 }  // namespace rvbench::analysis

@@ -290,6 +290,78 @@ TEST_CASE("a family that no part explains is listed where most points show it",
   CHECK(d.findings.empty());
 }
 
+TEST_CASE("the severity counts points that show a part no deeper than their noise",
+          "[analysis][conclude]") {
+  std::vector<Examination> points{point("a", {0.6, 1e-9}, nothing)};
+  for (const char* source : {"b", "c"}) {
+    points.push_back(point(source, {0, 1e-9}, nothing));
+    points.back().scores[0].depth2_variance = 1e-4;
+  }
+  const Diagnosis d = conclude(points, two_parts());
+  CHECK(d.findings.empty());
+  CHECK(d.hypotheses().front()->severity == 0);
+}
+
+TEST_CASE("noise that swings at a few points alone is no finding", "[analysis][conclude]") {
+  std::vector<Examination> points;
+  for (const char* source : {"a", "b", "c"}) points.push_back(point(source, {0.5, 1e-9}, nothing));
+  points[0].scores[0].by_noise = true;
+  CHECK(conclude(points, two_parts()).findings.at(0).points == std::vector<std::string>{"b", "c"});
+  points[1].scores[0].by_noise = true;
+  CHECK(conclude(points, two_parts()).findings.at(0).points.size() == 3);
+}
+
+TEST_CASE("what would be seen is what half of the points would show", "[analysis][conclude]") {
+  std::vector<Examination> points;
+  for (const double visible : {0.05, 0.4, 0.06, 0.3}) {
+    points.push_back(point("p", nothing, nothing));
+    points.back().scores[0].smallest_visible = visible;
+  }
+  const Diagnosis d = conclude(points, two_parts());
+  for (const analysis::Finding& part : d.not_shown) {
+    if (part.component == "shaft") CHECK(part.smallest_visible == 0.06);
+  }
+}
+
+TEST_CASE("beside a bearing that strikes, a gear has to be seen plainly", "[analysis][conclude]") {
+  Kinematics k = two_parts();
+  k.signatures[0].shows = analysis::Shows::as_blows;
+  k.signatures[1].shows = analysis::Shows::as_teeth;
+  Examination e = point("a", {0.9, 1e-30}, {0.25, 1e-9});
+  e.scores[1].smallest_visible = 0.2;
+  REQUIRE(conclude({e}, k).findings.size() == 1);
+  CHECK(conclude({e}, k).findings[0].component == "shaft");
+  e.scores[1].smallest_visible = 0.1;
+  CHECK(conclude({e}, k).findings.size() == 2);
+}
+
+TEST_CASE("a gear may be what a far worse one in its mesh spreads", "[analysis][conclude]") {
+  Kinematics k = two_parts();
+  for (Signature& s : k.signatures) {
+    s.shows = analysis::Shows::as_teeth;
+    s.turn = s.order;
+    s.depth_limit = 0.02;
+  }
+  k.meshes = {{"mesh", 40, {{"shaft", 2, 20}, {"gear", 2.5, 16}}}};
+  const Diagnosis d = conclude({point("a", {0.9, 1e-30}, {0.05, 1e-9})}, k);
+  REQUIRE(d.findings.size() == 2);
+  CHECK(d.findings[1].may_follow_from == "shaft: wear");
+  const Diagnosis both = conclude({point("a", {0.9, 1e-30}, {0.5, 1e-9})}, k);
+  CHECK(both.findings.at(1).may_follow_from.empty());
+}
+
+TEST_CASE("severity is told in scatters of sound units, where these are known",
+          "[analysis][conclude]") {
+  Kinematics k = two_parts();
+  k.signatures[0].sound_median = 0.1;
+  k.signatures[0].sound_scatter = 0.05;
+  const Diagnosis d = conclude({point("a", {0.5, 1e-12}, {0.5, 1e-12})}, k);
+  for (const analysis::Finding& f : d.findings) {
+    if (f.component == "shaft") CHECK(f.over_sound == Approx(8));
+    if (f.component == "gear") CHECK(std::isnan(f.over_sound));
+  }
+}
+
 TEST_CASE("hypotheses are all parts, those that show first", "[analysis][conclude]") {
   const Diagnosis d = conclude({point("a", nothing, {0.5, 1e-12})}, two_parts());
   const auto all = d.hypotheses();

@@ -132,6 +132,35 @@ TEST_CASE("limits that the results remember are not forgotten with the ledger", 
   CHECK(std::get<0>(in_force()).version == "v1");
 }
 
+TEST_CASE("the depth of each part is learnt from what good units show, or their noise may hide",
+          "[bench][limits]") {
+  const ScratchFolder root;
+  const Eigen::VectorXd noise = rvbench::test::white_noise(24, 4);
+  for (int i = 0; i < 24; ++i) {
+    Judgement judgement = test::passed_run();
+    judgement.facts.serial = fmt::format("U{:02}", i);
+    analysis::Finding shaft = test::misaligned_shaft();
+    shaft.severity = i == 5 ? 0.9 : 0.1 + 0.01 * noise[i];
+    judgement.diagnosis.findings.clear();
+    judgement.diagnosis.below_limit = {shaft};
+    analysis::Finding sun = test::silent_sun();
+    sun.severity_high = 0.02 + 0.002 * noise[23 - i];
+    judgement.diagnosis.not_shown = {sun};
+    test::enter_run(root.path(), judgement);
+  }
+  const test::CommandAnswer learnt = test::limits(
+      root.path(), {"learn", "v1", "--plan", "quick", "--measure", "modulation_depth"});
+  CHECK(learnt.code == 0);
+  CHECK_THAT(learnt.out, Contains("modulation_depth of input_shaft: max") &&
+                             Contains("unlike the others: U05") &&
+                             Contains("modulation_depth of pin_housing: not learnt: 0 units"));
+  const auto file = std::get<0>(read_limits_file(limits_path(root.path(), "v1")));
+  for (const sequences::Limit& limit : file.limits) {
+    if (limit.component == "input_shaft") CHECK(limit.max == Approx(0.15).margin(0.02));
+    if (limit.component == "sun_gear") CHECK(limit.max == Approx(0.03).margin(0.005));
+  }
+}
+
 TEST_CASE("simulated units teach no limit where real ones do", "[bench][limits]") {
   const ScratchFolder root;
   enter(root, good_peaks(20));

@@ -33,6 +33,18 @@ TEST_CASE("without angle and speed there are no orders", "[bench]") {
                   std::invalid_argument);
 }
 
+TEST_CASE("the report shows the lines that decided, and what the article alone would name",
+          "[bench]") {
+  ReportInput input = failed_input();
+  input.kinematics.signatures[0].mechanism = "misalignment";
+  input.kinematics.signatures[0].order = 1;
+  input.judgement.points.front().examination.scores.resize(1);
+  input.kinematics.period_turns = 1;
+  const std::string html = make_report(input);
+  CHECK_THAT(html, Contains("<h2>What decided</h2>") && Contains("input shaft: accel_1x"));
+  CHECK_THAT(html, Contains("by the envelopes of IMF 1 to 5 alone?"));
+}
+
 TEST_CASE("the report tells the worst of each indicator, where, and what the plan allows",
           "[bench]") {
   ReportInput input = failed_input();

@@ -53,6 +53,17 @@ TEST_CASE("the acceptance plan is the article's procedure", "[sequences][plan]")
   CHECK(recorded_s == Approx(1848));
 }
 
+TEST_CASE("a plan lets no channel fail unless it says so", "[sequences][plan]") {
+  CHECK(shipped("quick").channels_may_fail == 0);
+  const std::string lenient = small_with("{", "{\"channels_may_fail\": 2, ");
+  const auto plan = sequences::parse_plan(hal::ConfigReader::from_text(lenient, "plan.json"));
+  REQUIRE(plan.index() == 0);
+  CHECK(std::get<0>(plan).channels_may_fail == 2);
+  CHECK(sequences::plan_to_json(std::get<0>(plan)).find("\"channels_may_fail\": 2") !=
+        std::string::npos);
+  CHECK_FALSE(faults_of(small_with("{", "{\"channels_may_fail\": -1, ")).empty());
+}
+
 TEST_CASE("the quick plan has four points", "[sequences][plan]") {
   CHECK(shipped("quick").points().size() == 4);
   CHECK(sequences::planned_duration_s(shipped("quick")) == Approx(5 + 2 * (24 + 16) + 4 * 2));
