@@ -109,8 +109,7 @@ std::variant<Files, std::string> sound_files(const std::vector<std::string>& wor
     }
   }
   std::ranges::sort(files);
-  const auto twice = std::ranges::unique(files);
-  files.erase(twice.begin(), twice.end());
+  files.erase(std::unique(files.begin(), files.end()), files.end());
   return files;
 }
 
