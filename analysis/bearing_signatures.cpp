@@ -29,7 +29,8 @@ std::vector<Signature> bearing_signatures(const BearingGeometry& bearing, double
         .limit_why = "assumed: a sound race leaves no periodic blows; what noise leaves is less",
         .advice = "replace the bearing; look for the cause in load, fit and grease"};
   };
-  // What stands under the load is struck alike all the time; what turns, once per its turn more.
+  // A race that stands has its defect always under the same load. One that turns carries it through
+  // the load once per turn.
   const bool inner_stands = bearing.inner_stands;
   const std::vector<double> once_per_turn{race_order}, alike;
   const double cage_in_load = inner_stands ? 1 - o.cage : o.cage;

@@ -9,6 +9,7 @@
 #include "analysis/evidence/kinship.hpp"
 #include "analysis/evidence/lines_by_depth.hpp"
 #include "analysis/evidence/severity.hpp"
+#include "analysis/order/resolution.hpp"
 #include "analysis/statistics.hpp"
 #include "analysis/unexplained_families.hpp"
 #include "hal/types/units.hpp"
@@ -45,21 +46,21 @@ Evidence gather(const std::vector<Examination>& points, std::size_t signature) {
   Evidence evidence;
   // Also where its median channel has no more than noise: else only depths that noise raised count.
   const auto shows = [](const SignatureScore& score) { return score.p_value < significant_p; };
+  std::vector<const Examination*> read;
   std::size_t by_noise = 0;
   for (const Examination& point : points) {
-    if (!point.resolvable) continue;
     const SignatureScore& score = point.scores[signature];
-    if (!score.is_read()) continue;
+    if (!point.resolvable || !score.is_read()) continue;
+    read.push_back(&point);
     evidence.all.push_back(&score);
     by_noise += shows(score) && score.by_noise ? 1 : 0;
   }
-  // What swings at a few points alone is a tone that runs through a resonance there.
+  // Noise that swings at a few points only is no damage: a tone passes a resonance there.
   const bool noise_counts = 2 * by_noise >= evidence.all.size();
-  for (const Examination& point : points) {
-    if (!point.resolvable) continue;
-    const SignatureScore& score = point.scores[signature];
-    if (!score.is_read() || !shows(score) || (score.by_noise && !noise_counts)) continue;
-    evidence.shown_by.push_back(&point);
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    const SignatureScore& score = *evidence.all[i];
+    if (!shows(score) || (score.by_noise && !noise_counts)) continue;
+    evidence.shown_by.push_back(read[i]);
     evidence.scores.push_back(&score);
   }
   return evidence;
@@ -91,8 +92,8 @@ std::string name_of(const Signature& s) {
   return fmt::format("{}: {} at order {:.4g}", s.component, s.mechanism, s.order);
 }
 
-// What half of the points would have shown, as a part has to; NaN where none could read a line of
-// it.
+// A part must show in half of the points, so this is the least severity that half of them would
+// have shown. NaN where no point could read a line of the part.
 double smallest_visible(const std::vector<const SignatureScore*>& scores) {
   std::vector<double> visible;
   for (const SignatureScore* score : scores) {
@@ -226,8 +227,8 @@ void drop_doubtful(std::vector<Shown>& shown, const Kinematics& kinematics, Diag
   std::erase_if(shown, is_doubtful);
 }
 
-// Whether a gear's lines may be what those of a far worse one in its mesh spread, as the speed
-// wanders.
+// A wandering speed spreads the lines of a bad gear over its neighbours'. A gear that shows far
+// less than another in its mesh may show nothing else.
 bool is_spread_by(const Shown& lesser, const Shown& graver, const Kinematics& kinematics) {
   constexpr double far_worse = 10;
   return share_a_mesh(lesser.signature, graver.signature, kinematics) &&
@@ -277,16 +278,13 @@ bool is_damage_like(const SpectralLine& family, const Diagnosis& d, const Kinema
   constexpr int fewest_harmonics = 4, fewest_sidebands = 2;
   constexpr double same = 2e-3;  // relative
   const bool is_known = std::ranges::any_of(kinematics.orders, [&](const CharacteristicOrder& o) {
-    const double multiple = std::max(1.0, std::round(family.order / o.order));
-    return std::abs(family.order - multiple * o.order) < same * family.order;
+    return is_multiple(family.order, o.order, same);
   });
   // Blows that slip are the bearing's that was found.
   constexpr double jitter = 0.01;
   const auto hypotheses = d.hypotheses();
   const bool is_found = std::ranges::any_of(hypotheses, [&](const Finding* f) {
-    if (f->points.empty()) return false;
-    const double multiple = std::max(1.0, std::round(family.order / f->order));
-    return std::abs(family.order - multiple * f->order) < jitter * family.order;
+    return !f->points.empty() && is_multiple(family.order, f->order, jitter);
   });
   return !is_known && !is_found && family.harmonics >= fewest_harmonics &&
          family.sidebands >= fewest_sidebands;

@@ -15,6 +15,11 @@ struct Spectrum {
 
 enum class Window { rectangular, hann };
 
+/// Lines of noise that one under a Hann window holds, and the power of a tone over its three lines,
+/// which read 1/2, 1 and 1/2 of its amplitude.
+/// Source  Harris, Proc. IEEE 66(1), 51-83 (1978), table 1: equivalent noise bandwidth
+inline constexpr double lines_per_hann_line = 1.5;
+
 /// Amplitude spectrum of x, calibrated so that a sine of amplitude a on a line reads a.
 ///
 /// Shape   N uniform samples → N/2 + 1 lines, resolution = rate / N

@@ -13,8 +13,7 @@
 namespace rvbench::analysis {
 namespace {
 
-constexpr Eigen::Index noise_lines = 20;     // to each side, that tell of the noise
-constexpr double lines_per_hann_line = 1.5;  // equivalent noise bandwidth
+constexpr Eigen::Index noise_lines = 20;  // to each side, that tell of the noise
 
 }  // namespace
 

@@ -84,6 +84,11 @@ analysis::BearingGeometry read_bearing(hal::ConfigReader& b, const char* fixed =
   return geometry;
 }
 
+double read_rated_Nm(hal::ConfigReader& reducer) {
+  constexpr const char* key = "rated_output_torque_Nm";
+  return reducer.has(key) ? reducer.number(key, {0.1, 100000}) : not_known;
+}
+
 analysis::Kinematics read_rv_reducer(const std::string& machine, hal::ConfigReader& root) {
   hal::ConfigReader rv = root.object("rv_reducer");
   const analysis::RvGeometry geometry{.sun_teeth = rv.integer("sun_teeth", teeth),
@@ -97,9 +102,7 @@ analysis::Kinematics read_rv_reducer(const std::string& machine, hal::ConfigRead
   }
   analysis::BearingGeometry bearing;
   if (auto b = rv.optional_object("crank_bearing")) bearing = read_bearing(*b);
-  const double rated_Nm = rv.has("rated_output_torque_Nm")
-                              ? rv.number("rated_output_torque_Nm", {0.1, 100000})
-                              : not_known;
+  const double rated_Nm = read_rated_Nm(rv);
   root.finish();
   if (!root.faults().empty()) return {};
   analysis::Kinematics kinematics = analysis::rv_reducer(machine, geometry, bearing);
@@ -115,9 +118,7 @@ analysis::Kinematics read_planetary(const std::string& machine, hal::ConfigReade
                                              .planets = stage.integer("planets", {1, 12})};
   analysis::BearingGeometry bearing;
   if (auto b = stage.optional_object("planet_bearing")) bearing = read_bearing(*b, "inner");
-  const double rated_Nm = stage.has("rated_output_torque_Nm")
-                              ? stage.number("rated_output_torque_Nm", {0.1, 100000})
-                              : not_known;
+  const double rated_Nm = read_rated_Nm(stage);
   const int fitting = geometry.sun_teeth + 2 * geometry.planet_teeth;
   if (std::abs(geometry.ring_teeth - fitting) > analysis::most_shifted_teeth) {
     stage.fault("ring_teeth", fmt::format("must be about sun_teeth + 2 planet_teeth, {}", fitting));

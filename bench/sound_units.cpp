@@ -67,7 +67,7 @@ struct Spread {
   double median = 0, scatter = 0, factor = 0;
 };
 
-// Of so few units each counts; of more those that are unlike the others do not.
+// Of few units each counts. Of more, those that are unlike the others do not.
 Spread spread_of(const std::vector<double>& values) {
   const std::size_t units = values.size();
   Spread spread;
@@ -80,11 +80,12 @@ Spread spread_of(const std::vector<double>& values) {
     return spread;
   }
   spread.factor = analysis::robust_tolerance_factor(units, {});
-  std::vector<double> off;
-  for (const double value : values) off.push_back(std::abs(value - spread.median));
-  constexpr double sigma_over_mad = 1.4826;
-  spread.scatter = sigma_over_mad * analysis::median(std::move(off));
-  return spread;
+  const auto learnt = analysis::robust_limit(values, analysis::LimitSide::max, spread.factor);
+  if (const auto* limit = std::get_if<analysis::RobustLimit>(&learnt)) {
+    spread.median = limit->median;
+    spread.scatter = (limit->limit - limit->median) / spread.factor;
+  }
+  return spread;  // else half of them are alike, and scatter as far as their noise hides
 }
 
 }  // namespace

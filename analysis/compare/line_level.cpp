@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "analysis/compare/block_floor.hpp"
+#include "analysis/spectrum.hpp"
 #include "analysis/statistics.hpp"
 
 namespace rvbench::analysis {
 namespace {
 
-constexpr double hann_noise_lines = 1.5;
 constexpr Eigen::Index near_lines = 60, line_width = 12;  // slip smears a line
 constexpr Eigen::Index lowest_hann = 3;                   // clear of what is left of the mean
 
@@ -57,7 +57,7 @@ std::optional<LineLevel> line_level(const Spectrum& spectrum, const LineFloor& f
   LineLevel level;
   Eigen::Index highest = reach->from;
   for (Eigen::Index i = reach->from; i <= reach->to; ++i) {
-    level.power = std::max(level.power, floor.power.segment(i - 1, 3).sum() / hann_noise_lines);
+    level.power = std::max(level.power, floor.power.segment(i - 1, 3).sum() / lines_per_hann_line);
     if (floor.power[i] > floor.power[highest]) highest = i;
   }
   NearNoise noise{floor.floor[highest], floor.floor_lines[highest]};

@@ -6,8 +6,6 @@
 namespace rvbench::analysis {
 namespace {
 
-constexpr int last_imf = 5;
-
 // The highest line within slip of an order: −ln p of it, for all the lines looked at.
 ArticleReading::Line line_at(const EnvelopeSpectra& envelope, double order, double slip) {
   const LineFloor& floor = envelope.lines;
@@ -37,7 +35,7 @@ ArticleReading::ArticleReading(const Kinematics& kinematics) {
 }
 
 void ArticleReading::add(const EnvelopeSpectra& envelope, int imf) {
-  if (imf > last_imf || envelope.lines.power.size() < 4) return;
+  if (imf > article_imfs || envelope.lines.power.size() < 4) return;
   ++envelopes_;
   for (Part& part : parts_) {
     if (part.order > envelope.highest_order) continue;

@@ -7,13 +7,16 @@
 
 namespace rvbench::analysis {
 
+/// The article shows the envelopes of so many IMFs.
+inline constexpr int article_imfs = 5;
+
 /// The article's own reading: how far the line at each part's order stands above noise in the
 /// Hilbert envelope spectra of the first IMFs.
 class ArticleReading {
  public:
   explicit ArticleReading(const Kinematics& kinematics);
 
-  /// @param imf  1-based; the article shows envelopes of the first five
+  /// @param imf  1-based; beyond article_imfs it is not read
   void add(const EnvelopeSpectra& envelope, int imf);
 
   /// Σ over the IMFs of −ln p of the line, less what noise has

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "analysis/evidence/article_reading.hpp"
 #include "analysis/evidence/record_resolution.hpp"
 #include "analysis/order/resolution.hpp"
 
@@ -111,7 +112,7 @@ std::optional<ArticleRule> alone(const std::vector<Examination>& points,
   for (const Signature& signature : kinematics.signatures) parts.push_back({signature.component});
   for (const Examination& point : points) {
     if (point.scores.size() != parts.size()) continue;
-    envelopes += 5 * static_cast<double>(point.channels.size());
+    envelopes += article_imfs * static_cast<double>(point.channels.size());
     for (std::size_t s = 0; s < parts.size(); ++s) {
       parts[s].statistic += point.scores[s].article_statistic;
     }

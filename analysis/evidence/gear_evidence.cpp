@@ -16,7 +16,6 @@ namespace {
 
 using Index = Eigen::Index;
 
-constexpr double lobe_power = 1.5;  // of a Hann line of amplitude 1, over three lines
 constexpr double hann_reach = 1.5;  // lines: what of it lies further away is below 0.1 %
 // A line that is not so many times above what is beside it is part of something broader: a tone
 // that does not follow the shaft and wanders over the lines, or another part's comb.
@@ -101,7 +100,7 @@ class GearReader {
       r.mesh2 += line2;
       r.mesh2_variance += variance(at, line2);
     }
-    if (part.mesh.empty()) r.mesh2 = floor_.power.sum() / lobe_power;
+    if (part.mesh.empty()) r.mesh2 = floor_.power.sum() / lines_per_hann_line;
     pick(part, r);
     return r;
   }
@@ -114,7 +113,8 @@ class GearReader {
 
   // Without noise.
   double amplitude2(Index at) const {
-    return (floor_.power.segment(at - 1, 3) - floor_.floor.segment(at - 1, 3)).sum() / lobe_power;
+    return (floor_.power.segment(at - 1, 3) - floor_.floor.segment(at - 1, 3)).sum() /
+           lines_per_hann_line;
   }
 
   // |a + n|² of a line a in complex noise of mean power F varies by F² + 2·F·|a|². Lines under a

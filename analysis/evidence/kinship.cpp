@@ -6,10 +6,7 @@
 namespace rvbench::analysis {
 namespace {
 
-bool turn_alike(const Signature& a, const Signature& b) {
-  constexpr double same = 1e-9;
-  return a.turn > 0 && std::abs(a.turn - b.turn) <= same * a.turn;
-}
+constexpr double same_turn = 1e-9;  // relative
 
 bool is_part_of(std::size_t signature, const RollingBearing& b) {
   return signature == b.inner || signature == b.outer || signature == b.ball ||
@@ -18,9 +15,19 @@ bool is_part_of(std::size_t signature, const RollingBearing& b) {
 
 }  // namespace
 
+bool turn_alike(const Signature& a, const Signature& b) {
+  return a.turn > 0 && std::abs(a.turn - b.turn) <= same_turn * a.turn;
+}
+
 bool have_the_same_lines(const Signature& a, const Signature& b) {
   if (a.shows == Shows::as_printed) return b.shows == a.shows && a.order == b.order;
   return a.shows == Shows::as_teeth && b.shows == Shows::as_teeth && turn_alike(a, b);
+}
+
+bool is_gear_of(const GearMesh& mesh, double turn) {
+  return std::ranges::any_of(mesh.gears, [&](const MeshingGear& gear) {
+    return std::abs(gear.order - turn) <= same_turn * turn;
+  });
 }
 
 bool share_a_mesh(std::size_t one, std::size_t other, const Kinematics& kinematics) {
@@ -28,12 +35,7 @@ bool share_a_mesh(std::size_t one, std::size_t other, const Kinematics& kinemati
   const Signature& b = kinematics.signatures[other];
   if (a.shows != Shows::as_teeth || b.shows != Shows::as_teeth || turn_alike(a, b)) return false;
   return std::ranges::any_of(kinematics.meshes, [&](const GearMesh& mesh) {
-    const auto holds = [&](const Signature& part) {
-      return std::ranges::any_of(mesh.gears, [&](const MeshingGear& gear) {
-        return std::abs(gear.order - part.turn) <= 1e-9 * part.turn;
-      });
-    };
-    return holds(a) && holds(b);
+    return is_gear_of(mesh, a.turn) && is_gear_of(mesh, b.turn);
   });
 }
 

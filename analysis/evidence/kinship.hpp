@@ -6,6 +6,9 @@
 
 namespace rvbench::analysis {
 
+/// Whether two parts turn together, in whatever meshes.
+bool turn_alike(const Signature& a, const Signature& b);
+
 /// Whether no line of any record parts two signatures: gears on one shaft, of other meshes,
 /// and rows of a table that print the same frequency.
 bool have_the_same_lines(const Signature& a, const Signature& b);
@@ -15,6 +18,9 @@ bool have_the_same_lines(const Signature& a, const Signature& b);
 ///
 /// @param lesser, graver  indices into kinematics.signatures
 bool may_follow_from(std::size_t lesser, std::size_t graver, const Kinematics& kinematics);
+
+/// Whether a gear of the mesh makes so many turns per input turn, against what carries the mesh.
+bool is_gear_of(const GearMesh& mesh, double turn);
 
 /// Whether both are gears of one mesh, and none sits on the other's shaft.
 bool share_a_mesh(std::size_t one, std::size_t other, const Kinematics& kinematics);

@@ -5,11 +5,12 @@
 #include <cstddef>
 #include <iterator>
 
+#include "analysis/evidence/kinship.hpp"
+
 namespace rvbench::analysis {
 namespace {
 
-constexpr int path_harmonics = 2;   // a path that turns has a mean, a first and a second harmonic
-constexpr double same_turn = 1e-9;  // relative
+constexpr int path_harmonics = 2;  // a path that turns has a mean, a first and a second harmonic
 constexpr std::size_t fewest_own = 12;  // lines that make a comb of its own
 
 // The places of a line that a turning path spreads.
@@ -39,10 +40,20 @@ std::vector<double> harmonics_of(const GearMesh& mesh, double top_order) {
   return orders;
 }
 
-bool is_gear_of(const GearMesh& mesh, double turn) {
-  return std::ranges::any_of(mesh.gears, [&](const MeshingGear& gear) {
-    return std::abs(gear.order - turn) <= same_turn * turn;
-  });
+// Multiples of a turn, spread by a path.
+struct Comb {
+  double turn = 0, path = 0;
+};
+
+// Of gears, shafts and pins, sound or damaged, and of the gear train's period.
+std::vector<Comb> combs_of(const Kinematics& kinematics) {
+  std::vector<Comb> combs{{1 / kinematics.period_turns, 0}};
+  for (const Signature& part : kinematics.signatures) {
+    if (part.shows == Shows::as_blows || part.shows == Shows::as_printed) continue;
+    combs.push_back({part.order, 0});
+    if (part.turn > 0) combs.push_back({part.turn, part.path_order});
+  }
+  return combs;
 }
 
 class PartCombs {
@@ -139,8 +150,7 @@ class PartCombs {
 
   bool is_held_by_another(const Signature& part, double order) const {
     return std::ranges::any_of(k_.signatures, [&](const Signature& other) {
-      return other.shows == Shows::as_teeth &&
-             std::abs(other.turn - part.turn) > same_turn * part.turn &&
+      return other.shows == Shows::as_teeth && !turn_alike(part, other) &&
              comb_holds(other.turn, other.path_order, order, apart_);
     });
   }
@@ -230,16 +240,10 @@ std::vector<PartLines> own_lines(const Kinematics& kinematics, double apart, dou
 
 double distance_from_gears(const Kinematics& kinematics, double order) {
   double nearest = order;
-  const auto hold = [&](double turn, double path) {
-    for (const double at : spread(order, path)) {
-      nearest = std::min(nearest, std::abs(at - std::round(at / turn) * turn));
+  for (const Comb& comb : combs_of(kinematics)) {
+    for (const double at : spread(order, comb.path)) {
+      nearest = std::min(nearest, std::abs(at - std::round(at / comb.turn) * comb.turn));
     }
-  };
-  hold(1 / kinematics.period_turns, 0);
-  for (const Signature& part : kinematics.signatures) {
-    if (part.shows == Shows::as_blows || part.shows == Shows::as_printed) continue;
-    hold(part.order, 0);
-    if (part.turn > 0) hold(part.turn, part.path_order);
   }
   return nearest;
 }
@@ -256,16 +260,10 @@ std::vector<bool> locked_lines(const Kinematics& kinematics, double resolution, 
       }
     }
   };
-  const auto mark_comb = [&](double turn, double path) {
-    for (double h = 0; h <= top; h += turn) {
-      for (const double order : spread(h, path)) mark(order);
+  for (const Comb& comb : combs_of(kinematics)) {
+    for (double h = 0; h <= top; h += comb.turn) {
+      for (const double order : spread(h, comb.path)) mark(order);
     }
-  };
-  mark_comb(1 / kinematics.period_turns, 0);
-  for (const Signature& part : kinematics.signatures) {
-    if (part.shows == Shows::as_blows || part.shows == Shows::as_printed) continue;
-    mark_comb(part.order, 0);
-    if (part.turn > 0) mark_comb(part.turn, part.path_order);
   }
   return locked;
 }

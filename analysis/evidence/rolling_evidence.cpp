@@ -9,6 +9,7 @@
 
 #include "analysis/evidence/decoy_p_value.hpp"
 #include "analysis/evidence/visibility.hpp"
+#include "analysis/order/resolution.hpp"
 #include "analysis/statistics.hpp"
 
 namespace rvbench::analysis {
@@ -387,9 +388,7 @@ bool is_of_shaft(double spacing, const std::vector<ResidualEnvelope>& channels,
                  const Kinematics& kinematics) {
   const double off = channels.front().order_error;
   return off > 0 && std::ranges::any_of(kinematics.signatures, [&](const Signature& part) {
-           const double multiple = std::round(spacing / part.order);
-           return part.shows == Shows::as_turning && multiple >= 1 &&
-                  std::abs(spacing - multiple * part.order) < off * spacing;
+           return part.shows == Shows::as_turning && is_multiple(spacing, part.order, off);
          });
 }
 

@@ -23,15 +23,8 @@ struct Peak {
 };
 
 double power_around(const Spectrum& spectrum, Index i) {
-  constexpr double lobe = 1.5;  // of a Hann line of amplitude 1, over three lines
-  return spectrum.amplitude.segment(i - beside, 2 * beside + 1).squaredNorm() / lobe / 2;
-}
-
-Peak peak_at(const Spectrum& spectrum, Index i) {
-  const double below = spectrum.amplitude[i - 1], above = spectrum.amplitude[i + 1];
-  const double ratio = std::max(below, above) / spectrum.amplitude[i];
-  const double off = (2 * ratio - 1) / (ratio + 1);
-  return {static_cast<double>(i) + (above > below ? off : -off), power_around(spectrum, i)};
+  return spectrum.amplitude.segment(i - beside, 2 * beside + 1).squaredNorm() /
+         lines_per_hann_line / 2;
 }
 
 // The loudest line that is accepted; nothing where none carries enough.
@@ -42,7 +35,7 @@ std::optional<Peak> loudest(const Spectrum& spectrum, double least_power, Accept
     const double a = spectrum.amplitude[i];
     const bool is_top = a >= spectrum.amplitude[i - 1] && a > spectrum.amplitude[i + 1];
     if (!is_top || a * a < least_power) continue;
-    const Peak peak = peak_at(spectrum, i);
+    const Peak peak{place_of_tone(spectrum.amplitude, i), power_around(spectrum, i)};
     if (peak.power < least_power || (best && peak.power <= best->power)) continue;
     if (accepted(peak)) best = peak;
   }

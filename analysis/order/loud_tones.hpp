@@ -20,8 +20,7 @@ namespace rvbench::analysis {
 /// @param sound       orders that a sound machine has, ascending: a tone on one of them stays
 /// @param from_gears  how far an order is from the nearest that a gear may have, in orders
 /// @return nothing where there are none
-/// Source  of the frequency between two lines: Jain, Collins & Davis, IEEE Trans. Instrum. Meas.
-///         28(2), 113-122 (1979), for a Hann window
+/// Source  ours; of the frequency between two lines place_of_tone()
 std::optional<Channel> without_loud_tones(const Channel& x, const ShaftAngle& angle,
                                           const OrderLines& lines, const std::vector<double>& sound,
                                           const std::function<double(double order)>& from_gears);

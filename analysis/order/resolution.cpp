@@ -13,6 +13,11 @@ constexpr double rounding = 1e-9;  // relative: a record of just enough turns is
 
 }  // namespace
 
+bool is_multiple(double order, double of, double off) {
+  const double multiple = std::max(1.0, std::round(order / of));
+  return std::abs(order - multiple * of) < off * order;
+}
+
 double turns_to_part(double order_a, double order_b) {
   constexpr Require require{"turns_to_part"};
   require(std::isfinite(order_a) && std::isfinite(order_b), "an order is not finite");

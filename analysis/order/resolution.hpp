@@ -29,6 +29,11 @@ constexpr double near_order(double order, double resolution, bool angle_is_measu
   return same_line * resolution > by_speed ? same_line * resolution : by_speed;
 }
 
+/// Whether an order is a multiple of another, as far as it may be off.
+/// @param off  relative to `order`
+/// Units  of the orders. Errors  none thrown. Source  definition
+bool is_multiple(double order, double of, double off);
+
 /// Turns of the reference shaft that a record must span to part two orders: 4 / |a − b|. Orders
 /// 120/121 and 1 take 484 input turns, four of the output.
 ///

@@ -26,8 +26,7 @@ constexpr Eigen::Index trimmed = 16;       // samples of the demodulated carrier
 constexpr double same_spacing = 1;         // line
 constexpr double off_by_rounding = 1e-9;   // depth or index
 constexpr int most_multiples = 12;
-constexpr double faded = 1.0 / 3;            // of the mean modulus
-constexpr double lines_per_hann_line = 1.5;  // equivalent noise bandwidth
+constexpr double faded = 1.0 / 3;  // of the mean modulus
 
 // A carrier turned back to order 0.
 struct Demodulated {

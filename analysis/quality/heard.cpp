@@ -12,12 +12,11 @@ namespace {
 
 constexpr double lowest_Hz = 20;    // below: 1/f noise of amplifiers, and what AC coupling leaves
 constexpr double highest = 0.4;     // of the sample rate: below the anti-alias filter's slope
-constexpr double hann_lines = 1.5;  // noise power of a Hann window whose tones read true
 constexpr Eigen::Index few_lines = 8;  // an octave of fewer has no middle worth the name
 
 // Mean square of the signal within some lines.
 double power_of(const Eigen::Ref<const Eigen::VectorXd>& amplitude) {
-  return amplitude.squaredNorm() / 2 / hann_lines;
+  return amplitude.squaredNorm() / 2 / lines_per_hann_line;
 }
 
 }  // namespace
@@ -43,7 +42,7 @@ Heard heard(const Channel& channel) {
     // Noise power is exponentially distributed: its mean is the median over ln 2.
     const double middle = median({octave.data(), octave.data() + octave.size()});
     const double density = middle * middle / std::numbers::ln2;
-    noise += density * static_cast<double>(octave.size()) / 2 / hann_lines;
+    noise += density * static_cast<double>(octave.size()) / 2 / lines_per_hann_line;
     lowest = std::min(lowest, density);
     loudest = std::max(loudest, density);
   }

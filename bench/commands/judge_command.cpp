@@ -57,8 +57,7 @@ class JudgeCommand final : public Command {
          {"derived", "published"}},
         {"--sound",
          "sound units of the same kind, whose scatter sets the limits: recordings, folders of "
-         "runs, "
-         "of answers of --out or of recordings, or serials",
+         "runs, of answers of --out or of recordings, or serials",
          &sound_},
         {"--runs", "folder of run folders, where serials are looked for; default: " + runs_,
          &runs_},
@@ -71,6 +70,8 @@ class JudgeCommand final : public Command {
   int read_machine(Console& console);
   int check_options(Console& console, OutFolder& folder) const;
   int load(Console& console);
+  std::variant<std::vector<Recording>, JudgeRefusal> read_files(
+      const std::vector<std::string>& files) const;
   int learn_from_sound(Console& console);
   std::variant<Judgement, int> judged_sound(Console& console, const std::filesystem::path& file);
   void tell_notes(Console& console) const;
@@ -200,22 +201,23 @@ std::variant<Judgement, int> JudgeCommand::judged_sound(Console& console,
     }
     return std::move(*judgement);
   }
-  auto read = recordings_to_judge({.files = {file.string()},
-                                   .hints = {.rate_Hz = rate_Hz_.value_or(not_known),
-                                             .speed_rpm = speed_rpm_.value_or(not_known)},
-                                   .channel = channel_,
-                                   .stop = stop_});
+  auto read = read_files({file.string()});
   if (const auto* refusal = std::get_if<JudgeRefusal>(&read)) return refuse(refusal->reason);
   return judge(console, std::get<0>(read), false, "sound unit");
 }
 
+std::variant<std::vector<Recording>, JudgeRefusal> JudgeCommand::read_files(
+    const std::vector<std::string>& files) const {
+  return recordings_to_judge({.files = files,
+                              .hints = {.rate_Hz = rate_Hz_.value_or(not_known),
+                                        .speed_rpm = speed_rpm_.value_or(not_known)},
+                              .channel = channel_,
+                              .stop = stop_});
+}
+
 // Reads every file, and tells what was not obvious about them. @return why not, or done
 int JudgeCommand::load(Console& console) {
-  auto read = recordings_to_judge({.files = files_,
-                                   .hints = {.rate_Hz = rate_Hz_.value_or(not_known),
-                                             .speed_rpm = speed_rpm_.value_or(not_known)},
-                                   .channel = channel_,
-                                   .stop = stop_});
+  auto read = read_files(files_);
   if (const auto* refusal = std::get_if<JudgeRefusal>(&read)) {
     return refusal->exit_code == exit_codes::usage ? refuse_usage(console, refusal->reason)
                                                    : refuse_data(console, refusal->reason);

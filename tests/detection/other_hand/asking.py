@@ -6,7 +6,7 @@ import time
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from specimen import kinematics_of, truth_of, write
+from specimen import index, kinematics_of, records_of, truth_of, write
 
 ROOT = Path(__file__).resolve().parents[3]
 KEPT = ("component", "mechanism", "severity", "limit", "confidence", "one_of", "may_follow_from", "p_value")
@@ -51,11 +51,10 @@ def just_visible(specimen, program, scratch):
     visible = [f["smallest_visible"] for f in hypotheses(document) if f["component"] == part]
     if not visible or visible[0] is None:
         return None
-    severity, index = 1.0, None
-    for step in range(3):
-        there = replace(specimen, damages={kind: severity}, changes={})
-        index = write(scratch / "tried", scratch / f"tried_truth_{step}", there)["index"][kind]
-        severity *= times * visible[0] / index
+    severity = 1.0
+    for _ in range(3):
+        _, records = records_of(replace(specimen, damages={kind: severity}, changes={}))
+        severity *= times * visible[0] / index(records)
     return replace(specimen, damages={kind: severity})
 
 

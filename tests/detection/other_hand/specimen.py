@@ -63,13 +63,18 @@ def changed(record, unit, changes, point):
     return heard
 
 
+def records_of(specimen):
+    """Its unit, and a record of each point."""
+    unit = Unit(machine_of(specimen.machine, specimen.planets), specimen.seed, specimen.sitting)
+    unit.angle_noise_rad = specimen.changes.get("angle_noise_rad", unit.angle_noise_rad)
+    return unit, [unit.record(point, rpm, load, specimen.damages, specimen.changes.get("noise_scale", 1.0))
+                  for point, (rpm, load) in enumerate(specimen.points)]
+
+
 def write(folder, truth, specimen):
     """Writes the specimen's recording into one folder, its truth into another, and returns the truth."""
-    unit = Unit(machine_of(specimen.machine, specimen.planets), specimen.seed, specimen.sitting)
+    unit, records = records_of(specimen)
     changes, damages = specimen.changes, specimen.damages
-    unit.angle_noise_rad = changes.get("angle_noise_rad", unit.angle_noise_rad)
-    records = [unit.record(point, rpm, load, damages, changes.get("noise_scale", 1.0))
-               for point, (rpm, load) in enumerate(specimen.points)]
     folder.mkdir(parents=True, exist_ok=True)
     truth.mkdir(parents=True, exist_ok=True)
     write_recording(folder / "recording.h5", unit, records,
