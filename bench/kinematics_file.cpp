@@ -50,9 +50,10 @@ void read_sizes(hal::ConfigReader& b, analysis::BearingGeometry& geometry) {
 constexpr double whole_within = 0.02;
 
 void read_races(hal::ConfigReader& b, analysis::BearingGeometry& geometry) {
+  const std::size_t faults_before = b.faults().size();
   const double outer = b.number("outer_race_order", race_orders);
   const double inner = b.number("inner_race_order", race_orders);
-  if (!b.faults().empty()) return;
+  if (b.faults().size() > faults_before) return;
   const double sum = outer + inner;
   if (std::abs(sum - std::round(sum)) > whole_within) {
     b.fault("inner_race_order",
@@ -111,18 +112,20 @@ analysis::Kinematics read_rv_reducer(const std::string& machine, hal::ConfigRead
 }
 
 analysis::Kinematics read_planetary(const std::string& machine, hal::ConfigReader& root) {
+  const std::size_t faults_before = root.faults().size();
   hal::ConfigReader stage = root.object("planetary");
   const analysis::PlanetaryGeometry geometry{.sun_teeth = stage.integer("sun_teeth", teeth),
                                              .planet_teeth = stage.integer("planet_teeth", teeth),
                                              .ring_teeth = stage.integer("ring_teeth", teeth),
                                              .planets = stage.integer("planets", {1, 12})};
+  const int fitting = geometry.sun_teeth + 2 * geometry.planet_teeth;
+  const bool are_stated = root.faults().size() == faults_before;
+  if (are_stated && std::abs(geometry.ring_teeth - fitting) > analysis::most_shifted_teeth) {
+    stage.fault("ring_teeth", fmt::format("must be about sun_teeth + 2 planet_teeth, {}", fitting));
+  }
   analysis::BearingGeometry bearing;
   if (auto b = stage.optional_object("planet_bearing")) bearing = read_bearing(*b, "inner");
   const double rated_Nm = read_rated_Nm(stage);
-  const int fitting = geometry.sun_teeth + 2 * geometry.planet_teeth;
-  if (std::abs(geometry.ring_teeth - fitting) > analysis::most_shifted_teeth) {
-    stage.fault("ring_teeth", fmt::format("must be about sun_teeth + 2 planet_teeth, {}", fitting));
-  }
   root.finish();
   if (!root.faults().empty()) return {};
   analysis::Kinematics kinematics = analysis::planetary_stage(machine, geometry, bearing);

@@ -120,6 +120,17 @@ TEST_CASE("races that pass no whole number of rolling elements are a fault", "[b
   CHECK(places_of(text("2.415")) == std::vector<std::string>{"/bearings/0/inner_race_order"});
 }
 
+TEST_CASE("faults of races and of teeth are told beside each other", "[bench]") {
+  CHECK(places_of(R"({"machine": "P", "planetary": {"sun_teeth": 20, "planet_teeth": 20,
+                      "ring_teeth": 70, "planets": 3, "planet_bearing": {
+                      "outer_race_order": 3.585, "inner_race_order": 5.2}}})") ==
+        std::vector<std::string>{"/planetary/ring_teeth",
+                                 "/planetary/planet_bearing/inner_race_order"});
+  // A tooth count that is missing says nothing of the others.
+  CHECK(places_of(R"({"machine": "P", "planetary": {"planet_teeth": 20, "ring_teeth": 60,
+                      "planets": 3}})") == std::vector<std::string>{"/planetary/sun_teeth"});
+}
+
 TEST_CASE("planets that do not fit between sun and ring are a fault", "[bench]") {
   CHECK(places_of(R"({"machine": "P", "planetary": {"sun_teeth": 20, "planet_teeth": 20,
                       "ring_teeth": 70, "planets": 3}})") ==
