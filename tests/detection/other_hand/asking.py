@@ -6,6 +6,7 @@ import time
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from methods import article_statistics, plain_statistics
 from specimen import index, kinematics_of, records_of, truth_of, write
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -16,6 +17,7 @@ KEPT = ("component", "mechanism", "severity", "limit", "confidence", "one_of", "
 class Program:
     path: Path
     sound: Path | None = None  # folder of sound units' answers
+    with_methods: bool = False  # asks plain methods as well
 
 
 def judged(specimen, folder, truth, program, *words):
@@ -71,6 +73,9 @@ def ask(specimen, program):
         if asked is None:
             return row | {"verdict": "cannot tell", "findings": []}
         document, told, spent_s = judged(asked, scratch / "given", scratch / "truth", program)
+        if program.with_methods and specimen.machine == "rv20e":
+            row["methods"] = plain_statistics(scratch / "given/recording.h5")
+            row["methods"]["the article alone"] = article_statistics(document)
     return row | {
         "damages": asked.damages, "index": told["index"], "drawn": told["drawn"], "verdict": document["verdict"],
         "findings": [{key: f[key] for key in KEPT if key in f} for f in document.get("findings", [])],

@@ -4,6 +4,7 @@ from collections import defaultdict
 import numpy as np
 
 COLUMNS = ("clean", "false alarm", "right", "wrong", "false PASS", "INVALID", "other")
+FALSE_ALARMS = 0.03  # that a method may give on the tuning seeds
 
 
 def kind_of(row):
@@ -92,9 +93,50 @@ def twice(rows):
 
 def seen(rows):
     """Of damage that was made as large as what a sound record said would be seen, how much was shown."""
-    shown = [r for r in rows if any(r.get("parts", {}).get(part, ["not_shown"])[-1] != "not_shown" for part in r["truth"])]
-    if rows:
-        print(f"{rows[0]['part']}: {len(rows)} units; shown: {len(shown)}")
+    def is_shown(row):
+        return any(row.get("parts", {}).get(part, ["not_shown"])[-1] != "not_shown" for part in row["truth"])
+    for kind, members in grouped(rows, kind_of).items():
+        print(f"{members[0]['part']}, {kind}: {len(members)} units; shown: {sum(map(is_shown, members))}")
+
+
+def usual(rows):
+    """{method: {part: (median, limit)}}, so that at most 3 % of sound units have a part above its limit."""
+    found = {}
+    for method in rows[0]["methods"]:
+        parts = sorted(rows[0]["methods"][method])
+        values = np.array([[row["methods"][method].get(part, 0.0) for part in parts] for row in rows])
+        for rank in range(len(rows)):  # from the lowest limits upwards
+            limits = np.sort(values, axis=0)[rank]
+            if np.mean((values > limits).any(axis=1)) <= FALSE_ALARMS:
+                break
+        found[method] = dict(zip(parts, zip(np.median(values, axis=0), limits)))
+    return found
+
+
+def answer_of_method(row, method, limits):
+    """Names the part that is farthest above its limit."""
+    above = {part: (row["methods"][method].get(part, 0.0) - median) / max(limit - median, 1e-12)
+             for part, (median, limit) in limits.items()}
+    first = max(above, key=above.get)
+    if above[first] <= 1:
+        return "false PASS" if row["truth"] else "clean"
+    if not row["truth"]:
+        return "false alarm"
+    return "right" if first in row["truth"] else "wrong"
+
+
+def beside(rows, tuned, before):
+    """rvbench, the methods and the program as it was before, on the same units."""
+    rows = [row for row in rows if "methods" in row]
+    asked = {(row["seed"], row["sitting"]) for row in rows}
+    answers = {"rvbench": [answer(row) for row in rows]}
+    for method, limits in usual([r for r in tuned if "methods" in r and not r["truth"]]).items():
+        answers[method] = [answer_of_method(row, method, limits) for row in rows]
+    if before:
+        answers["rvbench before"] = [answer(row) for row in before if (row["seed"], row["sitting"]) in asked]
+    print(f"\n{'method':44}{'units':>6}" + "".join(f"{c:>12}" for c in COLUMNS))
+    for method, of in answers.items():
+        print(f"{method:44}{len(of):6}" + "".join(f"{of.count(column):12}" for column in COLUMNS))
 
 
 def quartiles(rows):
@@ -107,7 +149,7 @@ def quartiles(rows):
         print(f"{name:50} {low:9.4g} {middle:9.4g} {high:9.4g}")
 
 
-def report(rows, whole=False):
+def report(rows, whole=False, tuned=(), before=()):
     table(rows, lambda r: (r["part"] + (" --sound" if r.get("sound") else ""), kind_of(r)), ("part", "kind"))
     if not whole:
         return
@@ -124,5 +166,7 @@ def report(rows, whole=False):
     twice([row for row in rows if row["part"] == "remounted"])
     for part in ("above_visible", "below_visible"):
         seen([row for row in rows if row["part"] == part])
+    if tuned:
+        beside(rows, tuned, before)
     print("\ndrawn: quartiles")
     quartiles(rows)

@@ -16,12 +16,14 @@ sys.path.insert(0, str(HERE))
 from draws import TURN, Draws  # noqa: E402
 from housing import Housing, fast_length  # noqa: E402
 from machines import PlanetaryStage, RvReducer, TwoStageTrain  # noqa: E402
-from counting import answer  # noqa: E402
+from methods import INNER_RACE, OWN_LINES, PLAIN  # noqa: E402
+from counting import answer, answer_of_method, usual  # noqa: E402
 from parts import KINDS, PARTS, SCORE, SHORT, TUNING, short_units, sound_units, specimens  # noqa: E402
 from sources import Forces, Race, blows  # noqa: E402
 from unit import RATE_HZ, Unit  # noqa: E402
 
 TURNS = 121
+ASKING = ("score", "asking.py", "counting.py", "methods.py", "__pycache__")  # what writes no recording
 
 
 def line_powers(force):
@@ -145,7 +147,7 @@ class Files(unittest.TestCase):
     def test_the_recording_is_written_without_the_project_and_keeps_its_truth_to_itself(self):
         with tempfile.TemporaryDirectory() as scratch:
             alone = Path(scratch, "alone")
-            shutil.copytree(HERE, alone, ignore=shutil.ignore_patterns("score", "asking.py", "counting.py", "__pycache__"))
+            shutil.copytree(HERE, alone, ignore=shutil.ignore_patterns(*ASKING))
             given, truth = Path(scratch, "given"), Path(scratch, "truth")
             subprocess.run([alone / "generate", given, truth, "--machine", "planetary", "--kind", "ring"], check=True,
                            cwd=scratch)
@@ -154,6 +156,38 @@ class Files(unittest.TestCase):
             with h5py.File(given / "recording.h5") as file:
                 attributes = {name for point in file["points"].values() for name in point.attrs}
             self.assertEqual(attributes, {"speed_rpm", "load_pct", "repeat", "status"})
+
+
+class PlainMethods(unittest.TestCase):
+    def test_the_envelope_methods_name_the_race_that_rings_a_mode_once_per_ball(self):
+        rate_Hz, turns_Hz = 4960, 20
+        seconds = np.arange(30 * rate_Hz) / rate_Hz
+        draws = np.random.default_rng(3)  # blows that slip, or prewhitening takes them out as lines
+        blow_s = np.cumsum(1 + 0.01 * draws.standard_normal(5000)) / (INNER_RACE * turns_Hz)
+        since_blow = seconds - np.concatenate([[-1], blow_s])[np.searchsorted(blow_s, seconds)]
+        noise = draws.standard_normal(len(seconds))
+        ringing = 4 * np.exp(-200 * since_blow) * np.sin(TURN * 1200 * since_blow) + noise
+        for method in ("envelope in the band of highest kurtosis", "cepstrum prewhitening"):
+            sound, bad = (PLAIN[method](samples, turns_Hz * seconds) for samples in (noise, ringing))
+            with self.subTest(method=method):
+                self.assertGreater(bad["bearing_inner"], sound["bearing_inner"] + 2)
+                self.assertEqual(max(bad, key=bad.get), "bearing_inner")
+
+    def test_own_lines_are_those_of_no_sound_part(self):
+        for h in range(1, 4):
+            for line in (1080 * h, 1560 * h, 1080 * h + 120, 1080 * h - 40, 1560 * h + 39):
+                for part in ("sun_gear", "planet_gear", "pin_housing"):
+                    self.assertNotIn(line, OWN_LINES[part])
+
+    def test_the_limits_of_a_method_let_three_of_a_hundred_sound_units_alarm(self):
+        draws = np.random.default_rng(4)
+        rows = [{"truth": [], "methods": {"m": {"a": float(draws.normal()), "b": 100 * float(draws.normal())}}}
+                for _ in range(100)]
+        limits = usual(rows)["m"]
+        answers = [answer_of_method(row, "m", limits) for row in rows]
+        self.assertIn(answers.count("false alarm"), (2, 3))
+        bad = {"truth": ["b"], "methods": {"m": {"a": 0.0, "b": 1000.0}}}
+        self.assertEqual(answer_of_method(bad, "m", limits), "right")
 
 
 class Score(unittest.TestCase):
