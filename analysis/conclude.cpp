@@ -172,19 +172,46 @@ struct Shown {
 
 bool is_graver(const Shown& a, const Shown& b) { return a.weight > b.weight; }
 
+// A bad sun loads its shaft unevenly; a bent shaft gives no tooth lines. So where both are bad the
+// sun comes first, unless the shaft is far worse.
+void put_causes_first(std::vector<Shown>& shown, const Kinematics& kinematics) {
+  constexpr double far_worse = 3;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const auto cause = std::find_if(
+        shown.begin() + static_cast<std::ptrdiff_t>(i) + 1, shown.end(), [&](const Shown& other) {
+          return other.is_bad() && far_worse * other.finding.severity > shown[i].finding.severity &&
+                 may_follow_from(shown[i].signature, other.signature, kinematics) &&
+                 kinematics.signatures[shown[i].signature].shows == Shows::as_turning;
+        });
+    if (cause == shown.end()) continue;
+    std::rotate(shown.begin() + static_cast<std::ptrdiff_t>(i), cause, cause + 1);
+  }
+}
+
 // Parts whose lines are the same are one finding, by the name of the graver one.
+// At most two are named; what else it may be stands in cannot_tell_from.
 void join_twins(std::vector<Shown>& shown, const Kinematics& kinematics) {
   for (std::size_t i = 0; i < shown.size(); ++i) {
     Finding& first = shown[i].finding;
-    const auto twin = std::find_if(
-        shown.begin() + static_cast<std::ptrdiff_t>(i) + 1, shown.end(), [&](const Shown& other) {
-          return have_the_same_lines(kinematics.signatures[shown[i].signature],
-                                     kinematics.signatures[other.signature]);
-        });
-    if (twin == shown.end()) continue;
-    first.one_of = {first.component, twin->finding.component};
-    first.cannot_tell_from = {name_of(kinematics.signatures[twin->signature])};
-    shown.erase(twin);
+    const Signature& own = kinematics.signatures[shown[i].signature];
+    std::vector<std::size_t> twins;
+    for (std::size_t j = i + 1; j < shown.size(); ++j) {
+      if (have_the_same_lines(own, kinematics.signatures[shown[j].signature])) {
+        twins.push_back(shown[j].signature);
+      }
+    }
+    // One that does not show, as its planets cancel it, is not ruled out by that.
+    for (std::size_t s = 0; s < kinematics.signatures.size(); ++s) {
+      const bool is_new = s != shown[i].signature && std::ranges::count(twins, s) == 0;
+      if (is_new && planets_hide(own, kinematics.signatures[s])) twins.push_back(s);
+    }
+    if (twins.empty()) continue;
+    first.one_of = {first.component, kinematics.signatures[twins.front()].component};
+    for (const std::size_t twin : twins) {
+      first.cannot_tell_from.push_back(name_of(kinematics.signatures[twin]));
+    }
+    std::erase_if(
+        shown, [&](const Shown& other) { return std::ranges::count(twins, other.signature) > 0; });
   }
 }
 
@@ -227,8 +254,8 @@ void drop_doubtful(std::vector<Shown>& shown, const Kinematics& kinematics, Diag
   std::erase_if(shown, is_doubtful);
 }
 
-// A wandering speed spreads the lines of a bad gear over its neighbours'. A gear that shows far
-// less than another in its mesh may show nothing else.
+// A wandering speed spreads the lines of a bad gear over its neighbours', and over those of the
+// shaft in its mesh. What shows far less than a gear of its mesh may show nothing else.
 bool is_spread_by(const Shown& lesser, const Shown& graver, const Kinematics& kinematics) {
   constexpr double far_worse = 10;
   return share_a_mesh(lesser.signature, graver.signature, kinematics) &&
@@ -329,6 +356,9 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
     Evidence evidence = gather(points, s);
     Finding f = weigh(kinematics.signatures[s], evidence, tests);
     if (!evidence.shows(tests) || f.p_value >= significant_p || f.severity == 0) {
+      // What too few points show is not known to be within its limit by them.
+      f.points.clear();
+      f.severity_high = f.smallest_visible;
       d.not_shown.push_back(std::move(f));
       continue;
     }
@@ -337,6 +367,7 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
     shown.push_back({s, std::move(f), std::move(evidence), own});
   }
   std::ranges::stable_sort(shown, is_graver);
+  put_causes_first(shown, kinematics);
   drop_doubtful(shown, kinematics, d);
   join_twins(shown, kinematics);
   share_cages(shown, kinematics);

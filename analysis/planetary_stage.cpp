@@ -131,6 +131,10 @@ Kinematics planetary_stage(const std::string& machine, const PlanetaryGeometry& 
                stage.carrier}};
   k.signatures = input_signatures(stage);
   k.signatures.push_back(planet_signature(stage));
+  k.signatures.back().depth_limit = 0.08;
+  k.signatures.back().limit_why =
+      "assumed: a planet that rolls in a ring has few lines of its own, and ten turns of the "
+      "carrier show no less of it";
   k.signatures.push_back(ring_signature(stage));
   if (planet_bearing.rolling_elements > 0) {
     k.bearings.push_back(

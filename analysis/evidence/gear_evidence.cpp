@@ -30,26 +30,31 @@ constexpr double stands_out = 16;  // power over the floor: noise is there once 
 constexpr std::size_t most_listed = 24;
 // Noise of a contact goes as its load, which swings by up to a tenth in a sound machine.
 constexpr double swing_of_sound_noise = 0.12;
-constexpr Index most_picked = 96;      // lines that smallest_visible is reckoned with
-constexpr double around_orders = 0.5;  // that a path's gain is read over
+// Blows of a tooth last about as long as its contact: beyond the second harmonic of the mesh hardly
+// anything is left of them.
+constexpr double mesh_harmonics_of_blows = 2;
+constexpr double lines_heard = 6;  // of a comb, by the modes of a housing: ours
 
 // Totals over some lines.
 struct Sum {
-  double line2 = 0, log_ratio = 0, variance = 0;
-  double lines = 0;
+  double line2 = 0, variance = 0;
 
-  void add(double of_line2, double of_log_ratio, double of_variance) {
+  void add(double of_line2, double of_variance) {
     line2 += of_line2;
-    log_ratio += of_log_ratio;
     variance += of_variance;
-    ++lines;
-  }
-  // Another part makes them: they are as good as noise.
-  void explain() {
-    line2 = 0;
-    log_ratio = lines;
   }
 };
+
+// −ln p of a line that is heard in several channels: by noise, the sum of their log ratios has a
+// gamma distribution. So a few lines that many channels hear outweigh many of noise.
+double minus_log_p(double sum, int channels) {
+  double term = 1, total = 1;  // of the series, over its last term
+  for (int k = channels - 1; k > 0; --k) {
+    term *= k / sum;
+    total += term;
+  }
+  return sum - (channels - 1) * std::log(sum) + std::lgamma(channels) - std::log(total);
+}
 
 class GearReader {
  public:
@@ -57,21 +62,15 @@ class GearReader {
       : places_(places), counts_above_(counts_above), floor_(line_floor(spectrum, places.locked)) {
     const Index n = floor_.power.size();
     log_ratio_.resize(n);
-    gears_.setZero(n + 1);
-    gear_lines_.setZero(n + 1);
-    for (Index i = 0; i < n; ++i) {
-      log_ratio_[i] = floor_.log_ratio(i);
-      const bool is_gear = places.locked[static_cast<std::size_t>(i)];
-      const double excess = std::max(0.0, floor_.power[i] - floor_.floor[i]);
-      gears_[i + 1] = gears_[i] + (is_gear ? excess : 0.0);
-      gear_lines_[i + 1] = gear_lines_[i] + (is_gear ? 1.0 : 0.0);
-    }
+    for (Index i = 0; i < n; ++i) log_ratio_[i] = floor_.log_ratio(i);
   }
 
   GearReading read(const PartLines& part) const {
     GearReading r;
-    r.decoys = Eigen::VectorXd::Zero(gear_decoys);
-    r.line2 = Eigen::VectorXd::Zero(static_cast<Index>(part.own.size()));
+    const auto lines = static_cast<Index>(part.own.size());
+    r.decoys = Eigen::MatrixXd::Zero(lines, gear_decoys);
+    r.line2 = Eigen::VectorXd::Zero(lines);
+    r.log_ratio = Eigen::VectorXd::Ones(lines);
     // Lines that rivals have as well count together, where they win most of the disputes.
     Sum alone, shared;
     int disputed = 0, won = 0;
@@ -79,20 +78,25 @@ class GearReader {
       const OwnLine& line = part.own[i];
       const Index at = bin_of(line.order);
       if (!holds(at)) continue;
-      add_decoys(at, r.decoys);
+      const auto row = static_cast<Index>(i);
+      set_decoys(at, r.decoys.row(row));
       const double line2 = own2(at, line);
-      r.line2[static_cast<Index>(i)] = line2;
+      r.line2[row] = line2;
+      if (line2 != 0) r.log_ratio[row] = log_ratio_[at];
       const bool is_disputed = !line.rivals.empty() && is_heard(at, line.rivals);
       disputed += is_disputed ? 1 : 0;
       won += is_disputed && line2 > 0 ? 1 : 0;
-      (line.rivals.empty() ? alone : shared)
-          .add(line2, line2 == 0 ? 1 : log_ratio_[at], variance(at, line2));
+      (line.rivals.empty() ? alone : shared).add(line2, variance(at, line2));
     }
-    if (2 * won < disputed) shared.explain();
+    if (2 * won < disputed) {  // another part makes them: they are as good as noise
+      shared.line2 = 0;
+      for (std::size_t i = 0; i < part.own.size(); ++i) {
+        if (!part.own[i].rivals.empty()) r.log_ratio[static_cast<Index>(i)] = 1;
+      }
+    }
     r.own2 = alone.line2 + shared.line2 - loudest_over_second(part, r.line2);
     r.own2 = std::max(r.own2, 0.0);
     r.own2_variance = alone.variance + shared.variance;
-    r.log_ratio = alone.log_ratio + shared.log_ratio;
     for (const double order : part.mesh) {
       const Index at = bin_of(order);
       if (!holds(at)) continue;
@@ -101,7 +105,7 @@ class GearReader {
       r.mesh2_variance += variance(at, line2);
     }
     if (part.mesh.empty()) r.mesh2 = floor_.power.sum() / lines_per_hann_line;
-    pick(part, r);
+    expect(part, r);
     return r;
   }
 
@@ -109,7 +113,8 @@ class GearReader {
   Index bin_of(double order) const {
     return static_cast<Index>(std::lround(order / places_.resolution));
   }
-  bool holds(Index at) const { return at >= 2 && at + 1 < floor_.power.size(); }
+  Index end() const { return floor_.power.size(); }
+  bool holds(Index at) const { return at >= 2 && at + 1 < end(); }
 
   // Without noise.
   double amplitude2(Index at) const {
@@ -184,42 +189,32 @@ class GearReader {
     return first - second;
   }
 
-  // The gears' mean power around a line.
-  double gears_around(Index at) const {
-    const auto reach = static_cast<Index>(around_orders / places_.resolution);
-    const Index from = std::max<Index>(0, at - reach);
-    const Index end = std::min<Index>(gears_.size() - 1, at + reach + 1);
-    const double lines = gear_lines_[end] - gear_lines_[from];
-    return lines > 0 ? (gears_[end] - gears_[from]) / lines : 0;
-  }
-
-  void pick(const PartLines& part, GearReading& r) const {
-    const auto lines = static_cast<Index>(part.own.size());
-    const Index step = std::max<Index>(1, (lines + most_picked - 1) / most_picked);
-    const Index count = (lines + step - 1) / step;
-    r.picked = static_cast<double>(step);
-    r.floor2 = r.floor_lines = Eigen::VectorXd::Ones(count);
-    r.at_one2 = Eigen::VectorXd::Zero(count);
-    for (Index i = 0; i < count; ++i) {
-      const Index at = bin_of(part.own[static_cast<std::size_t>(i * step)].order);
-      if (!holds(at)) continue;
-      r.floor2[i] = floor_.floor[at];
-      r.floor_lines[i] = floor_.floor_lines[at];
-      r.at_one2[i] = gears_around(at);
+  void expect(const PartLines& part, GearReading& r) const {
+    const double highest = part.mesh.empty() ? places_.resolution * static_cast<double>(end())
+                                             : mesh_harmonics_of_blows * part.mesh.front();
+    double lines = 0;
+    for (const OwnLine& line : part.own) {
+      const Index at = bin_of(line.order);
+      if (!holds(at) || line.order > highest) continue;
+      r.floor2 += floor_.floor[at];
+      r.floor_lines += floor_.floor_lines[at];
+      ++lines;
     }
-    const double sum = r.picked * r.at_one2.sum();
-    if (sum > 0) r.at_one2 *= r.mesh2 / 2 / sum;
+    if (lines == 0) return;
+    r.floor2 /= lines;
+    r.floor_lines /= lines;
+    r.at_one2 = part.share * r.mesh2 / 2;
   }
 
-  // The nearest lines that no gear reaches, by turns below and above.
-  void add_decoys(Index at, Eigen::VectorXd& decoys) const {
+  // The nearest lines that no gear reaches, half of them below.
+  void set_decoys(Index at, Eigen::MatrixXd::RowXpr decoys) const {
     const std::vector<Index>& free = places_.free;
     if (static_cast<Index>(free.size()) < 2 * gear_decoys) return;
     const Index above = places_.free_before[static_cast<std::size_t>(at)];
     const Index first = std::clamp<Index>(above - gear_decoys / 2, 0,
                                           static_cast<Index>(free.size()) - gear_decoys);
     for (Index d = 0; d < gear_decoys; ++d) {
-      decoys[d] += log_ratio_[free[static_cast<std::size_t>(first + d)]];
+      decoys[d] = log_ratio_[free[static_cast<std::size_t>(first + d)]];
     }
   }
 
@@ -227,22 +222,22 @@ class GearReader {
   double counts_above_;  // power over the floor
   LineFloor floor_;
   Eigen::VectorXd log_ratio_;
-  Eigen::VectorXd gears_, gear_lines_;  // sums up to each line
 };
 
-// What all channels' lines come to at a severity.
-double expected_log_ratio(const std::vector<std::vector<GearReading>>& readings, std::size_t part,
-                          double severity) {
+// What the lines come to above noise at a severity: as housings have modes, few of them hold what
+// is heard.
+double expected_excess(const std::vector<std::vector<GearReading>>& readings, std::size_t part,
+                       double severity) {
   double sum = 0;
+  int channels = 0;
   for (const std::vector<GearReading>& channel : readings) {
     if (channel.empty()) continue;
+    ++channels;
     const GearReading& r = channel[part];
-    const auto power = r.floor2.array() + severity * severity * r.at_one2.array();
-    sum += r.picked *
-           (r.floor_lines.array() * (power / (r.floor_lines.array() * r.floor2.array())).log1p())
-               .sum();
+    const double over = r.floor2 > 0 ? severity * severity * r.at_one2 / lines_heard / r.floor2 : 0;
+    sum += r.floor_lines > 0 ? r.floor_lines * std::log1p((1 + over) / r.floor_lines) : 1;
   }
-  return sum;
+  return lines_heard * (minus_log_p(sum, channels) - 1);
 }
 
 // The deepest lines, by their orders.
@@ -268,23 +263,26 @@ void list_lines(const PartLines& part, const GearReading& reading, SignatureScor
 
 double smallest_visible(const std::vector<std::vector<GearReading>>& readings, std::size_t part,
                         const Eigen::VectorXd& decoys) {
-  const double asked = visible_sum(decoys);
+  const double asked = visible_sum(decoys) - median({decoys.begin(), decoys.end()});
   return severity_reaching(
-      asked, [&](double severity) { return expected_log_ratio(readings, part, severity); });
+      asked, [&](double severity) { return expected_excess(readings, part, severity); });
 }
 
 void score_part(const std::vector<std::vector<GearReading>>& readings, const PartLines& part,
                 std::size_t s, SignatureScore& score) {
   score.channel_depths.assign(readings.size(), 0.0);
-  Eigen::VectorXd decoys = Eigen::VectorXd::Zero(gear_decoys);
-  double log_ratio = 0;
+  const auto lines = static_cast<Index>(part.own.size());
+  Eigen::VectorXd line_sums = Eigen::VectorXd::Zero(lines);
+  Eigen::MatrixXd decoy_sums = Eigen::MatrixXd::Zero(lines, gear_decoys);
+  int channels_read = 0;
   std::vector<double> depths2, variances, amplitudes;
   double deepest2 = -1;
   for (std::size_t c = 0; c < readings.size(); ++c) {
     if (readings[c].empty()) continue;
     const GearReading& reading = readings[c][s];
-    log_ratio += reading.log_ratio;
-    decoys += reading.decoys;
+    ++channels_read;
+    line_sums += reading.log_ratio;
+    decoy_sums += reading.decoys;
     // A channel that does not hear the mesh says nothing of what is to be held against it.
     if (!(reading.mesh2 > 3 * std::sqrt(reading.mesh2_variance))) continue;
     const double depth2 = 2 * reading.own2 / reading.mesh2;
@@ -298,6 +296,9 @@ void score_part(const std::vector<std::vector<GearReading>>& readings, const Par
     list_lines(part, reading, score);
   }
   if (depths2.empty()) return;
+  const auto combined = [&](double sum) { return sum > 0 ? minus_log_p(sum, channels_read) : 0; };
+  const double log_ratio = line_sums.unaryExpr(combined).sum();
+  const Eigen::VectorXd decoys = decoy_sums.unaryExpr(combined).colwise().sum();
   const auto channels = static_cast<double>(depths2.size());
   score.depth = std::sqrt(std::max(0.0, median(depths2)));
   score.amplitude = median(std::move(amplitudes));

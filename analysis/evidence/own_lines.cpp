@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 
 #include "analysis/evidence/kinship.hpp"
 
@@ -12,6 +13,9 @@ namespace {
 
 constexpr int path_harmonics = 2;  // a path that turns has a mean, a first and a second harmonic
 constexpr std::size_t fewest_own = 12;  // lines that make a comb of its own
+// What a tooth does lasts about as long as its contact, so that further harmonics of its mesh carry
+// more noise than damage.
+constexpr double mesh_harmonics = 4;
 
 // The places of a line that a turning path spreads.
 std::vector<double> spread(double order, double path) {
@@ -29,6 +33,16 @@ bool comb_holds(double turn, double path, double order, double near) {
     const double multiple = std::round(at / turn);
     return multiple >= 1 && std::abs(at - multiple * turn) < near;
   });
+}
+
+// The nearest multiple of a part's turn, spread by its path.
+double nearest_of(const Signature& part, double order) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const double at : spread(order, part.path_order)) {
+    const double line = order - (at - std::round(at / part.turn) * part.turn);
+    if (std::abs(line - order) < std::abs(nearest - order)) nearest = line;
+  }
+  return nearest;
 }
 
 // Of a mesh, each spread by its path.
@@ -76,7 +90,11 @@ class PartCombs {
     lines.mesh = mesh_lines(part);
     // A force at a shaft's order is bad only against the meshes beside it.
     if (k_.meshes.empty()) return lines;
-    lines.own = part.shows == Shows::as_teeth ? of_teeth(part) : of_turning(part);
+    if (part.shows == Shows::as_teeth) {
+      take_teeth(part, lines);
+    } else {
+      lines.own = of_turning(part);
+    }
     for (OwnLine& line : lines.own) line.carriers = carriers_near(line.order);
     return lines;
   }
@@ -95,20 +113,27 @@ class PartCombs {
     return lines;
   }
 
-  std::vector<OwnLine> of_teeth(const Signature& part) const {
+  void take_teeth(const Signature& part, PartLines& lines) const {
     std::vector<OwnLine> alone, shared;
-    std::vector<double> seen;
-    for (int h = 1; h * part.turn <= top_; ++h) {
+    std::vector<double> seen, all;
+    const double highest =
+        lines.mesh.empty() ? top_ : std::min(top_, mesh_harmonics * lines.mesh.front());
+    for (int h = 1; h * part.turn <= highest; ++h) {
       for (const double order : spread(h * part.turn, part.path_order)) {
+        add(order, all);
         if (!is_free(order) || !add(order, seen)) continue;
         OwnLine line{order, rivals(part, order), {}, h};
         (is_held_by_another(part, order) ? shared : alone).push_back(std::move(line));
       }
     }
-    if (alone.size() >= fewest_own) return alone;
-    std::erase_if(shared, [](const OwnLine& line) { return line.rivals.empty(); });
-    alone.insert(alone.end(), shared.begin(), shared.end());
-    return alone;
+    lines.own = std::move(alone);
+    if (lines.own.size() < fewest_own) {
+      std::erase_if(shared, [](const OwnLine& line) { return line.rivals.empty(); });
+      lines.own.insert(lines.own.end(), shared.begin(), shared.end());
+    }
+    if (!all.empty()) {
+      lines.share = static_cast<double>(lines.own.size()) / static_cast<double>(all.size());
+    }
   }
 
   std::vector<OwnLine> of_turning(const Signature& part) const {
@@ -133,12 +158,15 @@ class PartCombs {
 
   // The lines beside that only the other parts' combs hold.
   std::vector<double> rivals(const Signature& part, double order) const {
+    constexpr double a_line_of_its_own = 0.4;  // of apart_: beyond a Hann line's main lobe
     std::vector<double> beside;
     for (const Signature& other : k_.signatures) {
       if (&other == &part || other.shows != Shows::as_teeth) continue;
       if (!comb_holds(other.turn, other.path_order, order, apart_)) continue;
+      const double theirs = nearest_of(other, order);
+      if (std::abs(theirs - order) > a_line_of_its_own * apart_) beside.push_back(theirs);
       for (const int turns : {-2, -1, 1, 2}) {
-        const double at = order + turns * other.turn;
+        const double at = theirs + turns * other.turn;
         const bool is_own =
             part.shows == Shows::as_teeth && comb_holds(part.turn, part.path_order, at, apart_);
         if (at < other.turn / 2 || at > top_ || is_own || !is_free(at)) continue;

@@ -269,10 +269,45 @@ TEST_CASE("a shaft whose gear is worse may follow from it", "[analysis][conclude
   CHECK(d.findings[0].component == "gear");
   CHECK(d.findings[0].may_follow_from.empty());
   CHECK(d.findings[1].may_follow_from == "gear: wear");
-  // The shaft itself follows from nothing.
-  const Diagnosis other = conclude({point("a", {0.6, 1e-12}, {0.3, 1e-12})}, k);
+  // The shaft itself follows from nothing where it is far worse than its gear.
+  const Diagnosis other = conclude({point("a", {1, 1e-12}, {0.3, 1e-12})}, k);
   CHECK(other.findings.at(0).component == "shaft");
   for (const analysis::Finding& f : other.findings) CHECK(f.may_follow_from.empty());
+  // A bent shaft gives no tooth lines: a bad gear comes before a shaft that is somewhat worse.
+  const Diagnosis both = conclude({point("a", {0.6, 1e-12}, {0.3, 1e-12})}, k);
+  CHECK(both.findings.at(0).component == "gear");
+  CHECK(both.findings.at(1).may_follow_from == "gear: wear");
+}
+
+TEST_CASE("a ring that no record can part from the sun is a set with it, shown or not",
+          "[analysis][conclude]") {
+  // Three planets of a stage with i = 6 pass twice per turn of the sun.
+  Kinematics k = two_parts();
+  Signature& ring = k.signatures[0];
+  Signature& sun = k.signatures[1];
+  for (Signature& s : k.signatures) s.shows = analysis::Shows::as_teeth;
+  ring.strikes = true;
+  ring.turn = 3.0 / 6;
+  sun.turn = 5.0 / 6;
+  sun.path_order = 1.0 / 6;
+  const std::vector<Examination> points{point("a", {0.5, 1e-12}, nothing)};
+  const auto named = [&] { return conclude(points, k).findings.at(0).one_of; };
+  CHECK(named() == std::vector<std::string>{"shaft", "gear"});
+  ring.turn = 4.0 / 6;  // four planets pass one and a half times
+  CHECK(named().empty());
+}
+
+TEST_CASE("what one of three points shows is not known to be within its limit",
+          "[analysis][conclude]") {
+  std::vector<Examination> points;
+  for (const char* source : {"a", "b", "c"}) points.push_back(point(source, nothing, nothing));
+  points[2].scores[0] = point("c", {0.6, 1e-12}, nothing).scores[0];
+  for (Examination& e : points) e.scores[0].smallest_visible = 0.9;
+  const Diagnosis d = conclude(points, two_parts());
+  REQUIRE(d.findings.empty());
+  const auto shaft = std::ranges::find(d.not_shown, "shaft", &analysis::Finding::component);
+  REQUIRE(shaft != d.not_shown.end());
+  CHECK(shaft->is_open());
 }
 
 TEST_CASE("a family that no part explains is listed where most points show it",

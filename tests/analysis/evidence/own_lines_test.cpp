@@ -46,6 +46,9 @@ std::set<int> lines_of(const PartLines& part) {
   return lines;
 }
 
+// A tooth's contact lasts too long for lines beyond the fourth harmonic of the mesh.
+constexpr int of_contact = 4 * 1080;
+
 PartLines part_of(const Kinematics& kinematics, const std::string& component) {
   const auto all = analysis::own_lines(kinematics, lattice, 0, top_line / carrier_turns);
   REQUIRE(all.size() == kinematics.signatures.size());
@@ -73,7 +76,7 @@ TEST_CASE(
   std::set<int> expected;
   for (int k = 1; k <= top_line; ++k) {
     if (is_multiple(k, 40, 2) && !is_multiple(k, 120, 2) && !is_multiple(k, 39, 0) &&
-        !sound.contains(k)) {
+        !sound.contains(k) && k <= of_contact + 2) {
       expected.insert(k);
     }
   }
@@ -84,7 +87,7 @@ TEST_CASE("pins are looked for at multiples of 39/121 that are no planet's",
           "[analysis][evidence]") {
   const std::set<int> sound = sound_by_hand();
   std::set<int> expected;
-  for (int k = 39; k <= top_line; k += 39) {
+  for (int k = 39; k <= of_contact; k += 39) {
     if (!is_multiple(k, 40, 2) && !sound.contains(k)) expected.insert(k);
   }
   CHECK(lines_of(part_of(test::rv20e(), "pin_housing")) == expected);

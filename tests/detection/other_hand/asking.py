@@ -45,7 +45,7 @@ def hypotheses(document):
 def just_visible(specimen, program, scratch):
     """The specimen with damage of so many times what its sound record said would just be seen.
 
-    Its severity is found in three steps, as the index of a bad sun does not grow evenly with it."""
+    The index of a bad sun does not grow evenly with its severity, which is found in three steps."""
     (kind,), times = specimen.damages, specimen.changes["times_visible"]
     sound = replace(specimen, damages={}, changes={})
     document, _, _ = judged(sound, scratch / "sound", scratch / "sound_truth", program)
@@ -54,7 +54,7 @@ def just_visible(specimen, program, scratch):
     if not visible or visible[0] is None:
         return None
     severity = 1.0
-    for _ in range(3):
+    for _ in range(3 if kind == "sun" else 1):
         _, records = records_of(replace(specimen, damages={kind: severity}, changes={}))
         severity *= times * visible[0] / index(records)
     return replace(specimen, damages={kind: severity})
