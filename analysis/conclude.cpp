@@ -112,7 +112,10 @@ Finding weigh(const Signature& signature, const Evidence& evidence, double tests
   f.mechanism = signature.mechanism;
   f.table4_item = signature.table4_item;
   f.order = signature.order;
-  f.limit = signature.depth_limit;
+  const bool by_noise =
+      !evidence.scores.empty() && std::ranges::all_of(evidence.scores, &SignatureScore::by_noise);
+  f.limit =
+      by_noise ? std::min(signature.depth_limit, signature.noise_limit) : signature.depth_limit;
   f.advice = signature.advice;
   std::vector<double> p_values;
   for (const SignatureScore* score : evidence.all) {

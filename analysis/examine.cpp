@@ -349,7 +349,7 @@ void score(std::vector<ChannelResult>& results, const Kinematics& kinematics, Ex
            score.p_value < significant_p;
   });
   const bool is_quiet = !is_struck && e.unknown.empty();
-  if (noise_parts > 0 && is_quiet) score_noise(noise, longest->places->noise, e.scores);
+  if (noise_parts > 0 && is_quiet) score_noise(noise, longest->places->noise, kinematics, e.scores);
   add_article(counted, e);
   score_printed(results, kinematics, e);
   for (SignatureScore& score : e.scores) {

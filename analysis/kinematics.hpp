@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,8 @@ struct Signature {
   double path_order = 0;  ///< turns of the part past the sensors per input turn; 0: it stands
   GrowthRange load_growth = any_growth;
   double depth_limit = 0;  ///< modulation depth above which the part counts as bad
+  /// The same where it shows in noise alone, if that is less: there planets cancel nothing.
+  double noise_limit = std::numeric_limits<double>::infinity();
   std::string limit_why;
   double sound_median = not_known;   ///< severity of sound units of the same kind, if any were
   double sound_scatter = not_known;  ///< shown, and how far one lies from another

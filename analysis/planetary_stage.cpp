@@ -10,10 +10,12 @@
 namespace rvbench::analysis {
 namespace {
 
+constexpr double limit_of_one_mesh = 0.15;
+
 // Equal planets cancel what is alike in their meshes, unless it comes in phase. Beside a mesh that
 // is cancelled a sound swing seems deeper, and most where the teeth put its own line in phase.
 double shaft_limit(const SunStage& stage) {
-  if (stage.planets == 1) return 0.15;
+  if (stage.planets == 1) return limit_of_one_mesh;
   const int off = stage.sun_teeth % stage.planets;
   const bool neighbours_add = off == 1 || off == stage.planets - 1;
   if (neighbours_add) return 0.25;
@@ -65,6 +67,7 @@ std::vector<Signature> input_signatures(const SunStage& stage) {
        .path_order = stage.carrier,
        .load_growth = grows_as_shape,
        .depth_limit = shaft_limit(stage),
+       .noise_limit = limit_of_one_mesh,
        .limit_why = "assumed: a shaft within tolerance leans on its bearing by less than a sixth "
                     "of its preload",
        .advice = "stiffen or shorten the input shaft, or support its free end with a bearing; "

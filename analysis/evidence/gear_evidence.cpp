@@ -30,6 +30,8 @@ constexpr double stands_out = 16;  // power over the floor: noise is there once 
 constexpr std::size_t most_listed = 24;
 // Noise of a contact goes as its load, which swings by up to a tenth in a sound machine.
 constexpr double swing_of_sound_noise = 0.12;
+// Of what a shaft swings it by, that gears make sums and differences of with their own turns.
+constexpr double swing_of_beats = 0.5;
 // Blows of a tooth last about as long as its contact: beyond the second harmonic of the mesh hardly
 // anything is left of them.
 constexpr double mesh_harmonics_of_blows = 2;
@@ -391,23 +393,29 @@ void score_gears(const std::vector<std::vector<GearReading>>& readings, const Ge
 }
 
 void score_noise(const std::vector<std::vector<GearReading>>& readings, const GearPlaces& places,
-                 std::vector<SignatureScore>& scores) {
-  for (std::size_t s = 0; s < places.parts.size(); ++s) {
-    if (places.parts[s].own.empty()) continue;
-    SignatureScore noise = scores[s];
-    score_part(readings, places.parts[s], s, noise);
-    noise.by_noise = true;
-    noise.amplitude = not_known;
-    SignatureScore& lines = scores[s];
-    const bool shows = noise.p_value < significant_p && noise.depth > swing_of_sound_noise &&
-                       noise.depth > lines.depth;
-    // Two ways to show are two chances.
-    const double p_value = std::min(1.0, 2 * std::min(noise.p_value, lines.p_value));
-    if (shows || lines.p_value >= significant_p) {
-      if (!std::isnan(lines.smallest_visible)) noise.smallest_visible = lines.smallest_visible;
-      if (shows || std::isnan(lines.smallest_visible)) lines = std::move(noise);
+                 const Kinematics& kinematics, std::vector<SignatureScore>& scores) {
+  double shafts_swing = 0;
+  // Shafts first: gears turn what swings with them.
+  for (const Shows kind : {Shows::as_turning, Shows::as_teeth}) {
+    for (std::size_t s = 0; s < places.parts.size(); ++s) {
+      if (places.parts[s].own.empty() || kinematics.signatures[s].shows != kind) continue;
+      SignatureScore noise = scores[s];
+      score_part(readings, places.parts[s], s, noise);
+      noise.by_noise = true;
+      noise.amplitude = not_known;
+      SignatureScore& lines = scores[s];
+      const double of_sound =
+          std::max({swing_of_sound_noise, lines.depth, swing_of_beats * shafts_swing});
+      const bool shows = noise.p_value < significant_p && noise.depth > of_sound;
+      if (shows && kind == Shows::as_turning) shafts_swing = std::max(shafts_swing, noise.depth);
+      // Two ways to show are two chances.
+      const double p_value = std::min(1.0, 2 * std::min(noise.p_value, lines.p_value));
+      if (shows || lines.p_value >= significant_p) {
+        if (!std::isnan(lines.smallest_visible)) noise.smallest_visible = lines.smallest_visible;
+        if (shows || std::isnan(lines.smallest_visible)) lines = std::move(noise);
+      }
+      lines.p_value = p_value;
     }
-    lines.p_value = p_value;
   }
 }
 

@@ -73,6 +73,6 @@ void score_gears(const std::vector<std::vector<GearReading>>& readings, const Ge
 ///
 /// Units   depths: of the noise's amplitude, 1 = fully modulated
 void score_noise(const std::vector<std::vector<GearReading>>& readings, const GearPlaces& places,
-                 std::vector<SignatureScore>& scores);
+                 const Kinematics& kinematics, std::vector<SignatureScore>& scores);
 
 }  // namespace rvbench::analysis
