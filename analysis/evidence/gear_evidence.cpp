@@ -205,7 +205,7 @@ class GearReader {
     if (lines == 0) return;
     r.floor2 /= lines;
     r.floor_lines /= lines;
-    r.at_one2 = part.share * r.mesh2 / 2;
+    r.at_one2 = r.mesh2 / 2;
   }
 
   // The nearest lines that no gear reaches, half of them below.

@@ -115,12 +115,11 @@ class PartCombs {
 
   void take_teeth(const Signature& part, PartLines& lines) const {
     std::vector<OwnLine> alone, shared;
-    std::vector<double> seen, all;
+    std::vector<double> seen;
     const double highest =
         lines.mesh.empty() ? top_ : std::min(top_, mesh_harmonics * lines.mesh.front());
     for (int h = 1; h * part.turn <= highest; ++h) {
       for (const double order : spread(h * part.turn, part.path_order)) {
-        add(order, all);
         if (!is_free(order) || !add(order, seen)) continue;
         OwnLine line{order, rivals(part, order), {}, h};
         (is_held_by_another(part, order) ? shared : alone).push_back(std::move(line));
@@ -130,9 +129,6 @@ class PartCombs {
     if (lines.own.size() < fewest_own) {
       std::erase_if(shared, [](const OwnLine& line) { return line.rivals.empty(); });
       lines.own.insert(lines.own.end(), shared.begin(), shared.end());
-    }
-    if (!all.empty()) {
-      lines.share = static_cast<double>(lines.own.size()) / static_cast<double>(all.size());
     }
   }
 

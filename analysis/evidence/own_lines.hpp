@@ -22,7 +22,6 @@ struct OwnLine {
 struct PartLines {
   std::vector<OwnLine> own;
   std::vector<double> mesh;  ///< harmonics of its meshes with their paths: what severity refers to
-  double share = 1;          ///< of all lines that the damage makes, those that are its own
 };
 
 /// Every line of a sound machine: meshes with their paths, the first sidebands of their gears, and
