@@ -239,7 +239,7 @@ void share_cages(std::vector<Shown>& shown, const Kinematics& kinematics) {
 // Blows of a bad bearing slip, and meet lines of gears by chance: where they sound, a gear that is
 // hardly to be seen is not shown.
 void drop_doubtful(std::vector<Shown>& shown, const Kinematics& kinematics, Diagnosis& d) {
-  constexpr double plainly = 2;  // times what would just be seen
+  constexpr double plainly = 5;  // times what would just be seen
   const auto rolls = [&](const Shown& s) {
     return kinematics.signatures[s.signature].shows == Shows::as_blows;
   };

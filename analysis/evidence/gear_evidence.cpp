@@ -208,7 +208,8 @@ class GearReader {
     r.at_one2 = r.mesh2 / 2;
   }
 
-  // The nearest lines that no gear reaches, half of them below.
+  // The nearest lines that no gear reaches, half of them below. The skirt of a strong line counts
+  // for nothing here, as it does in own2().
   void set_decoys(Index at, Eigen::MatrixXd::RowXpr decoys) const {
     const std::vector<Index>& free = places_.free;
     if (static_cast<Index>(free.size()) < 2 * gear_decoys) return;
@@ -216,7 +217,9 @@ class GearReader {
     const Index first = std::clamp<Index>(above - gear_decoys / 2, 0,
                                           static_cast<Index>(free.size()) - gear_decoys);
     for (Index d = 0; d < gear_decoys; ++d) {
-      decoys[d] = log_ratio_[free[static_cast<std::size_t>(first + d)]];
+      const Index line = free[static_cast<std::size_t>(first + d)];
+      const bool is_noise = floor_.power[line] <= stands_out * floor_.floor[line];
+      decoys[d] = is_noise ? log_ratio_[line] : 1;
     }
   }
 
