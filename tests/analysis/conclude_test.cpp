@@ -363,10 +363,10 @@ TEST_CASE("beside a bearing that strikes, a gear has to be seen plainly", "[anal
   k.signatures[0].shows = analysis::Shows::as_blows;
   k.signatures[1].shows = analysis::Shows::as_teeth;
   Examination e = point("a", {0.9, 1e-30}, {0.25, 1e-9});
-  e.scores[1].smallest_visible = 0.2;
+  e.scores[1].smallest_visible = 0.06;  // a fourth of what it shows
   REQUIRE(conclude({e}, k).findings.size() == 1);
   CHECK(conclude({e}, k).findings[0].component == "shaft");
-  e.scores[1].smallest_visible = 0.1;
+  e.scores[1].smallest_visible = 0.04;
   CHECK(conclude({e}, k).findings.size() == 2);
 }
 
