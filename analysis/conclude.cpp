@@ -180,14 +180,14 @@ bool is_graver(const Shown& a, const Shown& b) { return a.weight > b.weight; }
 void put_causes_first(std::vector<Shown>& shown, const Kinematics& kinematics) {
   constexpr double far_worse = 3;
   for (std::size_t i = 0; i < shown.size(); ++i) {
-    const auto cause = std::find_if(
-        shown.begin() + static_cast<std::ptrdiff_t>(i) + 1, shown.end(), [&](const Shown& other) {
-          return other.is_bad() && far_worse * other.finding.severity > shown[i].finding.severity &&
-                 may_follow_from(shown[i].signature, other.signature, kinematics) &&
-                 kinematics.signatures[shown[i].signature].shows == Shows::as_turning;
-        });
-    if (cause == shown.end()) continue;
-    std::rotate(shown.begin() + static_cast<std::ptrdiff_t>(i), cause, cause + 1);
+    const Shown& shaft = shown[i];
+    if (kinematics.signatures[shaft.signature].shows != Shows::as_turning) continue;
+    const auto here = shown.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto cause = std::find_if(here + 1, shown.end(), [&](const Shown& other) {
+      return other.is_bad() && far_worse * other.finding.severity > shaft.finding.severity &&
+             may_follow_from(shaft.signature, other.signature, kinematics);
+    });
+    if (cause != shown.end()) std::rotate(here, cause, cause + 1);
   }
 }
 
@@ -203,7 +203,7 @@ void join_twins(std::vector<Shown>& shown, const Kinematics& kinematics) {
         twins.push_back(shown[j].signature);
       }
     }
-    // One that does not show, as its planets cancel it, is not ruled out by that.
+    // Planets may cancel what the other one makes, so it need not show.
     for (std::size_t s = 0; s < kinematics.signatures.size(); ++s) {
       const bool is_new = s != shown[i].signature && std::ranges::count(twins, s) == 0;
       if (is_new && planets_hide(own, kinematics.signatures[s])) twins.push_back(s);
@@ -257,8 +257,8 @@ void drop_doubtful(std::vector<Shown>& shown, const Kinematics& kinematics, Diag
   std::erase_if(shown, is_doubtful);
 }
 
-// A wandering speed spreads the lines of a bad gear over its neighbours', and over those of the
-// shaft in its mesh. What shows far less than a gear of its mesh may show nothing else.
+// A wandering speed spreads the lines of a bad gear over those of the other gears and shafts in its
+// mesh. A part that shows far less than that gear may show only this.
 bool is_spread_by(const Shown& lesser, const Shown& graver, const Kinematics& kinematics) {
   constexpr double far_worse = 10;
   return share_a_mesh(lesser.signature, graver.signature, kinematics) &&
@@ -359,7 +359,7 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
     Evidence evidence = gather(points, s);
     Finding f = weigh(kinematics.signatures[s], evidence, tests);
     if (!evidence.shows(tests) || f.p_value >= significant_p || f.severity == 0) {
-      // What too few points show is not known to be within its limit by them.
+      // Too few points show the part. They do not prove that it is within its limit.
       f.points.clear();
       f.severity_high = f.smallest_visible;
       d.not_shown.push_back(std::move(f));

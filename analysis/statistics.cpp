@@ -77,4 +77,13 @@ double combined_p_value(const std::vector<double>& p_values) {
   return Eigen::numext::igammac(static_cast<double>(p_values.size()), sum);
 }
 
+double minus_log_gamma_tail(double sum, int count) {
+  double term = 1, total = 1;  // of the series, over its last term
+  for (int k = count - 1; k > 0; --k) {
+    term *= k / sum;
+    total += term;
+  }
+  return sum - (count - 1) * std::log(sum) + std::lgamma(count) - std::log(total);
+}
+
 }  // namespace rvbench::analysis

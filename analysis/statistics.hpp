@@ -48,4 +48,13 @@ double t_of_p_value(double p, double freedom);
 /// Source  Fisher, Statistical Methods for Research Workers (4th ed., 1932), §21.1
 double combined_p_value(const std::vector<double>& p_values);
 
+/// −ln of the probability that so many exponential numbers of mean 1, as −ln p by chance is, come
+/// to this sum or more: combined_p_value() where it is too small for a double.
+/// @param sum  > 0  @param count  >= 1
+/// Errors  none thrown
+/// Source  Abramowitz & Stegun (1964), eq. 26.4.21: the tail of χ² with an even number of degrees
+/// of
+///         freedom is a finite series
+double minus_log_gamma_tail(double sum, int count);
+
 }  // namespace rvbench::analysis

@@ -30,12 +30,14 @@ constexpr double stands_out = 16;  // power over the floor: noise is there once 
 constexpr std::size_t most_listed = 24;
 // Noise of a contact goes as its load, which swings by up to a tenth in a sound machine.
 constexpr double swing_of_sound_noise = 0.12;
-// Of what a shaft swings it by, that gears make sums and differences of with their own turns.
+// Gears turn as well, so noise that a shaft swings beats with their turns. Such a beat is at most
+// half as deep as the shaft's swing.
 constexpr double swing_of_beats = 0.5;
 // Blows of a tooth last about as long as its contact: beyond the second harmonic of the mesh hardly
 // anything is left of them.
 constexpr double mesh_harmonics_of_blows = 2;
-constexpr double lines_heard = 6;  // of a comb, by the modes of a housing: ours
+// The modes of a housing make a few lines of a comb much louder than the others. Source  ours
+constexpr double lines_heard = 6;
 
 // Totals over some lines.
 struct Sum {
@@ -46,17 +48,6 @@ struct Sum {
     variance += of_variance;
   }
 };
-
-// −ln p of a line that is heard in several channels: by noise, the sum of their log ratios has a
-// gamma distribution. So a few lines that many channels hear outweigh many of noise.
-double minus_log_p(double sum, int channels) {
-  double term = 1, total = 1;  // of the series, over its last term
-  for (int k = channels - 1; k > 0; --k) {
-    term *= k / sum;
-    total += term;
-  }
-  return sum - (channels - 1) * std::log(sum) + std::lgamma(channels) - std::log(total);
-}
 
 class GearReader {
  public:
@@ -229,8 +220,7 @@ class GearReader {
   Eigen::VectorXd log_ratio_;
 };
 
-// What the lines come to above noise at a severity: as housings have modes, few of them hold what
-// is heard.
+// What damage of a severity adds to the sum over a comb's lines. Those that are heard share it.
 double expected_excess(const std::vector<std::vector<GearReading>>& readings, std::size_t part,
                        double severity) {
   double sum = 0;
@@ -242,7 +232,7 @@ double expected_excess(const std::vector<std::vector<GearReading>>& readings, st
     const double over = r.floor2 > 0 ? severity * severity * r.at_one2 / lines_heard / r.floor2 : 0;
     sum += r.floor_lines > 0 ? r.floor_lines * std::log1p((1 + over) / r.floor_lines) : 1;
   }
-  return lines_heard * (minus_log_p(sum, channels) - 1);
+  return lines_heard * (minus_log_gamma_tail(sum, channels) - 1);
 }
 
 // The deepest lines, by their orders.
@@ -301,7 +291,10 @@ void score_part(const std::vector<std::vector<GearReading>>& readings, const Par
     list_lines(part, reading, score);
   }
   if (depths2.empty()) return;
-  const auto combined = [&](double sum) { return sum > 0 ? minus_log_p(sum, channels_read) : 0; };
+  // −ln p of a line in all channels: a few that many channels hear outweigh many of noise.
+  const auto combined = [&](double sum) {
+    return sum > 0 ? minus_log_gamma_tail(sum, channels_read) : 0;
+  };
   const double log_ratio = line_sums.unaryExpr(combined).sum();
   const Eigen::VectorXd decoys = decoy_sums.unaryExpr(combined).colwise().sum();
   const auto channels = static_cast<double>(depths2.size());

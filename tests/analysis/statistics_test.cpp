@@ -1,5 +1,6 @@
 #include "analysis/statistics.hpp"
 
+#include <cmath>
 #include <random>
 
 #include "tests/analysis/null_rates.hpp"
@@ -128,6 +129,20 @@ TEST_CASE("two p-values combine as Fisher has it", "[analysis][statistics]") {
   CHECK(combined_p_value({}) == 1);
   CHECK(combined_p_value({1, 1, 1}) == 1);
   CHECK(combined_p_value({0, 0.5}) < 1e-290);
+}
+
+TEST_CASE("the gamma tail is Fisher's combination, also where that is too small for a double",
+          "[analysis][statistics]") {
+  using analysis::minus_log_gamma_tail;
+  CHECK(minus_log_gamma_tail(3.7, 1) == Approx(3.7));
+  for (const double p : {0.9, 0.2, 1e-3}) {
+    const double sum = -12 * std::log(p);
+    CHECK(minus_log_gamma_tail(sum, 12) ==
+          Approx(-std::log(combined_p_value(std::vector<double>(12, p)))));
+  }
+  // Far out the last term of its series is nearly all of it: sum - ln sum for two.
+  CHECK(minus_log_gamma_tail(1e4, 2) == Approx(1e4 - std::log(1e4 + 1)).epsilon(1e-12));
+  CHECK(std::isfinite(minus_log_gamma_tail(1e5, 64)));
 }
 
 TEST_CASE("Student's t for a probability is that of the tables",

@@ -7,6 +7,12 @@ COLUMNS = ("clean", "false alarm", "right", "wrong", "false PASS", "INVALID", "o
 FALSE_ALARMS = 0.03  # that a method may give on the tuning seeds
 
 
+def key_of(one):
+    """Of a specimen or its answer: two of one key are the same recording."""
+    of = one if isinstance(one, dict) else vars(one)
+    return of["seed"], of["sitting"]
+
+
 def kind_of(row):
     return "+".join(row["damages"]) or "healthy"
 
@@ -42,12 +48,18 @@ def grouped(rows, key):
     return groups
 
 
+def heading(heads):
+    print(heads + f"{'units':>6}" + "".join(f"{column:>12}" for column in COLUMNS))
+
+
+def line(heads, answers):
+    print(heads + f"{len(answers):6}" + "".join(f"{answers.count(column):12}" for column in COLUMNS))
+
+
 def table(rows, key, heads):
-    print("".join(f"{head:22}" for head in heads) + f"{'units':>6}" + "".join(f"{c:>12}" for c in COLUMNS))
+    heading("".join(f"{head:22}" for head in heads))
     for group, members in grouped(rows, key).items():
-        answers = [answer(row) for row in members]
-        print("".join(f"{str(name):22}" for name in group) + f"{len(members):6}"
-              + "".join(f"{answers.count(column):12}" for column in COLUMNS))
+        line("".join(f"{str(name):22}" for name in group), [answer(row) for row in members])
 
 
 def confusion(rows):
@@ -105,8 +117,7 @@ def usual(rows):
     for method in rows[0]["methods"]:
         parts = sorted(rows[0]["methods"][method])
         values = np.array([[row["methods"][method].get(part, 0.0) for part in parts] for row in rows])
-        for rank in range(len(rows)):  # from the lowest limits upwards
-            limits = np.sort(values, axis=0)[rank]
+        for limits in np.sort(values, axis=0):  # from the lowest upwards
             if np.mean((values > limits).any(axis=1)) <= FALSE_ALARMS:
                 break
         found[method] = dict(zip(parts, zip(np.median(values, axis=0), limits)))
@@ -128,15 +139,16 @@ def answer_of_method(row, method, limits):
 def beside(rows, tuned, before):
     """rvbench, the methods and the program as it was before, on the same units."""
     rows = [row for row in rows if "methods" in row]
-    asked = {(row["seed"], row["sitting"]) for row in rows}
+    asked = {key_of(row) for row in rows}
     answers = {"rvbench": [answer(row) for row in rows]}
     for method, limits in usual([r for r in tuned if "methods" in r and not r["truth"]]).items():
         answers[method] = [answer_of_method(row, method, limits) for row in rows]
     if before:
-        answers["rvbench before"] = [answer(row) for row in before if (row["seed"], row["sitting"]) in asked]
-    print(f"\n{'method':44}{'units':>6}" + "".join(f"{c:>12}" for c in COLUMNS))
+        answers["rvbench before"] = [answer(row) for row in before if key_of(row) in asked]
+    print()
+    heading(f"{'method':44}")
     for method, of in answers.items():
-        print(f"{method:44}{len(of):6}" + "".join(f"{of.count(column):12}" for column in COLUMNS))
+        line(f"{method:44}", of)
 
 
 def quartiles(rows):

@@ -10,6 +10,7 @@ from draws import TURN
 from housing import fast_length
 
 OUTPUT_TURNS, INPUT_TURNS = 4, 484  # of the RV-20E, i = 121
+PER_TURN = 64  # samples
 MESH, PIN_PASS = 1080, 1560  # in turns of the output
 HARMONICS = 4
 INNER_RACE = 40 / 121 * 0.5 * 11 * (1 + 5 / 26)
@@ -25,7 +26,7 @@ SLIPS = np.linspace(0, 0.02, 21)
 
 
 def points_of(path):
-    """(channels x samples, their rate in Hz, turns of the input shaft at each sample) of each point."""
+    """(channels x samples, turns of the input shaft at each sample) of each point."""
     with h5py.File(path) as file:
         for point in file["points"].values():
             vibration = point["acceleration/data"][()].T.astype(float)
@@ -33,39 +34,34 @@ def points_of(path):
             angle, angle_Hz = point["angle/data"][:, 0] / TURN, point["angle"].attrs["rate_Hz"]
             seconds = np.arange(vibration.shape[1]) / rate_Hz
             known = seconds <= (len(angle) - 1) / angle_Hz
-            yield vibration[:, known], rate_Hz, np.interp(seconds[known], np.arange(len(angle)) / angle_Hz, angle)
+            yield vibration[:, known], np.interp(seconds[known], np.arange(len(angle)) / angle_Hz, angle)
 
 
-def over_angle(samples, turns, per_turn):
+def over_angle(samples, turns):
     """Resampled by linear interpolation over INPUT_TURNS."""
-    at = turns[0] + np.arange(INPUT_TURNS * per_turn) / per_turn
+    at = turns[0] + np.arange(INPUT_TURNS * PER_TURN) / PER_TURN
     return np.interp(at, turns, samples)
 
 
-def order_powers(samples, turns, per_turn):
-    """Power of each order k / INPUT_TURNS, under a Hann window."""
-    even = over_angle(samples, turns, per_turn)
-    return np.abs(np.fft.rfft((even - even.mean()) * np.hanning(len(even)))) ** 2
-
-
-def over_floor(powers, reach=40):
-    """ln of each power, and of its two neighbours' larger one, over the mean of the ln around it."""
+def over_floor(even, reach=40):
+    """ln of the power of each order k / INPUT_TURNS, or of a larger neighbour's, over the mean ln around it."""
+    powers = np.abs(np.fft.rfft((even - even.mean()) * np.hanning(len(even)))) ** 2
     of = np.log(np.maximum(powers, 1e-300))
     sums = np.concatenate([[0], np.cumsum(np.pad(of, reach, mode="edge"))])
     around = (sums[2 * reach + 1 :] - sums[: -2 * reach - 1]) / (2 * reach + 1)
     return np.maximum(of, np.maximum(np.roll(of, 1), np.roll(of, -1))) - around
 
 
-def comb_over_floor(powers, orders, slips=(0.0,)):
-    lines = np.outer(1 - np.array(slips), orders) * INPUT_TURNS
-    return float(over_floor(powers)[np.rint(lines).astype(int)].mean(axis=1).max())
+def comb(lines_over_floor, part):
+    """The mean over a part's lines; blows are searched over slips."""
+    slips = SLIPS if part == "bearing_inner" else np.zeros(1)
+    lines = np.outer(1 - slips, ENVELOPE_ORDERS[part]) * INPUT_TURNS
+    return float(lines_over_floor[np.rint(lines).astype(int)].mean(axis=1).max())
 
 
 def envelope_statistics(squared_envelope, turns):
-    per_turn = 64
-    powers = order_powers(squared_envelope, turns, per_turn)
-    return {part: comb_over_floor(powers, orders, SLIPS if part == "bearing_inner" else (0.0,))
-            for part, orders in ENVELOPE_ORDERS.items()}
+    lines = over_floor(over_angle(squared_envelope, turns))
+    return {part: comb(lines, part) for part in ENVELOPE_ORDERS}
 
 
 def banded(spectrum, low, high, count):
@@ -124,8 +120,7 @@ MESH_LINES = [MESH * h + side for h in range(1, 9) for side in (-1, 0, 1)]
 
 def own_line_rule(samples, turns):
     """Amplitude of each part's own lines over the mesh's; for the race, what is left without the k/121."""
-    per_turn = 64
-    even = over_angle(samples, turns, per_turn)
+    even = over_angle(samples, turns)
     spectrum = np.fft.rfft(even)
     powers = np.abs(spectrum) ** 2
     top = len(powers) // OUTPUT_TURNS - 1
@@ -137,9 +132,7 @@ def own_line_rule(samples, turns):
     mesh = above(MESH_LINES)
     found = {part: np.sqrt(above(lines) / mesh) if mesh > 0 else 0.0 for part, lines in OWN_LINES.items()}
     spectrum[::OUTPUT_TURNS] = 0
-    left = np.fft.irfft(spectrum, len(even))
-    squared = np.abs(np.fft.rfft((left**2 - np.mean(left**2)) * np.hanning(len(left)))) ** 2
-    found["bearing_inner"] = comb_over_floor(squared, ENVELOPE_ORDERS["bearing_inner"], SLIPS)
+    found["bearing_inner"] = comb(over_floor(np.fft.irfft(spectrum, len(even)) ** 2), "bearing_inner")
     return found
 
 
@@ -150,7 +143,7 @@ PLAIN = {"envelope in the band of highest kurtosis": kurtosis_band, "cepstrum pr
 def plain_statistics(path):
     """{method: {part: statistic}}, each the median over channels, then the mean over points."""
     found = {method: {} for method in PLAIN}
-    for vibration, _, turns in points_of(path):
+    for vibration, turns in points_of(path):
         for method, of_channel in PLAIN.items():
             of_channels = [of_channel(samples, turns) for samples in vibration]
             for part in of_channels[0]:
