@@ -117,9 +117,10 @@ SCENARIO("a coupler that falls silent stalls nobody", "[hal][modbus][safety]") {
     THEN("the reading says for how long, and what the link said") {
       const auto status = bench.inputs->read();
       REQUIRE_FALSE(status);
-      CHECK_THAT(status.error().where, Catch::Contains("safety inputs 127.0.0.1:") &&
-                                           Catch::Contains("no answer for ") &&
-                                           Catch::Contains("read contacts"));
+      // It may have fallen silent between the two questions of one round.
+      CHECK_THAT(status.error().where,
+                 Catch::Contains("safety inputs 127.0.0.1:") && Catch::Contains("no answer for ") &&
+                     (Catch::Contains("read contacts") || Catch::Contains("read temperature")));
     }
     THEN("when it answers again, it is heard again") {
       bench.coupler.inject({});
