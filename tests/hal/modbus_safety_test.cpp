@@ -5,6 +5,7 @@
 #include <memory>
 #include <new>
 #include <stdexcept>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -115,12 +116,16 @@ SCENARIO("a coupler that falls silent stalls nobody", "[hal][modbus][safety]") {
     std::ranges::nth_element(took_s, took_s.begin() + std::ssize(took_s) / 2);
     CHECK(took_s[took_s.size() / 2] < 0.05);
     THEN("the reading says for how long, and what the link said") {
-      const auto status = bench.inputs->read();
+      // It may have fallen silent between the two questions of a round. The next begins anew.
+      Result<hal::SafetyStatus> status = ready;
+      CHECK(bench.comes([&](const auto& read) {
+        status = read;
+        return !read && read.error().where.find("read temperature") == std::string::npos;
+      }));
       REQUIRE_FALSE(status);
-      // It may have fallen silent between the two questions of one round.
-      CHECK_THAT(status.error().where,
-                 Catch::Contains("safety inputs 127.0.0.1:") && Catch::Contains("no answer for ") &&
-                     (Catch::Contains("read contacts") || Catch::Contains("read temperature")));
+      CHECK_THAT(status.error().where, Catch::Contains("safety inputs 127.0.0.1:") &&
+                                           Catch::Contains("no answer for ") &&
+                                           Catch::Contains("read contacts"));
     }
     THEN("when it answers again, it is heard again") {
       bench.coupler.inject({});
