@@ -52,9 +52,8 @@ double combined_p_value(const std::vector<double>& p_values);
 /// to this sum or more: combined_p_value() where it is too small for a double.
 /// @param sum  > 0  @param count  >= 1
 /// Errors  none thrown
-/// Source  Abramowitz & Stegun (1964), eq. 26.4.21: the tail of χ² with an even number of degrees
-/// of
-///         freedom is a finite series
+/// Source  Abramowitz & Stegun (1964), eq. 26.4.21: with an even number of degrees of freedom the
+///         tail of χ² is a finite series
 double minus_log_gamma_tail(double sum, int count);
 
 }  // namespace rvbench::analysis

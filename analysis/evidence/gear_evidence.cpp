@@ -220,7 +220,8 @@ class GearReader {
   Eigen::VectorXd log_ratio_;
 };
 
-// What damage of a severity adds to the sum over a comb's lines. Those that are heard share it.
+// What damage of a severity adds to the sum over a comb's lines. The lines that are heard share the
+// damage's power.
 double expected_excess(const std::vector<std::vector<GearReading>>& readings, std::size_t part,
                        double severity) {
   double sum = 0;
