@@ -25,7 +25,7 @@ std::vector<Signature> bearing_signatures(const BearingGeometry& bearing, double
         .sidebands = std::move(sidebands),
         .slip = slip,
         .shows = Shows::as_blows,
-        .depth_limit = 0.07,
+        .depth_limit = 0.15,
         .limit_why = "assumed: a sound race leaves no periodic blows; what noise leaves is less",
         .advice = "replace the bearing; look for the cause in load, fit and grease"};
   };
@@ -36,7 +36,7 @@ std::vector<Signature> bearing_signatures(const BearingGeometry& bearing, double
   const double cage_in_load = inner_stands ? 1 - o.cage : o.cage;
   Signature cage = signature("bearing_cage", cage_in_load, {});
   cage.mechanism = "wear";
-  cage.depth_limit = 0.3;
+  cage.depth_limit = 0.65;
   cage.limit_why =
       "assumed: rolling elements of unequal size shift the load once per cage turn, too";
   return {signature("bearing_inner", o.inner, inner_stands ? alike : once_per_turn),

@@ -52,7 +52,7 @@ Signature gear_signature(const std::string& component, double order) {
           .shows = Shows::as_teeth,
           .strikes = true,
           .turn = order,
-          .depth_limit = 0.06,
+          .depth_limit = 0.075,
           .limit_why = "assumed: one tooth among many may not stand out by more than its share",
           .advice = "look at the teeth of the " + component};
 }
@@ -114,8 +114,8 @@ Kinematics gear_train(const GearTrain& train) {
       const std::string name = b.name + " " + s.component;
       if (train.bearings.size() > 1) s.component = name;  // whose inner race?
       if (train.meshes.empty()) {
-        s.depth_limit = 0.3;
-        s.limit_why = "assumed: blows of a sound bearing carry less than a twentieth of the power";
+        s.depth_limit = 0.65;
+        s.limit_why = "assumed: blows of a sound bearing carry less than a fifth of the power";
       }
       k.orders.push_back({name, s.order, {}, s.component, ""});
       k.signatures.push_back(std::move(s));

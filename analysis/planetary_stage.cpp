@@ -46,7 +46,7 @@ Signature ring_signature(const SunStage& stage) {
           .shows = Shows::as_teeth,
           .strikes = true,
           .turn = passing,
-          .depth_limit = 0.045,
+          .depth_limit = 0.05,
           .limit_why = "assumed: one tooth among many may not stand out by more than its share",
           .advice = "look at the ring's flanks; replace the ring"};
 }
@@ -82,7 +82,7 @@ std::vector<Signature> input_signatures(const SunStage& stage) {
        .turn = stage.sun,
        .path_order = stage.carrier,
        .load_growth = grows_as_shape,
-       .depth_limit = stage.planets > 2 ? 0.06 : 0.1,
+       .depth_limit = stage.planets > 2 ? 0.075 : 0.12,
        .limit_why = "assumed: teeth of one quality class share the load within a tenth",
        .advice = "measure the sun gear's tooth profile and pitch; replace the input gear"},
   };
@@ -100,7 +100,7 @@ Signature planet_signature(const SunStage& stage) {
           .turn = stage.planet,
           .path_order = stage.carrier,
           .load_growth = any_growth,
-          .depth_limit = 0.045,
+          .depth_limit = 0.06,
           .limit_why = "assumed: one tooth among many may not stand out by more than its share",
           .advice = "open the reducer and look at the planets' flanks; replace the planet pair"};
 }
@@ -134,7 +134,7 @@ Kinematics planetary_stage(const std::string& machine, const PlanetaryGeometry& 
                stage.carrier}};
   k.signatures = input_signatures(stage);
   k.signatures.push_back(planet_signature(stage));
-  k.signatures.back().depth_limit = 0.08;
+  k.signatures.back().depth_limit = 0.1;
   k.signatures.back().limit_why =
       "assumed: a planet that rolls in a ring has few lines of its own, and ten turns of the "
       "carrier show no less of it";

@@ -196,7 +196,7 @@ class GearReader {
     if (lines == 0) return;
     r.floor2 /= lines;
     r.floor_lines /= lines;
-    r.at_one2 = r.mesh2 / 2;
+    r.at_one2 = part.share * r.mesh2 / 2;
   }
 
   // The nearest lines that no gear reaches, half of them below. The skirt of a strong line counts
@@ -281,10 +281,10 @@ void score_part(const std::vector<std::vector<GearReading>>& readings, const Par
     decoy_sums += reading.decoys;
     // A channel that does not hear the mesh says nothing of what is to be held against it.
     if (!(reading.mesh2 > 3 * std::sqrt(reading.mesh2_variance))) continue;
-    const double depth2 = 2 * reading.own2 / reading.mesh2;
+    const double depth2 = 2 * reading.own2 / part.share / reading.mesh2;
     depths2.push_back(depth2);
-    variances.push_back(4 * reading.own2_variance / (reading.mesh2 * reading.mesh2));
-    amplitudes.push_back(std::sqrt(std::max(reading.own2, 0.0)));
+    variances.push_back(4 * reading.own2_variance / std::pow(part.share * reading.mesh2, 2));
+    amplitudes.push_back(std::sqrt(std::max(reading.own2 / part.share, 0.0)));
     score.channel_depths[c] = std::sqrt(std::max(depth2, 0.0));
     if (depth2 <= deepest2) continue;
     deepest2 = depth2;

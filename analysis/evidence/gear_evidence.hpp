@@ -63,7 +63,8 @@ inline constexpr int gear_decoys = 48;
 /// severity as the median over them.
 ///
 /// Shape   readings[c]: of channel c, one per part; empty where a channel is left out
-/// Units   depths: amplitude of the own lines over the rms of the mesh, in the same channel
+/// Units   depths: amplitude of what damage does over the rms of the mesh, in the same channel; the
+///         own lines hold their share of it
 /// Source  p-values: decoy_p_value()
 void score_gears(const std::vector<std::vector<GearReading>>& readings, const GearPlaces& places,
                  std::vector<SignatureScore>& scores);

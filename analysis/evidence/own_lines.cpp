@@ -120,7 +120,7 @@ class PartCombs {
         lines.mesh.empty() ? top_ : std::min(top_, mesh_harmonics * lines.mesh.front());
     for (int h = 1; h * part.turn <= highest; ++h) {
       for (const double order : spread(h * part.turn, part.path_order)) {
-        if (!is_free(order) || !add(order, seen)) continue;
+        if (!add(order, seen) || !is_free(order)) continue;
         OwnLine line{order, rivals(part, order), {}, h};
         (is_held_by_another(part, order) ? shared : alone).push_back(std::move(line));
       }
@@ -129,6 +129,9 @@ class PartCombs {
     if (lines.own.size() < fewest_own) {
       std::erase_if(shared, [](const OwnLine& line) { return line.rivals.empty(); });
       lines.own.insert(lines.own.end(), shared.begin(), shared.end());
+    }
+    if (!seen.empty()) {
+      lines.share = static_cast<double>(lines.own.size()) / static_cast<double>(seen.size());
     }
   }
 

@@ -21,6 +21,7 @@ struct OwnLine {
 /// Where one signature is looked for in the order spectrum of the signal itself.
 struct PartLines {
   std::vector<OwnLine> own;
+  double share = 1;          ///< of what damage does to the part's lines, by their number
   std::vector<double> mesh;  ///< harmonics of its meshes with their paths: what severity refers to
 };
 

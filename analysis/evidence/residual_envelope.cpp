@@ -110,6 +110,7 @@ ResidualEnvelope residual_envelope(const OrderLines& x, const ResidualPlaces& pl
     taken[line] = taken[line] || tones[line];
     if (taken[line]) lines[i] = 0;
   }
+  result.left = static_cast<double>(std::ranges::count(taken, false)) / static_cast<double>(count);
   result.residual = (std::sqrt(scale) * lines).cast<std::complex<float>>();
   whiten(lines, taken);
 

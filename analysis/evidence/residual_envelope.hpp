@@ -17,6 +17,7 @@ struct ResidualEnvelope {
   std::vector<bool> locked;   ///< one flag per line of it: on the gear train's
   Spectrum windowed;          ///< the same under a Hann window, as depths: for the locked lines
   double residual2 = 0;       ///< mean square of what is left without the gears' lines
+  double left = 1;            ///< share of the lines that are left
   double gears2 = 0;          ///< mean square of these
   Eigen::VectorXcf residual;  ///< lines of what is left: the sum of their squares is residual2
 };

@@ -22,21 +22,61 @@ constexpr int decoy_searches = 48;
 constexpr double nearest_decoy = 0.06;  // relative: beyond what slip may search
 constexpr double farthest_decoy = 0.45;
 constexpr double smear = 0.002;  // relative: what slip that wanders spreads a line by
+// What harmonics of a train of blows hold of its mean power. Blows ring down and jitter, and each
+// of their lines passes the housing in its own phase. Source  ours
+constexpr std::array of_mean_power{0.33, 0.16, 0.10, 0.07};
 
-// Σ over channels of each line's −ln p; the lines of gears hold noise's mean.
+// What a severity refers to: the gears, or the whole signal of a machine without.
+double reference2(const ResidualEnvelope& channel, const Kinematics& kinematics) {
+  const double all = channel.gears2 + channel.residual2;
+  return std::max(kinematics.meshes.empty() ? all : channel.gears2, 1e-12 * all);
+}
+
+// Of what is left, swing of the envelope where blows of a severity are in it.
+double swing_by(double severity, const ResidualEnvelope& channel, const Kinematics& kinematics) {
+  const double blows = channel.left * severity * severity * reference2(channel, kinematics) / 2;
+  return 2 * blows / (blows + channel.residual2);
+}
+
+// What each channel counts: as much as it would hear of blows that are just bad, over its noise.
+// Scaled so that the sum scatters as that of so many channels does that count alike.
+std::vector<double> weights_of(const std::vector<ResidualEnvelope>& channels,
+                               const Kinematics& kinematics) {
+  constexpr double just_bad = 0.1;
+  std::vector<double> weights;
+  double sum = 0, squares = 0;
+  for (const ResidualEnvelope& channel : channels) {
+    weights.push_back(0);
+    if (channel.lines.power.size() == 0 || !(channel.residual2 > 0)) continue;
+    const double depth = of_mean_power.front() * swing_by(just_bad, channel, kinematics);
+    const double over = depth * depth / channel.lines.floor.mean();
+    weights.back() = over / (1 + over);
+    sum += weights.back();
+    squares += weights.back() * weights.back();
+  }
+  for (double& weight : weights) weight *= squares > 0 ? sum / squares : 0;
+  return weights;
+}
+
+// Weighted Σ over channels of each line's −ln p; the lines of gears hold noise's mean.
 class BlowLines {
  public:
-  explicit BlowLines(const std::vector<ResidualEnvelope>& channels) {
-    for (const ResidualEnvelope& channel : channels) {
+  BlowLines(const std::vector<ResidualEnvelope>& channels, const Kinematics& kinematics)
+      : weights_(weights_of(channels, kinematics)) {
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      const ResidualEnvelope& channel = channels[c];
       if (channel.lines.power.size() == 0) continue;
       if (sum_.size() == 0) {
         sum_ = Eigen::VectorXd::Zero(channel.lines.power.size());
         resolution_ = channel.resolution;
         locked_ = channel.locked;
       }
-      if (channel.lines.power.size() != sum_.size()) continue;
-      ++channels_;
-      for (Index i = 0; i < sum_.size(); ++i) sum_[i] += channel.lines.log_ratio(i);
+      if (channel.lines.power.size() != sum_.size()) {
+        weights_[c] = 0;
+        continue;
+      }
+      channels_ += weights_[c];
+      for (Index i = 0; i < sum_.size(); ++i) sum_[i] += weights_[c] * channel.lines.log_ratio(i);
     }
     for (Index i = 0; i < sum_.size(); ++i) {
       if (i < 3 || locked_[static_cast<std::size_t>(i)]) sum_[i] = channels_;
@@ -46,7 +86,7 @@ class BlowLines {
 
   bool empty() const { return sum_.size() == 0; }
   double resolution() const { return resolution_; }
-  double channels() const { return channels_; }
+  double weight(std::size_t channel) const { return weights_[channel]; }
   double highest_order() const { return resolution_ * static_cast<double>(sum_.size()); }
   // Without what slip and jitter spread.
   double exactly_at(double order) const { return read(sum_, order); }
@@ -81,9 +121,10 @@ class BlowLines {
 
   Eigen::VectorXd highest_;
   Eigen::VectorXd sum_;
+  std::vector<double> weights_;  // of channels
   std::vector<bool> locked_;
   double resolution_ = 0;
-  double channels_ = 0;
+  double channels_ = 0;  // Σ of their weights
 };
 
 // A part's lines: harmonics, each with sidebands that count up to their harmonic.
@@ -156,29 +197,22 @@ Eigen::VectorXd decoys_of(const BlowComb& comb, const BlowLines& lines, double r
   return decoys;
 }
 
-// What a severity refers to: the gears, or the whole signal of a machine without.
-double reference2(const ResidualEnvelope& channel, const Kinematics& kinematics) {
-  const double all = channel.gears2 + channel.residual2;
-  return std::max(kinematics.meshes.empty() ? all : channel.gears2, 1e-12 * all);
-}
-
-// What blows of a severity add to a comb's sum, over all channels. Their swing, twice their share
-// of the power, falls from harmonic to harmonic as they ring down.
-double expected_of(const BlowComb& comb, const std::vector<ResidualEnvelope>& channels,
-                   const Kinematics& kinematics, double severity) {
-  constexpr std::array swing{1.0, 0.8, 0.6, 0.5};
+// What blows of a severity add to a comb's sum, over all channels.
+double expected_of(const BlowComb& comb, const BlowLines& lines,
+                   const std::vector<ResidualEnvelope>& channels, const Kinematics& kinematics,
+                   double severity) {
   double sum = 0;
-  for (const ResidualEnvelope& channel : channels) {
-    if (channel.lines.power.size() == 0 || !(channel.residual2 > 0)) continue;
-    const double blows = severity * severity * reference2(channel, kinematics) / 2;
-    const double share = blows / (blows + channel.residual2);
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    const ResidualEnvelope& channel = channels[c];
+    if (lines.weight(c) == 0) continue;
+    const double swing = swing_by(severity, channel, kinematics);
     for (int h = 1; h <= harmonics; ++h) {
       const auto line = static_cast<Index>(std::lround(h * comb.order / channel.resolution));
       if (line >= channel.lines.power.size()) continue;
-      const double depth = 2 * share * swing[static_cast<std::size_t>(h - 1)];
+      const double depth = swing * of_mean_power[static_cast<std::size_t>(h - 1)];
       const double m = channel.lines.floor_lines[line];
       const double over = 1 + depth * depth / channel.lines.floor[line];
-      sum += m * std::log1p(over / m) - m * std::log1p(1 / m);
+      sum += lines.weight(c) * m * (std::log1p(over / m) - std::log1p(1 / m));
     }
   }
   return sum;
@@ -214,7 +248,7 @@ class BlowSearch {
     const Eigen::VectorXd single = decoys_of(comb, others, 0);
     const double asked = visible_sum(decoys) - single.mean();
     best.smallest_visible = severity_reaching(
-        asked, [&](double severity) { return expected_of(comb, channels_, k_, severity); });
+        asked, [&](double severity) { return expected_of(comb, lines, channels_, k_, severity); });
     return best;
   }
 
@@ -223,8 +257,8 @@ class BlowSearch {
   const Kinematics& k_;
 };
 
-// Mean square of a train of blows `order` times per turn. The lines of a train, that far apart, are
-// in phase; those of noise are not, and their products cancel.
+// Mean square of a train of blows `order` times per turn, at most all that is left. The lines of a
+// train, that far apart, are in phase; those of noise are not, and their products cancel.
 double blows2(const ResidualEnvelope& channel, double order) {
   const double at = order / channel.resolution;
   const auto line = static_cast<Index>(std::lround(at));
@@ -239,7 +273,9 @@ double blows2(const ResidualEnvelope& channel, double order) {
     const double by_noise = low.cwiseAbs2().dot(high.cwiseAbs2());
     sum += together - by_noise;
   }
-  return std::sqrt(std::max(0.0, sum));
+  const double both_left = channel.left * channel.left;
+  return std::min(std::sqrt(std::max(0.0, sum)) / both_left / of_mean_power.front(),
+                  channel.residual2 / channel.left);
 }
 
 // Squared depth of such blows in each channel; NaN where it has no envelope.
@@ -461,7 +497,7 @@ class UnknownBlows {
 std::vector<UnknownFamily> score_rolling(const std::vector<ResidualEnvelope>& channels,
                                          const Kinematics& kinematics,
                                          std::vector<SignatureScore>& scores) {
-  BlowLines lines(channels);
+  BlowLines lines(channels, kinematics);
   if (lines.empty()) return {};
   for (const RollingBearing& bearing : kinematics.bearings) {
     BearingScore(bearing, channels, kinematics, scores).score(lines);

@@ -43,7 +43,7 @@ inline std::string short_plan_with_limits() {
   for (const char* part : {"inner", "outer", "ball"}) {
     limits += std::string(limits.empty() ? "" : ", ") +
               R"({"measure": "modulation_depth", "unit": "1", "component": "bearing_)" + part +
-              R"(", "max": 0.15, "why": "four output turns hide less"})";
+              R"(", "max": 0.3, "why": "four output turns hide less"})";
   }
   return replaced(short_plan, "\"setup\"", "\"limits\": [" + limits + "], \"setup\"");
 }

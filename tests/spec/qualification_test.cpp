@@ -219,7 +219,9 @@ TEST_CASE("once the golden unit is in control others can pass, until it moves", 
   CHECK(run_as("A18", 100).code == 0);
 
   // Its input shaft is not what it was: the golden unit fails, and nobody else can pass.
-  CHECK(run_as("G01", 10, {"--preset", "input_shaft"}).code == 10);
+  const Answer bent = run_as("G01", 11, {"--preset", "input_shaft"});
+  CHECK(bent.code == 10);
+  CHECK_THAT(bent.out, Contains("input_shaft"));
   const Answer refused = run_as("A19", 100);
   CHECK(refused.code == 60);
   CHECK_THAT(refused.out, Contains("golden unit G01"));
