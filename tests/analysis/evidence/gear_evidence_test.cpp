@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "analysis/order/order_lines.hpp"
 #include "tests/analysis/order_signals.hpp"
 #include "tests/analysis/reducers.hpp"
 
