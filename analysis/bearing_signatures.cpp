@@ -25,7 +25,7 @@ std::vector<Signature> bearing_signatures(const BearingGeometry& bearing, double
         .sidebands = std::move(sidebands),
         .slip = slip,
         .shows = Shows::as_blows,
-        .depth_limit = 0.15,
+        .depth_limit = 0.125,
         .limit_why = "assumed: a sound race leaves no periodic blows; what noise leaves is less",
         .advice = "replace the bearing; look for the cause in load, fit and grease"};
   };

@@ -20,14 +20,15 @@ namespace {
 constexpr std::size_t lines_listed = 8;  // evidence lines shown per finding
 constexpr double fits_at = 0.05;         // p of a growth that contradicts its mechanism below it
 
-// Points that show a signature, and how.
+// Points that speak for a signature, and how.
 struct Evidence {
   std::vector<const Examination*> shown_by;
   std::vector<const SignatureScore*> scores;  // of shown_by
   std::vector<const SignatureScore*> all;     // of all resolvable points that could read it
 
-  // A bad part shows in half of what was measured, or in more than one record even if all that
-  // were looked at, for all parts, are paid for: at high load, say. One record of many is none.
+  // Half of what was measured speaks for a bad part, or more than one record shows it even if all
+  // that were looked at, for all parts, are paid for: at high load, say. One record of many is
+  // none.
   bool shows(double tests) const {
     if (2 * scores.size() >= all.size()) return !scores.empty();
     const double paid = significant_p / (tests * static_cast<double>(all.size()));
@@ -45,7 +46,7 @@ struct Evidence {
 Evidence gather(const std::vector<Examination>& points, std::size_t signature) {
   Evidence evidence;
   // Also where its median channel has no more than noise: else only depths that noise raised count.
-  const auto shows = [](const SignatureScore& score) { return score.p_value < significant_p; };
+  const auto shows = [](const SignatureScore& score) { return score.p_value < plausible_p; };
   std::vector<const Examination*> read;
   std::size_t by_noise = 0;
   for (const Examination& point : points) {
@@ -260,7 +261,7 @@ void drop_doubtful(std::vector<Shown>& shown, const Kinematics& kinematics, Diag
 // A wandering speed spreads the lines of a bad gear over those of the other gears and shafts in its
 // mesh. A part that shows far less than that gear may show only this.
 bool is_spread_by(const Shown& lesser, const Shown& graver, const Kinematics& kinematics) {
-  constexpr double far_worse = 10;
+  constexpr double far_worse = 4;
   return share_a_mesh(lesser.signature, graver.signature, kinematics) &&
          far_worse * lesser.finding.severity < graver.finding.severity;
 }

@@ -13,6 +13,9 @@ namespace rvbench::analysis {
 /// A p-value below it, over everything searched, says that something is there.
 inline constexpr double significant_p = 1e-3;
 
+/// A record with a p-value below it speaks for a part that all records together show.
+inline constexpr double plausible_p = 0.05;
+
 /// What is wrong with the data, and whether it forbids a verdict.
 struct QualityNote {
   std::string where;  ///< "point 012, accel_1x"

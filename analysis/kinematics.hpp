@@ -61,6 +61,7 @@ struct Signature {
   bool strikes = false;   ///< one bad tooth or pin among good ones: blows, not a swing of its mesh
   double turn = 0;        ///< of what is damaged, in its mesh: the spacing of its own lines; orders
   double path_order = 0;  ///< turns of the part past the sensors per input turn; 0: it stands
+  double beside_mesh = 1;  ///< share of its damage's power that is beside the mesh's own lines
   GrowthRange load_growth = any_growth;
   double depth_limit = 0;  ///< modulation depth above which the part counts as bad
   /// The same where it shows in noise alone, if that is less: there planets cancel nothing.

@@ -114,7 +114,7 @@ std::vector<Signature> carried_signatures(const Rates& r, Signature planet) {
        .strikes = true,
        .turn = r.orbit,
        .load_growth = any_growth,
-       .depth_limit = 0.05,
+       .depth_limit = 0.04,
        .limit_why = "assumed: pins of one class share the load alike",
        .advice = "look at the pins and their grooves in the shell; replace pins as a set"},
   };

@@ -27,8 +27,8 @@ class BlowLines {
   /// Without what slip and jitter spread.
   double exactly_at(double order) const { return read(sum_, order); }
   double at(double order) const { return read(highest_, order); }
-  /// Whether the line is three times as high as the mean of noise.
-  bool hears(double order) const { return at(order) > 3 * channels_; }
+  /// Whether the line is so many times as high as the mean of noise.
+  bool hears(double order, double times = 3) const { return at(order) > times * channels_; }
   /// Sets a line back to the mean of noise: a part explains it. spread() follows the last.
   void take(double order);
   /// Makes each line the highest of those that slip and jitter may have spread it over.

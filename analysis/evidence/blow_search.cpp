@@ -114,8 +114,10 @@ FoundBlows BlowSearch::operator()(const BlowComb& comb, const BlowLines& lines, 
   BlowLines others = lines;
   take_family(comb, best.stretch, others);
   const Eigen::VectorXd decoys = decoys_of(comb, others, reach);
+  constexpr double hardly = 2;
   // Without its first line the others are another part's.
-  if (lines.hears(comb.order * best.stretch)) best.p_value = decoy_p_value(best.sum, decoys);
+  if (lines.hears(comb.order * best.stretch, hardly))
+    best.p_value = decoy_p_value(best.sum, decoys);
   best.excess = best.sum - median({decoys.begin(), decoys.end()});
   const Eigen::VectorXd single = decoys_of(comb, others, 0);
   const double asked = visible_sum(decoys) - single.mean();

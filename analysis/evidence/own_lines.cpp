@@ -131,7 +131,8 @@ class PartCombs {
       lines.own.insert(lines.own.end(), shared.begin(), shared.end());
     }
     if (!seen.empty()) {
-      lines.share = static_cast<double>(lines.own.size()) / static_cast<double>(seen.size());
+      lines.share = part.beside_mesh * static_cast<double>(lines.own.size()) /
+                    static_cast<double>(seen.size());
     }
   }
 

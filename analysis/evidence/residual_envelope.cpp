@@ -53,7 +53,7 @@ void whiten(Eigen::VectorXcd& lines, const std::vector<bool>& taken) {
 // no train of blows is.
 std::vector<bool> tones_among(const Eigen::VectorXcd& lines, const std::vector<bool>& taken) {
   constexpr double stands_out = 1000;  // power over the floor
-  const LineFloor floor = line_floor({1, lines.cwiseAbs()}, taken);
+  const LineFloor floor = line_floor({1, lines.cwiseAbs2().cwiseSqrt()}, taken);
   std::vector<bool> tones(taken.size());
   for (std::size_t i = 0; i < tones.size(); ++i) {
     const auto line = static_cast<Index>(i);
@@ -122,12 +122,12 @@ ResidualEnvelope residual_envelope(const OrderLines& x, const ResidualPlaces& pl
   const Eigen::VectorXcd envelope = fft(squared);
   const double mean = std::abs(envelope[0]);
   if (!(mean > 0)) return result;
-  Spectrum depth{result.resolution, 2 / mean * envelope.head(asked).cwiseAbs()};
+  Spectrum depth{result.resolution, 2 / mean * envelope.head(asked).cwiseAbs2().cwiseSqrt()};
   depth.amplitude.head(3).setZero();
   result.locked = places.locked;
   result.lines = line_floor(depth, result.locked);
   const Eigen::VectorXcd windowed = is_periodic ? lines_under_hann(envelope, asked) : envelope;
-  result.windowed = {result.resolution, 2 / mean * windowed.head(asked).cwiseAbs()};
+  result.windowed = {result.resolution, 2 / mean * windowed.head(asked).cwiseAbs2().cwiseSqrt()};
   result.windowed.amplitude.head(3).setZero();
   return result;
 }

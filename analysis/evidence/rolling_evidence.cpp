@@ -98,7 +98,7 @@ class BearingScore {
     score.smallest_visible = blows.smallest_visible;
     score.depth2_variance = std::numeric_limits<double>::min();
     score.channel_depths.assign(channels_.size(), 0.0);
-    if (blows.p_value >= significant_p) return;
+    if (blows.p_value >= plausible_p) return;
     const std::vector<double> depths2 = blow_depths2(channels_, k_, score.order);
     for (std::size_t c = 0; c < depths2.size(); ++c) {
       if (!std::isnan(depths2[c])) score.channel_depths[c] = std::sqrt(depths2[c]);

@@ -28,6 +28,7 @@ void write_plan(const ScratchFolder& scratch, const std::string& name = "quick")
   auto plan = nlohmann::ordered_json::parse(quick->text);
   plan["name"] = name;
   plan["main"][0]["speeds_rpm"] = {1815};
+  plan["limits"] = {plan["limits"][0]};  // of the peak
   write_file(scratch / "two.json", plan.dump(2));
 }
 
