@@ -259,10 +259,13 @@ void drop_doubtful(std::vector<Shown>& shown, const Kinematics& kinematics, Diag
 }
 
 // A wandering speed spreads the lines of a bad gear over those of the other gears and shafts in its
-// mesh. A part that shows far less than that gear may show only this.
+// mesh, and blows that slip meet lines of gears by chance. A part that shows far less than that
+// gear or bearing may show only this.
 bool is_spread_by(const Shown& lesser, const Shown& graver, const Kinematics& kinematics) {
   constexpr double far_worse = 4;
-  return share_a_mesh(lesser.signature, graver.signature, kinematics) &&
+  const bool by_slip = kinematics.signatures[graver.signature].shows == Shows::as_blows &&
+                       kinematics.signatures[lesser.signature].shows != Shows::as_blows;
+  return (by_slip || share_a_mesh(lesser.signature, graver.signature, kinematics)) &&
          far_worse * lesser.finding.severity < graver.finding.severity;
 }
 
