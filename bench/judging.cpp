@@ -81,11 +81,18 @@ std::string nearest_within(const analysis::Diagnosis& diagnosis) {
                      report::limit_text(*nearest));
 }
 
+// Beside a part that is bad the depth of others may not be told. That is no flaw of the data.
+bool is_hidden(const LimitCheck& check, const analysis::Diagnosis& diagnosis) {
+  return check.measure == modulation_depth && diagnosis.resolvable && !diagnosis.findings.empty();
+}
+
 // What the limits make of the findings. A limit that could not be held against the data outweighs
 // one that is exceeded, but both are said.
 Ending weighed(const Judgement& judgement) {
   const std::string bad = first_beyond(judgement);
-  const auto unmeasured = std::ranges::find_if_not(judgement.limits, is_measured);
+  const auto unmeasured = std::ranges::find_if(judgement.limits, [&](const LimitCheck& check) {
+    return !is_measured(check) && !is_hidden(check, judgement.diagnosis);
+  });
   if (unmeasured != judgement.limits.end()) {
     return invalid(name_of(*unmeasured) + " " + why_unmeasured(*unmeasured) +
                    first_lacking(*unmeasured) + (bad.empty() ? "" : "; beside it " + bad));

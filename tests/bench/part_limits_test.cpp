@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -84,6 +85,34 @@ TEST_CASE("what noise could hide is no pass", "[bench][limits]") {
   const Judgement limited = of_silent_crank(0.07, {strict});
   CHECK(limited.ending.outcome == Outcome::invalid);
   CHECK(limited.ending.reason == "modulation_depth of crank could not be measured");
+}
+
+TEST_CASE("beside a bad part the limit of one that it hides is no flaw of the data",
+          "[bench][limits]") {
+  analysis::Kinematics machine = with_crank();
+  machine.signatures.push_back(machine.signatures[0]);
+  machine.signatures[1].component = "sun_gear";
+  machine.signatures[1].order = 0.99;
+  JudgedPoint point = point_with_peak(0.1);
+  point.examination.scores.resize(2);
+  analysis::SignatureScore& bad = point.examination.scores[0];
+  bad.order = 0.5;
+  bad.depth = 0.5;
+  bad.depth2_variance = 1e-6;
+  bad.p_value = 1e-12;
+  bad.line_orders = {0.5};
+  bad.line_depths = bad.channel_depths = {bad.depth};
+  analysis::SignatureScore& hidden = point.examination.scores[1];
+  hidden.signature = 1;
+  hidden.depth2_variance = 0.09;
+  hidden.smallest_visible = 0.3;
+  const Limit strict{"modulation_depth", "sun_gear", "1", 0.05, "as the maker says"};
+  Judgement judgement;
+  judgement.points = {point};
+  conclude(judgement, with_limits(machine, {strict}), {strict}, measured);
+  CHECK(judgement.ending.outcome == Outcome::fail);
+  CHECK(std::isnan(judgement.limits.at(0).measured));
+  CHECK_FALSE(judgement.limits[0].passed);
 }
 
 TEST_CASE("a limit on a part that the machine does not have is a fault of the plan", "[bench]") {
