@@ -335,6 +335,10 @@ UnknownFamily unknown_family(const SpectralLine& family, const std::vector<Exami
 
 }  // namespace
 
+bool Finding::may_be(const std::string& part) const {
+  return component == part || std::ranges::find(one_of, part) != one_of.end();
+}
+
 std::vector<const Finding*> Diagnosis::hypotheses() const {
   std::vector<const Finding*> all;
   for (const auto* list : {&findings, &below_limit, &not_shown}) {

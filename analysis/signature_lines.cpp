@@ -37,7 +37,7 @@ class Claims {
 
   bool is_harmonic_of_another(std::size_t mine, double order) const {
     for (std::size_t i = 0; i < signatures_.size(); ++i) {
-      if (i == mine || signatures_[i].slip > 0) continue;
+      if (i == mine || signatures_[i].shows == Shows::as_blows) continue;
       if (harmonic_at(signatures_[i], order, signatures_[i].first_harmonic, lines_) > 0) {
         return true;
       }
@@ -87,7 +87,7 @@ std::vector<std::vector<SignatureLine>> signature_lines(const Kinematics& kinema
   const Claims claims(all, near);
   std::vector<std::vector<SignatureLine>> lines(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const bool rolls = all[i].slip > 0;  // its orders are not those of any gear
+    const bool rolls = all[i].shows == Shows::as_blows;  // its orders are not those of any gear
     for (int h = all[i].first_harmonic; h <= all[i].harmonics; ++h) {
       if (!rolls && claims.lost(i, h)) continue;
       const double main = h * all[i].order;

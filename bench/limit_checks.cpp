@@ -21,7 +21,7 @@ std::string_view absent_when(const LimitCheck& check) {
 }
 
 bool is_about(const LimitCheck& check, const analysis::Finding& finding) {
-  return check.component.empty() || check.component == finding.component;
+  return check.component.empty() || finding.may_be(check.component);
 }
 
 void check_findings(LimitCheck& check, const std::vector<analysis::Finding>& findings) {

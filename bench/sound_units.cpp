@@ -54,7 +54,7 @@ Shown shown_by(const analysis::Signature& part, const std::vector<analysis::Diag
   Shown shown;
   for (const analysis::Diagnosis& unit : units) {
     for (const analysis::Finding* f : unit.hypotheses()) {
-      const bool is_it = f->component == part.component && f->mechanism == part.mechanism;
+      const bool is_it = f->may_be(part.component) && f->mechanism == part.mechanism;
       if (!is_it || std::isnan(f->smallest_visible) || std::isnan(f->severity)) continue;
       shown.severities.push_back(f->severity);
       shown.visible.push_back(f->smallest_visible);

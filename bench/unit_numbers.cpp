@@ -51,7 +51,10 @@ void add_unlimited(std::vector<UnitNumber>& numbers, const Judgement& judgement)
 double depth_in(const analysis::Diagnosis& diagnosis, const std::string& part) {
   if (!diagnosis.resolvable) return not_known;
   for (const Finding* finding : diagnosis.hypotheses()) {
-    if (part_of(*finding) != part) continue;
+    const bool is_it = std::ranges::any_of(finding->one_of, [&](const std::string& name) {
+      return name + ": " + finding->mechanism == part;
+    });
+    if (!is_it && part_of(*finding) != part) continue;
     if (!finding->points.empty()) return finding->severity;
     return finding->is_open() ? not_known : 0;
   }

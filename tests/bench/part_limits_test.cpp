@@ -115,6 +115,18 @@ TEST_CASE("beside a bad part the limit of one that it hides is no flaw of the da
   CHECK_FALSE(judgement.limits[0].passed);
 }
 
+TEST_CASE("a part's limit holds where its set stands under the other's name", "[bench][limits]") {
+  Judgement judgement;
+  judgement.diagnosis.resolvable = true;
+  analysis::Finding& set = judgement.diagnosis.below_limit.emplace_back();
+  set.component = "wheel";
+  set.one_of = {"wheel", "pinion"};
+  set.severity = 0.3;
+  const LimitCheck pinion = check_of({"modulation_depth", "pinion", "1", 0.2, ""}, judgement);
+  CHECK(pinion.measured == 0.3);
+  CHECK_FALSE(pinion.passed);
+}
+
 TEST_CASE("a limit on a part that the machine does not have is a fault of the plan", "[bench]") {
   analysis::Kinematics kinematics;
   kinematics.machine = "RV-20E";

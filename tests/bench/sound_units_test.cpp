@@ -88,6 +88,16 @@ TEST_CASE("a part that too few sound units could judge keeps its limit", "[bench
   CHECK(limit_by(blind) == 0.5);
 }
 
+TEST_CASE("a part that stands in a set under another's name has its sound units",
+          "[bench][sound]") {
+  std::vector<analysis::Diagnosis> units = units_like(0.2, 0.01, 40);
+  for (analysis::Diagnosis& each : units) {
+    each.below_limit[0].component = "wheel";
+    each.below_limit[0].one_of = {"wheel", "shaft"};
+  }
+  CHECK(limit_by(units) == limit_by(units_like(0.2, 0.01, 40)));
+}
+
 TEST_CASE("sound units are found by file, folder and serial", "[bench][sound]") {
   const ScratchFolder scratch;
   Judgement judgement = test::passed_run();
