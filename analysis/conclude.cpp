@@ -31,9 +31,22 @@ struct Evidence {
   // none.
   bool shows(double tests) const {
     if (2 * scores.size() >= all.size()) return !scores.empty();
-    const double paid = significant_p / (tests * static_cast<double>(all.size()));
-    return std::ranges::count_if(
-               scores, [&](const SignatureScore* score) { return score->p_value < paid; }) > 1;
+    return std::ranges::count_if(scores, [&](const SignatureScore* score) {
+             return score->p_value < paid(tests);
+           }) > 1;
+  }
+
+  // Deepest in a record that shows it all the same; 0 if none does.
+  double surely_shown(double tests) const {
+    double depth = 0;
+    for (const SignatureScore* score : scores) {
+      if (score->p_value < paid(tests)) depth = std::max(depth, score->depth);
+    }
+    return depth;
+  }
+
+  double paid(double tests) const {
+    return significant_p / (tests * static_cast<double>(all.size()));
   }
 
   // Index of the point that shows it deepest.
@@ -221,7 +234,7 @@ void join_twins(std::vector<Shown>& shown, const Kinematics& kinematics) {
 
 // A bad rolling element shows once per turn of the cage, as a worn cage does. If slip has spread
 // its own lines, only the cage's is left, and the element is the likelier cause.
-void share_cages(std::vector<Shown>& shown, const Kinematics& kinematics) {
+void share_cages(std::vector<Shown>& shown, const Kinematics& kinematics, Diagnosis& d) {
   for (const RollingBearing& bearing : kinematics.bearings) {
     const auto of = [&](std::size_t part) {
       return std::ranges::find(shown, part, &Shown::signature);
@@ -234,6 +247,11 @@ void share_cages(std::vector<Shown>& shown, const Kinematics& kinematics) {
     finding.cannot_tell_from = {name_of(kinematics.signatures[bearing.cage_wear])};
     finding.component = ball.component;
     finding.mechanism = ball.mechanism;
+    finding.limit = ball.depth_limit;
+    cage->weight = weight(finding);
+    std::erase_if(d.not_shown, [&](const Finding& other) {
+      return other.component == ball.component && other.mechanism == ball.mechanism;
+    });
   }
 }
 
@@ -253,6 +271,7 @@ void drop_doubtful(std::vector<Shown>& shown, const Kinematics& kinematics, Diag
   for (Shown& s : shown) {
     if (!is_doubtful(s)) continue;
     s.finding.points.clear();
+    s.finding.severity = s.finding.severity_low = 0;
     d.not_shown.push_back(s.finding);
   }
   std::erase_if(shown, is_doubtful);
@@ -369,7 +388,8 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
     if (!evidence.shows(tests) || f.p_value >= significant_p || f.severity == 0) {
       // Too few points show the part. They do not prove that it is within its limit.
       f.points.clear();
-      f.severity_high = f.smallest_visible;
+      f.severity = f.severity_low = 0;
+      f.severity_high = std::max(f.smallest_visible, evidence.surely_shown(tests));
       d.not_shown.push_back(std::move(f));
       continue;
     }
@@ -381,7 +401,7 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
   put_causes_first(shown, kinematics);
   drop_doubtful(shown, kinematics, d);
   join_twins(shown, kinematics);
-  share_cages(shown, kinematics);
+  share_cages(shown, kinematics, d);
   relate(shown, kinematics);
   double total = 0;
   for (const Shown& s : shown) total += s.is_bad() ? s.weight : 0;

@@ -54,6 +54,10 @@ std::string first_open(const analysis::Diagnosis& diagnosis) {
   if (std::isnan(open->severity_high)) {
     return part + fmt::format(": no line of its order {:.4g} can be read", open->order);
   }
+  if (open->severity_high > open->smallest_visible) {
+    return part + fmt::format(": too few points show it, as deep as {:.3g}, its limit is {:.3g}",
+                              open->severity_high, open->limit);
+  }
   return part + fmt::format(": noise hides depths up to {:.3g}, its limit is {:.3g}",
                             open->severity_high, open->limit);
 }
@@ -101,7 +105,8 @@ Ending weighed(const Judgement& judgement) {
   // Lines that modulate a mesh and belong to no part: the kinematics are not this machine's, and no
   // name that they give can be trusted.
   const bool is_other_machine =
-      !unknown.empty() && judgement.diagnosis.unknown.front().sidebands > 0;
+      std::ranges::any_of(judgement.diagnosis.unknown,
+                          [](const analysis::UnknownFamily& f) { return f.sidebands > 0; });
   if (is_other_machine) return invalid(unknown + (bad.empty() ? "" : "; beside it " + bad));
   if (!bad.empty()) return {Outcome::fail, ErrorKind::none, bad};
   if (!unknown.empty()) return invalid(unknown);
@@ -169,7 +174,7 @@ analysis::Kinematics with_limits(analysis::Kinematics kinematics,
       if (strictest == nullptr || limit.max < strictest->max) strictest = &limit;
     }
     if (strictest == nullptr) continue;
-    signature.depth_limit = strictest->max;
+    signature.depth_limit = signature.noise_limit = strictest->max;
     signature.limit_why = strictest->why;
   }
   return kinematics;

@@ -123,7 +123,7 @@ analysis::Kinematics with_sound_units(analysis::Kinematics kinematics,
     spread.scatter = std::max(spread.scatter, std::ranges::max(shown.visible) / spread.factor);
     part.sound_median = spread.median;
     part.sound_scatter = spread.scatter;
-    part.depth_limit = spread.median + spread.factor * spread.scatter;
+    part.depth_limit = part.noise_limit = spread.median + spread.factor * spread.scatter;
     part.limit_why =
         fmt::format("{} sound units: median {:.3g} and {:.1f} times their scatter of {:.3g}",
                     shown.severities.size(), spread.median, spread.factor, spread.scatter);

@@ -138,8 +138,9 @@ void score_noise(const std::vector<std::vector<GearReading>>& readings, const Ge
           std::max({swing_of_sound_noise, lines.depth, swing_of_beats * shafts_swing});
       const bool shows = noise.p_value < significant_p && noise.depth > of_sound;
       if (shows && kind == Shows::as_turning) shafts_swing = std::max(shafts_swing, noise.depth);
-      // Two ways to show are two chances.
-      const double p_value = std::min(1.0, 2 * std::min(noise.p_value, lines.p_value));
+      // Two ways to show are two chances. Noise that swings as in a sound machine is none.
+      const double least = shows ? std::min(noise.p_value, lines.p_value) : lines.p_value;
+      const double p_value = std::min(1.0, 2 * least);
       if (shows || lines.p_value >= significant_p) {
         if (!std::isnan(lines.smallest_visible)) noise.smallest_visible = lines.smallest_visible;
         if (shows || std::isnan(lines.smallest_visible)) lines = std::move(noise);

@@ -68,7 +68,9 @@ class GearReader {
     if (2 * won < disputed) {  // another part makes them: they are as good as noise
       shared.line2 = 0;
       for (std::size_t i = 0; i < part.own.size(); ++i) {
-        if (!part.own[i].rivals.empty()) r.log_ratio[static_cast<Index>(i)] = 1;
+        if (part.own[i].rivals.empty()) continue;
+        r.log_ratio[static_cast<Index>(i)] = 1;
+        r.line2[static_cast<Index>(i)] = 0;
       }
     }
     r.own2 = alone.line2 + shared.line2 - loudest_over_second(part, r.line2);

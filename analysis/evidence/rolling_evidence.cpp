@@ -1,6 +1,7 @@
 #include "analysis/evidence/rolling_evidence.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -28,6 +29,15 @@ class BearingScore {
     const FoundBlows inner = found_(comb(b_.inner), lines, 1, reach(b_.inner));
     const FoundBlows outer = found_(comb(b_.outer), lines, 1, reach(b_.outer));
     const FoundBlows ball = found_(comb(b_.ball), lines, 1, reach(b_.ball));
+    if (std::ranges::none_of(std::array{&inner, &outer, &ball}, [](const FoundBlows* blows) {
+          return blows->p_value < significant_p;
+        })) {
+      put(b_.inner, inner);  // none of them tells the cage's speed
+      put(b_.outer, outer);
+      put(b_.ball, ball);
+      judge_free(b_.cage_wear, lines);
+      return;
+    }
     BlowLines left = lines;
     const FoundBlows* first = &inner;
     const double of_inner = depth2(b_.inner, inner), of_outer = depth2(b_.outer, outer);
@@ -50,8 +60,12 @@ class BearingScore {
       put(b_.ball, ball);
       explain(b_.ball, ball, left);
       judge_free(b_.inner, left);
-      const double stretch = scores_[b_.inner].order / k_.signatures[b_.inner].order;
-      judge_tied(b_.outer, cage_of_inner(stretch) / b_.cage, left);
+      if (scores_[b_.inner].p_value < significant_p) {
+        const double stretch = scores_[b_.inner].order / k_.signatures[b_.inner].order;
+        judge_tied(b_.outer, cage_of_inner(stretch) / b_.cage, left);
+      } else {
+        judge_free(b_.outer, left);
+      }
     }
     judge_free(b_.cage_wear, left);
     for (const std::size_t part : {b_.inner, b_.outer, b_.ball, b_.cage_wear}) {

@@ -29,7 +29,8 @@ bool is_simple_ratio(double ratio) {
 // A multiple of a shaft's turn, as far as a stated speed places it.
 bool is_of_shaft(double spacing, const std::vector<ResidualEnvelope>& channels,
                  const Kinematics& kinematics) {
-  const double off = channels.front().order_error;
+  // A channel that is left out has none.
+  const double off = std::ranges::max(channels, {}, &ResidualEnvelope::order_error).order_error;
   return off > 0 && std::ranges::any_of(kinematics.signatures, [&](const Signature& part) {
            return part.shows == Shows::as_turning && is_multiple(spacing, part.order, off);
          });

@@ -84,8 +84,7 @@ std::string rivals_text(const analysis::Finding& finding) {
 
 std::string cause_text(const analysis::Finding& finding) {
   if (finding.may_follow_from.empty()) return "";
-  return fmt::format("may be a consequence of {}, which has all these lines as well",
-                     finding.may_follow_from);
+  return "may be a consequence of " + finding.may_follow_from;
 }
 
 std::string advice_text(const analysis::Finding& finding) {

@@ -36,7 +36,7 @@ std::string growth_text(const analysis::Finding& finding);
 /// "cannot be told from bearing_2: spall"; empty where the finding stands alone.
 std::string rivals_text(const analysis::Finding& finding);
 
-/// "may be a consequence of planet_gear: tooth_damage, which has all these lines as well"; empty
+/// "may be a consequence of planet_gear: tooth_damage"; empty
 /// where no graver finding has.
 std::string cause_text(const analysis::Finding& finding);
 
