@@ -10,8 +10,8 @@ namespace {
 
 using Index = Eigen::Index;
 
-constexpr double hann_reach = 1.5;  // lines: what of it lies further away is below 0.1 %
-// A drive holds its speed to some thousandths, and corrects it twice a second at the most.
+constexpr double hann_reach = 1.5;  // lines: further away a line has below 3 % of its power
+// A drive holds its speed to some thousandths. What is left wanders within a second or two.
 constexpr double wander_Hz = 0.6;
 
 void mark_lines(const Kinematics& kinematics, std::size_t lines, GearPlaces& places) {

@@ -16,7 +16,7 @@ using Index = Eigen::Index;
 constexpr double over_beside = 4;
 constexpr Index lines_beside = 3;
 // A line that wanders through a resonance of 1 % damping swings by a tenth at the most: a four
-// hundredth of its power.
+// hundredth of its power to either side, and as much again for chance.
 constexpr double wandering = 0.004;
 constexpr double stands_out = 16;  // power over the floor: noise is there once in 10⁷
 // Blows of a tooth last about as long as its contact: beyond the second harmonic of the mesh hardly

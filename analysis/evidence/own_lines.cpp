@@ -241,12 +241,18 @@ std::vector<double> sound_lines(const Kinematics& kinematics, double top_order) 
       if (at > 0 && at <= top_order) lines.push_back(at);
     }
   };
+  const auto take_beside = [&](double carrier, double apart, double path) {
+    take(carrier - apart, path);
+    take(carrier + apart, path);
+  };
   for (const GearMesh& mesh : kinematics.meshes) {
     for (double h = mesh.order; h <= top_order + 1; h += mesh.order) {
       take(h, mesh.path_order);
-      for (const MeshingGear& gear : mesh.gears) {
-        take(h - gear.order, mesh.path_order);
-        take(h + gear.order, mesh.path_order);
+      for (const MeshingGear& gear : mesh.gears) take_beside(h, gear.order, mesh.path_order);
+      // Torque that a shaft's turn makes goes through every mesh.
+      for (const Signature& part : kinematics.signatures) {
+        if (part.shows != Shows::as_turning) continue;
+        for (int n = 1; n <= part.forces; ++n) take_beside(h, n * part.order, mesh.path_order);
       }
     }
   }
