@@ -201,7 +201,9 @@ void put_causes_first(std::vector<Shown>& shown, const Kinematics& kinematics) {
       return other.is_bad() && far_worse * other.finding.severity > shaft.finding.severity &&
              may_follow_from(shaft.signature, other.signature, kinematics);
     });
-    if (cause != shown.end()) std::rotate(here, cause, cause + 1);
+    if (cause == shown.end()) continue;
+    cause->weight = std::max(cause->weight, shaft.weight);
+    std::rotate(here, cause, cause + 1);
   }
 }
 

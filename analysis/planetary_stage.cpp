@@ -21,7 +21,8 @@ double shaft_limit(const SunStage& stage) {
   if (stage.planets == 1) return limit_of_one_mesh;
   const int off = stage.sun_teeth % stage.planets;
   const bool neighbours_add = off == 1 || off == stage.planets - 1;
-  return neighbours_add ? 0.25 : 0.1;  // torque that swings by 6 % reads as 0.085
+  if (neighbours_add) return 0.25;
+  return off == 0 ? 0.1 : 0.12;  // torque that swings by 6 % reads as 0.085
 }
 
 void check(const PlanetaryGeometry& g) {

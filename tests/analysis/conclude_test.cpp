@@ -277,6 +277,8 @@ TEST_CASE("a shaft whose gear is worse may follow from it", "[analysis][conclude
   const Diagnosis both = conclude({point("a", {0.6, 1e-12}, {0.3, 1e-12})}, k);
   CHECK(both.findings.at(0).component == "gear");
   CHECK(both.findings.at(1).may_follow_from == "gear: wear");
+  // A cause is as sure as what follows from it.
+  CHECK(both.findings[0].confidence == both.findings[1].confidence);
 }
 
 TEST_CASE("a ring that no record can part from the sun is a set with it, shown or not",
