@@ -152,6 +152,12 @@ Finding weigh(const Signature& signature, const Evidence& evidence, double tests
   return f;
 }
 
+// No point counts as one that shows it.
+void clear_shown(Finding& f) {
+  f.points.clear();
+  f.severity = f.severity_low = 0;
+}
+
 // Adds where and how the points show it.
 void describe(Finding& f, const Evidence& evidence, const Kinematics& kinematics,
               std::size_t signature) {
@@ -267,16 +273,14 @@ void drop_doubtful(std::vector<Shown>& shown, const Kinematics& kinematics, Diag
   const bool is_struck =
       std::ranges::any_of(shown, [&](const Shown& s) { return rolls(s) && s.is_bad(); });
   if (!is_struck) return;
-  const auto is_doubtful = [&](const Shown& s) {
-    return !rolls(s) && s.finding.severity < plainly * s.finding.smallest_visible;
-  };
-  for (Shown& s : shown) {
-    if (!is_doubtful(s)) continue;
-    s.finding.points.clear();
-    s.finding.severity = s.finding.severity_low = 0;
-    d.not_shown.push_back(s.finding);
+  const auto doubtful = std::stable_partition(shown.begin(), shown.end(), [&](const Shown& s) {
+    return rolls(s) || !(s.finding.severity < plainly * s.finding.smallest_visible);
+  });
+  for (auto s = doubtful; s != shown.end(); ++s) {
+    clear_shown(s->finding);
+    d.not_shown.push_back(std::move(s->finding));
   }
-  std::erase_if(shown, is_doubtful);
+  shown.erase(doubtful, shown.end());
 }
 
 // A wandering speed spreads the lines of a bad gear over those of the other gears and shafts in its
@@ -389,8 +393,7 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
     Finding f = weigh(kinematics.signatures[s], evidence, tests);
     if (!evidence.shows(tests) || f.p_value >= significant_p || f.severity == 0) {
       // Too few points show the part. They do not prove that it is within its limit.
-      f.points.clear();
-      f.severity = f.severity_low = 0;
+      clear_shown(f);
       f.severity_high = std::max(f.smallest_visible, evidence.surely_shown(tests));
       d.not_shown.push_back(std::move(f));
       continue;

@@ -150,7 +150,7 @@ struct Finding {
   std::vector<std::string> cannot_tell_from;  ///< "component: mechanism" that explain it as well
   std::string may_follow_from;  ///< "component: mechanism" of a graver one that makes all its lines
 
-  /// Whether it names the part, alone or in its set.
+  /// True if the finding names the part, alone or in its set.
   bool may_be(const std::string& part) const;
 
   /// Whether no point shows it, and none could have shown that it is within its limit.

@@ -10,8 +10,8 @@ namespace {
 
 using Index = Eigen::Index;
 
-// What each channel counts: as much as it would hear of blows that are just bad, over its noise.
-// Scaled so that the sum scatters as that of so many channels does that count alike.
+// A channel weighs the more, the louder it would hear blows that are just bad over its noise. The
+// weights are scaled: their sum of −ln p scatters as that of Σ channels of equal weight.
 std::vector<double> weights_of(const std::vector<ResidualEnvelope>& channels,
                                const Kinematics& kinematics) {
   constexpr double just_bad = 0.1;

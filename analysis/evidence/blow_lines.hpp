@@ -27,7 +27,7 @@ class BlowLines {
   /// Without what slip and jitter spread.
   double exactly_at(double order) const { return read(sum_, order); }
   double at(double order) const { return read(highest_, order); }
-  /// Whether the line is so many times as high as the mean of noise.
+  /// True if the line is `times` as high as the mean of noise.
   bool hears(double order, double times = 3) const { return at(order) > times * channels_; }
   /// Sets a line back to the mean of noise: a part explains it. spread() follows the last.
   void take(double order);

@@ -13,9 +13,9 @@ inline constexpr int blow_harmonics = 4;
 /// Relative: slip that wanders spreads a line of blows by it.
 inline constexpr double blow_smear = 0.002;
 
-/// Of the mean power of a train of blows: the share that a harmonic of its squared envelope holds,
-/// from 1 to blow_harmonics. Blows ring down and jitter, and each of their lines passes the housing
-/// in its own phase.
+/// The share of a train's mean power that one harmonic of its squared envelope holds. Blows ring
+/// down and jitter, and each of their lines passes the housing in its own phase.
+/// @param harmonic  1 to blow_harmonics
 /// Source  ours
 double of_mean_power(int harmonic);
 

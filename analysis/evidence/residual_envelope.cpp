@@ -16,6 +16,9 @@ constexpr Index fewest_lines = 64;
 constexpr double stated_slip = 0.003;  // of a motor's stated speed against its own, in steady load
 constexpr double window_reach = 2;     // lines
 
+// Without the care for overflow of std::abs, which takes longer.
+Eigen::VectorXd moduli(const Eigen::VectorXcd& lines) { return lines.cwiseAbs2().cwiseSqrt(); }
+
 bool is_whole(double x) { return std::abs(x - std::round(x)) < 1e-6 * std::max(1.0, x); }
 
 // Whether every turn of the gear train goes into the record a whole number of times.
@@ -53,7 +56,7 @@ void whiten(Eigen::VectorXcd& lines, const std::vector<bool>& taken) {
 // no train of blows is.
 std::vector<bool> tones_among(const Eigen::VectorXcd& lines, const std::vector<bool>& taken) {
   constexpr double stands_out = 1000;  // power over the floor
-  const LineFloor floor = line_floor({1, lines.cwiseAbs2().cwiseSqrt()}, taken);
+  const LineFloor floor = line_floor({1, moduli(lines)}, taken);
   std::vector<bool> tones(taken.size());
   for (std::size_t i = 0; i < tones.size(); ++i) {
     const auto line = static_cast<Index>(i);
@@ -122,12 +125,12 @@ ResidualEnvelope residual_envelope(const OrderLines& x, const ResidualPlaces& pl
   const Eigen::VectorXcd envelope = fft(squared);
   const double mean = std::abs(envelope[0]);
   if (!(mean > 0)) return result;
-  Spectrum depth{result.resolution, 2 / mean * envelope.head(asked).cwiseAbs2().cwiseSqrt()};
+  Spectrum depth{result.resolution, 2 / mean * moduli(envelope.head(asked))};
   depth.amplitude.head(3).setZero();
   result.locked = places.locked;
   result.lines = line_floor(depth, result.locked);
   const Eigen::VectorXcd windowed = is_periodic ? lines_under_hann(envelope, asked) : envelope;
-  result.windowed = {result.resolution, 2 / mean * windowed.head(asked).cwiseAbs2().cwiseSqrt()};
+  result.windowed = {result.resolution, 2 / mean * moduli(windowed.head(asked))};
   result.windowed.amplitude.head(3).setZero();
   return result;
 }
