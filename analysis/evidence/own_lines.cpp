@@ -87,7 +87,7 @@ class PartCombs {
   PartLines of(const Signature& part) const {
     PartLines lines;
     if (part.shows == Shows::as_blows || part.shows == Shows::as_printed) return lines;
-    lines.mesh = mesh_lines(part);
+    take_meshes(part, lines);
     // A force at a shaft's order is bad only against the meshes beside it.
     if (k_.meshes.empty()) return lines;
     if (part.shows == Shows::as_teeth) {
@@ -101,23 +101,22 @@ class PartCombs {
 
  private:
   // Of the part's meshes; of all where it strikes, or is in none.
-  std::vector<double> mesh_lines(const Signature& part) const {
+  void take_meshes(const Signature& part, PartLines& lines) const {
     const bool in_one = !part.strikes && std::ranges::any_of(k_.meshes, [&](const GearMesh& mesh) {
       return is_gear_of(mesh, part.turn);
     });
-    std::vector<double> lines;
     for (const GearMesh& mesh : k_.meshes) {
       if (in_one && !is_gear_of(mesh, part.turn)) continue;
-      for (const double order : harmonics_of(mesh, top_)) add(order, lines);
+      lines.contact = lines.contact > 0 ? std::min(lines.contact, mesh.order) : mesh.order;
+      for (const double order : harmonics_of(mesh, top_)) add(order, lines.mesh);
     }
-    return lines;
   }
 
   void take_teeth(const Signature& part, PartLines& lines) const {
     std::vector<OwnLine> alone, shared;
     std::vector<double> seen;
     const double highest =
-        lines.mesh.empty() ? top_ : std::min(top_, mesh_harmonics * lines.mesh.front());
+        lines.contact > 0 ? std::min(top_, mesh_harmonics * lines.contact) : top_;
     for (int h = 1; h * part.turn <= highest; ++h) {
       for (const double order : spread(h * part.turn, part.path_order)) {
         if (!add(order, seen) || !is_free(order)) continue;

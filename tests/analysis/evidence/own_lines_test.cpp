@@ -1,5 +1,6 @@
 #include "analysis/evidence/own_lines.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <set>
@@ -94,6 +95,15 @@ TEST_CASE("pins are looked for at multiples of 39/121 that are no planet's",
     if (!is_multiple(k, 40, 2) && !sound.contains(k)) expected.insert(k);
   }
   CHECK(lines_of(part_of(test::rv20e(), "pin_housing")) == expected);
+}
+
+TEST_CASE("the lines of a part do not depend on which mesh is listed first",
+          "[analysis][evidence]") {
+  Kinematics reversed = test::rv20e();
+  std::ranges::reverse(reversed.meshes);
+  for (const char* part : {"sun_gear", "planet_gear", "pin_housing", "crank"}) {
+    CHECK(lines_of(part_of(reversed, part)) == lines_of(part_of(test::rv20e(), part)));
+  }
 }
 
 TEST_CASE("the sun, all of whose lines a planet may make, is held against the planet's beside",
