@@ -39,9 +39,9 @@ struct SignatureScore {
   double p_value = 1;               ///< of the ratio, for all orders searched
   int imf = 0;      ///< 1-based: whose envelope shows the part's order most; 0 if none does
   int channel = 0;  ///< index into Examination::channels: where it is deepest
-  std::vector<double> line_orders;      ///< the deepest lines of the signature, and
-  std::vector<double> line_depths;      ///< the depth of each
-  std::vector<double> channel_depths;   ///< depth in each channel
+  std::vector<double> line_orders;         ///< the deepest lines of the signature, and
+  std::vector<double> line_depths;         ///< the depth of each
+  std::vector<double> channel_amplitudes;  ///< in the unit of each channel; 0: it does not show
   double smallest_visible = not_known;  ///< the least depth that this record would have shown with
                                         ///< 90 %
   double article_statistic = 0;  ///< −ln p of the line at its order in the envelopes of IMF 1 to 5,

@@ -185,7 +185,7 @@ Json json_of_score(const SignatureScore& score) {
                            {"channel", score.channel},
                            {"line_orders", score.line_orders},
                            {"line_depths", score.line_depths},
-                           {"channel_depths", score.channel_depths},
+                           {"channel_amplitudes", score.channel_amplitudes},
                            {"smallest_visible", score.smallest_visible}});
 }
 
@@ -204,7 +204,7 @@ SignatureScore score_from(const Json& json) {
   json.at("channel").get_to(score.channel);
   score.line_orders = numbers_from(json.at("line_orders"));
   score.line_depths = numbers_from(json.at("line_depths"));
-  score.channel_depths = numbers_from(json.value("channel_depths", Json::array()));
+  score.channel_amplitudes = numbers_from(json.value("channel_amplitudes", Json::array()));
   score.smallest_visible = number_or_nan(json.value("smallest_visible", Json()));
   return score;
 }

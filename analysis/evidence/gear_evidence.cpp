@@ -70,7 +70,7 @@ double smallest_visible(const std::vector<std::vector<GearReading>>& readings, s
 
 void score_part(const std::vector<std::vector<GearReading>>& readings, const PartLines& part,
                 std::size_t s, SignatureScore& score) {
-  score.channel_depths.assign(readings.size(), 0.0);
+  score.channel_amplitudes.assign(readings.size(), 0.0);
   const auto lines = static_cast<Index>(part.own.size());
   Eigen::VectorXd line_sums = Eigen::VectorXd::Zero(lines);
   Eigen::MatrixXd decoy_sums = Eigen::MatrixXd::Zero(lines, gear_decoys);
@@ -89,7 +89,7 @@ void score_part(const std::vector<std::vector<GearReading>>& readings, const Par
     depths2.push_back(depth2);
     variances.push_back(4 * reading.own2_variance / std::pow(part.share * reading.mesh2, 2));
     amplitudes.push_back(std::sqrt(std::max(reading.own2 / part.share, 0.0)));
-    score.channel_depths[c] = std::sqrt(std::max(depth2, 0.0));
+    score.channel_amplitudes[c] = amplitudes.back();
     if (depth2 <= deepest2) continue;
     deepest2 = depth2;
     score.channel = static_cast<int>(c);
@@ -133,6 +133,7 @@ void score_noise(const std::vector<std::vector<GearReading>>& readings, const Ge
       score_part(readings, places.parts[s], s, noise);
       noise.by_noise = true;
       noise.amplitude = not_known;
+      noise.channel_amplitudes.clear();  // depths of a squared envelope
       SignatureScore& lines = scores[s];
       const double of_sound =
           std::max({swing_of_sound_noise, lines.depth, swing_of_beats * shafts_swing});

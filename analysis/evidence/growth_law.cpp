@@ -17,9 +17,8 @@ struct Row {
 };
 
 double amplitude(const Examination& point, std::size_t signature, std::size_t channel) {
-  const std::vector<double>& depths = point.scores[signature].channel_depths;
-  if (channel >= std::min(depths.size(), point.channels.size())) return 0;
-  return depths[channel] * point.channels[channel].rms;
+  const std::vector<double>& amplitudes = point.scores[signature].channel_amplitudes;
+  return channel < amplitudes.size() ? amplitudes[channel] : 0;
 }
 
 bool counts(const Examination& point) {

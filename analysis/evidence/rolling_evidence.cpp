@@ -111,20 +111,21 @@ class BearingScore {
     score.p_value = blows.p_value;
     score.smallest_visible = blows.smallest_visible;
     score.depth2_variance = std::numeric_limits<double>::min();
-    score.channel_depths.assign(channels_.size(), 0.0);
+    score.channel_amplitudes.assign(channels_.size(), 0.0);
     if (blows.p_value >= plausible_p) return;
     const std::vector<double> depths2 = blow_depths2(channels_, k_, score.order);
-    for (std::size_t c = 0; c < depths2.size(); ++c) {
-      if (!std::isnan(depths2[c])) score.channel_depths[c] = std::sqrt(depths2[c]);
-    }
     score.depth = std::sqrt(median_of_known(depths2));
     std::vector<double> amplitudes;
+    double deepest2 = -1;
     for (std::size_t c = 0; c < depths2.size(); ++c) {
       amplitudes.push_back(std::sqrt(depths2[c] * reference_mean_square(channels_[c], k_)));
+      if (std::isnan(amplitudes[c])) continue;
+      score.channel_amplitudes[c] = amplitudes[c];
+      if (depths2[c] <= deepest2) continue;
+      deepest2 = depths2[c];
+      score.channel = static_cast<int>(c);
     }
     score.amplitude = median_of_known(std::move(amplitudes));
-    score.channel = static_cast<int>(std::ranges::max_element(score.channel_depths) -
-                                     score.channel_depths.begin());
     for (int h = 1; h <= blow_harmonics; ++h) {
       score.line_orders.push_back(h * score.order);
       score.line_depths.push_back(score.depth / h);

@@ -47,7 +47,7 @@ Examination point(const std::string& source, Shown shaft, Shown gear) {
     score.imf = 1;
     score.line_orders = {score.order, 2 * score.order};
     score.line_depths = {0.6 * shown.depth, 0.8 * shown.depth};
-    score.channel_depths = {shown.depth};
+    score.channel_amplitudes = {shown.depth};
     score.log_likelihood_ratio = -std::log(shown.p_value);
     e.scores.push_back(score);
     ++i;

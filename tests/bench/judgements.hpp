@@ -72,7 +72,7 @@ inline bench::JudgedPoint recorded_point() {
   score.imf = 1;
   score.line_orders = {1, 2};
   score.line_depths = {0.5, 0.3};
-  score.channel_depths = {0.6};
+  score.channel_amplitudes = {0.6};
   recorded.examination.scores = {score};
   return recorded;
 }

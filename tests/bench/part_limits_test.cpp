@@ -53,7 +53,7 @@ TEST_CASE("a pass names the part that is within its limit, but not surely", "[be
     score.p_value = 1e-12;
     score.line_orders = {0.5};
     score.line_depths = {depth};
-    score.channel_depths = {depth};
+    score.channel_amplitudes = {depth};
     Judgement judgement;
     judgement.points = {point};
     conclude(judgement, with_crank(), {}, measured);
@@ -101,7 +101,7 @@ TEST_CASE("beside a bad part the limit of one that it hides is no flaw of the da
   bad.depth2_variance = 1e-6;
   bad.p_value = 1e-12;
   bad.line_orders = {0.5};
-  bad.line_depths = bad.channel_depths = {bad.depth};
+  bad.line_depths = bad.channel_amplitudes = {bad.depth};
   analysis::SignatureScore& hidden = point.examination.scores[1];
   hidden.signature = 1;
   hidden.depth2_variance = 0.09;

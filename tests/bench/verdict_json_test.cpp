@@ -46,7 +46,7 @@ TEST_CASE("a verdict without intervals, growth and hypotheses that are not shown
   for (auto& point : json["points"]) {
     for (auto& score : point["scores"]) {
       score.erase("depth2_variance");
-      score.erase("channel_depths");
+      score.erase("channel_amplitudes");
     }
   }
   const auto again = judgement_from_json(json.dump());

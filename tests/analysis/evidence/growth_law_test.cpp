@@ -25,9 +25,9 @@ class Matrix {
         e.channels.resize(2);
         e.scores.resize(1);
         for (std::size_t c = 0; c < 2; ++c) {
-          e.channels[c].rms = (c == 0 ? 3 : 7) * std::pow(speed_rpm, q);
-          e.scores[0].channel_depths.push_back(1e-3 * std::pow(load_pct, p) *
-                                               std::exp(scatter * noise(engine)));
+          e.scores[0].channel_amplitudes.push_back((c == 0 ? 3 : 7) * std::pow(speed_rpm, q) *
+                                                   std::pow(load_pct, p) *
+                                                   std::exp(scatter * noise(engine)));
         }
         points_.push_back(e);
       }
@@ -96,7 +96,7 @@ TEST_CASE("a channel that misses it once does not move the exponent", "[analysis
   const Matrix matrix(1, 2);
   auto points = matrix.where([](const Examination& e) { return e.speed_rpm == 605; });
   Examination deaf = *points.back();
-  deaf.scores[0].channel_depths[1] = 0;
+  deaf.scores[0].channel_amplitudes[1] = 0;
   points.back() = &deaf;
   CHECK(growth_law(points, 0).load.exponent == Approx(1).margin(1e-9));
 }
