@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "analysis/diagnosis.hpp"
@@ -89,26 +90,36 @@ void score_printed(const std::vector<ChannelResult>& results, const Kinematics& 
   }
 }
 
-// Evidence of the channels that span the most periods: only theirs can be added.
-void score(std::vector<ChannelResult>& results, const Kinematics& kinematics, Examination& e) {
-  const ChannelResult* longest = nullptr;
+// A channel of those whose evidence counts, as only that of channels which are alike can be added:
+// of those that are long enough the most, of as many the longest. Null where none can be read.
+const ChannelResult* first_counted(const std::vector<ChannelResult>& results) {
+  const auto rank = [&](const ChannelResult& result) {
+    const auto alike_it = std::ranges::count_if(
+        results, [&](const ChannelResult& other) { return alike(other, result); });
+    return std::tuple(result.periods >= fewest_periods, alike_it, result.periods);
+  };
+  const ChannelResult* best = nullptr;
   for (const ChannelResult& result : results) {
-    if (!result.gears.empty() && (longest == nullptr || result.periods > longest->periods)) {
-      longest = &result;
-    }
+    if (!result.gears.empty() && (best == nullptr || rank(result) > rank(*best))) best = &result;
   }
-  if (longest == nullptr) return;
-  e.periods = longest->periods;
+  return best;
+}
+
+void score(std::vector<ChannelResult>& results, const Kinematics& kinematics, Examination& e) {
+  const ChannelResult* first = first_counted(results);
+  if (first == nullptr) return;
+  e.periods = first->periods;
   std::vector<std::vector<GearReading>> gears;
   std::vector<std::vector<GearReading>> noise;
   std::vector<ResidualEnvelope> residuals;
   std::vector<const ChannelResult*> counted;
-  const std::size_t noise_parts = longest->noise.size();
+  const std::size_t noise_parts = first->noise.size();
   for (ChannelResult& result : results) {
-    const bool counts = alike(result, *longest) && !result.repeats_another;
+    const bool counts = alike(result, *first) && !result.repeats_another;
     if (!counts && !result.repeats_another && !is_spoiled(result.quality)) {
-      result.quality.push_back(
-          {result.examination.name, "shorter than the longest channel: not weighed", false});
+      result.quality.push_back({result.examination.name,
+                                "of another length or rate than most channels: not weighed",
+                                false});
     }
     if (counts) counted.push_back(&result);
     gears.push_back(counts ? std::move(result.gears) : std::vector<GearReading>{});
@@ -116,7 +127,7 @@ void score(std::vector<ChannelResult>& results, const Kinematics& kinematics, Ex
                                                                  : std::vector<GearReading>{});
     residuals.push_back(counts ? std::move(result.residual) : ResidualEnvelope{});
   }
-  score_gears(gears, longest->places->gears, e.scores);
+  score_gears(gears, first->places->gears, e.scores);
   e.unknown = score_rolling(residuals, kinematics, e.scores);
   // Blows swing what is left with their shaft, and with all that carries it.
   const bool is_struck = std::ranges::any_of(e.scores, [&](const SignatureScore& score) {
@@ -125,7 +136,7 @@ void score(std::vector<ChannelResult>& results, const Kinematics& kinematics, Ex
            score.p_value < significant_p;
   });
   const bool is_quiet = !is_struck && e.unknown.empty();
-  if (noise_parts > 0 && is_quiet) score_noise(noise, longest->places->noise, kinematics, e.scores);
+  if (noise_parts > 0 && is_quiet) score_noise(noise, first->places->noise, kinematics, e.scores);
   add_article(counted, e);
   score_printed(results, kinematics, e);
   for (SignatureScore& score : e.scores) {

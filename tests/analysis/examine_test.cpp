@@ -173,6 +173,21 @@ TEST_CASE("a fault that most channels show is found, deepest where it is", "[ana
   CHECK(leading(conclude({e}, k)) == "input_shaft");
 }
 
+TEST_CASE("the length that most channels have is the one that is judged by",
+          "[analysis][examine]") {
+  const OrderSignals longer{.speed_Hz = 20, .rate_Hz = 1280, .count = 2 * turning.count};
+  Recording record = longer.recording(sound(longer, 5));
+  record.channels.push_back(turning.channel(faulty(sun, 6), "accel_2x"));
+  record.channels.push_back(turning.channel(faulty(sun, 7), "accel_3x"));
+  const Kinematics k = small_reducer();
+  const Examination e = examine(record, k);
+  CHECK(leading(conclude({e}, k)) == "input_shaft");
+  CHECK(e.periods == Approx(8).margin(0.1));
+  REQUIRE(e.quality.size() == 1);
+  CHECK_THAT(e.quality[0].where, Catch::Contains(e.channels[0].name));
+  CHECK_FALSE(e.quality[0].invalidates);
+}
+
 TEST_CASE("a signal in two channels is told, and weighed once", "[analysis][examine]") {
   Recording record = turning.recording(faulty(sun, 5));
   const Examination alone = examine(record, small_reducer());
