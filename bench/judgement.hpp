@@ -70,6 +70,7 @@ struct Judgement {
   Ending ending;
   RunFacts facts;
   std::string machine;
+  std::string not_this_machine;  ///< why the data may be of another one; empty: they are its own
   analysis::Diagnosis diagnosis;
   std::vector<LimitCheck> limits;
   std::vector<JudgedPoint> points;

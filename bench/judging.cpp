@@ -62,10 +62,19 @@ std::string first_open(const analysis::Diagnosis& diagnosis) {
                             open->severity_high, open->limit);
 }
 
-// Damage-like lines of no part of the machine; empty if there are none.
-std::string first_unknown(const analysis::Diagnosis& diagnosis) {
-  if (diagnosis.unknown.empty()) return "";
-  const analysis::UnknownFamily& family = diagnosis.unknown.front();
+// Lines that modulate a mesh and belong to no part: the kinematics are not this machine's, and no
+// name that they give can be trusted.
+bool is_of_another_machine(const analysis::UnknownFamily& family) { return family.sidebands > 0; }
+
+// Damage-like lines of no part of the machine: first those that tell of another machine. Null if
+// there are none.
+const analysis::UnknownFamily* first_unknown(const analysis::Diagnosis& diagnosis) {
+  if (diagnosis.unknown.empty()) return nullptr;
+  const auto beside_mesh = std::ranges::find_if(diagnosis.unknown, is_of_another_machine);
+  return beside_mesh == diagnosis.unknown.end() ? &diagnosis.unknown.front() : &*beside_mesh;
+}
+
+std::string unknown_text(const analysis::UnknownFamily& family) {
   return fmt::format(
       "unknown: {} harmonics of order {:.4g} follow the shaft as {} does, and no part of this "
       "machine has it",
@@ -101,18 +110,22 @@ Ending weighed(const Judgement& judgement) {
     return invalid(name_of(*unmeasured) + " " + why_unmeasured(*unmeasured) +
                    first_lacking(*unmeasured) + (bad.empty() ? "" : "; beside it " + bad));
   }
-  const std::string unknown = first_unknown(judgement.diagnosis);
-  // Lines that modulate a mesh and belong to no part: the kinematics are not this machine's, and no
-  // name that they give can be trusted.
-  const bool is_other_machine =
-      std::ranges::any_of(judgement.diagnosis.unknown,
-                          [](const analysis::UnknownFamily& f) { return f.sidebands > 0; });
-  if (is_other_machine) return invalid(unknown + (bad.empty() ? "" : "; beside it " + bad));
+  const analysis::UnknownFamily* unknown = first_unknown(judgement.diagnosis);
+  if (unknown != nullptr && is_of_another_machine(*unknown)) {
+    return invalid(unknown_text(*unknown) + (bad.empty() ? "" : "; beside it " + bad));
+  }
   if (!bad.empty()) return {Outcome::fail, ErrorKind::none, bad};
-  if (!unknown.empty()) return invalid(unknown);
+  if (unknown != nullptr) return invalid(unknown_text(*unknown));
   if (const std::string open = first_open(judgement.diagnosis); !open.empty()) return invalid(open);
   return {Outcome::pass, ErrorKind::none,
           "no finding above its limit" + nearest_within(judgement.diagnosis)};
+}
+
+void refuse_another_machine(Judgement& judgement) {
+  if (judgement.not_this_machine.empty()) return;
+  judgement.ending =
+      graver(judgement.ending,
+             invalid(judgement.machine + ": cannot tell: " + judgement.not_this_machine));
 }
 
 // What refuses the data is not to be missed behind what was noted of them.
@@ -281,26 +294,22 @@ void hold_against(Judgement& judgement, const std::vector<sequences::Limit>& lim
   const Ending judged = weighed(judgement);
   judgement.ending =
       graver(trust.outcome == Outcome::pass ? judged : graver(trust, judged), measured);
-  for (const analysis::QualityNote& note : judgement.diagnosis.quality) {
-    if (note.invalidates && note.where == judgement.machine) {  // demand_confirmation()
-      judgement.ending = graver(judgement.ending, invalid(note.where + ": " + note.what));
-    }
-  }
+  refuse_another_machine(judgement);
 }
 
 void demand_confirmation(Judgement& judgement, const analysis::Kinematics& kinematics) {
   analysis::Diagnosis& diagnosis = judgement.diagnosis;
   if (!diagnosis.resolvable) return;
-  const std::string what = why_not_this_machine(judgement, kinematics);
-  if (what.empty()) {
+  judgement.not_this_machine = why_not_this_machine(judgement, kinematics);
+  if (judgement.not_this_machine.empty()) {
     const std::string caveat = what_confirms_it(judgement, kinematics);
     if (!caveat.empty()) diagnosis.quality.push_back({kinematics.machine, caveat, false});
     return;
   }
-  diagnosis.quality.push_back({kinematics.machine, "cannot tell: " + what, true});
+  diagnosis.quality.push_back(
+      {kinematics.machine, "cannot tell: " + judgement.not_this_machine, true});
   put_refusals_first(diagnosis.quality);
-  judgement.ending =
-      graver(judgement.ending, invalid(kinematics.machine + ": cannot tell: " + what));
+  refuse_another_machine(judgement);
 }
 
 }  // namespace rvbench::bench
