@@ -88,6 +88,14 @@ Spread spread_of(const std::vector<double>& values) {
   return spread;  // else half of them are alike, and scatter as far as their noise hides
 }
 
+// Up to which severity noise hides the part in units of this kind. That never raises its limit.
+double hidden_by(const Shown& shown, const analysis::Signature& part) {
+  const Spread visible = spread_of(shown.visible);
+  const double hidden =
+      std::max(std::ranges::max(shown.visible), visible.median + visible.factor * visible.scatter);
+  return std::min(hidden, part.depth_limit);
+}
+
 }  // namespace
 
 std::variant<Files, std::string> sound_files(const std::vector<std::string>& words,
@@ -120,7 +128,7 @@ analysis::Kinematics with_sound_units(analysis::Kinematics kinematics,
     const Shown shown = shown_by(part, units);
     if (shown.severities.size() < fewest_sound_units) continue;
     Spread spread = spread_of(shown.severities);
-    spread.scatter = std::max(spread.scatter, std::ranges::max(shown.visible) / spread.factor);
+    spread.scatter = std::max(spread.scatter, hidden_by(shown, part) / spread.factor);
     part.sound_median = spread.median;
     part.sound_scatter = spread.scatter;
     part.depth_limit = part.noise_limit = spread.median + spread.factor * spread.scatter;

@@ -83,6 +83,19 @@ TEST_CASE("what sound units do not show may be as much as their noise hides", "[
   CHECK(limit_by(silent) == Approx(0.03));
 }
 
+TEST_CASE("a unit in more noise than the sound ones had is within the limit that they set",
+          "[bench][sound]") {
+  std::vector<analysis::Diagnosis> silent;
+  for (int i = 0; i < 40; ++i) silent.push_back(unit(0, 0.03 + 0.0005 * i));
+  const double noisiest = 0.03 + 0.0005 * 39;
+  CHECK(limit_by(silent) > 1.1 * noisiest);
+  CHECK(limit_by(silent) < 2 * noisiest);
+}
+
+TEST_CASE("noise of sound units raises no limit above the one assumed", "[bench][sound]") {
+  CHECK(limit_by(std::vector<analysis::Diagnosis>(5, unit(0, 0.9))) == 0.5);
+}
+
 TEST_CASE("a part that too few sound units could judge keeps its limit", "[bench][sound]") {
   const std::vector<analysis::Diagnosis> blind(5, unit(0, not_known));
   CHECK(limit_by(blind) == 0.5);
