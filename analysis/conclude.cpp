@@ -20,6 +20,24 @@ namespace {
 constexpr std::size_t lines_listed = 8;  // evidence lines shown per finding
 constexpr double fits_at = 0.05;         // p of a growth that contradicts its mechanism below it
 
+// Damage is about the same share of a mesh at every speed. A tone that stands still in Hz meets a
+// part's lines at one: what a record shows far above all that records of other speeds, two at
+// least, show or may hide.
+bool is_tone(const SignatureScore& shown, const Examination& point,
+             const std::vector<const Examination*>& read) {
+  constexpr double far_above = 10, same_speed = 0.02;
+  int others = 0;
+  for (const Examination* other : read) {
+    if (std::abs(other->speed_rpm / point.speed_rpm - 1) < same_speed) continue;
+    const SignatureScore& there = other->scores[static_cast<std::size_t>(shown.signature)];
+    const bool is_far_below =
+        far_above * there.depth < shown.depth && far_above * there.smallest_visible < shown.depth;
+    if (!is_far_below) return false;
+    ++others;
+  }
+  return others >= 2;
+}
+
 // Points that speak for a signature, and how.
 struct Evidence {
   std::vector<const Examination*> shown_by;
@@ -74,6 +92,7 @@ Evidence gather(const std::vector<Examination>& points, std::size_t signature) {
   for (std::size_t i = 0; i < read.size(); ++i) {
     const SignatureScore& score = *evidence.all[i];
     if (!shows(score) || (score.by_noise && !noise_counts)) continue;
+    if (is_tone(score, *read[i], read)) continue;
     evidence.shown_by.push_back(read[i]);
     evidence.scores.push_back(&score);
   }

@@ -320,6 +320,27 @@ TEST_CASE("what one of three points shows is not known to be within its limit",
   CHECK(shown_once.severity_high == 0.6);
 }
 
+TEST_CASE("what stands out at one speed alone, far above all that others hide, is a tone",
+          "[analysis][conclude]") {
+  const auto is_open = [](double depth, const std::vector<double>& speeds_rpm) {
+    std::vector<Examination> points;
+    for (const double speed_rpm : speeds_rpm) {
+      points.push_back(point("a", nothing, nothing));
+      points.back().speed_rpm = speed_rpm;
+      points.back().scores[0].smallest_visible = 0.05;
+    }
+    points.back().scores[0].depth = depth;
+    points.back().scores[0].p_value = 1e-12;
+    const Diagnosis d = conclude(points, two_parts());
+    const auto shaft = std::ranges::find(d.not_shown, "shaft", &analysis::Finding::component);
+    REQUIRE(shaft != d.not_shown.end());
+    return shaft->is_open();
+  };
+  CHECK_FALSE(is_open(0.6, {605, 1210, 1815}));
+  CHECK(is_open(0.4, {605, 1210, 1815}));  // damage may swing that much from speed to speed
+  CHECK(is_open(0.6, {605, 1815, 1815}));  // one other speed is no majority
+}
+
 TEST_CASE("a family that no part explains is listed where most points show it",
           "[analysis][conclude]") {
   std::vector<Examination> points;
