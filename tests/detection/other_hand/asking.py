@@ -16,6 +16,7 @@ KEPT = ("component", "mechanism", "severity", "limit", "confidence", "one_of", "
 @dataclass
 class Program:
     path: Path
+    name: str = ""  # of its build
     sound: Path | None = None  # folder of sound units' answers
     with_methods: bool = False  # asks plain methods as well
 
@@ -69,7 +70,8 @@ def ask(specimen, program):
             asked = just_visible(specimen, program, scratch)
         row = {"id": specimen.id, "part": specimen.part, "seed": specimen.seed, "sitting": specimen.sitting,
                "machine": specimen.machine, "planets": specimen.planets, "damages": specimen.damages,
-               "changes": specimen.changes, "sound": program.sound is not None, "truth": truth_of(specimen)}
+               "changes": specimen.changes, "sound": program.sound is not None, "truth": truth_of(specimen),
+               "program": program.name}
         if asked is None:
             return row | {"verdict": "cannot tell", "findings": []}
         document, told, spent_s = judged(asked, scratch / "given", scratch / "truth", program)
@@ -78,6 +80,7 @@ def ask(specimen, program):
             row["methods"]["the article alone"] = article_statistics(document)
     return row | {
         "damages": asked.damages, "index": told["index"], "drawn": told["drawn"], "verdict": document["verdict"],
+        "race_order": told["race_order"], "reason": document.get("reason", ""),
         "findings": [{key: f[key] for key in KEPT if key in f} for f in document.get("findings", [])],
         "parts": {f["component"]: [f["severity"], f["smallest_visible"], f["limit"], f["standing"]]
                   for f in hypotheses(document) if "smallest_visible" in f},

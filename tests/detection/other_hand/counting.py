@@ -5,12 +5,14 @@ import numpy as np
 
 COLUMNS = ("clean", "false alarm", "right", "wrong", "false PASS", "INVALID", "other")
 FALSE_ALARMS = 0.03  # that a method may give on the tuning seeds
+SURE = 0.9  # confidence
+OF_A_RACE = 0.01  # relative: how far the spacing of an unknown family may be off the race's
 
 
 def key_of(one):
     """Of a specimen or its answer: two of one key are the same recording."""
     of = one if isinstance(one, dict) else vars(one)
-    return of["seed"], of["sitting"]
+    return of["part"], of["seed"], of["sitting"]
 
 
 def kind_of(row):
@@ -25,14 +27,25 @@ def is_true(finding, row):
     return bool(set(names(finding)) & set(row["truth"]))
 
 
+def named(row):
+    """Findings of known parts, but for one that may follow from the first."""
+    follow = [f for f in row["findings"] if f.get("may_follow_from")]
+    excused = follow if len(follow) == 1 else []
+    return [f for f in row["findings"] if f not in excused and names(f) != ["unknown"]]
+
+
+def is_excused(row):
+    """A sound part is named, and may follow from the first finding."""
+    return any(not is_true(f, row) and f not in named(row) and names(f) != ["unknown"] for f in row["findings"])
+
+
 def answer(row):
     """One of COLUMNS."""
-    follow = [f for f in row["findings"] if f.get("may_follow_from")]
-    findings = row["findings"] if len(follow) > 1 else [f for f in row["findings"] if f not in follow]
-    wrong = [f for f in findings if names(f) != ["unknown"] and not is_true(f, row)]
     if not row["truth"]:
-        return {"PASS": "clean", "FAIL": "false alarm", "INVALID": "INVALID"}.get(row["verdict"], "other")
-    if wrong:
+        if row["verdict"] == "PASS":
+            return "clean"
+        return "false alarm" if row["verdict"] == "FAIL" or named(row) else "INVALID"
+    if any(not is_true(f, row) for f in named(row)):
         return "wrong"
     if row["verdict"] == "PASS":
         return "false PASS"
@@ -56,10 +69,29 @@ def line(heads, answers):
     print(heads + f"{len(answers):6}" + "".join(f"{answers.count(column):12}" for column in COLUMNS))
 
 
-def table(rows, key, heads):
-    heading("".join(f"{head:22}" for head in heads))
-    for group, members in grouped(rows, key).items():
-        line("".join(f"{str(name):22}" for name in group), [answer(row) for row in members])
+def part_of(row):
+    return row["part"] + (" --sound" if row.get("sound") else "")
+
+
+def table(rows):
+    heading(f"{'part':30}{'kind':22}")
+    for (part, kind), members in grouped(rows, lambda row: (part_of(row), kind_of(row))).items():
+        line(f"{part:30}{kind:22}", [answer(row) for row in members])
+
+
+def sums(rows):
+    """Of each part all kinds of damage together, and how the right ones were named."""
+    heading(f"{'part':30}{'':12}")
+    for part, members in grouped(rows, part_of).items():
+        for what, of in (("healthy", [r for r in members if not r["truth"]]),
+                         ("faulty", [r for r in members if r["truth"]])):
+            if of:
+                line(f"{part:30}{what:12}", [answer(row) for row in of])
+        right = [row for row in members if answer(row) == "right"]
+        sets = sum(len(names(row["findings"][0])) > 1 for row in right)
+        if right:
+            print(f"{'':30}sets among the right ones: {sets}; a second finding that may follow from the first: "
+                  f"{sum(map(is_excused, members))}")
 
 
 def confusion(rows):
@@ -82,6 +114,11 @@ def reliability(rows):
     for tenth in sorted(tenths):
         right = tenths[tenth]
         print(f"{tenth / 10:8.1f} to {(tenth + 1) / 10:.1f}{len(right):9}{sum(right) / len(right):8.0%}")
+    sure = [is_true(f, row) for row in rows for f in row["findings"] if (f.get("confidence") or 0) >= SURE]
+    first_line = [row["findings"][0].get("confidence") or 0 for row in rows
+                  if row["part"] in ("two_planets", "three_planets") and answer(row) == "right"]
+    print(f"at least {SURE}: {len(sure)} findings, {sum(sure)} right; of {len(first_line)} right answers of the first "
+          f"line {sum(c >= SURE for c in first_line)} have it")
 
 
 def found_at(rows):
@@ -96,11 +133,44 @@ def found_at(rows):
         print(f"{kind:12} {min(enough) if enough else 'none':>6}  ({told})")
 
 
+def told_alike(one, other):
+    """The same verdict, and the same part named first."""
+    def first(row):
+        return names(row["findings"][0]) if row["findings"] else []
+    return one["verdict"] == other["verdict"] and first(one) == first(other)
+
+
 def twice(rows):
-    """Units that were judged twice, and how many came to the same verdict and parts."""
+    """Units that were judged twice, and how many came to the same verdict."""
     both = [pair for pair in grouped(rows, lambda r: r["seed"]).values() if len(pair) == 2]
     same = sum(a["verdict"] == b["verdict"] for a, b in both)
-    print(f"judged twice: {len(both)}; the same verdict: {same}")
+    print(f"judged twice: {len(both)}; the same verdict: {same}; the same part named first as well: "
+          f"{sum(told_alike(a, b) for a, b in both)}")
+
+
+def asked_again(rows):
+    """Units of the first line that were asked again with a change: how many got the same answer."""
+    plain = {row["seed"]: row for row in rows if row["part"] in ("two_planets", "three_planets") and not row["sound"]}
+    for part, members in grouped([row for row in rows if row["changes"] and row["seed"] in plain], part_of).items():
+        same = sum(told_alike(plain[row["seed"]], row) for row in members)
+        print(f"{part}: {len(members)} units asked again; the same answer: {same}")
+
+
+def of_pairs(rows):
+    """Units with two bad parts."""
+    def true_parts(row):
+        return {part for part in row["truth"] for f in row["findings"] if part in names(f)}
+    one, both = (sum(len(true_parts(row)) >= count for row in rows) for count in (1, 2))
+    third = sum(any(not is_true(f, row) for f in named(row)) for row in rows)
+    print(f"pairs: {len(rows)}; one named: {one}, both: {both}, a third: {third}")
+
+
+def of_another_bearing(rows):
+    """Units whose bearing is not the file's: how many show an unknown family with the race's spacing."""
+    def is_found(row):
+        return any(abs(u["spacing"] / row["race_order"] - 1) < OF_A_RACE for u in row["unknown"])
+    print(f"other_bearing: {len(rows)} units; unknown with the race's spacing: {sum(map(is_found, rows))}, the right "
+          f"part: {sum(answer(row) == 'right' and not is_found(row) for row in rows)}")
 
 
 def seen(rows):
@@ -137,18 +207,19 @@ def answer_of_method(row, method, limits):
 
 
 def beside(rows, tuned, before):
-    """rvbench, the methods and the program as it was before, on the same units."""
-    rows = [row for row in rows if "methods" in row]
-    asked = {key_of(row) for row in rows}
-    answers = {"rvbench": [answer(row) for row in rows]}
-    for method, limits in usual([r for r in tuned if "methods" in r and not r["truth"]]).items():
-        answers[method] = [answer_of_method(row, method, limits) for row in rows]
-    if before:
-        answers["rvbench before"] = [answer(row) for row in before if key_of(row) in asked]
-    print()
-    heading(f"{'method':44}")
-    for method, of in answers.items():
-        line(f"{method:44}", of)
+    """rvbench, the methods and the program as it was before, on the same units, by their number of planets."""
+    tuned = [row for row in tuned if "methods" in row and not row["truth"]]
+    for planets, members in grouped([row for row in rows if "methods" in row], lambda row: row["planets"]).items():
+        answers = {"rvbench": [answer(row) for row in members]}
+        for method, limits in usual([row for row in tuned if row["planets"] == planets]).items():
+            answers[method] = [answer_of_method(row, method, limits) for row in members]
+        asked = {key_of(row) for row in members}
+        if before:
+            answers["rvbench before"] = [answer(row) for row in before if key_of(row) in asked]
+        print()
+        heading(f"{f'method, {planets} planets':44}")
+        for method, of in answers.items():
+            line(f"{method:44}", of)
 
 
 def quartiles(rows):
@@ -162,20 +233,25 @@ def quartiles(rows):
 
 
 def report(rows, whole=False, tuned=(), before=()):
-    table(rows, lambda r: (r["part"] + (" --sound" if r.get("sound") else ""), kind_of(r)), ("part", "kind"))
+    table(rows)
     if not whole:
         return
+    print()
+    sums(rows)
     for (machine, planets), members in grouped(rows, lambda r: (r["machine"], r["planets"])).items():
         print(f"\n{machine}, {planets} planets: named first")
         confusion(members)
     print("\nseverity found at 90 %, of one damage on the first line's units")
-    first = [r for r in rows if r["machine"] == "rv20e" and not r.get("changes") and not r.get("sound")]
+    first = [r for r in rows if r["part"].startswith(("two_planets", "three_planets")) and not r["sound"]]
     for planets, members in grouped(first, lambda r: r["planets"]).items():
         print(f"{planets} planets")
         found_at(members)
     print("\nconfidence")
     reliability(rows)
     twice([row for row in rows if row["part"] == "remounted"])
+    asked_again(rows)
+    of_pairs([row for row in rows if row["part"] == "pairs"])
+    of_another_bearing([row for row in rows if row["part"] == "other_bearing"])
     for part in ("above_visible", "below_visible"):
         seen([row for row in rows if row["part"] == part])
     if tuned:

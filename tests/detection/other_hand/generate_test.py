@@ -6,6 +6,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from dataclasses import replace
 from pathlib import Path
 
 import h5py
@@ -17,7 +18,7 @@ from draws import TURN, Draws  # noqa: E402
 from housing import Housing, fast_length  # noqa: E402
 from machines import PlanetaryStage, RvReducer, TwoStageTrain  # noqa: E402
 from methods import INNER_RACE, OWN_LINES, PLAIN  # noqa: E402
-from counting import answer, answer_of_method, usual  # noqa: E402
+from counting import answer, answer_of_method, is_excused, told_alike, usual  # noqa: E402
 from parts import KINDS, PARTS, SCORE, SHORT, TUNING, short_units, sound_units, specimens  # noqa: E402
 from sources import Forces, Race, blows  # noqa: E402
 from unit import RATE_HZ, Unit  # noqa: E402
@@ -191,12 +192,26 @@ class PlainMethods(unittest.TestCase):
 
 
 class Score(unittest.TestCase):
-    def test_seeds_of_tuning_and_score_and_of_the_parts_do_not_meet(self):
+    def test_seeds_meet_only_where_units_of_the_first_line_are_asked_again(self):
+        first_line = {s.seed for base in (TUNING, SCORE) for part in ("two_planets", "three_planets")
+                      for s in specimens(part, base)}
         units = [s for base in (TUNING, SCORE) for part in PARTS for s in specimens(part, base)]
         units += [s for base in (TUNING, SCORE) for machine in KINDS for s in sound_units(machine, 3, base)]
         units += short_units(SHORT)
-        seeds = [(s.seed, s.sitting) for s in units]
+        seeds = [(s.seed, s.sitting) for s in units if s.seed not in first_line]
         self.assertEqual(len(seeds), len(set(seeds)))
+        again = {s.part for s in units if s.seed in first_line}
+        self.assertEqual(again, {"two_planets", "three_planets", "angle_noise", "dead_channel", "clipped_channel",
+                                 "six_sensors", "three_sensors", "one_sensor"})
+
+    def test_units_that_are_asked_again_are_those_of_the_first_line_but_for_the_change(self):
+        (unit,) = [s for s in specimens("dead_channel", SCORE) if s.number == 99]
+        (first,) = [s for s in specimens("three_planets", SCORE) if s.seed == unit.seed]
+        self.assertEqual(replace(first, part=unit.part, number=99, changes={"dead_channel": True}), unit)
+        self.assertEqual(unit.damages, {"race": 1.0})
+        self.assertEqual(len(specimens("angle_noise", SCORE)), 50)
+        self.assertEqual(sum(not s.damages for s in specimens("one_sensor", SCORE)), 100)
+        self.assertEqual(len(specimens("one_sensor", SCORE)), 200)
 
     def test_an_answer_is_right_only_if_the_first_finding_is(self):
         def row(verdict, *named, truth=("pin_housing",)):
@@ -208,9 +223,26 @@ class Score(unittest.TestCase):
         self.assertEqual(answer(row("INVALID")), "INVALID")
         self.assertEqual(answer(row("PASS", truth=())), "clean")
         self.assertEqual(answer(row("FAIL", "crank", truth=())), "false alarm")
-        follows = row("FAIL", "pin_housing", "crank")
-        follows["findings"][1]["may_follow_from"] = "pin_housing: pin_damage"
-        self.assertEqual(answer(follows), "right")
+        self.assertEqual(answer(row("INVALID", "crank", truth=())), "false alarm")
+        self.assertEqual(answer(row("INVALID", truth=())), "INVALID")
+        self.assertEqual(answer(row("INVALID", "unknown", truth=())), "INVALID")
+
+    def test_one_finding_may_follow_from_the_first_and_no_more(self):
+        def row(*following):
+            findings = [{"component": "pin_housing"}]
+            findings += [{"component": part, "may_follow_from": "pin_housing: pin_damage"} for part in following]
+            return {"truth": ["pin_housing"], "verdict": "FAIL", "findings": findings}
+        self.assertEqual(answer(row("crank")), "right")
+        self.assertTrue(is_excused(row("crank")))
+        self.assertFalse(is_excused(row()))
+        self.assertEqual(answer(row("crank", "sun_gear")), "wrong")
+
+    def test_an_answer_is_the_same_if_the_verdict_and_the_first_part_are(self):
+        def row(verdict, *named):
+            return {"verdict": verdict, "findings": [{"component": name} for name in named]}
+        self.assertTrue(told_alike(row("FAIL", "crank", "sun_gear"), row("FAIL", "crank")))
+        self.assertFalse(told_alike(row("FAIL", "crank"), row("FAIL", "sun_gear")))
+        self.assertFalse(told_alike(row("FAIL", "crank"), row("INVALID", "crank")))
 
 
 if __name__ == "__main__":

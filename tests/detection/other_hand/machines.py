@@ -1,7 +1,8 @@
 """Machines: where their forces act, and what damage adds. One turn of the input shaft is 1.
 
 Each class gives `kinematics` (a file for rvbench, or the name of one that it ships), `parts`
-(kind of damage: component as rvbench names it), `record_turns` (what a record must hold) and `forces`.
+(kind of damage: component as rvbench names it), `record_turns` (what a record must hold), `race_turns` (of the
+bearing's inner race against the outer one) and `forces`.
 """
 from math import gcd
 
@@ -68,6 +69,7 @@ class RvReducer:
         self.lobes = self.pins - 1
         numerator = self.sun_teeth + self.planet_teeth * self.pins
         self.i = numerator / self.sun_teeth
+        self.race_turns = self.pins / self.i
         self.record_turns = 4.1 * numerator / gcd(numerator, self.sun_teeth)
         self.kinematics = kinematics
         self.planets = Planets(draws, "sun-planet mesh", self.sun_teeth, planets)
@@ -118,6 +120,7 @@ class TwoStageTrain:
                       for k, (low, high) in enumerate(((17, 25), (41, 60), (19, 29), (47, 70)))]
         a, b, c, d = self.teeth
         self.middle, self.output = a / b, a * c / (b * d)
+        self.race_turns = self.middle
         self.meshes = [Mesh(draws, name, 1, 0.2) for name in ("first mesh", "second mesh")]
         level = draws.level("second mesh over first", 0.3, 3) * self.meshes[0].rms / self.meshes[1].rms
         self.meshes[1].amplitudes *= level
@@ -188,6 +191,7 @@ class PlanetaryStage:
             planet += 1
         self.teeth = sun, planet, sun + 2 * planet
         self.i = 1 + self.teeth[2] / sun
+        self.race_turns = (1 - 1 / self.i) * sun / planet
         self.planets = Planets(draws, "planet mesh", sun, self.count)
         self.shaft = Shaft(draws, "input shaft", self.planets.mesh.rms)
         self.ring_phase = draws.phases("struck ring", 1)[0] / TURN

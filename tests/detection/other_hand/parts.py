@@ -1,9 +1,9 @@
 """The units of each part of the score.
 
-A part has a name, what its units have in common, and a count of each kind. Seeds of a part do not
-meet those of another, and the seeds of tuning not those of the score.
+A part has a name, what its units have in common, and a count of each kind. Its seeds do not meet those of
+another part, but where it asks of another part's units again. Seeds of tuning are not those of the score.
 """
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from machines import PlanetaryStage, RvReducer, TwoStageTrain
 
@@ -34,49 +34,67 @@ class Specimen:
 
 def first_line(severity=1.0, healthy=100, each=30, machine="rv20e", **more):
     """Healthy units, then as many of each kind of damage."""
-    def of(part, first_seed):
+    def of(part, base):
         damages = [{}] * healthy + [{kind: severity} for kind in KINDS[machine] for _ in range(each)]
-        return [Specimen(part, n, first_seed + n, machine=machine, damages=d, **more) for n, d in enumerate(damages)]
+        seed = first_seed(part, base)
+        return [Specimen(part, n, seed + n, machine=machine, damages=d, **more) for n, d in enumerate(damages)]
     return of
 
 
-def pairs(part, first_seed):
+def again(every, **changes):
+    """Each so manyth unit of the first line, with a change."""
+    def of(part, base):
+        units = [unit for planets in ("two_planets", "three_planets") for unit in specimens(planets, base)[::every]]
+        return [replace(unit, part=part, number=n, changes=changes) for n, unit in enumerate(units)]
+    return of
+
+
+def with_sensors(channels):
+    """Units of the first line with two planets, 100 healthy and 20 of each kind, by so many sensors."""
+    def of(part, base):
+        units = [unit for unit in specimens("two_planets", base) if unit.number < 100 or (unit.number - 100) % 30 < 20]
+        return [replace(unit, part=part, number=n, changes={"channels": channels}) for n, unit in enumerate(units)]
+    return of
+
+
+def pairs(part, base):
+    seed = first_seed(part, base)
     kinds = KINDS["rv20e"]
     two = [(a, b) for i, a in enumerate(kinds) for b in kinds[i + 1:] if (a, b) != ("shaft", "sun")]
-    return [Specimen(part, n, first_seed + n, planets=2 + n % 2, damages=dict.fromkeys(two[n % len(two)], 1.0))
+    return [Specimen(part, n, seed + n, planets=2 + n % 2, damages=dict.fromkeys(two[n % len(two)], 1.0))
             for n in range(100)]
 
 
 def half_and_half(count, **changes):
     """As many faulty units, of each kind in turn, as healthy ones."""
-    def of(part, first_seed):
-        kinds = KINDS["rv20e"]
-        return [Specimen(part, n, first_seed + n, planets=2 + n % 2, changes=changes,
+    def of(part, base):
+        kinds, seed = KINDS["rv20e"], first_seed(part, base)
+        return [Specimen(part, n, seed + n, planets=2 + n % 2, changes=changes,
                          damages={} if n % 2 else {kinds[n // 2 % 5]: 1.0}) for n in range(count)]
     return of
 
 
 def faulty(count, machine="rv20e", **changes):
     """Each kind in turn, once with two planets and once with three."""
-    def of(part, first_seed):
-        kinds = KINDS[machine]
-        return [Specimen(part, n, first_seed + n, machine=machine, planets=2 + n // len(kinds) % 2, changes=changes,
+    def of(part, base):
+        kinds, seed = KINDS[machine], first_seed(part, base)
+        return [Specimen(part, n, seed + n, machine=machine, planets=2 + n // len(kinds) % 2, changes=changes,
                          damages={kinds[n % len(kinds)]: 1.0}) for n in range(count)]
     return of
 
 
-def remounted(part, first_seed):
+def remounted(part, base):
     """Each unit twice: with other noise the second time, and its sensors mounted anew."""
-    kinds = KINDS["rv20e"]
-    return [Specimen(part, n, first_seed + n // 2, planets=2 + n // 2 % 2, sitting=n % 2,
+    kinds, seed = KINDS["rv20e"], first_seed(part, base)
+    return [Specimen(part, n, seed + n // 2, planets=2 + n // 2 % 2, sitting=n % 2,
                      damages={} if n // 2 % 2 else {kinds[n // 4 % 5]: 1.0}) for n in range(200)]
 
 
 def visible(low, high):
     """Damage of so many times what the sound record says would be seen."""
-    def of(part, first_seed):
-        kinds = KINDS["rv20e"]
-        return [Specimen(part, n, first_seed + n, planets=2 + n // 5 % 2, damages={kinds[n % 5]: 1.0},
+    def of(part, base):
+        kinds, seed = KINDS["rv20e"], first_seed(part, base)
+        return [Specimen(part, n, seed + n, planets=2 + n // 5 % 2, damages={kinds[n % 5]: 1.0},
                          changes={"times_visible": low + (high - low) * n / 199}) for n in range(200)]
     return of
 
@@ -115,20 +133,24 @@ PARTS = {
     "white_one": faulty(80, white=1.0),
     "white_two": faulty(80, white=2.0),
     "white_four": faulty(80, white=4.0),
-    "angle_noise": half_and_half(50, angle_noise_rad=0.003),
-    "dead_channel": half_and_half(100, dead_channel=True),
-    "clipped_channel": half_and_half(100, clipped_channel=True),
+    "angle_noise": again(10, angle_noise_rad=0.003),
+    "dead_channel": again(5, dead_channel=True),
+    "clipped_channel": again(5, clipped_channel=True),
     "remounted": remounted,
     "above_visible": visible(1.0, 1.5),
     "below_visible": visible(0.4, 0.6),
     "two_planets_quarter": first_line(0.25, healthy=0, planets=2),
     "three_planets_quarter": first_line(0.25, healthy=0, planets=3),
-    "six_sensors": first_line(healthy=100, each=20, planets=2, changes={"channels": 6}),
-    "three_sensors": first_line(healthy=100, each=20, planets=2, changes={"channels": 3}),
-    "one_sensor": first_line(healthy=100, each=20, planets=2, changes={"channels": 1}),
+    "six_sensors": with_sensors(6),
+    "three_sensors": with_sensors(3),
+    "one_sensor": with_sensors(1),
     "nine_points": first_line(healthy=20, each=8, planets=2, points=NINE_POINTS),
 }
 
 
+def first_seed(part, base):
+    return base + 100_000 * list(PARTS).index(part) + 1
+
+
 def specimens(part, base):
-    return PARTS[part](part, base + 100_000 * list(PARTS).index(part) + 1)
+    return PARTS[part](part, base)

@@ -115,10 +115,15 @@ class Race:
         self.phase = draws.phases(f"phase of {name}", 1)[0]
         self.draws, self.name = draws, name
 
+    @property
+    def blows(self):
+        """For each turn of the inner race against the outer one."""
+        return self.order * (1 - self.slip)
+
     def force(self, inner_turns, mean_force, severity, rate_Hz, point):
         """inner_turns: of the inner race against the outer one. point: of the matrix, by number."""
         stream = self.draws.stream(f"blows of {self.name} {point}")
-        step = 1 / (self.order * (1 - self.slip))
+        step = 1 / self.blows
         count = int((inner_turns[-1] - inner_turns[0]) / step * 1.05) + 10
         at = inner_turns[0] + step * (np.cumsum(1 + self.jitter * stream.standard_normal(count)) + stream.random())
         index = np.searchsorted(inner_turns, at)

@@ -82,7 +82,8 @@ def write(folder, truth, specimen):
     if isinstance(unit.machine.kinematics, dict):
         (folder / "kinematics.json").write_text(json.dumps(unit.machine.kinematics, indent=1) + "\n")
     told = {"parts": truth_of(specimen), "damages": damages, "changes": changes,
-            "index": {kind: index(records) for kind in damages}, "drawn": unit.draws.drawn}
+            "index": {kind: index(records) for kind in damages}, "drawn": unit.draws.drawn,
+            "race_order": unit.machine.race.blows * unit.machine.race_turns}
     (truth / "truth.json").write_text(json.dumps(told, indent=1) + "\n")
     return told
 
