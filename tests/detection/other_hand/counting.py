@@ -114,11 +114,6 @@ def reliability(rows):
     for tenth in sorted(tenths):
         right = tenths[tenth]
         print(f"{tenth / 10:8.1f} to {(tenth + 1) / 10:.1f}{len(right):9}{sum(right) / len(right):8.0%}")
-    sure = [is_true(f, row) for row in rows for f in row["findings"] if (f.get("confidence") or 0) >= SURE]
-    first_line = [row["findings"][0].get("confidence") or 0 for row in rows
-                  if row["part"] in ("two_planets", "three_planets") and answer(row) == "right"]
-    print(f"at least {SURE}: {len(sure)} findings, {sum(sure)} right; of {len(first_line)} right answers of the first "
-          f"line {sum(c >= SURE for c in first_line)} have it")
 
 
 def found_at(rows):
@@ -140,45 +135,35 @@ def told_alike(one, other):
     return one["verdict"] == other["verdict"] and first(one) == first(other)
 
 
-def twice(rows):
-    """Units that were judged twice, and how many came to the same verdict."""
-    both = [pair for pair in grouped(rows, lambda r: r["seed"]).values() if len(pair) == 2]
-    same = sum(a["verdict"] == b["verdict"] for a, b in both)
-    print(f"judged twice: {len(both)}; the same verdict: {same}; the same part named first as well: "
-          f"{sum(told_alike(a, b) for a, b in both)}")
+def pairs_of(rows):
+    """Answers to units that were judged twice."""
+    of_unit = grouped([row for row in rows if row["part"] == "remounted"], lambda row: row["seed"])
+    return [pair for pair in of_unit.values() if len(pair) == 2]
 
 
-def asked_again(rows):
-    """Units of the first line that were asked again with a change: how many got the same answer."""
-    plain = {row["seed"]: row for row in rows if row["part"] in ("two_planets", "three_planets") and not row["sound"]}
-    for part, members in grouped([row for row in rows if row["changes"] and row["seed"] in plain], part_of).items():
-        same = sum(told_alike(plain[row["seed"]], row) for row in members)
-        print(f"{part}: {len(members)} units asked again; the same answer: {same}")
+def plain_of(rows):
+    """{seed: answer} to the units of the first line as they are."""
+    return {row["seed"]: row for row in rows if row["part"] in ("two_planets", "three_planets") and not row["sound"]}
 
 
-def of_pairs(rows):
-    """Units with two bad parts."""
-    def true_parts(row):
-        return {part for part in row["truth"] for f in row["findings"] if part in names(f)}
-    one, both = (sum(len(true_parts(row)) >= count for row in rows) for count in (1, 2))
-    third = sum(any(not is_true(f, row) for f in named(row)) for row in rows)
-    print(f"pairs: {len(rows)}; one named: {one}, both: {both}, a third: {third}")
+def true_parts(row):
+    return {part for part in row["truth"] for f in row["findings"] if part in names(f)}
 
 
-def of_another_bearing(rows):
-    """Units whose bearing is not the file's: how many show an unknown family with the race's spacing."""
-    def is_found(row):
-        return any(abs(u["spacing"] / row["race_order"] - 1) < OF_A_RACE for u in row["unknown"])
-    print(f"other_bearing: {len(rows)} units; unknown with the race's spacing: {sum(map(is_found, rows))}, the right "
-          f"part: {sum(answer(row) == 'right' and not is_found(row) for row in rows)}")
+def has_race_spacing(row):
+    """An unknown family is spaced as the bad race's blows are."""
+    return any(family["kind"] == "bearing-like" and abs(family["spacing"] / row["race_order"] - 1) < OF_A_RACE
+               for family in row["unknown"])
+
+
+def is_shown(row):
+    return any(row.get("parts", {}).get(part, ["not_shown"])[-1] != "not_shown" for part in row["truth"])
 
 
 def seen(rows):
     """Of damage that was made as large as what a sound record said would be seen, how much was shown."""
-    def is_shown(row):
-        return any(row.get("parts", {}).get(part, ["not_shown"])[-1] != "not_shown" for part in row["truth"])
-    for kind, members in grouped(rows, kind_of).items():
-        print(f"{members[0]['part']}, {kind}: {len(members)} units; shown: {sum(map(is_shown, members))}")
+    for (part, kind), members in grouped(rows, lambda row: (row["part"], kind_of(row))).items():
+        print(f"{part}, {kind}: {len(members)} units; shown: {sum(map(is_shown, members))}")
 
 
 def usual(rows):
@@ -232,11 +217,7 @@ def quartiles(rows):
         print(f"{name:50} {low:9.4g} {middle:9.4g} {high:9.4g}")
 
 
-def report(rows, whole=False, tuned=(), before=()):
-    table(rows)
-    if not whole:
-        return
-    print()
+def details(rows, tuned=(), before=()):
     sums(rows)
     for (machine, planets), members in grouped(rows, lambda r: (r["machine"], r["planets"])).items():
         print(f"\n{machine}, {planets} planets: named first")
@@ -248,13 +229,6 @@ def report(rows, whole=False, tuned=(), before=()):
         found_at(members)
     print("\nconfidence")
     reliability(rows)
-    twice([row for row in rows if row["part"] == "remounted"])
-    asked_again(rows)
-    of_pairs([row for row in rows if row["part"] == "pairs"])
-    of_another_bearing([row for row in rows if row["part"] == "other_bearing"])
-    for part in ("above_visible", "below_visible"):
-        seen([row for row in rows if row["part"] == part])
+    seen([row for row in rows if row["part"] in ("above_visible", "below_visible")])
     if tuned:
         beside(rows, tuned, before)
-    print("\ndrawn: quartiles")
-    quartiles(rows)

@@ -18,13 +18,14 @@ from draws import TURN, Draws  # noqa: E402
 from housing import Housing, fast_length  # noqa: E402
 from machines import PlanetaryStage, RvReducer, TwoStageTrain  # noqa: E402
 from methods import INNER_RACE, OWN_LINES, PLAIN  # noqa: E402
+from card import card_markdown  # noqa: E402
 from counting import answer, answer_of_method, is_excused, told_alike, usual  # noqa: E402
 from parts import KINDS, PARTS, SCORE, SHORT, TUNING, short_units, sound_units, specimens  # noqa: E402
 from sources import Forces, Race, blows  # noqa: E402
 from unit import RATE_HZ, Unit  # noqa: E402
 
 TURNS = 121
-ASKING = ("score", "asking.py", "counting.py", "methods.py", "__pycache__")  # what writes no recording
+ASKING = ("score", "asking.py", "card.py", "counting.py", "methods.py", "__pycache__")  # what writes no recording
 
 
 def line_powers(force):
@@ -243,6 +244,17 @@ class Score(unittest.TestCase):
         self.assertTrue(told_alike(row("FAIL", "crank", "sun_gear"), row("FAIL", "crank")))
         self.assertFalse(told_alike(row("FAIL", "crank"), row("FAIL", "sun_gear")))
         self.assertFalse(told_alike(row("FAIL", "crank"), row("INVALID", "crank")))
+
+    def test_the_card_tells_what_is_met_what_is_not_and_what_was_not_asked_yet(self):
+        def healthy(clean, of):
+            return [{"part": "two_planets", "seed": n, "sound": False, "truth": [], "damages": {}, "findings": [],
+                     "verdict": "PASS" if n < clean else "FAIL"} for n in range(of)]
+        def first_line_of_card(rows):
+            return card_markdown(rows).splitlines()[2]
+        self.assertIn("| 196 of 200 |", first_line_of_card(healthy(196, 200)))
+        self.assertIn("| **195 of 200**, not met |", first_line_of_card(healthy(195, 200)))
+        self.assertIn("| 99 of 99 so far |", first_line_of_card(healthy(99, 99)))
+        self.assertNotIn("planetary", card_markdown(healthy(200, 200)))
 
 
 if __name__ == "__main__":
