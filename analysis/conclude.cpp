@@ -1,15 +1,13 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <utility>
 
 #include "analysis/diagnosis.hpp"
 #include "analysis/evidence/growth_law.hpp"
-#include "analysis/evidence/kinship.hpp"
 #include "analysis/evidence/lines_by_depth.hpp"
+#include "analysis/evidence/related_parts.hpp"
 #include "analysis/evidence/severity.hpp"
-#include "analysis/order/resolution.hpp"
+#include "analysis/evidence/unknown_families.hpp"
 #include "analysis/statistics.hpp"
 #include "analysis/unexplained_families.hpp"
 #include "hal/types/units.hpp"
@@ -121,10 +119,6 @@ double amplitude_m_s2(const Evidence& evidence) {
   return amplitudes.empty() ? not_known : median(std::move(amplitudes));
 }
 
-std::string name_of(const Signature& s) {
-  return fmt::format("{}: {} at order {:.4g}", s.component, s.mechanism, s.order);
-}
-
 // A part must show in half of the points, so this is the least severity that half of them would
 // have shown. NaN where no point could read a line of the part.
 double smallest_visible(const std::vector<const SignatureScore*>& scores) {
@@ -171,12 +165,6 @@ Finding weigh(const Signature& signature, const Evidence& evidence, double tests
   return f;
 }
 
-// No point counts as one that shows it.
-void clear_shown(Finding& f) {
-  f.points.clear();
-  f.severity = f.severity_low = 0;
-}
-
 // Adds where and how the points show it.
 void describe(Finding& f, const Evidence& evidence, const Kinematics& kinematics,
               std::size_t signature) {
@@ -193,188 +181,6 @@ void describe(Finding& f, const Evidence& evidence, const Kinematics& kinematics
   f.growth = growth_law(evidence.shown_by, signature);
   f.growth_p_value = p_value_of_growth(f.growth.load, kinematics.signatures[signature].load_growth);
   f.growth_fits = f.growth_p_value >= fits_at;
-}
-
-// Severity over its limit, less what its growth speaks against it: at most nine tenths, as the
-// ranges are rules of thumb. Finite where the limit allows nothing at all.
-double weight(const Finding& finding) {
-  const double odds = std::max(odds_at_most(finding.growth_p_value), 0.1);
-  return odds * finding.severity / std::max(finding.limit, 1e-6);
-}
-
-// A hypothesis that shows.
-struct Shown {
-  std::size_t signature;
-  Finding finding;
-  Evidence evidence;
-  double weight;
-
-  bool is_bad() const { return finding.severity > finding.limit; }
-};
-
-bool is_graver(const Shown& a, const Shown& b) { return a.weight > b.weight; }
-
-// A bad sun loads its shaft unevenly; a bent shaft gives no tooth lines. So where both are bad the
-// sun comes first, unless the shaft is far worse.
-void put_causes_first(std::vector<Shown>& shown, const Kinematics& kinematics) {
-  constexpr double far_worse = 3;
-  for (std::size_t i = 0; i < shown.size(); ++i) {
-    const Shown& shaft = shown[i];
-    if (kinematics.signatures[shaft.signature].shows != Shows::as_turning) continue;
-    const auto here = shown.begin() + static_cast<std::ptrdiff_t>(i);
-    const auto cause = std::find_if(here + 1, shown.end(), [&](const Shown& other) {
-      return other.is_bad() && far_worse * other.finding.severity > shaft.finding.severity &&
-             may_follow_from(shaft.signature, other.signature, kinematics);
-    });
-    if (cause == shown.end()) continue;
-    cause->weight = std::max(cause->weight, shaft.weight);
-    std::rotate(here, cause, cause + 1);
-  }
-}
-
-// Parts whose lines are the same are one finding, by the name of the graver one.
-// At most two are named; what else it may be stands in cannot_tell_from.
-void join_twins(std::vector<Shown>& shown, const Kinematics& kinematics) {
-  for (std::size_t i = 0; i < shown.size(); ++i) {
-    Finding& first = shown[i].finding;
-    const Signature& own = kinematics.signatures[shown[i].signature];
-    std::vector<std::size_t> twins;
-    for (std::size_t j = i + 1; j < shown.size(); ++j) {
-      if (have_the_same_lines(own, kinematics.signatures[shown[j].signature])) {
-        twins.push_back(shown[j].signature);
-      }
-    }
-    // Planets may cancel what the other one makes, so it need not show.
-    for (std::size_t s = 0; s < kinematics.signatures.size(); ++s) {
-      const bool is_new = s != shown[i].signature && std::ranges::count(twins, s) == 0;
-      if (is_new && planets_hide(own, kinematics.signatures[s])) twins.push_back(s);
-    }
-    if (twins.empty()) continue;
-    first.one_of = {first.component, kinematics.signatures[twins.front()].component};
-    for (const std::size_t twin : twins) {
-      first.cannot_tell_from.push_back(name_of(kinematics.signatures[twin]));
-    }
-    std::erase_if(
-        shown, [&](const Shown& other) { return std::ranges::count(twins, other.signature) > 0; });
-  }
-}
-
-// A bad rolling element shows once per turn of the cage, as a worn cage does. If slip has spread
-// its own lines, only the cage's is left, and the element is the likelier cause.
-void share_cages(std::vector<Shown>& shown, const Kinematics& kinematics, Diagnosis& d) {
-  for (const RollingBearing& bearing : kinematics.bearings) {
-    const auto of = [&](std::size_t part) {
-      return std::ranges::find(shown, part, &Shown::signature);
-    };
-    const auto cage = of(bearing.cage_wear);
-    if (cage == shown.end() || of(bearing.ball) != shown.end()) continue;
-    const Signature& ball = kinematics.signatures[bearing.ball];
-    Finding& finding = cage->finding;
-    finding.one_of = {ball.component, finding.component};
-    finding.cannot_tell_from = {name_of(kinematics.signatures[bearing.cage_wear])};
-    finding.component = ball.component;
-    finding.mechanism = ball.mechanism;
-    finding.limit = ball.depth_limit;
-    cage->weight = weight(finding);
-    std::erase_if(d.not_shown, [&](const Finding& other) {
-      return other.component == ball.component && other.mechanism == ball.mechanism;
-    });
-  }
-}
-
-// Blows of a bad bearing slip, and meet lines of gears by chance: where they sound, a gear that is
-// hardly to be seen is not shown.
-void drop_doubtful(std::vector<Shown>& shown, const Kinematics& kinematics, Diagnosis& d) {
-  constexpr double plainly = 5;  // times what would just be seen
-  const auto rolls = [&](const Shown& s) {
-    return kinematics.signatures[s.signature].shows == Shows::as_blows;
-  };
-  const bool is_struck =
-      std::ranges::any_of(shown, [&](const Shown& s) { return rolls(s) && s.is_bad(); });
-  if (!is_struck) return;
-  const auto doubtful = std::stable_partition(shown.begin(), shown.end(), [&](const Shown& s) {
-    return rolls(s) || !(s.finding.severity < plainly * s.finding.smallest_visible);
-  });
-  for (auto s = doubtful; s != shown.end(); ++s) {
-    clear_shown(s->finding);
-    d.not_shown.push_back(std::move(s->finding));
-  }
-  shown.erase(doubtful, shown.end());
-}
-
-// A wandering speed spreads the lines of a bad gear over those of the other gears and shafts in its
-// mesh, and blows that slip meet lines of gears by chance. A part that shows far less than that
-// gear or bearing may show only this.
-bool is_spread_by(const Shown& lesser, const Shown& graver, const Kinematics& kinematics) {
-  constexpr double far_worse = 4;
-  const bool by_slip = kinematics.signatures[graver.signature].shows == Shows::as_blows &&
-                       kinematics.signatures[lesser.signature].shows != Shows::as_blows;
-  return (by_slip || share_a_mesh(lesser.signature, graver.signature, kinematics)) &&
-         far_worse * lesser.finding.severity < graver.finding.severity;
-}
-
-// Names the gravest of those before it that it may follow from.
-void relate(std::vector<Shown>& shown, const Kinematics& kinematics) {
-  for (std::size_t i = 1; i < shown.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (!may_follow_from(shown[i].signature, shown[j].signature, kinematics) &&
-          !is_spread_by(shown[i], shown[j], kinematics)) {
-        continue;
-      }
-      const Finding& graver = shown[j].finding;
-      shown[i].finding.may_follow_from = graver.component + ": " + graver.mechanism;
-      break;
-    }
-  }
-}
-
-// A family that most of the points show, at one order but for slip.
-std::vector<UnknownFamily> unknown_of(const std::vector<Examination>& points) {
-  constexpr double slip = 0.03;
-  std::vector<UnknownFamily> families;
-  std::size_t resolvable = 0;
-  for (const Examination& point : points) {
-    resolvable += point.resolvable ? 1 : 0;
-    for (const UnknownFamily& found : point.unknown) {
-      const auto same = std::ranges::find_if(families, [&](const UnknownFamily& family) {
-        return std::abs(family.spacing - found.spacing) < slip * family.spacing;
-      });
-      UnknownFamily& family = same == families.end() ? families.emplace_back(found) : *same;
-      family.points.push_back(point.source);
-      family.severity = std::max(family.severity, found.severity);
-      family.p_value = std::min(family.p_value, found.p_value);
-    }
-  }
-  std::erase_if(families,
-                [&](const UnknownFamily& family) { return 2 * family.points.size() < resolvable; });
-  return families;
-}
-
-// Lines of the signal itself that modulate a mesh and have many harmonics, which no single tone, no
-// mains and no inverter does. A family at a multiple of a known part's order is that part's.
-bool is_damage_like(const SpectralLine& family, const Diagnosis& d, const Kinematics& kinematics) {
-  constexpr int fewest_harmonics = 4, fewest_sidebands = 2;
-  constexpr double same = 2e-3;  // relative
-  const bool is_known = std::ranges::any_of(kinematics.orders, [&](const CharacteristicOrder& o) {
-    return is_multiple(family.order, o.order, same);
-  });
-  // Blows that slip are the bearing's that was found.
-  constexpr double jitter = 0.01;
-  const auto hypotheses = d.hypotheses();
-  const bool is_found = std::ranges::any_of(hypotheses, [&](const Finding* f) {
-    return !f->points.empty() && is_multiple(family.order, f->order, jitter);
-  });
-  return !is_known && !is_found && family.harmonics >= fewest_harmonics &&
-         family.sidebands >= fewest_sidebands;
-}
-
-UnknownFamily unknown_family(const SpectralLine& family, const std::vector<Examination>& points) {
-  UnknownFamily unknown{.spacing = family.order,
-                        .harmonics = family.harmonics,
-                        .sidebands = family.sidebands,
-                        .p_value = family.p_value};
-  for (const Examination& point : points) unknown.points.push_back(point.source);
-  return unknown;
 }
 
 }  // namespace
@@ -405,10 +211,10 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
     d.resolvable = d.resolvable || point.resolvable;
     d.quality.insert(d.quality.end(), point.quality.begin(), point.quality.end());
   }
-  std::vector<Shown> shown;
+  std::vector<ShownPart> shown;
   const auto tests = static_cast<double>(kinematics.signatures.size());
   for (std::size_t s = 0; s < kinematics.signatures.size(); ++s) {
-    Evidence evidence = gather(points, s);
+    const Evidence evidence = gather(points, s);
     Finding f = weigh(kinematics.signatures[s], evidence, tests);
     if (!evidence.shows(tests) || f.p_value >= significant_p || f.severity == 0) {
       // Too few points show the part. They do not prove that it is within its limit.
@@ -418,28 +224,19 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
       continue;
     }
     describe(f, evidence, kinematics, s);
-    const double own = weight(f);
-    shown.push_back({s, std::move(f), std::move(evidence), own});
+    shown.push_back(shown_part(s, std::move(f)));
   }
-  std::ranges::stable_sort(shown, is_graver);
-  put_causes_first(shown, kinematics);
-  drop_doubtful(shown, kinematics, d);
-  join_twins(shown, kinematics);
-  share_cages(shown, kinematics, d);
-  relate(shown, kinematics);
+  relate_parts(shown, d.not_shown, kinematics);
   double total = 0;
-  for (const Shown& s : shown) total += s.is_bad() ? s.weight : 0;
-  for (Shown& s : shown) {
+  for (const ShownPart& s : shown) total += s.is_bad() ? s.weight : 0;
+  for (ShownPart& s : shown) {
     const bool is_bad = s.is_bad();
     if (is_bad) s.finding.confidence = s.weight / total;
     (is_bad ? d.findings : d.below_limit).push_back(std::move(s.finding));
   }
   std::ranges::sort(d.not_shown, {}, &Finding::p_value);
-  d.unknown = unknown_of(points);
   d.unexplained = unexplained_families(points, kinematics);
-  for (const SpectralLine& family : d.unexplained) {
-    if (is_damage_like(family, d, kinematics)) d.unknown.push_back(unknown_family(family, points));
-  }
+  d.unknown = unknown_families(points, d, kinematics);
   return d;
 }
 

@@ -2,62 +2,16 @@
 #include <cmath>
 
 #include "analysis/diagnosis.hpp"
+#include "tests/analysis/two_parts.hpp"
 
 using namespace rvbench;
 using analysis::conclude;
 using analysis::Diagnosis;
 using analysis::Examination;
 using analysis::Kinematics;
-using analysis::Signature;
-
-namespace {
-
-Kinematics two_parts() {
-  Kinematics k;
-  for (const char* component : {"shaft", "gear"}) {
-    Signature s;
-    s.component = component;
-    s.mechanism = "wear";
-    s.order = component == std::string("shaft") ? 2 : 2.5;
-    s.harmonics = 2;
-    s.depth_limit = 0.2;
-    s.advice = "look at the " + s.component;
-    k.signatures.push_back(s);
-  }
-  return k;
-}
-
-struct Shown {
-  double depth, p_value;
-};
-
-Examination point(const std::string& source, Shown shaft, Shown gear) {
-  Examination e;
-  e.source = source;
-  e.speed_rpm = 600;
-  e.resolvable = true;
-  e.periods = 8;
-  int i = 0;
-  for (const Shown& shown : {shaft, gear}) {
-    analysis::SignatureScore score;
-    score.signature = i;
-    score.order = two_parts().signatures[static_cast<std::size_t>(i)].order;
-    score.depth = shown.depth;
-    score.p_value = shown.p_value;
-    score.imf = 1;
-    score.line_orders = {score.order, 2 * score.order};
-    score.line_depths = {0.6 * shown.depth, 0.8 * shown.depth};
-    score.channel_amplitudes = {shown.depth};
-    score.log_likelihood_ratio = -std::log(shown.p_value);
-    e.scores.push_back(score);
-    ++i;
-  }
-  return e;
-}
-
-constexpr Shown nothing{0.01, 0.5};
-
-}  // namespace
+using test::nothing;
+using test::point;
+using test::two_parts;
 
 TEST_CASE("nothing measured is not resolvable, and no finding", "[analysis][conclude]") {
   const Diagnosis d = conclude({}, two_parts());
@@ -246,59 +200,6 @@ TEST_CASE("a part whose vibration falls with load, as its mechanism never does, 
   CHECK(d.findings[0].confidence == Approx(2.0 / (2 + 0.75)).epsilon(0.05));
 }
 
-TEST_CASE("gears on one shaft are one finding, by the name of the graver", "[analysis][conclude]") {
-  Kinematics k = two_parts();
-  for (Signature& s : k.signatures) {
-    s.shows = analysis::Shows::as_teeth;
-    s.turn = 0.4;
-  }
-  const Diagnosis d = conclude({point("a", {0.3, 1e-12}, {0.5, 1e-12})}, k);
-  REQUIRE(d.findings.size() == 1);
-  CHECK(d.findings[0].component == "gear");
-  CHECK(d.findings[0].one_of == std::vector<std::string>{"gear", "shaft"});
-  CHECK(d.findings[0].confidence == 1);
-  CHECK(conclude({point("a", {0.5, 1e-12}, nothing)}, k).findings.at(0).one_of.empty());
-}
-
-TEST_CASE("a shaft whose gear is worse may follow from it", "[analysis][conclude]") {
-  Kinematics k = two_parts();
-  for (Signature& s : k.signatures) s.turn = 2;
-  k.signatures[1].shows = analysis::Shows::as_teeth;
-  const Diagnosis d = conclude({point("a", {0.3, 1e-12}, {0.6, 1e-12})}, k);
-  REQUIRE(d.findings.size() == 2);
-  CHECK(d.findings[0].component == "gear");
-  CHECK(d.findings[0].may_follow_from.empty());
-  CHECK(d.findings[1].may_follow_from == "gear: wear");
-  // The shaft itself follows from nothing where it is far worse than its gear.
-  const Diagnosis other = conclude({point("a", {1, 1e-12}, {0.3, 1e-12})}, k);
-  CHECK(other.findings.at(0).component == "shaft");
-  for (const analysis::Finding& f : other.findings) CHECK(f.may_follow_from.empty());
-  // A bent shaft gives no tooth lines: a bad gear comes before a shaft that is somewhat worse.
-  const Diagnosis both = conclude({point("a", {0.6, 1e-12}, {0.3, 1e-12})}, k);
-  CHECK(both.findings.at(0).component == "gear");
-  CHECK(both.findings.at(1).may_follow_from == "gear: wear");
-  // A cause is as sure as what follows from it.
-  CHECK(both.findings[0].confidence == both.findings[1].confidence);
-}
-
-TEST_CASE("a ring that no record can part from the sun is a set with it, shown or not",
-          "[analysis][conclude]") {
-  // Three planets of a stage with i = 6 pass twice per turn of the sun.
-  Kinematics k = two_parts();
-  Signature& ring = k.signatures[0];
-  Signature& sun = k.signatures[1];
-  for (Signature& s : k.signatures) s.shows = analysis::Shows::as_teeth;
-  ring.strikes = true;
-  ring.turn = 3.0 / 6;
-  sun.turn = 5.0 / 6;
-  sun.path_order = 1.0 / 6;
-  const std::vector<Examination> points{point("a", {0.5, 1e-12}, nothing)};
-  const auto named = [&] { return conclude(points, k).findings.at(0).one_of; };
-  CHECK(named() == std::vector<std::string>{"shaft", "gear"});
-  ring.turn = 4.0 / 6;  // four planets pass one and a half times
-  CHECK(named().empty());
-}
-
 TEST_CASE("what one of three points shows is not known to be within its limit",
           "[analysis][conclude]") {
   const auto shaft_where_noise_hides = [](double smallest_visible) {
@@ -387,33 +288,6 @@ TEST_CASE("what would be seen is what half of the points would show", "[analysis
   for (const analysis::Finding& part : d.not_shown) {
     if (part.component == "shaft") CHECK(part.smallest_visible == 0.06);
   }
-}
-
-TEST_CASE("beside a bearing that strikes, a gear has to be seen plainly", "[analysis][conclude]") {
-  Kinematics k = two_parts();
-  k.signatures[0].shows = analysis::Shows::as_blows;
-  k.signatures[1].shows = analysis::Shows::as_teeth;
-  Examination e = point("a", {0.9, 1e-30}, {0.25, 1e-9});
-  e.scores[1].smallest_visible = 0.06;  // a fourth of what it shows
-  REQUIRE(conclude({e}, k).findings.size() == 1);
-  CHECK(conclude({e}, k).findings[0].component == "shaft");
-  e.scores[1].smallest_visible = 0.04;
-  CHECK(conclude({e}, k).findings.size() == 2);
-}
-
-TEST_CASE("a gear may be what a far worse one in its mesh spreads", "[analysis][conclude]") {
-  Kinematics k = two_parts();
-  for (Signature& s : k.signatures) {
-    s.shows = analysis::Shows::as_teeth;
-    s.turn = s.order;
-    s.depth_limit = 0.02;
-  }
-  k.meshes = {{"mesh", 40, {{"shaft", 2, 20}, {"gear", 2.5, 16}}}};
-  const Diagnosis d = conclude({point("a", {0.9, 1e-30}, {0.05, 1e-9})}, k);
-  REQUIRE(d.findings.size() == 2);
-  CHECK(d.findings[1].may_follow_from == "shaft: wear");
-  const Diagnosis both = conclude({point("a", {0.9, 1e-30}, {0.5, 1e-9})}, k);
-  CHECK(both.findings.at(1).may_follow_from.empty());
 }
 
 TEST_CASE("severity is told in scatters of sound units, where these are known",

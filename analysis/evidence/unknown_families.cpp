@@ -1,0 +1,72 @@
+#include "analysis/evidence/unknown_families.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "analysis/order/resolution.hpp"
+
+namespace rvbench::analysis {
+namespace {
+
+// A family that most of the points show, at one order but for slip.
+std::vector<UnknownFamily> struck_families(const std::vector<Examination>& points) {
+  constexpr double slip = 0.03;
+  std::vector<UnknownFamily> families;
+  std::size_t resolvable = 0;
+  for (const Examination& point : points) {
+    resolvable += point.resolvable ? 1 : 0;
+    for (const UnknownFamily& found : point.unknown) {
+      const auto same = std::ranges::find_if(families, [&](const UnknownFamily& family) {
+        return std::abs(family.spacing - found.spacing) < slip * family.spacing;
+      });
+      UnknownFamily& family = same == families.end() ? families.emplace_back(found) : *same;
+      family.points.push_back(point.source);
+      family.severity = std::max(family.severity, found.severity);
+      family.p_value = std::min(family.p_value, found.p_value);
+    }
+  }
+  std::erase_if(families,
+                [&](const UnknownFamily& family) { return 2 * family.points.size() < resolvable; });
+  return families;
+}
+
+// Lines of the signal itself that modulate a mesh and have many harmonics, which no single tone, no
+// mains and no inverter does. A family at a multiple of a known part's order is that part's.
+bool is_damage_like(const SpectralLine& family, const Diagnosis& d, const Kinematics& kinematics) {
+  constexpr int fewest_harmonics = 4, fewest_sidebands = 2;
+  constexpr double same = 2e-3;  // relative
+  const bool is_known = std::ranges::any_of(kinematics.orders, [&](const CharacteristicOrder& o) {
+    return is_multiple(family.order, o.order, same);
+  });
+  // Blows that slip are the bearing's that was found.
+  constexpr double jitter = 0.01;
+  const auto hypotheses = d.hypotheses();
+  const bool is_found = std::ranges::any_of(hypotheses, [&](const Finding* f) {
+    return !f->points.empty() && is_multiple(family.order, f->order, jitter);
+  });
+  return !is_known && !is_found && family.harmonics >= fewest_harmonics &&
+         family.sidebands >= fewest_sidebands;
+}
+
+UnknownFamily unknown_family(const SpectralLine& family, const std::vector<Examination>& points) {
+  UnknownFamily unknown{.spacing = family.order,
+                        .harmonics = family.harmonics,
+                        .sidebands = family.sidebands,
+                        .p_value = family.p_value};
+  for (const Examination& point : points) unknown.points.push_back(point.source);
+  return unknown;
+}
+
+}  // namespace
+
+std::vector<UnknownFamily> unknown_families(const std::vector<Examination>& points,
+                                            const Diagnosis& d, const Kinematics& kinematics) {
+  std::vector<UnknownFamily> families = struck_families(points);
+  for (const SpectralLine& family : d.unexplained) {
+    if (is_damage_like(family, d, kinematics)) families.push_back(unknown_family(family, points));
+  }
+  return families;
+}
+
+}  // namespace rvbench::analysis
