@@ -104,8 +104,10 @@ Signature planet_signature(const SunStage& stage) {
           .turn = stage.planet,
           .path_order = stage.carrier,
           .load_growth = any_growth,
-          .depth_limit = 0.06,
-          .limit_why = "assumed: one tooth among many may not stand out by more than its share",
+          .depth_limit = stage.planets > 2 ? 0.06 : 0.1,
+          .limit_why =
+              "assumed: pitch errors within one quality class make no more of the mesh, "
+              "and more than two planets share them",
           .advice = "open the reducer and look at the planets' flanks; replace the planet pair"};
 }
 
