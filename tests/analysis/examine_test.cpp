@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -98,6 +99,20 @@ TEST_CASE("noise that swings with a part's turn is that part's, too", "[analysis
   const Diagnosis d = conclude({examine(turning.recording(sound(turning, 4) + swinging), k)}, k);
   REQUIRE(leading(d) == fault.component);
   CHECK(d.findings.front().severity == Approx(0.5).epsilon(0.3));
+}
+
+TEST_CASE("noise that swings by a tenth, as a sound contact's does, is no evidence",
+          "[analysis][examine][null]") {
+  const double order = GENERATE(1.0, sun, 50.0 / 21, 36.0 / 21);
+  CAPTURE(order);
+  const auto shown_by_noise = [&](double swing) {
+    const Eigen::VectorXd swinging =
+        turning.noise(3).array() * (1 + swing * turning.tone(order).array());
+    const Examination e = examine(turning.recording(sound(turning, 4) + swinging), small_reducer());
+    return std::ranges::count_if(e.scores, &SignatureScore::by_noise);
+  };
+  CHECK(shown_by_noise(0.1) == 0);
+  CHECK(shown_by_noise(0.2) > 0);
 }
 
 TEST_CASE("a bearing that slips is found at the order at which it slips", "[analysis][examine]") {

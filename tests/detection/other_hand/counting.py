@@ -194,13 +194,14 @@ def answer_of_method(row, method, limits):
 def beside(rows, tuned, before):
     """rvbench, the methods and the program as it was before, on the same units, by their number of planets."""
     tuned = [row for row in tuned if "methods" in row and not row["truth"]]
-    for planets, members in grouped([row for row in rows if "methods" in row], lambda row: row["planets"]).items():
+    of_before = {key_of(row): row for row in before}
+    asked = [row for row in rows if "methods" in row and (not before or key_of(row) in of_before)]
+    for planets, members in grouped(asked, lambda row: row["planets"]).items():
         answers = {"rvbench": [answer(row) for row in members]}
         for method, limits in usual([row for row in tuned if row["planets"] == planets]).items():
             answers[method] = [answer_of_method(row, method, limits) for row in members]
-        asked = {key_of(row) for row in members}
         if before:
-            answers["rvbench before"] = [answer(row) for row in before if key_of(row) in asked]
+            answers["rvbench before"] = [answer(of_before[key_of(row)]) for row in members]
         print()
         heading(f"{f'method, {planets} planets':44}")
         for method, of in answers.items():
