@@ -18,22 +18,31 @@ namespace {
 constexpr std::size_t lines_listed = 8;  // evidence lines shown per finding
 constexpr double fits_at = 0.05;         // p of a growth that contradicts its mechanism below it
 
+bool is_same_speed(double one_rpm, double other_rpm) {
+  constexpr double same = 0.02;  // relative
+  return std::abs(std::abs(one_rpm / other_rpm) - 1) < same;
+}
+
 // Damage is about the same share of a mesh at every speed. A tone that stands still in Hz meets a
-// part's lines at one: what a record shows far above all that records of other speeds, two at
-// least, show or may hide.
+// part's lines at one speed alone. It is a tone if records of two other speeds at least neither
+// show nor may hide a tenth of it.
 bool is_tone(const SignatureScore& shown, const Examination& point,
              const std::vector<const Examination*>& read) {
-  constexpr double far_above = 10, same_speed = 0.02;
-  int others = 0;
+  constexpr double far_above = 10;
+  std::vector<double> other_speeds_rpm;
   for (const Examination* other : read) {
-    if (std::abs(other->speed_rpm / point.speed_rpm - 1) < same_speed) continue;
+    const double speed_rpm = other->speed_rpm;
+    if (is_same_speed(speed_rpm, point.speed_rpm)) continue;
     const SignatureScore& there = other->scores[static_cast<std::size_t>(shown.signature)];
     const bool is_far_below =
         far_above * there.depth < shown.depth && far_above * there.smallest_visible < shown.depth;
     if (!is_far_below) return false;
-    ++others;
+    if (std::ranges::none_of(other_speeds_rpm,
+                             [&](double known) { return is_same_speed(known, speed_rpm); })) {
+      other_speeds_rpm.push_back(speed_rpm);
+    }
   }
-  return others >= 2;
+  return other_speeds_rpm.size() >= 2;
 }
 
 // Points that speak for a signature, and how.

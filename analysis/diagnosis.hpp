@@ -41,7 +41,8 @@ struct SignatureScore {
   int channel = 0;  ///< index into Examination::channels: where it is deepest
   std::vector<double> line_orders;         ///< the deepest lines of the signature, and
   std::vector<double> line_depths;         ///< the depth of each
-  std::vector<double> channel_amplitudes;  ///< in the unit of each channel; 0: it does not show
+  std::vector<double> channel_amplitudes;  ///< in the unit of each channel; 0: it does not show;
+                                           ///< empty: noise alone shows it
   double smallest_visible = not_known;  ///< the least depth that this record would have shown with
                                         ///< 90 %
   double article_statistic = 0;  ///< −ln p of the line at its order in the envelopes of IMF 1 to 5,

@@ -90,13 +90,15 @@ void score_printed(const std::vector<ChannelResult>& results, const Kinematics& 
   }
 }
 
-// A channel of those whose evidence counts, as only that of channels which are alike can be added:
-// of those that are long enough the most, of as many the longest. Null where none can be read.
+// Only the evidence of channels that are alike can be added. The channels of one kind count, and
+// this is one of them: kinds that are long enough come first, then the kind of most channels, then
+// the longest. It is null where no channel can be read.
 const ChannelResult* first_counted(const std::vector<ChannelResult>& results) {
   const auto rank = [&](const ChannelResult& result) {
-    const auto alike_it = std::ranges::count_if(
-        results, [&](const ChannelResult& other) { return alike(other, result); });
-    return std::tuple(result.periods >= fewest_periods, alike_it, result.periods);
+    const auto channels = std::ranges::count_if(results, [&](const ChannelResult& other) {
+      return alike(other, result) && !other.repeats_another;
+    });
+    return std::tuple(result.periods >= fewest_periods, channels, result.periods);
   };
   const ChannelResult* best = nullptr;
   for (const ChannelResult& result : results) {
@@ -117,9 +119,9 @@ void score(std::vector<ChannelResult>& results, const Kinematics& kinematics, Ex
   for (ChannelResult& result : results) {
     const bool counts = alike(result, *first) && !result.repeats_another;
     if (!counts && !result.repeats_another && !is_spoiled(result.quality)) {
-      result.quality.push_back({result.examination.name,
-                                "of another length or rate than most channels: not weighed",
-                                false});
+      result.quality.push_back(
+          {result.examination.name,
+           "of another length or rate than the channels that are judged by: not weighed", false});
     }
     if (counts) counted.push_back(&result);
     gears.push_back(counts ? std::move(result.gears) : std::vector<GearReading>{});

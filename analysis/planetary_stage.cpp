@@ -106,8 +106,8 @@ Signature planet_signature(const SunStage& stage) {
           .load_growth = any_growth,
           .depth_limit = stage.planets > 2 ? 0.06 : 0.1,
           .limit_why =
-              "assumed: pitch errors within one quality class make no more of the mesh, "
-              "and more than two planets share them",
+              "assumed: pitch errors of sound teeth put a tenth of the mesh on such lines, "
+              "and less where more than two planets share it",
           .advice = "open the reducer and look at the planets' flanks; replace the planet pair"};
 }
 

@@ -70,7 +70,7 @@ struct Judgement {
   Ending ending;
   RunFacts facts;
   std::string machine;
-  std::string not_this_machine;  ///< why the data may be of another one; empty: they are its own
+  std::string not_this_machine;  ///< why demand_confirmation() refuses the data; not in files
   analysis::Diagnosis diagnosis;
   std::vector<LimitCheck> limits;
   std::vector<JudgedPoint> points;

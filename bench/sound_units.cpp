@@ -88,12 +88,13 @@ Spread spread_of(const std::vector<double>& values) {
   return spread;  // else half of them are alike, and scatter as far as their noise hides
 }
 
-// Up to which severity noise hides the part in units of this kind. That never raises its limit.
-double hidden_by(const Shown& shown, const analysis::Signature& part) {
+// Noise hides the part up to this severity in units of this kind. Together with the median it never
+// lifts the limit above the one assumed.
+double hidden_above(double median, const Shown& shown, const analysis::Signature& part) {
   const Spread visible = spread_of(shown.visible);
   const double hidden =
       std::max(std::ranges::max(shown.visible), visible.median + visible.factor * visible.scatter);
-  return std::min(hidden, part.depth_limit);
+  return std::min(hidden, std::max(0.0, part.depth_limit - median));
 }
 
 }  // namespace
@@ -128,7 +129,8 @@ analysis::Kinematics with_sound_units(analysis::Kinematics kinematics,
     const Shown shown = shown_by(part, units);
     if (shown.severities.size() < fewest_sound_units) continue;
     Spread spread = spread_of(shown.severities);
-    spread.scatter = std::max(spread.scatter, hidden_by(shown, part) / spread.factor);
+    spread.scatter =
+        std::max(spread.scatter, hidden_above(spread.median, shown, part) / spread.factor);
     part.sound_median = spread.median;
     part.sound_scatter = spread.scatter;
     part.depth_limit = part.noise_limit = spread.median + spread.factor * spread.scatter;

@@ -133,7 +133,7 @@ void score_noise(const std::vector<std::vector<GearReading>>& readings, const Ge
       score_part(readings, places.parts[s], s, noise);
       noise.by_noise = true;
       noise.amplitude = not_known;
-      noise.channel_amplitudes.clear();  // depths of a squared envelope
+      noise.channel_amplitudes.clear();
       SignatureScore& lines = scores[s];
       const double of_sound =
           std::max({swing_of_sound_noise, lines.depth, swing_of_beats * shafts_swing});

@@ -39,7 +39,7 @@ GearPlaces line_places(double turns, double top_order, double speed_Hz, bool is_
   const double placed = error > 0 ? 0.5 * places.resolution / error : top_order;
   for (PartLines& part : places.parts) {
     std::erase_if(part.own, [&](const OwnLine& line) { return line.order > placed; });
-    if (part.contact > placed) part.own.clear();
+    if (!part.mesh.empty() && part.contact_order > placed) part.own.clear();
   }
   mark_lines(kinematics, static_cast<std::size_t>(top_order / places.resolution), places);
   return places;

@@ -169,8 +169,8 @@ class GearReader {
   }
 
   void expect(const PartLines& part, GearReading& r) const {
-    const double highest = part.contact > 0 ? mesh_harmonics_of_blows * part.contact
-                                            : places_.resolution * static_cast<double>(end());
+    const double highest = part.contact_order > 0 ? mesh_harmonics_of_blows * part.contact_order
+                                                  : places_.resolution * static_cast<double>(end());
     double lines = 0;
     for (const OwnLine& line : part.own) {
       const Index at = bin_of(line.order);

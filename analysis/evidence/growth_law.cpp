@@ -21,8 +21,9 @@ double amplitude(const Examination& point, std::size_t signature, std::size_t ch
   return channel < amplitudes.size() ? amplitudes[channel] : 0;
 }
 
-bool counts(const Examination& point) {
-  return point.load_pct > 0 && std::abs(point.speed_rpm) > 0;
+// Noise that swings has no amplitude.
+bool counts(const Examination& point, std::size_t signature) {
+  return point.load_pct > 0 && std::abs(point.speed_rpm) > 0 && !point.scores[signature].by_noise;
 }
 
 // Channels that show it at every point: sensors of unlike level must not come and go.
@@ -31,7 +32,7 @@ std::vector<std::size_t> common_channels(const std::vector<const Examination*>& 
   std::vector<std::size_t> channels;
   for (std::size_t c = 0; !points.empty() && c < points.front()->channels.size(); ++c) {
     const bool everywhere = std::ranges::all_of(points, [&](const Examination* point) {
-      return !counts(*point) || amplitude(*point, signature, c) > 0;
+      return !counts(*point, signature) || amplitude(*point, signature, c) > 0;
     });
     if (everywhere) channels.push_back(c);
   }
@@ -42,7 +43,7 @@ std::vector<Row> rows_of(const std::vector<const Examination*>& points, std::siz
   const std::vector<std::size_t> channels = common_channels(points, signature);
   std::vector<Row> rows;
   for (const Examination* point : points) {
-    if (channels.empty() || !counts(*point)) continue;
+    if (channels.empty() || !counts(*point, signature)) continue;
     double sum = 0;
     for (const std::size_t c : channels) sum += std::log(amplitude(*point, signature, c));
     rows.push_back({std::log(point->load_pct), std::log(std::abs(point->speed_rpm)),

@@ -107,7 +107,8 @@ class PartCombs {
     });
     for (const GearMesh& mesh : k_.meshes) {
       if (in_one && !is_gear_of(mesh, part.turn)) continue;
-      lines.contact = lines.contact > 0 ? std::min(lines.contact, mesh.order) : mesh.order;
+      lines.contact_order =
+          lines.contact_order > 0 ? std::min(lines.contact_order, mesh.order) : mesh.order;
       for (const double order : harmonics_of(mesh, top_)) add(order, lines.mesh);
     }
   }
@@ -116,7 +117,7 @@ class PartCombs {
     std::vector<OwnLine> alone, shared;
     std::vector<double> seen;
     const double highest =
-        lines.contact > 0 ? std::min(top_, mesh_harmonics * lines.contact) : top_;
+        lines.contact_order > 0 ? std::min(top_, mesh_harmonics * lines.contact_order) : top_;
     for (int h = 1; h * part.turn <= highest; ++h) {
       for (const double order : spread(h * part.turn, part.path_order)) {
         if (!add(order, seen) || !is_free(order)) continue;

@@ -23,7 +23,7 @@ struct PartLines {
   std::vector<OwnLine> own;
   double share = 1;          ///< of what damage does to the part's lines, by their number
   std::vector<double> mesh;  ///< harmonics of its meshes with their paths: what severity refers to
-  double contact = 0;        ///< order at which its teeth meet, of the slowest of its meshes
+  double contact_order = 0;  ///< order at which its teeth meet, of the slowest of its meshes
 };
 
 /// Every line of a sound machine: meshes with their paths, the first sidebands of their gears, and

@@ -128,7 +128,7 @@ bool is_spread_by(const ShownPart& lesser, const ShownPart& graver, const Kinema
 }
 
 // Names the gravest of those before it that it may follow from.
-void tell_what_may_follow(std::vector<ShownPart>& shown, const Kinematics& kinematics) {
+void mark_consequences(std::vector<ShownPart>& shown, const Kinematics& kinematics) {
   for (std::size_t i = 1; i < shown.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (!may_follow_from(shown[i].signature, shown[j].signature, kinematics) &&
@@ -161,7 +161,7 @@ void relate_parts(std::vector<ShownPart>& shown, std::vector<Finding>& not_shown
   drop_doubtful(shown, kinematics, not_shown);
   join_twins(shown, kinematics);
   share_cages(shown, kinematics, not_shown);
-  tell_what_may_follow(shown, kinematics);
+  mark_consequences(shown, kinematics);
 }
 
 }  // namespace rvbench::analysis

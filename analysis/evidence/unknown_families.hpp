@@ -10,8 +10,8 @@ namespace rvbench::analysis {
 /// blows that most of the points show, and families of d.unexplained that modulate a mesh.
 ///
 /// @param d  with its hypotheses and d.unexplained
-/// Units   of the examinations
-/// Source  of UnknownFamily; ours
+/// Units   orders of the input shaft
+/// Source  ours
 std::vector<UnknownFamily> unknown_families(const std::vector<Examination>& points,
                                             const Diagnosis& d, const Kinematics& kinematics);
 

@@ -223,12 +223,14 @@ TEST_CASE("what one of three points shows is not known to be within its limit",
 
 TEST_CASE("what stands out at one speed alone, far above all that others hide, is a tone",
           "[analysis][conclude]") {
-  const auto is_open = [](double depth, const std::vector<double>& speeds_rpm) {
+  const auto is_open = [](double depth, const std::vector<double>& speeds_rpm,
+                          double shown_elsewhere = 0.01) {
     std::vector<Examination> points;
     for (const double speed_rpm : speeds_rpm) {
       points.push_back(point("a", nothing, nothing));
       points.back().speed_rpm = speed_rpm;
       points.back().scores[0].smallest_visible = 0.05;
+      points.back().scores[0].depth = shown_elsewhere;
     }
     points.back().scores[0].depth = depth;
     points.back().scores[0].p_value = 1e-12;
@@ -238,8 +240,11 @@ TEST_CASE("what stands out at one speed alone, far above all that others hide, i
     return shaft->is_open();
   };
   CHECK_FALSE(is_open(0.6, {605, 1210, 1815}));
-  CHECK(is_open(0.4, {605, 1210, 1815}));  // damage may swing that much from speed to speed
-  CHECK(is_open(0.6, {605, 1815, 1815}));  // one other speed is no majority
+  CHECK(is_open(0.4, {605, 1210, 1815}));        // damage may swing that much from speed to speed
+  CHECK(is_open(0.6, {605, 1210, 1815}, 0.07));  // the others hear it as well
+  CHECK(is_open(0.6, {605, 605, 1815}));         // one other speed is no majority
+  CHECK(is_open(0.6, {605, 1815, 1815}));
+  CHECK(is_open(0.6, {-1815, 605, 1815}));  // which way it turns makes no other speed
 }
 
 TEST_CASE("a family that no part explains is listed where most points show it",

@@ -127,6 +127,18 @@ TEST_CASE("a part's limit holds where its set stands under the other's name", "[
   CHECK_FALSE(pinion.passed);
 }
 
+TEST_CASE("of two unknown families the one beside a mesh is the reason, as it decides",
+          "[bench][limits]") {
+  Judgement judgement;
+  judgement.points = {point_with_peak(0.1)};
+  conclude(judgement, analysis::Kinematics{}, {}, measured);
+  judgement.diagnosis.unknown = {{.spacing = 1.75, .harmonics = 5},
+                                 {.spacing = 2.25, .harmonics = 4, .sidebands = 3}};
+  hold_against(judgement, {}, measured);
+  CHECK(judgement.ending.outcome == Outcome::invalid);
+  CHECK_THAT(judgement.ending.reason, Contains("2.25"));
+}
+
 TEST_CASE("a limit on a part that the machine does not have is a fault of the plan", "[bench]") {
   analysis::Kinematics kinematics;
   kinematics.machine = "RV-20E";

@@ -101,6 +101,17 @@ TEST_CASE("a channel that misses it once does not move the exponent", "[analysis
   CHECK(growth_law(points, 0).load.exponent == Approx(1).margin(1e-9));
 }
 
+TEST_CASE("a point where noise alone shows it has no amplitude, and spoils no exponent",
+          "[analysis][evidence]") {
+  const Matrix matrix(1, 2);
+  auto points = matrix.where([](const Examination& e) { return e.speed_rpm == 605; });
+  Examination noisy = *points.back();
+  noisy.scores[0].by_noise = true;
+  noisy.scores[0].channel_amplitudes.clear();
+  points.back() = &noisy;
+  CHECK(growth_law(points, 0).load.exponent == Approx(1).margin(1e-9));
+}
+
 TEST_CASE("an exponent speaks against a mechanism by how far it is outside its range",
           "[analysis][evidence]") {
   const analysis::GrowthRange range{0, 1};

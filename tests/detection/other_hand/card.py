@@ -3,8 +3,9 @@ from collections import defaultdict
 from dataclasses import dataclass
 from typing import Callable
 
-from counting import SURE, answer, grouped, has_race_spacing, is_excused, is_shown, is_true, kind_of, named, names, \
-    pairs_of, plain_of, told_alike, true_parts
+from counting import SURE, answer, grouped, has_race_spacing, is_excused, is_same_answer, is_shown, is_true, \
+    kind_of, named, names, pairs_of, parts_found, plain_of
+from parts import KINDS
 
 FIRST = ("two_planets", "three_planets")
 HALF = ("two_planets_half", "three_planets_half")
@@ -18,11 +19,13 @@ class Line:
     is_met: Callable  # how many, of how many
     units: int = 0  # that are to be asked; 0: as many as there are
 
-    def told(self, rows):
-        """What was counted, or nothing where no unit was asked."""
+    def counted(self, rows):
+        """In words; nothing where no unit was asked."""
         count, total = self.count(rows)
         if not total:
             return ""
+        if self.units and total > self.units:
+            return f"{count} of {total}, which is more than are to be asked"
         if total < self.units:
             return f"{count} of {total} so far"
         return f"{count} of {total}" if self.is_met(count, total) else f"**{count} of {total}**, not met"
@@ -60,7 +63,9 @@ def fewest_of_a_kind(of):
     """Right answers of the kind that has the fewest."""
     def count(rows):
         kinds = grouped([row for row in rows if of(row)], kind_of).values()
-        return min(((sum(answer(row) == "right" for row in kind), len(kind)) for kind in kinds), default=(0, 0))
+        if len(kinds) < len(KINDS["rv20e"]):
+            return 0, 0
+        return min((sum(answer(row) == "right" for row in kind), len(kind)) for kind in kinds)
     return count
 
 
@@ -102,7 +107,7 @@ def bearing_lines():
     of = within(("other_bearing",))
     return [line("spalled bearing of another geometry: PASS", at_most(0, 60), share(of, is_answer("false PASS"))),
             line("- `unknown` with the race's spacing, or the right part", at_least(48, 60),
-                 share(of, lambda row: has_race_spacing(row) or answer(row) == "right"))]
+                 share(of, lambda row: answer(row) == "right" or has_race_spacing(row) and answer(row) != "wrong"))]
 
 
 def machine_lines():
@@ -118,8 +123,8 @@ def machine_lines():
 def pair_lines():
     of = within(("pairs",))
     return [
-        line("two bad parts: one named", at_least(90, 100), share(of, lambda row: len(true_parts(row)) > 0)),
-        line("- both named", at_least(50, 100), share(of, lambda row: len(true_parts(row)) > 1)),
+        line("two bad parts: one named", at_least(90, 100), share(of, lambda row: parts_found(row) > 0)),
+        line("- both named", at_least(50, 100), share(of, lambda row: parts_found(row) > 1)),
         line("- a third named", at_most(5, 100), share(of, lambda row: any(not is_true(f, row) for f in named(row)))),
     ]
 
@@ -132,8 +137,8 @@ def twice(rows):
 def the_same(part):
     def count(rows):
         plain = plain_of(rows)
-        again = [row for row in rows if row["part"] == part and row["seed"] in plain]
-        return sum(told_alike(plain[row["seed"]], row) for row in again), len(again)
+        again = [row for row in rows if row["part"] == part and not row["sound"] and row["seed"] in plain]
+        return sum(is_same_answer(plain[row["seed"]], row) for row in again), len(again)
     return count
 
 
@@ -168,7 +173,8 @@ def noise_lines():
         line("- of 0.5 rms: right", at_least(64, 80), share(within(("white_half",)), is_answer("right"))),
         line("1.0 to 1.5 times what would just be seen: shown", at_least(180, 200),
              share(within(("above_visible",)), is_shown)),
-        line("0.4 to 0.6 times: shown", at_most(120, 200), share(within(("below_visible",)), is_shown)),
+        line("0.4 to 0.6 times: shown", at_most(120, 200),
+             share(within(("below_visible",)), lambda row: row["verdict"] == "cannot tell" or is_shown(row))),
     ]
 
 
@@ -196,18 +202,20 @@ LINES = [*first_lines(False), *first_lines(True), *half_lines(), *bearing_lines(
 def card_markdown(rows):
     """A line each, but for those that nothing was asked for yet."""
     lines = ["| what | asked | counted |", "|---|---|---|"]
-    lines += [f"| {one.quantity} | {one.asked} | {told} |" for one in LINES if (told := one.told(rows))]
+    lines += [f"| {one.quantity} | {one.asked} | {counted} |" for one in LINES if (counted := one.counted(rows))]
     return "\n".join(lines)
 
 
 def sensors_markdown(rows):
-    """The same units by fewer sensors."""
+    """The same units by fewer sensors; nothing where none were asked."""
     plain = plain_of(rows)
     lines = ["| sensors | clean | right | wrong | false PASS | INVALID |", "|---|---|---|---|---|---|"]
     groups = defaultdict(list)
     for row in rows:
         if row["part"] in ("six_sensors", "three_sensors", "one_sensor"):
             groups[row["changes"]["channels"]].append(row)
+    if not groups:
+        return ""
     of_twelve = {row["seed"] for members in groups.values() for row in members}
     groups[12] = [plain[seed] for seed in sorted(of_twelve) if seed in plain]
     for sensors, members in sorted(groups.items(), reverse=True):

@@ -1,5 +1,6 @@
 """What answers amount to."""
 from collections import defaultdict
+from itertools import permutations
 
 import numpy as np
 
@@ -10,7 +11,7 @@ OF_A_RACE = 0.01  # relative: how far the spacing of an unknown family may be of
 
 
 def key_of(one):
-    """Of a specimen or its answer: two of one key are the same recording."""
+    """Two specimens, or their answers, of one key are the same recording."""
     of = one if isinstance(one, dict) else vars(one)
     return of["part"], of["seed"], of["sitting"]
 
@@ -30,7 +31,8 @@ def is_true(finding, row):
 def named(row):
     """Findings of known parts, but for one that may follow from the first."""
     follow = [f for f in row["findings"] if f.get("may_follow_from")]
-    excused = follow if len(follow) == 1 else []
+    excused = [f for f in follow if f["may_follow_from"].startswith(row["findings"][0]["component"] + ":")]
+    excused = excused if len(follow) == 1 else []
     return [f for f in row["findings"] if f not in excused and names(f) != ["unknown"]]
 
 
@@ -41,10 +43,10 @@ def is_excused(row):
 
 def answer(row):
     """One of COLUMNS."""
-    if not row["truth"]:
-        if row["verdict"] == "PASS":
-            return "clean"
-        return "false alarm" if row["verdict"] == "FAIL" or named(row) else "INVALID"
+    if not row["truth"] and (row["verdict"] == "FAIL" or named(row)):
+        return "false alarm"
+    if not row["truth"] and row["verdict"] == "PASS":
+        return "clean"
     if any(not is_true(f, row) for f in named(row)):
         return "wrong"
     if row["verdict"] == "PASS":
@@ -70,7 +72,7 @@ def line(heads, answers):
 
 
 def part_of(row):
-    return row["part"] + (" --sound" if row.get("sound") else "")
+    return row["part"] + (" --sound" if row["sound"] else "")
 
 
 def table(rows):
@@ -80,7 +82,7 @@ def table(rows):
 
 
 def sums(rows):
-    """Of each part all kinds of damage together, and how the right ones were named."""
+    """All kinds of damage together, and how the right ones were named."""
     heading(f"{'part':30}{'':12}")
     for part, members in grouped(rows, part_of).items():
         for what, of in (("healthy", [r for r in members if not r["truth"]]),
@@ -128,7 +130,7 @@ def found_at(rows):
         print(f"{kind:12} {min(enough) if enough else 'none':>6}  ({told})")
 
 
-def told_alike(one, other):
+def is_same_answer(one, other):
     """The same verdict, and the same part named first."""
     def first(row):
         return names(row["findings"][0]) if row["findings"] else []
@@ -137,7 +139,8 @@ def told_alike(one, other):
 
 def pairs_of(rows):
     """Answers to units that were judged twice."""
-    of_unit = grouped([row for row in rows if row["part"] == "remounted"], lambda row: row["seed"])
+    twice = [row for row in rows if row["part"] == "remounted" and not row["sound"]]
+    of_unit = grouped(twice, lambda row: row["seed"])
     return [pair for pair in of_unit.values() if len(pair) == 2]
 
 
@@ -146,8 +149,11 @@ def plain_of(rows):
     return {row["seed"]: row for row in rows if row["part"] in ("two_planets", "three_planets") and not row["sound"]}
 
 
-def true_parts(row):
-    return {part for part in row["truth"] for f in row["findings"] if part in names(f)}
+def parts_found(row):
+    """How many bad parts are named, each by a finding of its own."""
+    findings = [set(names(f)) for f in row["findings"]]
+    return max((sum(part in of for part, of in zip(row["truth"], order))
+                for order in permutations(findings, min(len(findings), len(row["truth"])))), default=0)
 
 
 def has_race_spacing(row):
@@ -195,7 +201,8 @@ def beside(rows, tuned, before):
     """rvbench, the methods and the program as it was before, on the same units, by their number of planets."""
     tuned = [row for row in tuned if "methods" in row and not row["truth"]]
     of_before = {key_of(row): row for row in before}
-    asked = [row for row in rows if "methods" in row and (not before or key_of(row) in of_before)]
+    asked = [row for row in rows if "methods" in row and not row["sound"]]
+    asked = [row for row in asked if not before or key_of(row) in of_before]
     for planets, members in grouped(asked, lambda row: row["planets"]).items():
         answers = {"rvbench": [answer(row) for row in members]}
         for method, limits in usual([row for row in tuned if row["planets"] == planets]).items():

@@ -19,7 +19,8 @@ from housing import Housing, fast_length  # noqa: E402
 from machines import PlanetaryStage, RvReducer, TwoStageTrain  # noqa: E402
 from methods import INNER_RACE, OWN_LINES, PLAIN  # noqa: E402
 from card import card_markdown  # noqa: E402
-from counting import answer, answer_of_method, is_excused, told_alike, usual  # noqa: E402
+from counting import answer, answer_of_method, has_race_spacing, is_excused, is_same_answer, parts_found, \
+    usual  # noqa: E402
 from parts import KINDS, PARTS, SCORE, SHORT, TUNING, short_units, sound_units, specimens  # noqa: E402
 from sources import Forces, Race, blows  # noqa: E402
 from unit import RATE_HZ, Unit  # noqa: E402
@@ -199,6 +200,7 @@ class Score(unittest.TestCase):
         units = [s for base in (TUNING, SCORE) for part in PARTS for s in specimens(part, base)]
         units += [s for base in (TUNING, SCORE) for machine in KINDS for s in sound_units(machine, 3, base)]
         units += short_units(SHORT)
+        self.assertEqual(len(first_line), 4 * 250)
         seeds = [(s.seed, s.sitting) for s in units if s.seed not in first_line]
         self.assertEqual(len(seeds), len(set(seeds)))
         again = {s.part for s in units if s.seed in first_line}
@@ -227,6 +229,7 @@ class Score(unittest.TestCase):
         self.assertEqual(answer(row("INVALID", "crank", truth=())), "false alarm")
         self.assertEqual(answer(row("INVALID", truth=())), "INVALID")
         self.assertEqual(answer(row("INVALID", "unknown", truth=())), "INVALID")
+        self.assertEqual(answer(row("exit 139", truth=())), "other")
 
     def test_one_finding_may_follow_from_the_first_and_no_more(self):
         def row(*following):
@@ -237,13 +240,37 @@ class Score(unittest.TestCase):
         self.assertTrue(is_excused(row("crank")))
         self.assertFalse(is_excused(row()))
         self.assertEqual(answer(row("crank", "sun_gear")), "wrong")
+        of_another = row("crank")
+        of_another["findings"][1]["may_follow_from"] = "sun_gear: profile_error"
+        self.assertEqual(answer(of_another), "wrong")
 
     def test_an_answer_is_the_same_if_the_verdict_and_the_first_part_are(self):
         def row(verdict, *named):
             return {"verdict": verdict, "findings": [{"component": name} for name in named]}
-        self.assertTrue(told_alike(row("FAIL", "crank", "sun_gear"), row("FAIL", "crank")))
-        self.assertFalse(told_alike(row("FAIL", "crank"), row("FAIL", "sun_gear")))
-        self.assertFalse(told_alike(row("FAIL", "crank"), row("INVALID", "crank")))
+        self.assertTrue(is_same_answer(row("FAIL", "crank", "sun_gear"), row("FAIL", "crank")))
+        self.assertFalse(is_same_answer(row("FAIL", "crank"), row("FAIL", "sun_gear")))
+        self.assertFalse(is_same_answer(row("FAIL", "crank"), row("INVALID", "crank")))
+
+    def test_two_bad_parts_want_a_finding_each(self):
+        def row(*named):
+            findings = [{"component": of[0], "one_of": of} for of in named]
+            return {"truth": ["sun_gear", "planet_gear"], "findings": findings}
+        self.assertEqual(parts_found(row(["sun_gear", "planet_gear"])), 1)
+        self.assertEqual(parts_found(row(["planet_gear"], ["sun_gear", "planet_gear"])), 2)
+        self.assertEqual(parts_found(row(["crank"])), 0)
+        self.assertEqual(parts_found(row()), 0)
+
+    def test_an_unknown_family_is_the_races_if_it_is_spaced_and_slips_as_its_blows(self):
+        def row(spacing, kind="bearing-like"):
+            return {"race_order": 1.9, "unknown": [{"spacing": spacing, "kind": kind}]}
+        self.assertTrue(has_race_spacing(row(1.915)))
+        self.assertFalse(has_race_spacing(row(1.925)))
+        self.assertFalse(has_race_spacing(row(1.9, "gear-like")))
+
+    def test_health_and_planets_are_drawn_apart(self):
+        for part in ("hum", "tone", "loud_noise", "remounted"):
+            kinds = {(s.planets, *s.damages) for s in specimens(part, SCORE)}
+            self.assertEqual(len(kinds), 2 * (1 + len(KINDS["rv20e"])))
 
     def test_the_card_tells_what_is_met_what_is_not_and_what_was_not_asked_yet(self):
         def healthy(clean, of):
@@ -254,6 +281,7 @@ class Score(unittest.TestCase):
         self.assertIn("| 196 of 200 |", first_line_of_card(healthy(196, 200)))
         self.assertIn("| **195 of 200**, not met |", first_line_of_card(healthy(195, 200)))
         self.assertIn("| 99 of 99 so far |", first_line_of_card(healthy(99, 99)))
+        self.assertIn("| 201 of 201, which is more than", first_line_of_card(healthy(201, 201)))
         self.assertNotIn("planetary", card_markdown(healthy(200, 200)))
 
 

@@ -85,7 +85,7 @@ class RvReducer:
     def forces(self, turns, speed_Hz, size, rate_Hz, point, damages):
         """damages: {kind: severity}. point: of the matrix, by its number."""
         i = self.i
-        sun, planet, orbit, carrier = turns * (i - 1) / i, turns * self.pins / i, turns * self.lobes / i, turns / i
+        sun, planet, orbit, carrier = turns * (i - 1) / i, turns * self.race_turns, turns * self.lobes / i, turns / i
         forces = Forces()
 
         def fit(order):  # as many harmonics as the record's own rate can hold
@@ -119,8 +119,7 @@ class TwoStageTrain:
         self.teeth = [draws.whole(f"teeth {k}", low, high)
                       for k, (low, high) in enumerate(((17, 25), (41, 60), (19, 29), (47, 70)))]
         a, b, c, d = self.teeth
-        self.middle, self.output = a / b, a * c / (b * d)
-        self.race_turns = self.middle
+        self.race_turns, self.output = a / b, a * c / (b * d)
         self.meshes = [Mesh(draws, name, 1, 0.2) for name in ("first mesh", "second mesh")]
         level = draws.level("second mesh over first", 0.3, 3) * self.meshes[0].rms / self.meshes[1].rms
         self.meshes[1].amplitudes *= level
@@ -148,10 +147,10 @@ class TwoStageTrain:
                           "ball_diameter_mm": 40 * ratio, "pitch_diameter_mm": 40}]}
 
     def forces(self, turns, speed_Hz, size, rate_Hz, point, damages):
-        middle, output = turns * self.middle, turns * self.output
+        middle, output = turns * self.race_turns, turns * self.output
         a, _, c, _ = self.teeth
         forces = Forces()
-        stages = ((turns, middle, a * turns, a), (middle, output, c * middle, c * self.middle))
+        stages = ((turns, middle, a * turns, a), (middle, output, c * middle, c * self.race_turns))
         for stage, (first, second, passing, order) in enumerate(stages):
             mesh = self.meshes[stage]
             clean = size * mesh.force(0, passing, int(0.49 * rate_Hz / (order * speed_Hz)))
@@ -207,10 +206,10 @@ class PlanetaryStage:
                               "pitch_diameter_mm": 40, "fixed_race": "inner"}}}
 
     def forces(self, turns, speed_Hz, size, rate_Hz, point, damages):
-        sun_teeth, planet_teeth, _ = self.teeth
+        sun_teeth = self.teeth[0]
         carrier = turns / self.i
         sun = turns - carrier
-        planet = sun * sun_teeth / planet_teeth
+        planet = turns * self.race_turns
         forces = Forces()
         order = sun_teeth * (1 - 1 / self.i)
         self.planets.add(forces, sun, planet, carrier, size, int(0.49 * rate_Hz / (order * speed_Hz)), damages)

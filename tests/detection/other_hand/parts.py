@@ -42,7 +42,7 @@ def first_line(severity=1.0, healthy=100, each=30, machine="rv20e", **more):
 
 
 def again(every, **changes):
-    """Each so manyth unit of the first line, with a change."""
+    """One unit in so many of the first line, with a change."""
     def of(part, base):
         units = [unit for planets in ("two_planets", "three_planets") for unit in specimens(planets, base)[::every]]
         return [replace(unit, part=part, number=n, changes=changes) for n, unit in enumerate(units)]
@@ -69,7 +69,7 @@ def half_and_half(count, **changes):
     """As many faulty units, of each kind in turn, as healthy ones."""
     def of(part, base):
         kinds, seed = KINDS["rv20e"], first_seed(part, base)
-        return [Specimen(part, n, seed + n, planets=2 + n % 2, changes=changes,
+        return [Specimen(part, n, seed + n, planets=2 + n // 2 % 2, changes=changes,
                          damages={} if n % 2 else {kinds[n // 2 % 5]: 1.0}) for n in range(count)]
     return of
 
@@ -86,7 +86,7 @@ def faulty(count, machine="rv20e", **changes):
 def remounted(part, base):
     """Each unit twice: with other noise the second time, and its sensors mounted anew."""
     kinds, seed = KINDS["rv20e"], first_seed(part, base)
-    return [Specimen(part, n, seed + n // 2, planets=2 + n // 2 % 2, sitting=n % 2,
+    return [Specimen(part, n, seed + n // 2, planets=2 + n // 4 % 2, sitting=n % 2,
                      damages={} if n // 2 % 2 else {kinds[n // 4 % 5]: 1.0}) for n in range(200)]
 
 
