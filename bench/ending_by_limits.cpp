@@ -67,7 +67,7 @@ std::string unknown_text(const analysis::UnknownFamily& family) {
       family.harmonics, family.spacing, family.is_locked ? "a gear" : "a rolling bearing");
 }
 
-// Which part is within its limit, but not surely; empty if all are. Of several the nearest.
+// The part that comes nearest to its limit where it may as well be beyond it; empty if none does.
 std::string nearest_within(const analysis::Diagnosis& diagnosis) {
   const analysis::Finding* nearest = nullptr;
   for (const analysis::Finding& finding : diagnosis.below_limit) {

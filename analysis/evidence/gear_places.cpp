@@ -11,7 +11,7 @@ namespace {
 using Index = Eigen::Index;
 
 constexpr double hann_reach = 1.5;  // lines: further away a line has below 3 % of its power
-// A drive holds its speed to some thousandths. What is left wanders within a second or two.
+// The speed of a drive wanders by some thousandths within a second or two.
 constexpr double wander_Hz = 0.6;
 
 void mark_lines(const Kinematics& kinematics, std::size_t lines, GearPlaces& places) {

@@ -21,8 +21,8 @@ ShownPart shown_part(std::size_t signature, Finding finding);
 /// No point counts as one that shows it.
 void clear_shown(Finding& finding);
 
-/// Puts the gravest part first and a cause before its consequence, makes one finding of parts that
-/// no line tells apart, and marks those that may follow from a graver one.
+/// Puts the gravest part first, and a cause before its consequence. Joins parts of the same lines
+/// into one finding. Marks a part that may follow from a graver one.
 ///
 /// @param not_shown  takes those that may be another part's lines
 /// Source  ours

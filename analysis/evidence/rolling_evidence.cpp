@@ -32,7 +32,7 @@ class BearingScore {
     if (std::ranges::none_of(std::array{&inner, &outer, &ball}, [](const FoundBlows* blows) {
           return blows->p_value < significant_p;
         })) {
-      put(b_.inner, inner);  // none of them tells the cage's speed
+      put(b_.inner, inner);  // the cage's speed is not known
       put(b_.outer, outer);
       put(b_.ball, ball);
       judge_free(b_.cage_wear, lines);

@@ -10,11 +10,12 @@ seed were asked of one rvbench.
 """
 import argparse
 import pathlib
-import re
 import sys
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from baselines_said import baselines_said
 from card import card_lines, card_markdown
+from marked_block import put_into
 from marks import mark_case, read_cases
 
 ALL_CASES = 168
@@ -35,14 +36,6 @@ def print_card(rows, baselines):
     for quantity, value, target, met, others in card_lines(rows, baselines):
         print(f"{quantity:44} {value:30} {target:18} {'' if met else 'NOT MET':8}" +
               "".join(f"{other:>20}" for other in others))
-
-
-def put_into(readme, card):
-    text = readme.read_text()
-    marked = re.compile(r"(<!-- proof -->\n).*?(<!-- /proof -->)", re.S)
-    if not marked.search(text):
-        raise SystemExit(f"score: {readme} has no marks for the card")
-    readme.write_text(marked.sub(lambda m: m[1] + card + "\n" + m[2], text))
 
 
 def check_whole(cases, is_published):
@@ -82,7 +75,7 @@ def main():
         args.html.write_text(page(rows, baselines))
         print(f"\nPage: {args.html}")
     if args.readme:
-        put_into(args.readme, card_markdown(rows, baselines))
+        put_into(args.readme, "proof", card_markdown(rows, baselines))
 
 
 if __name__ == "__main__":

@@ -1,13 +1,11 @@
 """The score card: counts beside what was asked for."""
-from collections import defaultdict
 from dataclasses import dataclass
 from typing import Callable
 
 from counting import SURE, answer, grouped, has_race_spacing, is_excused, is_same_answer, is_shown, is_true, \
     kind_of, named, names, pairs_of, parts_found, plain_of
-from parts import KINDS
+from parts import FIRST_LINE, KINDS
 
-FIRST = ("two_planets", "three_planets")
 HALF = ("two_planets_half", "three_planets_half")
 
 
@@ -78,7 +76,7 @@ def a_quarter():
 
 
 def first_lines(sound):
-    bad, good, both = (within(FIRST, sound=sound, bad=b) for b in (True, False, None))
+    bad, good, both = (within(FIRST_LINE, sound=sound, bad=b) for b in (True, False, None))
     after = ", with `--sound`" if sound else ""
     return [
         line(f"RV-20E{after}: healthy units clean", at_least(196, 200), share(good, is_answer("clean"))),
@@ -184,7 +182,7 @@ def sure_findings(rows):
 
 
 def confidence_lines():
-    right = within(FIRST, bad=True)
+    right = within(FIRST_LINE, bad=True)
     return [
         Line(f"findings with a confidence of at least {SURE}: right", "at least 90 %", sure_findings,
              lambda count, total: count >= 0.9 * total),
@@ -210,10 +208,7 @@ def sensors_markdown(rows):
     """The same units by fewer sensors; nothing where none were asked."""
     plain = plain_of(rows)
     lines = ["| sensors | clean | right | wrong | false PASS | INVALID |", "|---|---|---|---|---|---|"]
-    groups = defaultdict(list)
-    for row in rows:
-        if row["part"] in ("six_sensors", "three_sensors", "one_sensor"):
-            groups[row["changes"]["channels"]].append(row)
+    groups = grouped([row for row in rows if "channels" in row["changes"]], lambda row: row["changes"]["channels"])
     if not groups:
         return ""
     of_twelve = {row["seed"] for members in groups.values() for row in members}

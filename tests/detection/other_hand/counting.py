@@ -4,6 +4,8 @@ from itertools import permutations
 
 import numpy as np
 
+from parts import FIRST_LINE
+
 COLUMNS = ("clean", "false alarm", "right", "wrong", "false PASS", "INVALID", "other")
 FALSE_ALARMS = 0.03  # that a method may give on the tuning seeds
 SURE = 0.9  # confidence
@@ -146,7 +148,7 @@ def pairs_of(rows):
 
 def plain_of(rows):
     """{seed: answer} to the units of the first line as they are."""
-    return {row["seed"]: row for row in rows if row["part"] in ("two_planets", "three_planets") and not row["sound"]}
+    return {row["seed"]: row for row in rows if row["part"] in FIRST_LINE and not row["sound"]}
 
 
 def parts_found(row):
@@ -231,7 +233,7 @@ def details(rows, tuned=(), before=()):
         print(f"\n{machine}, {planets} planets: named first")
         confusion(members)
     print("\nseverity found at 90 %, of one damage on the first line's units")
-    first = [r for r in rows if r["part"].startswith(("two_planets", "three_planets")) and not r["sound"]]
+    first = [r for r in rows if r["part"].startswith(FIRST_LINE) and not r["sound"]]
     for planets, members in grouped(first, lambda r: r["planets"]).items():
         print(f"{planets} planets")
         found_at(members)

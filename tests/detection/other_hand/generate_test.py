@@ -21,7 +21,7 @@ from methods import INNER_RACE, OWN_LINES, PLAIN  # noqa: E402
 from card import card_markdown  # noqa: E402
 from counting import answer, answer_of_method, has_race_spacing, is_excused, is_same_answer, parts_found, \
     usual  # noqa: E402
-from parts import KINDS, PARTS, SCORE, SHORT, TUNING, short_units, sound_units, specimens  # noqa: E402
+from parts import FIRST_LINE, KINDS, PARTS, SCORE, SHORT, TUNING, short_units, sound_units, specimens  # noqa: E402
 from sources import Forces, Race, blows  # noqa: E402
 from unit import RATE_HZ, Unit  # noqa: E402
 
@@ -195,7 +195,7 @@ class PlainMethods(unittest.TestCase):
 
 class Score(unittest.TestCase):
     def test_seeds_meet_only_where_units_of_the_first_line_are_asked_again(self):
-        first_line = {s.seed for base in (TUNING, SCORE) for part in ("two_planets", "three_planets")
+        first_line = {s.seed for base in (TUNING, SCORE) for part in FIRST_LINE
                       for s in specimens(part, base)}
         units = [s for base in (TUNING, SCORE) for part in PARTS for s in specimens(part, base)]
         units += [s for base in (TUNING, SCORE) for machine in KINDS for s in sound_units(machine, 3, base)]
@@ -204,7 +204,7 @@ class Score(unittest.TestCase):
         seeds = [(s.seed, s.sitting) for s in units if s.seed not in first_line]
         self.assertEqual(len(seeds), len(set(seeds)))
         again = {s.part for s in units if s.seed in first_line}
-        self.assertEqual(again, {"two_planets", "three_planets", "angle_noise", "dead_channel", "clipped_channel",
+        self.assertEqual(again, {*FIRST_LINE, "angle_noise", "dead_channel", "clipped_channel",
                                  "six_sensors", "three_sensors", "one_sensor"})
 
     def test_units_that_are_asked_again_are_those_of_the_first_line_but_for_the_change(self):

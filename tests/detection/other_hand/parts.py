@@ -13,6 +13,7 @@ THREE_POINTS = ((605, 100), (1210, 100), (1815, 100))
 NINE_POINTS = tuple((rpm, load) for rpm in (605, 1210, 1815) for load in (50, 100, 150))
 TUNING, SCORE, SHORT = 0, 10_000_000, 20_000_000  # where seeds begin
 OF_SOUND_UNITS = 5_000_000  # further
+FIRST_LINE = ("two_planets", "three_planets")  # parts
 
 
 @dataclass
@@ -44,7 +45,7 @@ def first_line(severity=1.0, healthy=100, each=30, machine="rv20e", **more):
 def again(every, **changes):
     """One unit in so many of the first line, with a change."""
     def of(part, base):
-        units = [unit for planets in ("two_planets", "three_planets") for unit in specimens(planets, base)[::every]]
+        units = [unit for first in FIRST_LINE for unit in specimens(first, base)[::every]]
         return [replace(unit, part=part, number=n, changes=changes) for n, unit in enumerate(units)]
     return of
 
