@@ -147,4 +147,28 @@ TEST_CASE("a recording whose rate nobody knows is not judged by a guess", "[spec
   CHECK(answer.out.empty());
   CHECK_THAT(answer.err, Contains("h30hz0.csv") && Contains("--rate"));
 }
+
+// The strongest line of each record near 32/3 orders, in Hz, times 60 and 3/32: read off spectra
+// that rvbench has no part in. A speed of 1780 rpm is what a user reads off the motor's plate.
+TEST_CASE("a gear train's own lines say at which speed within the motor's slip it turned",
+          "[spec][data]") {
+  const auto [name, speed_rpm] = GENERATE(table<std::string, double>({
+      {"h30hz0", 1785.3},
+      {"h30hz30", 1783.7},
+      {"h30hz60", 1779.6},
+      {"h30hz90", 1777.7},
+      {"b30hz00", 1785.3},
+      {"b30hz30", 1783.4},
+      {"b30hz60", 1779.5},
+      {"b30hz90", 1776.0},
+  }));
+  const auto folder = test::data_folder();
+  if (!folder) return;
+  const json verdict =
+      verdict_on(*folder / "oedi" / (name + ".csv"),
+                 {"--kinematics", "two_stage", "--rate", "4266.67", "--speed", "1780"});
+  INFO(name);
+  const json& point = verdict.at("points").at(0);
+  CHECK(point.at("speed_rpm").get<double>() == Approx(speed_rpm).margin(0.4));
+}
 }  // namespace rvbench
