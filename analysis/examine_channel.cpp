@@ -52,11 +52,13 @@ void read_imfs(const Channel& channel, const Emd& modes, const Task& task, Chann
   std::ranges::move(levels.indicators(), std::back_inserter(out.examination.indicators));
 }
 
-// The highest order that the squared envelope is asked for.
+// The highest order that the squared envelope is asked for. Blows are asked for four harmonics,
+// their decoys lie up to 1.45 times as high, and sidebands beside both.
 double highest_envelope(const Kinematics& kinematics) {
+  constexpr double highest_blows = 6.5;
   double highest = 0;
   for (const Signature& part : kinematics.signatures) {
-    const double harmonics = part.shows == Shows::as_blows ? 6.5 : part.harmonics + 1;
+    const double harmonics = part.shows == Shows::as_blows ? highest_blows : part.harmonics + 1;
     highest = std::max(highest, harmonics * part.order);
   }
   return highest;

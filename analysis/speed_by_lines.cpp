@@ -48,7 +48,7 @@ std::optional<ShaftAngle> corrected_by_lines(const std::vector<const Channel*>& 
   if (alike.empty()) return {};
   const double rate_Hz = alike.front().rate_Hz;
   const Eigen::Index samples = alike.front().samples.size();
-  constexpr Eigen::Index fewest_samples = 4096;
+  constexpr Eigen::Index fewest_samples = 4096;  // some turns: of fewer no line is a line
   if (samples < fewest_samples) return {};
   const double top_order = OrderLines::top_order_of(rate_Hz, stated);
   const double turns = stated.mean_speed_Hz() * static_cast<double>(samples) / rate_Hz;

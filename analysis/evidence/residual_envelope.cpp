@@ -14,7 +14,8 @@ using Index = Eigen::Index;
 constexpr Index level_lines = 8;  // to either side: a tone is divided by little but itself
 constexpr Index fewest_lines = 64;
 constexpr double stated_slip = 0.003;  // of a motor's stated speed against its own, in steady load
-constexpr double window_reach = 2;     // lines
+constexpr double window_reach = 2;     // lines: half the main lobe of a Hann window
+constexpr double periodic_reach = 0.25;  // lines: where all turns are whole, a line is one place
 
 // Without the care for overflow of std::abs, which takes longer.
 Eigen::VectorXd moduli(const Eigen::VectorXcd& lines) { return lines.cwiseAbs2().cwiseSqrt(); }
@@ -55,7 +56,7 @@ void whiten(Eigen::VectorXcd& lines, const std::vector<bool>& taken) {
 // Lines of the mains, of an inverter, of another machine: far above all that is around them, which
 // no train of blows is.
 std::vector<bool> tones_among(const Eigen::VectorXcd& lines, const std::vector<bool>& taken) {
-  constexpr double stands_out = 1000;  // power over the floor
+  constexpr double stands_out = 1000;  // 30 dB over the floor; blows share theirs among many lines
   const LineFloor floor = line_floor({1, moduli(lines)}, taken);
   std::vector<bool> tones(taken.size());
   for (std::size_t i = 0; i < tones.size(); ++i) {
@@ -80,7 +81,7 @@ ResidualPlaces residual_places(double turns, double top_order, const Kinematics&
   const Index asked = envelope_lines(turns, top_order, highest_order);
   if (count < fewest_lines || asked == 0) return places;
   places.is_periodic = repeats(kinematics, turns);
-  const double reach = places.is_periodic ? 0.25 : window_reach;
+  const double reach = places.is_periodic ? periodic_reach : window_reach;
   places.gears = locked_lines(kinematics, 1 / turns, static_cast<std::size_t>(count), reach);
   places.locked = locked_lines(kinematics, 1 / turns, static_cast<std::size_t>(asked), reach);
   return places;

@@ -53,7 +53,7 @@ class UnknownBlows {
       best_root = roots.back();
       best = spacing;
     }
-    if (roots.size() < 1000) return {};
+    if (roots.size() < fewest_spacings) return {};
     const auto tries = static_cast<double>(roots.size());
     const double centre = median(roots);
     for (double& root : roots) root = std::abs(root - centre);
@@ -68,7 +68,9 @@ class UnknownBlows {
   }
 
  private:
-  static constexpr double lowest_spacing = 0.25;
+  static constexpr double lowest_spacing = 0.25;  // a cage's, 0.3 to 0.5, with room below
+  // Of so few a deviation says nothing about tails as thin as a thousandth over all of them.
+  static constexpr std::size_t fewest_spacings = 1000;
 
   double sum(double spacing) const {
     double total = 0;
