@@ -23,16 +23,33 @@ bool is_axis(std::string_view text) {
   return text.size() == 1 && std::string_view("xyzXYZ").find(text.front()) != text.npos;
 }
 
+// The one unit of one letter that no name ends in.
+bool is_gravity(std::string_view unit) { return unit == "g" || unit == "G"; }
+
 // In round brackets stands as often what the column is: (A) axial, (V) vertical, (N) for number.
 bool is_surely_unit(std::string_view unit) {
-  return (unit.size() > 1 || unit == "g") && si_unit(unit);
+  return (unit.size() > 1 || is_gravity(unit)) && si_unit(unit);
 }
 
 bool is_no_word(std::string_view unit) {
-  return unit.size() > 1 && std::ranges::find(words, unit) == words.end();
+  return (unit.size() > 1 || is_gravity(unit)) && std::ranges::find(words, unit) == words.end();
+}
+
+// "a / g", "a, g": the mark before a unit is no part of the name.
+ColumnName behind_mark(std::string_view head) {
+  for (const std::string_view mark : {" / ", ", "}) {
+    const std::size_t before = head.rfind(mark);
+    if (before == head.npos || before == 0) continue;
+    const std::string_view unit = said_in(head.substr(before + mark.size()));
+    if (unit.find(' ') == unit.npos && is_surely_unit(unit)) {
+      return {std::string(said_in(head.substr(0, before))), std::string(unit)};
+    }
+  }
+  return {"", ""};
 }
 
 ColumnName with_suffix(std::string_view head) {
+  if (ColumnName found = behind_mark(head); !found.unit.empty()) return found;
   const std::size_t before = head.find_last_of("_ ");
   const std::string_view unit = before == head.npos ? "" : head.substr(before + 1);
   const bool is_unit = is_no_word(unit) && si_unit(unit);

@@ -17,7 +17,8 @@ struct ColumnName {
 ///     a [g]          what stands in square brackets at the end, also where it is not known here,
 ///                    unless it is an index or an axis: "a[1]", "a [x]"
 ///     a (mm/s)       in round ones what is known, for others stand there too: "a (drive end)"
-///     a_mm/s, T degC what is known and no word: "a_g", "accel_in" and "a_rad" name none
+///     a_mm/s, a_g    what is known and no word: "accel_in" and "a_rad" name none
+///     a / g, "a, g"  what is known, behind the mark and a blank
 ColumnName column_name(std::string_view head);
 
 /// The name of a signal that is in `symbol` by now, without another unit of the same kind at its

@@ -12,8 +12,11 @@ namespace {
 
 constexpr std::size_t longest_number = 60;
 
-std::string_view trimmed(std::string_view text) {
-  const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+// Without blanks at its ends; a tab that parts cells is none.
+std::string_view trimmed(std::string_view text, char separator) {
+  const auto is_space = [separator](char c) {
+    return c == ' ' || c == '\r' || (c == '\t' && separator != '\t');
+  };
   while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
   return text;
@@ -59,21 +62,24 @@ std::optional<char> csv_separator(std::string_view first_line) {
 
 std::optional<std::vector<std::string_view>> csv_cells(std::string_view line, char separator) {
   std::vector<std::string_view> cells;
-  line = trimmed(line);
+  const std::string_view marks = separator == ' ' ? " \t" : std::string_view(&separator, 1);
+  line = trimmed(line, separator);
   while (!line.empty()) {
     std::size_t from = 0;
     if (line.front() == '"') {
       from = end_of_quote(line);
       if (from == line.npos) return std::nullopt;
     }
-    const std::size_t end = std::min(line.find(separator, from), line.size());
-    std::string_view cell = trimmed(line.substr(0, end));
+    const std::size_t end = std::min(line.find_first_of(marks, from), line.size());
+    std::string_view cell = trimmed(line.substr(0, end), separator);
     if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') {
-      cell = trimmed(cell.substr(1, cell.size() - 2));
+      cell = trimmed(cell.substr(1, cell.size() - 2), separator);
     }
     cells.push_back(cell);
     line.remove_prefix(std::min(end + 1, line.size()));
-    while (line.starts_with(' ') && separator != ' ') line.remove_prefix(1);
+    while (line.starts_with(' ') || (separator == ' ' && line.starts_with('\t'))) {
+      line.remove_prefix(1);
+    }
   }
   return cells;
 }

@@ -13,7 +13,8 @@ namespace rvbench::hal::formats {
 std::optional<char> csv_separator(std::string_view first_line);
 
 /// The cells of one line, without the blanks and quotes around them. A separator at the line's end
-/// adds none. Nothing if a quote does not end.
+/// adds none. The separator ' ' stands for any number of blanks and tabs. Nothing if a quote does
+/// not end.
 std::optional<std::vector<std::string_view>> csv_cells(std::string_view line, char separator);
 
 /// How the numbers of a table are written, as far as any of them has shown it.

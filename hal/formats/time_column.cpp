@@ -15,7 +15,7 @@
 namespace rvbench::hal::formats {
 namespace {
 
-constexpr Eigen::Index fewest_nameless = 100;  // fewer may rise evenly by chance
+constexpr Eigen::Index fewest_nameless = 16;  // fewer may rise evenly by chance
 
 constexpr std::string_view separators = "_ [](),";
 constexpr std::array<std::string_view, 5> time_names = {"time", "times", "t", "ts", "seconds"};
@@ -33,6 +33,10 @@ std::string plain(std::string_view text) {
 std::optional<double> seconds_in(std::string_view unit) {
   const std::optional<SiUnit> si = si_unit(unit);
   return si && si->symbol == "s" ? std::optional<double>(si->factor) : std::nullopt;
+}
+
+void give_rate(double rate_Hz, Recording& table) {
+  for (Channel& channel : table.channels) channel.rate_Hz = rate_Hz;
 }
 
 }  // namespace
@@ -56,20 +60,29 @@ bool only_rises(const Eigen::VectorXd& x) {
   return ((x.tail(n - 1) - x.head(n - 1)).array() >= 0).all();
 }
 
+bool states_time_unit(std::string_view name) {
+  const std::string_view word = name.substr(0, name.find_first_of(separators));
+  return !plain(name.substr(word.size())).empty();
+}
+
 void set_rate_by_time_column(bool has_names, Recording& table) {
   for (const Channel& column : table.channels) {
     const Eigen::VectorXd& x = column.samples;
-    const auto unit_s = has_names ? time_unit_s(column.info.name) : std::optional<double>(1);
+    const std::string& name = column.info.name;
+    const auto unit_s = has_names ? time_unit_s(name) : std::optional<double>(1);
     const std::optional<double> step = unit_s ? even_step(x) : std::nullopt;
-    const bool is_time =
-        step && (has_names || (x[0] == 0 && *step < 1 && x.size() >= fewest_nameless));
-    if (is_time) {
-      const double rate_Hz = 1 / (*step * *unit_s);
-      if (!has_names) {
-        table.notes.push_back(
-            fmt::format("rate {:.6g} Hz from {}, taken as time in s", rate_Hz, column.info.name));
-      }
-      for (Channel& channel : table.channels) channel.rate_Hz = rate_Hz;
+    const bool is_time = step && (has_names || (x[0] == 0 && x.size() >= fewest_nameless));
+    if (is_time && has_names && states_time_unit(name))
+      return give_rate(1 / (*step * *unit_s), table);
+    if (is_time && *step <= longest_unstated_step) {
+      table.notes.push_back(
+          fmt::format("rate {:.6g} Hz from {}, taken as time in s", 1 / *step, name));
+      return give_rate(1 / *step, table);
+    }
+    if (is_time && has_names) {
+      table.notes.push_back(fmt::format(
+          "{} states no unit: its steps of {:.6g} are {:.6g} Hz if in s, {:.6g} Hz if in ms", name,
+          *step, 1 / *step, 1000 / *step));
       return;
     }
     if (!has_names) return;

@@ -33,17 +33,40 @@ TEST_CASE("a decimal comma is read where columns are parted by another mark", "[
   CHECK(read_csv("a;b\n1.5;2\n").notes.empty());
 }
 
-TEST_CASE("numbers with a comma that may be anything are refused, with the place",
-          "[hal][formats]") {
+TEST_CASE("numbers that contradict each other are rejected, with both places", "[hal][formats]") {
   CHECK_THAT(complaint("a;b\n1,5;2\n1;2.5\n"),
-             Contains("3:2: \"2.5\" has a decimal point, numbers before it have a comma"));
+             Contains("\"2.5\" (3:2) has a decimal point, \"1,5\" (2:1) a decimal comma"));
   CHECK_THAT(complaint("a;b\n1.5;2\n1;2,5\n"),
-             Contains("3:2: \"2,5\" has a decimal comma, numbers before it have a point"));
-  CHECK_THAT(complaint("a;b\n1.234,5;2\n"), Contains("2:1: \"1.234,5\" is not a number: it has"));
-  CHECK_THAT(complaint("a;b\n1,234,567;2\n"), Contains("2:1: \"1,234,567\" is not a number"));
+             Contains("\"1.5\" (2:1) has a decimal point, \"2,5\" (3:2) a decimal comma"));
   CHECK_THAT(complaint("a,b\n1,5,2,5\n"),
-             Contains("2: 4 values, not 2: with decimal commas, columns are to be parted by ;"));
+             Contains("2: 4 values, not 2") &&
+                 Contains("with decimal commas, columns are to be parted by ;"));
   CHECK_THAT(complaint("a,b\n1,2,3\n"), Contains("2: 3 values, not 2") && !Contains("decimal"));
+}
+
+TEST_CASE("a mark before three digits in all cells that have one parts thousands",
+          "[hal][formats]") {
+  const auto [text, first, second] = GENERATE(table<std::string, double, double>({
+      {"a,b\n\"1,218\",2\n\"644\",2\n", 1218, 644},
+      {"a,b\n\"-1,234,567\",2\n\"999\",2\n", -1234567, 999},
+      {"a,b\n\"1,218.5\",2\n0.25,2\n", 1218.5, 0.25},
+      {"a;b\n1.218,5;2\n0,25;2\n", 1218.5, 0.25},
+      {"a;b\n1,234,567;2\n89;2\n", 1234567, 89},
+  }));
+  CAPTURE(text);
+  CHECK(read_csv(text).channels.at(0).samples == Eigen::Vector2d(first, second));
+}
+
+TEST_CASE("a comma that may part thousands or decimals is rejected with both readings",
+          "[hal][formats]") {
+  CHECK_THAT(complaint("a,b\n\"1,218\",2\n\"0,8\",2\n"),
+             Contains("thousands in \"1,218\" (2:1) and decimals in \"0,8\" (3:1)") &&
+                 Contains("--decimal"));
+  CHECK_THAT(complaint("a;b\n1,218;2\n644;2\n"),
+             Contains("\"1,218\" (2:1) may be a thousand or more, or a decimal number") &&
+                 Contains("\"644\" (3:1)"));
+  // Fixed decimals: each cell of the column has its comma.
+  CHECK(read_csv("a;b\n1,218;2\n2,644;2\n").channels[0].samples == Eigen::Vector2d(1.218, 2.644));
 }
 
 TEST_CASE("whole numbers without names that may be halves of others are told, or refused",

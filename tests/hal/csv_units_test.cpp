@@ -24,6 +24,12 @@ TEST_CASE("a column in a known unit comes in SI, with a note", "[hal][formats]")
       GENERATE(table<std::string, std::string, std::string, double>(
           {{"a [g]", "a", "m/s²", 9.80665},
            {"a [mg]", "a", "m/s²", 9.80665e-3},
+           {"a (G)", "a", "m/s²", 9.80665},
+           {"a (g's)", "a", "m/s²", 9.80665},
+           {"a_g", "a_g", "m/s²", 9.80665},
+           {"a / g", "a", "m/s²", 9.80665},
+           {"\"a, g\"", "a", "m/s²", 9.80665},
+           {"a / mm/s²", "a", "m/s²", 1e-3},
            {"a (mm/s²)", "a", "m/s²", 1e-3},
            {"a [in/s²]", "a", "m/s²", 0.0254},
            {"a_mm/s2", "a_mm/s2", "m/s²", 1e-3},
@@ -87,8 +93,8 @@ TEST_CASE("a name drops the unit that its values are no longer in", "[hal][forma
 }
 
 TEST_CASE("a head that names no unit has none", "[hal][formats]") {
-  const std::string head = GENERATE("a", "g", "a_g", "accel_in", "a_rad", "a (drive end)", "a [x]",
-                                    "a[1]", "a [-Z]", "time [s]", "time_ms", "t [us]", "a []");
+  const std::string head = GENERATE("a", "g", "accel_in", "a_rad", "a (drive end)", "a [x]", "a[1]",
+                                    "a [-Z]", "time [s]", "time_ms", "t [us]", "a []");
   const Recording recording = headed(head);
   CAPTURE(head);
   CHECK(recording.channels[0].info.name == head);

@@ -32,11 +32,21 @@ TEST_CASE("a column named as time gives the rate, and stays", "[hal][formats]") 
 }
 
 TEST_CASE("a nameless first column is time if it rises evenly from 0", "[hal][formats]") {
-  const Recording bare = read_csv(table(0, 0.01));
-  CHECK(bare.channels[1].rate_Hz == Approx(100));
-  CHECK_THAT(bare.notes.at(0), Contains("rate 100 Hz from column_1, taken as time in s"));
-  CHECK(read_csv(table(0, 1)).channels[1].rate_Hz == 0);     // a count of lines
-  CHECK(read_csv(table(3, 0.01)).channels[1].rate_Hz == 0);  // anything
+  const Recording bare = read_csv(table(0, 0.001));
+  CHECK(bare.channels[1].rate_Hz == Approx(1000));
+  CHECK_THAT(bare.notes.at(0), Contains("rate 1000 Hz from column_1, taken as time in s"));
+  CHECK(read_csv(table(0, 1)).channels[1].rate_Hz == 0);      // a count of lines
+  CHECK(read_csv(table(3, 0.001)).channels[1].rate_Hz == 0);  // anything
+}
+
+TEST_CASE("a time whose unit is not stated is s only where ms would be absurd", "[hal][formats]") {
+  CHECK(read_csv("time,x\n" + table(0, 0.002)).channels[1].rate_Hz == Approx(500));
+  CHECK(read_csv(table(0, 0.01)).channels[1].rate_Hz == 0);
+  for (const double step : {0.01, 0.1, 1.0}) {
+    const Recording asked = read_csv("time,x\n" + table(0, step));
+    CHECK(asked.channels[1].rate_Hz == 0);
+    CHECK_THAT(asked.notes.at(0), Contains("time states no unit: its steps of"));
+  }
 }
 
 TEST_CASE("times that rise unevenly say no rate", "[hal][formats]") {

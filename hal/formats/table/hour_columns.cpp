@@ -1,0 +1,84 @@
+#include "hal/formats/table/hour_columns.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "hal/formats/even_grid.hpp"
+#include "hal/formats/table/text.hpp"
+
+namespace rvbench::hal::formats {
+namespace {
+
+constexpr double whole_day_s = 86400;
+
+struct ClockHand {
+  std::array<std::string_view, 5> names;  // in lower case
+  double seconds = 0;
+  double below = 0;  // its values are whole, from 0
+};
+
+constexpr std::array hands = {
+    ClockHand{{"hour", "hours", "hh", "h", "hr"}, 3600, 24},
+    ClockHand{{"minute", "minutes", "min", "mm", "m"}, 60, 60},
+    ClockHand{{"second", "seconds", "sec", "ss", "s"}, 1, 61},
+    ClockHand{{"microsecond", "microseconds", "us", "usec", "µs"}, 1e-6, 1e6},
+    ClockHand{{"millisecond", "milliseconds", "ms", "msec", "msecs"}, 1e-3, 1e3},
+};
+constexpr std::size_t parts_of_second = 3;  // the first of the hands below a second
+
+bool is_called(const std::string& name, const ClockHand& hand) {
+  return std::ranges::find(hand.names, lower_case(name)) != hand.names.end();
+}
+
+bool runs_like(const Eigen::VectorXd& x, const ClockHand& hand) {
+  return std::ranges::all_of(x, [&](double value) {
+    return value >= 0 && value < hand.below && value == std::floor(value);
+  });
+}
+
+// The time that the first columns say if they are these hands.
+Eigen::VectorXd joined(const Table& table, std::array<const ClockHand*, 4> of) {
+  Eigen::VectorXd seconds = Eigen::VectorXd::Zero(table.columns.front().samples.size());
+  for (std::size_t i = 0; i < of.size(); ++i) seconds += of[i]->seconds * table.columns[i].samples;
+  double midnights_s = 0;
+  for (Eigen::Index i = 1; i < seconds.size(); ++i) {
+    seconds[i] += midnights_s;
+    if (seconds[i] + whole_day_s / 2 > seconds[i - 1]) continue;
+    midnights_s += whole_day_s;
+    seconds[i] += whole_day_s;
+  }
+  seconds.array() -= seconds[0];
+  return seconds;
+}
+
+std::optional<Eigen::VectorXd> time_in(const Table& table) {
+  for (std::size_t last = parts_of_second; last < hands.size(); ++last) {
+    const std::array<const ClockHand*, 4> of = {&hands[0], &hands[1], &hands[2], &hands[last]};
+    bool runs = true, named = true, unnamed = true;
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      runs = runs && runs_like(table.columns[i].samples, *of[i]);
+      named = named && is_called(table.columns[i].name, *of[i]);
+      unnamed = unnamed && table.columns[i].name.empty();
+    }
+    if (!runs || !(named || unnamed)) continue;
+    Eigen::VectorXd seconds = joined(table, of);
+    if (named || even_step(seconds)) return seconds;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool join_hour_columns(Table& table) {
+  constexpr std::size_t count = 4;
+  if (table.columns.size() <= count || table.columns.front().samples.size() < 2) return false;
+  std::optional<Eigen::VectorXd> seconds = time_in(table);
+  if (!seconds) return false;
+  table.columns.erase(table.columns.begin(), table.columns.begin() + count - 1);
+  table.columns.front() = {"time [s]", "", std::move(*seconds)};
+  return true;
+}
+
+}  // namespace rvbench::hal::formats
