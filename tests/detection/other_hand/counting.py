@@ -153,9 +153,10 @@ def plain_of(rows):
 
 def parts_found(row):
     """How many bad parts are named, each by a finding of its own."""
-    findings = [set(names(f)) for f in row["findings"]]
-    return max((sum(part in of for part, of in zip(row["truth"], order))
-                for order in permutations(findings, min(len(findings), len(row["truth"])))), default=0)
+    nobody = [set()] * len(row["truth"])
+    findings = [set(names(f)) for f in row["findings"]] + nobody
+    return max(sum(part in of for part, of in zip(row["truth"], order))
+               for order in permutations(findings, len(row["truth"])))
 
 
 def has_race_spacing(row):

@@ -257,6 +257,8 @@ class Score(unittest.TestCase):
             return {"truth": ["sun_gear", "planet_gear"], "findings": findings}
         self.assertEqual(parts_found(row(["sun_gear", "planet_gear"])), 1)
         self.assertEqual(parts_found(row(["planet_gear"], ["sun_gear", "planet_gear"])), 2)
+        self.assertEqual(parts_found(row(["sun_gear"])), 1)
+        self.assertEqual(parts_found(row(["planet_gear"])), 1)
         self.assertEqual(parts_found(row(["crank"])), 0)
         self.assertEqual(parts_found(row()), 0)
 
