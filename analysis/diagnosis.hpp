@@ -33,6 +33,7 @@ struct SignatureScore {
   double amplitude = not_known;  ///< that depth times the rms it refers to, in the channel's unit;
                                  ///< median over the channels
   bool by_noise = false;         ///< it is how the noise swings that shows it, not lines of its own
+  double in_phase = not_known;   ///< blow_phases() of a part that strikes: median over the channels
   double depth2_variance = 0;    ///< of the squared depth, by the record's noise
   double log_likelihood_ratio = 0;  ///< against noise, over lines and channels, less what its
                                     ///< decoys have
@@ -51,6 +52,9 @@ struct SignatureScore {
   /// Whether any line of it could be read: noise moves whatever was.
   bool is_read() const { return depth > 0 || depth2_variance > 0; }
 };
+
+/// Damage makes families of at least as many lines.
+inline constexpr int harmonics_of_damage = 4;
 
 /// A family of lines that follows the shaft, and that no part of the machine explains.
 struct UnknownFamily {
@@ -136,7 +140,8 @@ struct Finding {
       not_known;  ///< the amplitude behind it: median over the points that show it
   double smallest_visible = not_known;  ///< the least severity that the points would have shown
                                         ///< with 90 %
-  double limit = 0;                     ///< of severity
+  double in_phase = not_known;    ///< blow_phases() of a part that strikes: mean over the points
+  double limit = 0;               ///< of severity
   double over_sound = not_known;  ///< how many scatters of sound units it lies above their median
   double confidence = 0;  ///< 0..1: share of severity over limit, less what growth speaks against
                           ///< it, among all findings; a cause has at least its consequence's

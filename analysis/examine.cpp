@@ -137,7 +137,10 @@ void score(std::vector<ChannelResult>& results, const Kinematics& kinematics, Ex
                Shows::as_blows &&
            score.p_value < significant_p;
   });
-  const bool is_quiet = !is_struck && e.unknown.empty();
+  const bool has_family = std::ranges::any_of(e.unknown, [](const UnknownFamily& family) {
+    return family.harmonics >= harmonics_of_damage;
+  });
+  const bool is_quiet = !is_struck && !has_family;
   if (noise_parts > 0 && is_quiet) score_noise(noise, first->places->noise, kinematics, e.scores);
   add_article(counted, e);
   score_printed(results, kinematics, e);

@@ -6,6 +6,7 @@
 
 #include "analysis/emd/emd.hpp"
 #include "analysis/envelope_spectra.hpp"
+#include "analysis/evidence/blow_phases.hpp"
 #include "analysis/indicators/channel_indicators.hpp"
 #include "analysis/indicators/envelope_levels.hpp"
 #include "analysis/indicators/signal_levels.hpp"
@@ -147,6 +148,8 @@ ChannelResult examine_channel(const Channel& channel, std::vector<QualityNote> q
     if (held(places->gears, spectrum.amplitude.size())) {
       out.places = places;
       out.gears = read_gears(spectrum, places->gears);
+      const std::vector<double> phases = blow_phases(quiet, places->gears, task.kinematics);
+      for (std::size_t s = 0; s < phases.size(); ++s) out.gears[s].in_phase = phases[s];
     }
     const Spectrum& swings = out.residual.windowed;
     if (held(places->noise, swings.amplitude.size())) out.noise = read_noise(swings, places->noise);

@@ -37,7 +37,7 @@ Signature shaft_signature(const GearTrain::Shaft& shaft, double order) {
           .sidebands = {},
           .shows = Shows::as_turning,
           .turn = order,
-          .depth_limit = 0.15,
+          .depth_limit = 0.25,
           .limit_why = "assumed: a true shaft loads its gears and bearings alike all the way round",
           .advice = "check balance, run-out and alignment of the " + shaft.name};
 }
@@ -53,6 +53,7 @@ Signature gear_signature(const std::string& component, double order) {
           .strikes = true,
           .turn = order,
           .depth_limit = 0.075,
+          .aligned_limit = 0.01,
           .limit_why = "assumed: one tooth among many may not stand out by more than its share",
           .advice = "look at the teeth of the " + component};
 }

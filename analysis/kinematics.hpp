@@ -66,10 +66,20 @@ struct Signature {
   double depth_limit = 0;  ///< modulation depth above which the part counts as bad
   /// The same where it shows in noise alone, if that is less: there planets cancel nothing.
   double noise_limit = std::numeric_limits<double>::infinity();
+  /// The same of a part that strikes where its lines come in phase, as a blow makes them, if that
+  /// is less; and where they do not, as pitch errors of sound teeth make them, if that is more.
+  double aligned_limit = std::numeric_limits<double>::infinity();
+  double scatter_limit = 0;
   std::string limit_why;
   double sound_median = not_known;   ///< severity of sound units of the same kind, if any were
   double sound_scatter = not_known;  ///< shown, and how far one lies from another
   std::string advice;
+
+  /// One limit, however the part shows.
+  void set_limit(double severity) {
+    depth_limit = noise_limit = aligned_limit = severity;
+    scatter_limit = 0;
+  }
 };
 
 /// A rolling bearing, by the signatures of its parts.

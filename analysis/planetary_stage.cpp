@@ -49,7 +49,8 @@ Signature ring_signature(const SunStage& stage) {
           .shows = Shows::as_teeth,
           .strikes = true,
           .turn = passing,
-          .depth_limit = 0.05,
+          .depth_limit = 0.15,
+          .aligned_limit = 0.05,
           .limit_why = "assumed: one tooth among many may not stand out by more than its share",
           .advice = "look at the ring's flanks; replace the ring"};
 }
@@ -105,6 +106,7 @@ Signature planet_signature(const SunStage& stage) {
           .path_order = stage.carrier,
           .load_growth = any_growth,
           .depth_limit = stage.planets > 2 ? 0.06 : 0.1,
+          .scatter_limit = stage.planets > 2 ? 0.1 : 0.2,
           .limit_why =
               "assumed: pitch errors of sound teeth put a tenth of the mesh on such lines, "
               "and less where more than two planets share it",
@@ -139,8 +141,11 @@ Kinematics planetary_stage(const std::string& machine, const PlanetaryGeometry& 
                 {"ring against carrier", stage.carrier, geometry.ring_teeth}},
                stage.carrier}};
   k.signatures = input_signatures(stage);
+  k.signatures.back().depth_limit = 0.2;
+  k.signatures.back().limit_why = "assumed: pitch and runout of sound teeth swing by a fifth";
   k.signatures.push_back(planet_signature(stage));
   k.signatures.back().depth_limit = 0.1;
+  k.signatures.back().scatter_limit = 0.25;
   k.signatures.back().limit_why =
       "assumed: a planet that rolls in a ring has few lines of its own, and ten turns of the "
       "carrier show no less of it";

@@ -98,6 +98,7 @@ Json json_of_finding(const Finding& finding) {
                         {"may_follow_from", nullptr},
                         {"one_of", finding.one_of},
                         {"smallest_visible", finding.smallest_visible},
+                        {"in_phase", finding.in_phase},
                         {"over_sound", finding.over_sound},
                         {"severity_m_s2", finding.severity_m_s2}});
   if (!finding.points.empty()) json["of_limit"] = finding.severity / finding.limit;
@@ -145,6 +146,7 @@ Finding finding_from(const Json& json) {
   }
   finding.one_of = json.value("one_of", std::vector<std::string>());
   finding.smallest_visible = number_or_nan(json.value("smallest_visible", Json()));
+  finding.in_phase = number_or_nan(json.value("in_phase", Json()));
   finding.over_sound = number_or_nan(json.value("over_sound", Json()));
   finding.severity_m_s2 = number_or_nan(json.value("severity_m_s2", Json()));
   return finding;
@@ -177,6 +179,7 @@ Json json_of_score(const SignatureScore& score) {
                            {"depth", score.depth},
                            {"amplitude", score.amplitude},
                            {"by_noise", score.by_noise},
+                           {"in_phase", score.in_phase},
                            {"depth2_variance", score.depth2_variance},
                            {"statistic", score.log_likelihood_ratio},
                            {"p_value", score.p_value},
@@ -196,6 +199,7 @@ SignatureScore score_from(const Json& json) {
   score.depth = number_or_nan(json.at("depth"));
   score.amplitude = number_or_nan(json.value("amplitude", Json()));
   score.by_noise = json.value("by_noise", false);
+  score.in_phase = number_or_nan(json.value("in_phase", Json()));
   score.depth2_variance = number_or_nan(json.value("depth2_variance", Json()));
   score.log_likelihood_ratio = number_or_nan(json.at("statistic"));
   score.p_value = number_or_nan(json.at("p_value"));

@@ -96,7 +96,7 @@ analysis::Kinematics with_limits(analysis::Kinematics kinematics,
       if (strictest == nullptr || limit.max < strictest->max) strictest = &limit;
     }
     if (strictest == nullptr) continue;
-    signature.depth_limit = signature.noise_limit = strictest->max;
+    signature.set_limit(strictest->max);
     signature.limit_why = strictest->why;
   }
   return kinematics;

@@ -75,7 +75,7 @@ void score_part(const std::vector<std::vector<GearReading>>& readings, const Par
   Eigen::VectorXd line_sums = Eigen::VectorXd::Zero(lines);
   Eigen::MatrixXd decoy_sums = Eigen::MatrixXd::Zero(lines, gear_decoys);
   int channels_read = 0;
-  std::vector<double> depths2, variances, amplitudes;
+  std::vector<double> depths2, variances, amplitudes, phases;
   double deepest2 = -1;
   for (std::size_t c = 0; c < readings.size(); ++c) {
     if (readings[c].empty()) continue;
@@ -87,6 +87,7 @@ void score_part(const std::vector<std::vector<GearReading>>& readings, const Par
     if (!(reading.mesh2 > 3 * std::sqrt(reading.mesh2_variance))) continue;
     const double depth2 = 2 * reading.own2 / part.share / reading.mesh2;
     depths2.push_back(depth2);
+    if (!std::isnan(reading.in_phase)) phases.push_back(reading.in_phase);
     variances.push_back(4 * reading.own2_variance / std::pow(part.share * reading.mesh2, 2));
     amplitudes.push_back(std::sqrt(std::max(reading.own2 / part.share, 0.0)));
     score.channel_amplitudes[c] = amplitudes.back();
@@ -105,6 +106,7 @@ void score_part(const std::vector<std::vector<GearReading>>& readings, const Par
   const auto channels = static_cast<double>(depths2.size());
   score.depth = std::sqrt(std::max(0.0, median(depths2)));
   score.amplitude = median(std::move(amplitudes));
+  score.in_phase = phases.empty() ? not_known : median(std::move(phases));
   // A median's own variance is π/2 of a mean's.
   constexpr double of_median = 1.57;
   score.depth2_variance = of_median * median(variances) / channels;

@@ -48,8 +48,12 @@ class GearReader {
     r.decoys = Eigen::MatrixXd::Zero(lines, gear_decoys);
     r.line2 = Eigen::VectorXd::Zero(lines);
     r.log_ratio = Eigen::VectorXd::Ones(lines);
-    // Lines that rivals have as well count together, where they win most of the disputes.
+    // Lines that rivals have as well count together, where they win most of the disputes. A shaft's
+    // force is no sideband, and is disputed by itself.
     Sum alone, shared;
+    const auto is_shared = [](const OwnLine& line) {
+      return !line.rivals.empty() && !line.is_force;
+    };
     int disputed = 0, won = 0;
     for (std::size_t i = 0; i < part.own.size(); ++i) {
       const OwnLine& line = part.own[i];
@@ -60,15 +64,15 @@ class GearReader {
       const double line2 = own2(at, line);
       r.line2[row] = line2;
       if (line2 != 0) r.log_ratio[row] = log_ratio_[at];
-      const bool is_disputed = !line.rivals.empty() && is_heard(at, line.rivals);
+      const bool is_disputed = is_shared(line) && is_heard(at, line.rivals);
       disputed += is_disputed ? 1 : 0;
       won += is_disputed && line2 > 0 ? 1 : 0;
-      (line.rivals.empty() ? alone : shared).add(line2, variance(at, line2));
+      (is_shared(line) ? shared : alone).add(line2, variance(at, line2));
     }
     if (2 * won < disputed) {  // another part makes them: they are as good as noise
       shared.line2 = 0;
       for (std::size_t i = 0; i < part.own.size(); ++i) {
-        if (part.own[i].rivals.empty()) continue;
+        if (!is_shared(part.own[i])) continue;
         r.log_ratio[static_cast<Index>(i)] = 1;
         r.line2[static_cast<Index>(i)] = 0;
       }
@@ -152,7 +156,8 @@ class GearReader {
            std::ranges::any_of(rivals, [&](double order) { return stands(bin_of(order)); });
   }
 
-  // One harmonic alone is a tone that happens to lie there: it counts as much as the second.
+  // One harmonic alone is a tone that happens to lie there, and one carrier alone is at a
+  // resonance, which a sideband meets before the carrier does: it counts as much as the second.
   static double loudest_over_second(const PartLines& part, const Eigen::VectorXd& line2) {
     std::map<int, double> groups;
     for (std::size_t i = 0; i < part.own.size(); ++i) {

@@ -92,6 +92,7 @@ class PartCombs {
     if (k_.meshes.empty()) return lines;
     if (part.shows == Shows::as_teeth) {
       take_teeth(part, lines);
+      if (part.strikes) take_turn_lines(part, lines);
     } else {
       lines.own = of_turning(part);
     }
@@ -102,14 +103,31 @@ class PartCombs {
  private:
   // Of the part's meshes; of all where it strikes, or is in none.
   void take_meshes(const Signature& part, PartLines& lines) const {
-    const bool in_one = !part.strikes && std::ranges::any_of(k_.meshes, [&](const GearMesh& mesh) {
-      return is_gear_of(mesh, part.turn);
-    });
+    const bool in_one = !part.strikes && is_in_a_mesh(part);
     for (const GearMesh& mesh : k_.meshes) {
       if (in_one && !is_gear_of(mesh, part.turn)) continue;
       lines.contact_order =
           lines.contact_order > 0 ? std::min(lines.contact_order, mesh.order) : mesh.order;
       for (const double order : harmonics_of(mesh, top_)) add(order, lines.mesh);
+    }
+  }
+
+  bool is_in_a_mesh(const Signature& part) const {
+    return std::ranges::any_of(k_.meshes,
+                               [&](const GearMesh& mesh) { return is_gear_of(mesh, part.turn); });
+  }
+
+  // As far as the fastest of the part's own meshes goes: phases tell a blow from noise by
+  // themselves.
+  void take_turn_lines(const Signature& part, PartLines& lines) const {
+    double fastest = 0;
+    for (const GearMesh& mesh : k_.meshes) {
+      if (is_gear_of(mesh, part.turn)) fastest = std::max(fastest, mesh.order);
+    }
+    const double highest = fastest > 0 ? std::min(top_, mesh_harmonics * fastest) : top_;
+    for (int h = 1; h * part.turn <= highest; ++h) {
+      const double order = h * part.turn;
+      if (is_free(order) && !is_held_by_another(part, order)) lines.turn_lines.push_back(h);
     }
   }
 
@@ -139,16 +157,21 @@ class PartCombs {
   std::vector<OwnLine> of_turning(const Signature& part) const {
     std::vector<OwnLine> own;
     std::vector<double> seen;
-    const auto take = [&](double order) {
-      if (add(order, seen)) own.push_back({order, rivals(part, order)});
+    const auto take = [&](OwnLine line) {
+      if (!add(line.order, seen)) return;
+      line.rivals = rivals(part, line.order);
+      own.push_back(std::move(line));
     };
-    for (int h = 1; h <= part.forces; ++h) take(h * part.order);
+    for (int h = 1; h <= part.forces; ++h) take({.order = h * part.order, .is_force = true});
+    int carrier = 0;
     for (const GearMesh& mesh : k_.meshes) {
       if (!(part.turn > 0) || !is_gear_of(mesh, part.turn)) continue;
       for (double h = mesh.order; h + part.turn <= top_; h += mesh.order) {
+        // Planets cancel most carriers: there one may stand alone.
+        const int number = mesh.path_order > 0 ? 0 : ++carrier;
         for (const double side : {h - part.turn, h + part.turn}) {
           for (const double order : spread(side, mesh.path_order)) {
-            if (!is_mesh_line(order, mesh)) take(order);
+            if (!is_mesh_line(order, mesh)) take({.order = order, .harmonic = number});
           }
         }
       }

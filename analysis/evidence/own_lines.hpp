@@ -15,7 +15,9 @@ struct OwnLine {
   std::vector<double> rivals = {};
   /// Harmonics of meshes, the loudest lines there are, that a speed that wanders spreads this far.
   std::vector<double> carriers = {};
-  int harmonic = 0;  ///< of the part's turn, whose path spreads it; 0: it is alone
+  int harmonic = 0;  ///< of the part's turn, whose path spreads it, or the number of the carrier
+                     ///< that it stands beside; 0: it is alone
+  bool is_force = false;  ///< of a shaft at its own order, not beside a mesh
 };
 
 /// Where one signature is looked for in the order spectrum of the signal itself.
@@ -23,7 +25,8 @@ struct PartLines {
   std::vector<OwnLine> own;
   double share = 1;          ///< of what damage does to the part's lines, by their number
   std::vector<double> mesh;  ///< harmonics of its meshes with their paths: what severity refers to
-  double contact_order = 0;  ///< order at which its teeth meet, of the slowest of its meshes
+  std::vector<int> turn_lines;  ///< multiples of its turn that blow_phases() reads
+  double contact_order = 0;     ///< order at which its teeth meet, of the slowest of its meshes
 };
 
 /// Every line of a sound machine: meshes with their paths, the first sidebands of their gears, and

@@ -62,7 +62,7 @@ class UnknownBlows {
     UnknownFamily family{.spacing = best, .harmonics = heard_harmonics(best)};
     family.p_value = std::min(
         1.0, tries * 0.5 * std::erfc((best_root - centre) / deviation / std::numbers::sqrt2));
-    if (family.p_value > significant_p || family.harmonics < blow_harmonics) return {};
+    if (family.p_value > significant_p || family.harmonics == 0) return {};
     family.severity = std::sqrt(median_of_known(blow_depths2(channels_, k_, best)));
     return {family};
   }

@@ -3,16 +3,27 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "analysis/order/resolution.hpp"
 
 namespace rvbench::analysis {
 namespace {
 
+// Whether a family has as many harmonics as damage has, in a record at least. Jitter smears the
+// higher ones; the order itself, found again at another speed, is then as good.
+bool has_harmonics(const UnknownFamily& family, const std::vector<double>& spacings) {
+  constexpr double same_slip = 0.005;  // relative: of one bearing in one machine
+  if (family.harmonics >= harmonics_of_damage) return true;
+  const auto [least, most] = std::ranges::minmax(spacings);
+  return spacings.size() > 1 && most - least < same_slip * most;
+}
+
 // A family that most of the points show, at one order but for slip.
 std::vector<UnknownFamily> struck_families(const std::vector<Examination>& points) {
   constexpr double slip = 0.03;
   std::vector<UnknownFamily> families;
+  std::vector<std::vector<double>> spacings;  // of each, in the points that show it
   std::size_t resolvable = 0;
   for (const Examination& point : points) {
     resolvable += point.resolvable ? 1 : 0;
@@ -20,21 +31,31 @@ std::vector<UnknownFamily> struck_families(const std::vector<Examination>& point
       const auto same = std::ranges::find_if(families, [&](const UnknownFamily& family) {
         return std::abs(family.spacing - found.spacing) < slip * family.spacing;
       });
-      UnknownFamily& family = same == families.end() ? families.emplace_back(found) : *same;
+      const auto index = static_cast<std::size_t>(same - families.begin());
+      if (same == families.end()) {
+        families.push_back(found);
+        spacings.emplace_back();
+      }
+      UnknownFamily& family = families[index];
+      spacings[index].push_back(found.spacing);
       family.points.push_back(point.source);
+      family.harmonics = std::max(family.harmonics, found.harmonics);
       family.severity = std::max(family.severity, found.severity);
       family.p_value = std::min(family.p_value, found.p_value);
     }
   }
-  std::erase_if(families,
-                [&](const UnknownFamily& family) { return 2 * family.points.size() < resolvable; });
-  return families;
+  std::vector<UnknownFamily> shown;
+  for (std::size_t i = 0; i < families.size(); ++i) {
+    const bool by_most = 2 * families[i].points.size() >= resolvable;
+    if (by_most && has_harmonics(families[i], spacings[i])) shown.push_back(std::move(families[i]));
+  }
+  return shown;
 }
 
 // Lines of the signal itself that modulate a mesh and have many harmonics, which no single tone, no
 // mains and no inverter does. A family at a multiple of a known part's order is that part's.
 bool is_damage_like(const SpectralLine& family, const Diagnosis& d, const Kinematics& kinematics) {
-  constexpr int fewest_harmonics = 4, fewest_sidebands = 2;
+  constexpr int fewest_sidebands = 2;
   constexpr double same = 2e-3;  // relative
   const bool is_known = std::ranges::any_of(kinematics.orders, [&](const CharacteristicOrder& o) {
     return is_multiple(family.order, o.order, same);
@@ -45,7 +66,7 @@ bool is_damage_like(const SpectralLine& family, const Diagnosis& d, const Kinema
   const bool is_found = std::ranges::any_of(hypotheses, [&](const Finding* f) {
     return !f->points.empty() && is_multiple(family.order, f->order, jitter);
   });
-  return !is_known && !is_found && family.harmonics >= fewest_harmonics &&
+  return !is_known && !is_found && family.harmonics >= harmonics_of_damage &&
          family.sidebands >= fewest_sidebands;
 }
 

@@ -44,6 +44,29 @@ TEST_CASE("a part above its limit is a finding, below it a remark", "[analysis][
   CHECK(d.below_limit[0].component == "gear");
 }
 
+TEST_CASE(
+    "a part that strikes has a lower limit where its lines are in phase, a higher one where not",
+    "[analysis][conclude]") {
+  Kinematics k = two_parts();
+  k.signatures[0].aligned_limit = 0.1;
+  k.signatures[0].scatter_limit = 0.3;
+  const auto limit = [&](double depth, double in_phase) {
+    Examination e = point("a", {depth, 1e-12}, nothing);
+    e.scores[0].in_phase = in_phase;
+    const Diagnosis d = conclude({e}, k);
+    CHECK(d.hypotheses().front()->component == "shaft");
+    CHECK(d.findings.empty() == (depth <= d.hypotheses().front()->limit));
+    return d.hypotheses().front()->limit;
+  };
+  CHECK(limit(0.15, 2.5) == 0.1);
+  CHECK(limit(0.25, 0.0) == 0.3);
+  CHECK(limit(0.25, 0.6) == 0.2);
+  CHECK(limit(0.25, not_known) == 0.2);
+  k.signatures[0].set_limit(0.4);
+  CHECK(limit(0.3, 2.5) == 0.4);
+  CHECK(limit(0.5, 0.0) == 0.4);
+}
+
 TEST_CASE("a deep modulation that noise may make is none", "[analysis][conclude]") {
   const Diagnosis d = conclude({point("a", {0.9, 0.01}, nothing)}, two_parts());
   CHECK(d.findings.empty());
@@ -260,6 +283,17 @@ TEST_CASE("a family that no part explains is listed where most points show it",
   CHECK(d.unknown[0].severity == 0.3);
   CHECK(d.unknown[0].points == std::vector<std::string>{"a", "c"});
   CHECK(d.findings.empty());
+}
+
+TEST_CASE("an order that two records share is a family, though jitter leaves it few harmonics",
+          "[analysis][conclude]") {
+  std::vector<Examination> points;
+  for (const char* source : {"a", "b", "c"}) points.push_back(point(source, nothing, nothing));
+  points[0].unknown = {{.spacing = 1.775, .harmonics = 2, .severity = 0.2, .p_value = 1e-9}};
+  points[1].unknown = {{.spacing = 1.776, .harmonics = 1, .severity = 0.2, .p_value = 1e-6}};
+  CHECK(conclude(points, two_parts()).unknown.size() == 1);
+  points[1].unknown[0].spacing = 1.79;  // further away than one bearing slips
+  CHECK(conclude(points, two_parts()).unknown.empty());
 }
 
 TEST_CASE("the severity counts points that show a part no deeper than their noise",

@@ -96,6 +96,18 @@ TEST_CASE("a mesh that swings once per turn of the sun is the shaft's, by how mu
   }
 }
 
+TEST_CASE("a shaft's force is its own, also where its bend swings the sun's teeth",
+          "[analysis][evidence]") {
+  const Eigen::ArrayXd teeth = 0.3 * gear_shaft.tone(3 * sun_order, 1).array() +
+                               0.3 * gear_shaft.tone(5 * sun_order).array();
+  const Eigen::VectorXd bent = 1.5 * gear_shaft.tone(1) + gear_shaft.tone(2, 1);
+  const ScoredGears result = scored_gears(
+      sound_reducer() + bent + (2 * teeth * gear_shaft.tone(tooth_mesh).array()).matrix());
+  CHECK(result.of("input_shaft").p_value < 1e-6);
+  // Amplitudes of 1.5 and 1 over the rms of meshes of 2, 1 and 1.
+  CHECK(result.of("input_shaft").depth == Approx(std::sqrt(2 * 3.25 / 6)).epsilon(0.1));
+}
+
 TEST_CASE("a mesh that swings three and five times per turn of the sun is the sun's",
           "[analysis][evidence]") {
   const Eigen::ArrayXd teeth = 0.3 * gear_shaft.tone(3 * sun_order, 1).array() +
