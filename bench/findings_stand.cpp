@@ -6,16 +6,11 @@
 #include "bench/trust.hpp"
 
 namespace rvbench::bench {
-namespace {
 
-// Whether what was recorded is why nothing can be said: a point, or that nothing in any of them
-// confirms the machine.
 bool is_spoiled(const Judgement& judgement) {
   return !can_be_trusted(judgement) ||
          std::ranges::any_of(judgement.diagnosis.quality, &analysis::QualityNote::invalidates);
 }
-
-}  // namespace
 
 Lack lack_of(const Judgement& judgement) {
   if (is_spoiled(judgement)) return Lack::sound_data;

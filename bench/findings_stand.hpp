@@ -15,6 +15,9 @@ enum class Lack {
 /// Errors  none thrown; meaningless of other endings. Source  ours
 Lack lack_of(const Judgement& judgement);
 
+/// Whether the records cannot be trusted, or nothing in them confirms the machine.
+bool is_spoiled(const Judgement& judgement);
+
 /// Whether what was found may be told as found, with how sure it is and what to do about it. If
 /// not, it was seen in data that are refused, or by a run that did not come to its end: nothing is
 /// said about the unit.

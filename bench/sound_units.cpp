@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 #include "analysis/station/robust_limit.hpp"
 #include "analysis/statistics.hpp"
+#include "bench/findings_stand.hpp"
 #include "bench/run_folder.hpp"
 #include "hal/formats/choose_format.hpp"
 
@@ -97,7 +100,43 @@ double hidden_above(double median, const Shown& shown, const analysis::Signature
   return std::min(hidden, std::max(0.0, part.depth_limit - median));
 }
 
+// Every channel has the same rms, peak and kurtosis.
+bool are_of_one_recording(const Judgement& one, const Judgement& other) {
+  const auto signals = [](const Judgement& judgement) {
+    std::vector<std::tuple<double, double, double>> all;
+    for (const JudgedPoint& point : judgement.points) {
+      for (const analysis::ChannelExamination& channel : point.examination.channels) {
+        if (channel.rms > 0) all.emplace_back(channel.rms, channel.peak, channel.kurtosis);
+      }
+    }
+    return all;
+  };
+  const auto of_one = signals(one);
+  return !of_one.empty() && of_one == signals(other);
+}
+
 }  // namespace
+
+std::string SoundUnits::add(const std::string& file, Judgement judgement) {
+  if (!judgement.diagnosis.resolvable || is_spoiled(judgement)) return judgement.ending.reason;
+  if (const std::string same = file_with_samples_of(judgement); !same.empty()) {
+    return "the same samples as " + same;
+  }
+  units_.push_back({file, std::move(judgement)});
+  return "";
+}
+
+std::string SoundUnits::file_with_samples_of(const Judgement& judgement) const {
+  const auto same = std::ranges::find_if(
+      units_, [&](const Unit& unit) { return are_of_one_recording(unit.judgement, judgement); });
+  return same == units_.end() ? "" : same->file;
+}
+
+std::vector<analysis::Diagnosis> SoundUnits::diagnoses() const {
+  std::vector<analysis::Diagnosis> all;
+  for (const Unit& unit : units_) all.push_back(unit.judgement.diagnosis);
+  return all;
+}
 
 std::variant<Files, std::string> sound_files(const std::vector<std::string>& words,
                                              const fs::path& runs) {
@@ -133,7 +172,9 @@ analysis::Kinematics with_sound_units(analysis::Kinematics kinematics,
         std::max(spread.scatter, hidden_above(spread.median, shown, part) / spread.factor);
     part.sound_median = spread.median;
     part.sound_scatter = spread.scatter;
-    part.depth_limit = part.noise_limit = spread.median + spread.factor * spread.scatter;
+    const double learnt = spread.median + spread.factor * spread.scatter;
+    constexpr double of_assumed = 0.5;
+    part.set_limit(spread.median > 0 ? learnt : std::max(learnt, of_assumed * part.depth_limit));
     part.limit_why =
         fmt::format("{} sound units: median {:.3g} and {:.1f} times their scatter of {:.3g}",
                     shown.severities.size(), spread.median, spread.factor, spread.scatter);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/diagnosis.hpp"
+#include "bench/judgement.hpp"
 
 namespace rvbench::bench {
 
@@ -22,10 +23,33 @@ inline constexpr std::size_t fewest_sound_units = 3;
 std::variant<std::vector<std::filesystem::path>, std::string> sound_files(
     const std::vector<std::string>& words, const std::filesystem::path& runs);
 
+/// Judgements of sound units, each of a recording of its own.
+class SoundUnits {
+ public:
+  /// @return why the unit does not count: its data cannot be trusted, or are those of another one;
+  ///         empty if it does
+  std::string add(const std::string& file, Judgement judgement);
+
+  std::size_t size() const { return units_.size(); }
+
+  /// The file of the unit that has the samples of this judgement; empty if there is none.
+  std::string file_with_samples_of(const Judgement& judgement) const;
+
+  std::vector<analysis::Diagnosis> diagnoses() const;
+
+ private:
+  struct Unit {
+    std::string file;
+    Judgement judgement;
+  };
+  std::vector<Unit> units_;
+};
+
 /// The kinematics with limits that sound units of the same kind set, and with what they show:
 /// median + factor·scatter of each part's severity. The factor leaves 99.9 % of sound units within,
 /// as far as so many can tell; from robust_limit()'s fewest on robustly, so that a bad one among
-/// them does not count. What no unit shows scatters as far as their noise may hide it.
+/// them does not count. A part that most units do not show keeps at least half the limit assumed:
+/// their noise hides how much they scatter.
 ///
 /// Shape   one diagnosis a unit, fewest_sound_units at the least
 /// Units   of severities: 1

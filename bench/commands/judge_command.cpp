@@ -98,6 +98,7 @@ class JudgeCommand final : public Command {
   std::string out_;
   bool json_ = false;
   analysis::Kinematics derived_;
+  SoundUnits baseline_;
   std::vector<Recording> records_;
   std::stop_token stop_;
 };
@@ -128,6 +129,9 @@ std::variant<Judgement, int> JudgeCommand::judged(Console& console) {
     if (const int refused = load(console); refused != exit_codes::done) return refused;
     if (const int refused = learn_from_sound(console); refused != exit_codes::done) return refused;
     Judgement judgement = judge_by_catalogue(console);
+    if (const std::string file = baseline_.file_with_samples_of(judgement); !file.empty()) {
+      return refuse_data(console, "--sound: " + file + " has the samples that are judged");
+    }
     if (!out_.empty()) {
       tell_in_files(judgement, [this](const Judgement& told) { return write_out(told); });
     }
@@ -166,24 +170,19 @@ int JudgeCommand::learn_from_sound(Console& console) {
   if (const auto* why = std::get_if<std::string>(&found)) {
     return refuse_usage(console, "judge: --sound: " + *why);
   }
-  std::vector<analysis::Diagnosis> units;
   for (const std::filesystem::path& file : std::get<0>(found)) {
     auto unit = judged_sound(console, file);
     if (const int* refused = std::get_if<int>(&unit)) return *refused;
-    const auto& judgement = std::get<Judgement>(unit);
-    if (judgement.diagnosis.resolvable) {
-      units.push_back(judgement.diagnosis);
-    } else {
-      console.err << "rvbench: note: --sound: " << file.string()
-                  << ": not counted: " << judgement.ending.reason << '\n';
-    }
+    const std::string why = baseline_.add(file.string(), std::get<Judgement>(std::move(unit)));
+    if (why.empty()) continue;
+    console.err << "rvbench: note: --sound: " << file.string() << ": not counted: " << why << '\n';
   }
-  if (units.size() < fewest_sound_units) {
-    return refuse_data(console, fmt::format("--sound: {} sound units could be read, and {} are "
-                                            "needed to tell how much they scatter",
-                                            units.size(), fewest_sound_units));
+  if (baseline_.size() < fewest_sound_units) {
+    return refuse_data(console, fmt::format("--sound: {} sound units count, and {} are needed to "
+                                            "tell how much they scatter",
+                                            baseline_.size(), fewest_sound_units));
   }
-  derived_ = with_sound_units(derived_, units);
+  derived_ = with_sound_units(derived_, baseline_.diagnoses());
   return exit_codes::done;
 }
 

@@ -78,18 +78,21 @@ TEST_CASE("of few units each counts, and their limit is wider", "[bench][sound]"
   CHECK(limit_by(few) > limit_by(many));
 }
 
-TEST_CASE("what sound units do not show may be as much as their noise hides", "[bench][sound]") {
-  const std::vector<analysis::Diagnosis> silent(5, unit(0, 0.03));
-  CHECK(limit_by(silent) == Approx(0.03));
+TEST_CASE("a part that sound units do not show keeps half the limit assumed", "[bench][sound]") {
+  CHECK(limit_by(std::vector<analysis::Diagnosis>(5, unit(0, 0.03))) == Approx(0.25));
+  CHECK(limit_by(std::vector<analysis::Diagnosis>(5, unit(0, 0.4))) == Approx(0.4));
+  std::vector<analysis::Diagnosis> few_shown(20, unit(0, 0.03));
+  few_shown[3] = unit(0.7);
+  CHECK(limit_by(few_shown) == Approx(0.25));
 }
 
 TEST_CASE("a unit in more noise than the sound ones had is within the limit that they set",
           "[bench][sound]") {
   std::vector<analysis::Diagnosis> silent;
-  for (int i = 0; i < 40; ++i) silent.push_back(unit(0, 0.03 + 0.0005 * i));
-  const double noisiest = 0.03 + 0.0005 * 39;
+  for (int i = 0; i < 40; ++i) silent.push_back(unit(0, 0.3 + 0.002 * i));
+  const double noisiest = 0.3 + 0.002 * 39;
   CHECK(limit_by(silent) > 1.1 * noisiest);
-  CHECK(limit_by(silent) < 2 * noisiest);
+  CHECK(limit_by(silent) <= 0.5);
 }
 
 TEST_CASE("noise of sound units raises no limit above the one assumed", "[bench][sound]") {
@@ -111,6 +114,38 @@ TEST_CASE("a part that stands in a set under another's name has its sound units"
     each.below_limit[0].one_of = {"wheel", "shaft"};
   }
   CHECK(limit_by(units) == limit_by(units_like(0.2, 0.01, 40)));
+}
+
+TEST_CASE("a recording counts as one sound unit, and never as a measure of itself",
+          "[bench][sound]") {
+  const auto judged = [](double rms, double kurtosis) {
+    Judgement judgement = test::passed_run();
+    analysis::ChannelExamination channel;
+    channel.rms = rms;
+    channel.peak = 3 * rms;
+    channel.kurtosis = kurtosis;
+    judgement.points.resize(1);
+    judgement.points[0].examination.channels = {channel, channel};
+    judgement.diagnosis.resolvable = true;
+    return judgement;
+  };
+  SoundUnits units;
+  CHECK(units.add("a.h5", judged(1.25, 3)).empty());
+  CHECK(units.add("copy_of_a.h5", judged(1.25, 3)) == "the same samples as a.h5");
+  CHECK(units.add("b.h5", judged(1.25, 3.000001)).empty());
+  CHECK(units.size() == 2);
+  CHECK(units.file_with_samples_of(judged(1.25, 3)) == "a.h5");
+  CHECK(units.file_with_samples_of(judged(1.3, 3)).empty());
+}
+
+TEST_CASE("a recording that cannot be trusted is no sound unit", "[bench][sound]") {
+  Judgement judgement = test::passed_run();
+  judgement.diagnosis.resolvable = true;
+  judgement.diagnosis.quality.push_back({"a.h5", "no line of this machine", true});
+  judgement.ending.reason = "no line of this machine";
+  SoundUnits units;
+  CHECK(units.add("a.h5", judgement) == "no line of this machine");
+  CHECK(units.size() == 0);
 }
 
 TEST_CASE("sound units are found by file, folder and serial", "[bench][sound]") {
