@@ -173,7 +173,11 @@ Finding weigh(const Signature& signature, const Evidence& evidence, double tests
   const bool by_noise =
       !evidence.scores.empty() && std::ranges::all_of(evidence.scores, &SignatureScore::by_noise);
   f.in_phase = in_phase(evidence.all);
+  f.smallest_visible = smallest_visible(evidence.all);
   f.limit = limit_of(signature, f.in_phase, by_noise);
+  if (f.smallest_visible > f.limit) {
+    f.limit = std::max(f.limit, std::min(f.smallest_visible, signature.limit_in_noise));
+  }
   f.advice = signature.advice;
   std::vector<double> p_values;
   for (const SignatureScore* score : evidence.all) {
@@ -182,7 +186,6 @@ Finding weigh(const Signature& signature, const Evidence& evidence, double tests
   }
   f.p_value = std::min(1.0, combined_p_value(p_values) * tests);
   for (const Examination* point : evidence.shown_by) f.points.push_back(point->source);
-  f.smallest_visible = smallest_visible(evidence.all);
   Severity severity{0, 0, f.smallest_visible};
   if (!evidence.scores.empty()) severity = severity_of(evidence.scores);
   if (severity.depth == 0) {

@@ -70,6 +70,8 @@ struct Signature {
   /// is less; and where they do not, as pitch errors of sound teeth make them, if that is more.
   double aligned_limit = std::numeric_limits<double>::infinity();
   double scatter_limit = 0;
+  /// A record whose noise hides more than a learnt limit is held against what it hides, up to this.
+  double limit_in_noise = 0;
   std::string limit_why;
   double sound_median = not_known;   ///< severity of sound units of the same kind, if any were
   double sound_scatter = not_known;  ///< shown, and how far one lies from another

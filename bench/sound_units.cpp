@@ -48,22 +48,17 @@ std::optional<fs::path> newest_verdict(const fs::path& runs, const std::string& 
 }
 
 // What one part shows in each sound unit that could judge it.
-struct Shown {
+std::vector<double> severities_of(const analysis::Signature& part,
+                                  const std::vector<analysis::Diagnosis>& units) {
   std::vector<double> severities;
-  std::vector<double> visible;
-};
-
-Shown shown_by(const analysis::Signature& part, const std::vector<analysis::Diagnosis>& units) {
-  Shown shown;
   for (const analysis::Diagnosis& unit : units) {
     for (const analysis::Finding* f : unit.hypotheses()) {
       const bool is_it = f->may_be(part.component) && f->mechanism == part.mechanism;
       if (!is_it || std::isnan(f->smallest_visible) || std::isnan(f->severity)) continue;
-      shown.severities.push_back(f->severity);
-      shown.visible.push_back(f->smallest_visible);
+      severities.push_back(f->severity);
     }
   }
-  return shown;
+  return severities;
 }
 
 struct Spread {
@@ -88,16 +83,7 @@ Spread spread_of(const std::vector<double>& values) {
     spread.median = limit->median;
     spread.scatter = (limit->limit - limit->median) / spread.factor;
   }
-  return spread;  // else half of them are alike, and scatter as far as their noise hides
-}
-
-// Noise hides the part up to this severity in units of this kind. Together with the median it never
-// lifts the limit above the one assumed.
-double hidden_above(double median, const Shown& shown, const analysis::Signature& part) {
-  const Spread visible = spread_of(shown.visible);
-  const double hidden =
-      std::max(std::ranges::max(shown.visible), visible.median + visible.factor * visible.scatter);
-  return std::min(hidden, std::max(0.0, part.depth_limit - median));
+  return spread;  // else half of them are alike
 }
 
 // Every channel has the same rms, peak and kurtosis.
@@ -165,19 +151,21 @@ std::variant<Files, std::string> sound_files(const std::vector<std::string>& wor
 analysis::Kinematics with_sound_units(analysis::Kinematics kinematics,
                                       const std::vector<analysis::Diagnosis>& units) {
   for (analysis::Signature& part : kinematics.signatures) {
-    const Shown shown = shown_by(part, units);
-    if (shown.severities.size() < fewest_sound_units) continue;
-    Spread spread = spread_of(shown.severities);
-    spread.scatter =
-        std::max(spread.scatter, hidden_above(spread.median, shown, part) / spread.factor);
+    const std::vector<double> severities = severities_of(part, units);
+    if (severities.size() < fewest_sound_units) continue;
+    Spread spread = spread_of(severities);
+    const double assumed = part.depth_limit;
+    constexpr double least = 0.5;                     // of the limit assumed
+    if (spread.median == 0 || spread.scatter == 0) {  // alike, as far as noise lets them show
+      spread.scatter = std::max(spread.scatter, least * assumed / spread.factor);
+    }
     part.sound_median = spread.median;
     part.sound_scatter = spread.scatter;
-    const double learnt = spread.median + spread.factor * spread.scatter;
-    constexpr double of_assumed = 0.5;
-    part.set_limit(spread.median > 0 ? learnt : std::max(learnt, of_assumed * part.depth_limit));
+    part.set_limit(spread.median + spread.factor * spread.scatter);
+    part.limit_in_noise = assumed;
     part.limit_why =
         fmt::format("{} sound units: median {:.3g} and {:.1f} times their scatter of {:.3g}",
-                    shown.severities.size(), spread.median, spread.factor, spread.scatter);
+                    severities.size(), spread.median, spread.factor, spread.scatter);
   }
   return kinematics;
 }

@@ -49,7 +49,8 @@ class SoundUnits {
 /// median + factor·scatter of each part's severity. The factor leaves 99.9 % of sound units within,
 /// as far as so many can tell; from robust_limit()'s fewest on robustly, so that a bad one among
 /// them does not count. A part that most units do not show keeps at least half the limit assumed:
-/// their noise hides how much they scatter.
+/// their noise hides how much they scatter. A record in more noise is held against what its noise
+/// hides, up to the limit assumed.
 ///
 /// Shape   one diagnosis a unit, fewest_sound_units at the least
 /// Units   of severities: 1

@@ -67,6 +67,27 @@ TEST_CASE(
   CHECK(limit(0.5, 0.0) == 0.4);
 }
 
+TEST_CASE(
+    "a record whose noise hides a learnt limit is held against what it hides, up to the assumed",
+    "[analysis][conclude]") {
+  Kinematics k = two_parts();
+  k.signatures[0].limit_in_noise = 0.5;
+  const auto limit = [&](double visible) {
+    Examination e = point("a", nothing, nothing);
+    e.scores[0].smallest_visible = visible;
+    const Diagnosis d = conclude({e}, k);
+    for (const analysis::Finding& part : d.not_shown) {
+      if (part.component != "shaft") continue;
+      CHECK(part.is_open() == (visible > 0.5));
+      return part.limit;
+    }
+    return not_known;
+  };
+  CHECK(limit(0.1) == 0.2);
+  CHECK(limit(0.3) == 0.3);
+  CHECK(limit(0.7) == 0.5);
+}
+
 TEST_CASE("a deep modulation that noise may make is none", "[analysis][conclude]") {
   const Diagnosis d = conclude({point("a", {0.9, 0.01}, nothing)}, two_parts());
   CHECK(d.findings.empty());
