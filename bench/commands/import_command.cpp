@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include "bench/commands/commands.hpp"
+#include "bench/commands/table_words.hpp"
 #include "bench/converted_files.hpp"
 #include "hal/formats/choose_writer.hpp"
 #include "hal/formats/read_recordings.hpp"
@@ -20,13 +21,15 @@ class ImportCommand final : public Command {
            "  rvbench import p1.uff p2.uff p3.uff --out points.h5   # a point of each\n";
   }
   std::vector<Option> options() override {
-    return {
+    std::vector<Option> options{
         {"FILE", "recordings: HDF5, TDMS, UFF 58 and 58b, MAT v5 and v7.3, WAV, FLAC, CSV", &files_,
          true},
         {"--out", "file to write, .h5", &out_, true},
         {"--rate", "sample rate [Hz]; default: what the files state", &rate_Hz_},
         {"--speed", "speed of the input shaft [rpm]; default: what the files state", &speed_rpm_},
         {"--force", "replace the file that --out names", &force_}};
+    table_.add_to(options);
+    return options;
   }
   int run(Console& console) override;
 
@@ -35,6 +38,7 @@ class ImportCommand final : public Command {
   std::string out_;
   std::optional<double> rate_Hz_, speed_rpm_;
   bool force_ = false;
+  TableWords table_;
 };
 
 int ImportCommand::run(Console& console) {
@@ -54,7 +58,8 @@ int ImportCommand::run(Console& console) {
   std::vector<Recording> points;
   for (const std::string& file : files_) {
     auto read = hal::read_recordings(file, {.rate_Hz = rate_Hz_.value_or(not_known),
-                                            .speed_rpm = speed_rpm_.value_or(not_known)});
+                                            .speed_rpm = speed_rpm_.value_or(not_known),
+                                            .table = table_.hints()});
     if (!read) return refuse_data(console, read.error().where);
     for (Recording& recording : std::move(read).value()) {
       if (const auto fault = prepare_for_writing(recording)) return refuse_data(console, *fault);

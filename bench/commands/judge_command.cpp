@@ -7,6 +7,7 @@
 
 #include "analysis/table4.hpp"
 #include "bench/commands/commands.hpp"
+#include "bench/commands/table_words.hpp"
 #include "bench/file_kind.hpp"
 #include "bench/judging.hpp"
 #include "bench/kinematics_file.hpp"
@@ -42,7 +43,7 @@ class JudgeCommand final : public Command {
            "  rvbench judge runs/A17/20260102T030405Z/recording.h5 --kinematics rv20e --json\n";
   }
   std::vector<Option> options() override {
-    return {
+    std::vector<Option> options{
         {"REC", "recordings; several are points of one judgement", &files_, true},
         {"--kinematics",
          "machine: " + hal::listed(names_of(kinematics_files())) + ", or a kinematics file",
@@ -63,6 +64,8 @@ class JudgeCommand final : public Command {
          &runs_},
         {"--out", "folder for verdict.json and report.html; default: none are written", &out_},
         {"--json", "one JSON document on standard output", &json_}};
+    table_.add_to(options);
+    return options;
   }
   int run(Console& console) override;
 
@@ -94,6 +97,7 @@ class JudgeCommand final : public Command {
   std::string channel_;
   std::string catalogue_ = "derived";
   std::vector<std::string> sound_;
+  TableWords table_;
   std::string runs_ = "runs";
   std::string out_;
   bool json_ = false;
@@ -209,7 +213,8 @@ std::variant<std::vector<Recording>, JudgeRefusal> JudgeCommand::read_files(
     const std::vector<std::string>& files) const {
   return recordings_to_judge({.files = files,
                               .hints = {.rate_Hz = rate_Hz_.value_or(not_known),
-                                        .speed_rpm = speed_rpm_.value_or(not_known)},
+                                        .speed_rpm = speed_rpm_.value_or(not_known),
+                                        .table = table_.hints()},
                               .channel = channel_,
                               .stop = stop_});
 }

@@ -200,8 +200,8 @@ Fault fill(Table& table, const TableHints& hints, Recording& recording) {
   return std::nullopt;
 }
 
-Result<std::vector<Recording>> read_csv(const std::filesystem::path& file) {
-  const TableHints hints;
+Result<std::vector<Recording>> read_csv(const std::filesystem::path& file,
+                                        const TableHints& hints) {
   const auto text = text_of(file);
   if (!text) return text.error();
   auto table = read_table(text.value(), hints);

@@ -251,7 +251,7 @@ Channel channel_of(const Decoded& file, std::size_t index, std::vector<std::stri
 
 bool is_flac(std::string_view head) { return head.starts_with("fLaC"); }
 
-Result<std::vector<Recording>> read_flac(const std::filesystem::path& file) {
+Result<std::vector<Recording>> read_flac(const std::filesystem::path& file, const TableHints&) {
   Decoded decoded;
   decoded.bytes = bytes_of(file);
   if (!is_flac(decoded.bytes)) return bad_file(file, "does not begin as a FLAC file does");

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hal/formats/table/table_hints.hpp"
 #include "hal/types/recording.hpp"
 #include "hal/types/result.hpp"
 
@@ -18,7 +19,8 @@ struct Format {
   bool (*recognises)(std::string_view head);
   std::vector<std::string_view> extensions;  ///< of files that nobody recognises; lower case
   /// `file` is a regular file, readable and not empty. Leaves rate_Hz 0 where it is not stated.
-  Result<std::vector<Recording>> (*read)(const std::filesystem::path& file);
+  Result<std::vector<Recording>> (*read)(const std::filesystem::path& file,
+                                         const TableHints& hints);
 };
 
 Format hdf5_format();

@@ -7,7 +7,7 @@ namespace {
 
 bool is_hdf5(std::string_view head) { return head.starts_with("\x89HDF\r\n\x1a\n"); }
 
-Result<std::vector<Recording>> read_hdf5(const std::filesystem::path& file) {
+Result<std::vector<Recording>> read_hdf5(const std::filesystem::path& file, const TableHints&) {
   // After a crash the file may hold zeros where its journal has samples.
   const bool is_repaired = hdf5::is_left_behind(hdf5::journal_of(file));
   if (is_repaired) {

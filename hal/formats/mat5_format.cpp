@@ -98,7 +98,7 @@ std::optional<std::string> read_variables(mat_t* mat, MatVariables& variables) {
   return std::nullopt;
 }
 
-Result<std::vector<Recording>> read_mat5(const std::filesystem::path& file) {
+Result<std::vector<Recording>> read_mat5(const std::filesystem::path& file, const TableHints&) {
   // matio believes the sizes that it finds, and reads or allocates by them.
   if (const auto fault = find_fault(file)) return bad_file(file, *fault);
   hdf5::prepare_thread();  // matio starts HDF5 as well

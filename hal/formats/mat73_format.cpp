@@ -103,7 +103,7 @@ class Reading {
   std::size_t file_bytes_;
 };
 
-Result<std::vector<Recording>> read_mat73(const std::filesystem::path& file) {
+Result<std::vector<Recording>> read_mat73(const std::filesystem::path& file, const TableHints&) {
   return guarded(file, [&]() -> Result<std::vector<Recording>> {
     std::error_code error;
     const auto bytes = std::filesystem::file_size(file, error);

@@ -82,10 +82,11 @@ void drop_infinities(Recording& recording) {
 
 // What a file claims may be more than there is memory for.
 Result<std::vector<Recording>> read_within_memory(const Format& format,
-                                                  const std::filesystem::path& file) {
+                                                  const std::filesystem::path& file,
+                                                  const formats::TableHints& hints) {
   constexpr const char* too_much = "holds more samples than there is memory for";
   try {
-    return format.read(file);
+    return format.read(file, hints);
   } catch (const std::bad_alloc&) {
     return bad_file(file, too_much);
   } catch (const std::length_error&) {
@@ -107,7 +108,7 @@ Result<std::vector<Recording>> read_recordings(const std::filesystem::path& file
   if (const auto obstacle = formats::find_obstacle(file)) return *obstacle;
   const std::optional<Format> format = formats::choose_format(file);
   if (!format) return bad_file(file, "no known format (HDF5, MAT, TDMS, WAV, FLAC, UFF, CSV)");
-  Result<std::vector<Recording>> read = read_within_memory(*format, file);
+  Result<std::vector<Recording>> read = read_within_memory(*format, file, hints.table);
   if (!read) return IoError{read.error().code, formats::printable(read.error().where)};
 
   std::vector<Recording> recordings = std::move(read).value();

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "hal/formats/table/table_hints.hpp"
 #include "hal/types/recording.hpp"
 #include "hal/types/result.hpp"
 
@@ -17,6 +18,7 @@ inline constexpr double speed_tolerance = 1e-2;
 struct RecordingHints {
   double rate_Hz = not_known;
   double speed_rpm = not_known;
+  formats::TableHints table = {};  ///< of tables in text; others have no use for it
 };
 
 /// Reads a recording of any supported format, chosen by content, then by extension: rvbench's own

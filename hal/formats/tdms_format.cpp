@@ -110,7 +110,8 @@ Recording& recording_of(const std::string& group, const TdmsFile& tdms,
   return recording;
 }
 
-Result<std::vector<Recording>> read_tdms_recordings(const std::filesystem::path& file) {
+Result<std::vector<Recording>> read_tdms_recordings(const std::filesystem::path& file,
+                                                    const TableHints&) {
   const std::string bytes = bytes_of(file);
   const auto parsed = read_tdms(bytes);
   if (const auto* fault = std::get_if<std::string>(&parsed)) return bad_file(file, *fault);

@@ -184,7 +184,7 @@ std::string holds_instead(const std::vector<UffDataset>& datasets, const std::se
   return fmt::format("holds {}{}, no time record", contents_of(datasets), functions);
 }
 
-Result<std::vector<Recording>> read_uff(const std::filesystem::path& file) {
+Result<std::vector<Recording>> read_uff(const std::filesystem::path& file, const TableHints&) {
   const std::string bytes = bytes_of(file);
   const std::vector<UffDataset> datasets = uff_datasets(bytes);
   const auto units = read_uff_units(file, datasets);

@@ -137,7 +137,7 @@ void describe(const Chunks& chunks, Recording& recording) {
   }
 }
 
-Result<std::vector<Recording>> read_wav(const std::filesystem::path& file) {
+Result<std::vector<Recording>> read_wav(const std::filesystem::path& file, const TableHints&) {
   const std::string bytes = bytes_of(file);
   if (!is_wav(bytes)) return bad_file(file, "does not begin as a WAV file does");
   const Chunks chunks = chunks_of(bytes);

@@ -210,4 +210,26 @@ TEST_CASE("a row that does not fit is named by its line, below the settings as w
              Contains("a.csv: holds no samples: no line of numbers from line 1 on"));
 }
 
+TEST_CASE("what a user states of a table overrides what is found", "[hal][formats]") {
+  const test::ScratchFolder scratch;
+  const auto read = [&](const std::string& bytes, formats::TableHints hints) {
+    auto recordings = read_recordings(test::written(scratch, "a.csv", bytes), {.table = hints});
+    REQUIRE(recordings);
+    return std::move(recordings).value()[0];
+  };
+  const std::string thousands = "a;b\n1,218;2\n644;2\n";
+  CHECK(read(thousands, {.decimal = '.'}).channels[0].samples == Eigen::Vector2d(1218, 644));
+  CHECK(read(thousands, {.decimal = ','}).channels[0].samples == Eigen::Vector2d(1.218, 644));
+  const std::string ambiguous = "d,a\n01/02/2026 10:00:00.000,1\n01/02/2026 10:00:00.001,2\n";
+  const auto start = [&](formats::DateOrder order) {
+    return read(ambiguous, {.dates = order}).notes.at(0);
+  };
+  CHECK_THAT(start(formats::DateOrder::day_month), Contains("started 2026-02-01"));
+  CHECK_THAT(start(formats::DateOrder::month_day), Contains("started 2026-01-02"));
+  const std::string two_heads = "sensor,7\nchannel,8\n1,2\n3,4\n";
+  CHECK(read(two_heads, {.head_line = 2}).channels[0].info.name == "channel");
+  CHECK(read("1;2,5\n3;4,5\n", {.separator = ';'}).channels[1].samples ==
+        Eigen::Vector2d(2.5, 4.5));
+}
+
 }  // namespace rvbench::hal

@@ -9,10 +9,9 @@
 #include <variant>
 #include <vector>
 
-namespace rvbench::hal::formats {
+#include "hal/formats/table/table_hints.hpp"
 
-/// Which number of 01/02/2026 is the day.
-enum class DateOrder { not_stated, day_month, month_day };
+namespace rvbench::hal::formats {
 
 /// A date, a time of day, or both, as one cell holds them.
 struct ClockReading {

@@ -10,6 +10,7 @@
 
 #include "hal/formats/csv_cells.hpp"
 #include "hal/formats/si_unit.hpp"
+#include "hal/formats/table/clock_cells.hpp"
 #include "hal/formats/table/number_marks.hpp"
 #include "hal/formats/table/text.hpp"
 

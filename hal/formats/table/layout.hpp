@@ -1,22 +1,15 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
-#include "hal/formats/table/clock_cells.hpp"
+#include "hal/formats/table/table_hints.hpp"
 
 namespace rvbench::hal::formats {
-
-/// What a user knows of a table in text. It overrides what is found.
-struct TableHints {
-  std::size_t head_line = 0;  ///< of the columns' names; 0: not stated
-  char separator = '\0';      ///< ' ' for blanks; '\0': not stated
-  char decimal = '\0';        ///< '.' or ','; '\0': not stated
-  DateOrder dates = DateOrder::not_stated;
-};
 
 /// Where the table of a text stands, and how its cells are parted.
 struct TableLayout {

@@ -122,7 +122,7 @@ std::string cell_text(const Place& place) {
   return fmt::format("\"{}\" ({}:{})", place.cell, place.line, place.column);
 }
 
-constexpr const char* how_to_say = ": state --decimal point or --decimal comma";
+constexpr const char* way_round = ": state --decimal point or --decimal comma";
 
 }  // namespace
 
@@ -141,7 +141,7 @@ NumberMarks::Answer NumberMarks::with_commas(char separator) const {
   if (grouping && not_grouping && (separator == ',' || commas_.several)) {
     return fmt::format("the comma parts thousands in {} and decimals in {}, or decimals in both",
                        cell_text(grouping), cell_text(not_grouping)) +
-           how_to_say;
+           way_round;
   }
   if (commas_.several || (grouping && separator == ',')) return NumberStyle{'.', ','};
   if (not_grouping) return NumberStyle{',', '\0'};
@@ -149,7 +149,7 @@ NumberMarks::Answer NumberMarks::with_commas(char separator) const {
     if (!column.grouping || !column.whole) continue;
     return fmt::format("{} may be a thousand or more, or a decimal number, beside {}",
                        cell_text(column.grouping), cell_text(column.whole)) +
-           how_to_say;
+           way_round;
   }
   return NumberStyle{',', '\0'};
 }
@@ -162,7 +162,7 @@ NumberMarks::Answer NumberMarks::with_both() const {
   const Place& comma = commas_.decimal ? commas_.decimal : commas_.any;
   return fmt::format("{} has a decimal point, {} a decimal comma", cell_text(point),
                      cell_text(comma)) +
-         (comma_groups ? how_to_say : "");
+         (comma_groups ? way_round : "");
 }
 
 NumberMarks::Answer NumberMarks::as_stated(char decimal) const {
