@@ -174,10 +174,9 @@ Finding weigh(const Signature& signature, const Evidence& evidence, double tests
       !evidence.scores.empty() && std::ranges::all_of(evidence.scores, &SignatureScore::by_noise);
   f.in_phase = in_phase(evidence.all);
   f.smallest_visible = smallest_visible(evidence.all);
-  f.limit = limit_of(signature, f.in_phase, by_noise);
-  if (f.smallest_visible > f.limit) {
-    f.limit = std::max(f.limit, std::min(f.smallest_visible, signature.limit_in_noise));
-  }
+  // A severity that is not known lifts no limit.
+  f.limit = std::max(limit_of(signature, f.in_phase, by_noise),
+                     std::min(f.smallest_visible, signature.limit_in_noise));
   f.advice = signature.advice;
   std::vector<double> p_values;
   for (const SignatureScore* score : evidence.all) {

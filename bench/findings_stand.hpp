@@ -15,7 +15,7 @@ enum class Lack {
 /// Errors  none thrown; meaningless of other endings. Source  ours
 Lack lack_of(const Judgement& judgement);
 
-/// Whether the records cannot be trusted, or nothing in them confirms the machine.
+/// True if the records cannot be trusted, or if nothing in them confirms the machine.
 bool is_spoiled(const Judgement& judgement);
 
 /// Whether what was found may be told as found, with how sure it is and what to do about it. If

@@ -40,11 +40,10 @@ std::vector<double> blow_phases(const OrderLines& lines, const GearPlaces& place
     const Signature& part = kinematics.signatures[s];
     if (places.parts[s].turn_lines.empty()) continue;
     std::vector<int> harmonics = places.parts[s].turn_lines;
-    const Eigen::VectorXd average = lines.average_turn(part.turn);
-    if (average.size() == 0) continue;
-    std::erase_if(harmonics, [&](int h) { return 2 * h >= average.size(); });
+    const OrderLines::TurnLines turn = lines.turn_lines(part.turn);
+    std::erase_if(harmonics, [&](int h) { return 2 * h >= turn.samples; });
     if (std::ssize(harmonics) < fewest_phases) continue;
-    excess[s] = excess_over_random_phases(fft(average), harmonics);
+    excess[s] = excess_over_random_phases(turn.lines, harmonics);
   }
   return excess;
 }

@@ -69,7 +69,7 @@ class UnknownBlows {
 
  private:
   static constexpr double lowest_spacing = 0.25;  // a cage's, 0.3 to 0.5, with room below
-  // Of so few a deviation says nothing about tails as thin as a thousandth over all of them.
+  // Fewer spacings show no tail as thin as a thousandth over all of them.
   static constexpr std::size_t fewest_spacings = 1000;
 
   double sum(double spacing) const {

@@ -10,8 +10,8 @@
 namespace rvbench::analysis {
 namespace {
 
-// Whether a family has as many harmonics as damage has, in a record at least. Jitter smears the
-// higher ones; the order itself, found again at another speed, is then as good.
+// True if one record shows as many harmonics as damage has. Jitter smears the higher ones, so an
+// order that returns at another speed counts as well.
 bool has_harmonics(const UnknownFamily& family, const std::vector<double>& spacings) {
   constexpr double same_slip = 0.005;  // relative: of one bearing in one machine
   if (family.harmonics >= harmonics_of_damage) return true;

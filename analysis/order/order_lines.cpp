@@ -56,7 +56,7 @@ Eigen::VectorXd OrderLines::between(double from, double to) const {
   return inverse_fft(std::move(band), n);
 }
 
-Eigen::VectorXd OrderLines::average_turn(double order) const {
+OrderLines::TurnLines OrderLines::turn_lines(double order) const {
   const auto turns = static_cast<Eigen::Index>(std::floor(order * turns_ + 1e-6));
   if (empty() || turns < fewest_turns) return {};
   const double share = static_cast<double>(turns) / (order * turns_);
@@ -74,7 +74,13 @@ Eigen::VectorXd OrderLines::average_turn(double order) const {
   for (Eigen::Index h = 0; h <= std::min(highest, (n - 1) / 2); ++h) {
     kept[h] = scale * lines[h * turns];
   }
-  return inverse_fft(std::move(kept), n);
+  return {std::move(kept), n};
+}
+
+Eigen::VectorXd OrderLines::average_turn(double order) const {
+  TurnLines turn = turn_lines(order);
+  if (turn.samples == 0) return {};
+  return inverse_fft(std::move(turn.lines), turn.samples);
 }
 
 }  // namespace rvbench::analysis

@@ -51,6 +51,13 @@ class OrderLines {
   ///         sample: a line at a quarter of their rate is then 3 % low, one at a tenth 0.4 %
   Eigen::VectorXd average_turn(double order) const;
 
+  /// fft() of average_turn(), and how many samples that has; none where it is empty.
+  struct TurnLines {
+    Eigen::VectorXcd lines = {};
+    Eigen::Index samples = 0;
+  };
+  TurnLines turn_lines(double order) const;
+
  private:
   Eigen::VectorXd samples_;  ///< about their mean
   Eigen::VectorXcd lines_;   ///< fft() of them

@@ -10,7 +10,7 @@
 
 namespace rvbench::bench {
 
-/// What the command line says of tables in text: --head-line, --separator, --decimal, --dates.
+/// Options that describe a table in text: --head-line, --separator, --decimal, --dates.
 class TableWords {
  public:
   /// Adds its options to those of a command.

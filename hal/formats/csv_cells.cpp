@@ -3,14 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
+
+#include "hal/formats/table/number_marks.hpp"
 
 namespace rvbench::hal::formats {
 namespace {
-
-constexpr std::size_t longest_number = 60;
 
 // Without blanks at its ends; a tab that parts cells is none.
 std::string_view trimmed(std::string_view text, char separator) {
@@ -27,24 +24,6 @@ std::size_t end_of_quote(std::string_view text) {
   std::size_t at = text.find('"', 1);
   while (at != text.npos && text.substr(at).starts_with("\"\"")) at = text.find('"', at + 2);
   return at;
-}
-
-std::optional<double> parsed(std::string_view cell) {
-  if (cell.starts_with('+')) cell.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc() || end != cell.data() + cell.size() || std::isinf(value)) {
-    return std::nullopt;
-  }
-  return value;
-}
-
-std::optional<double> parsed_with_comma(std::string_view cell, std::size_t comma) {
-  std::array<char, longest_number> pointed{};
-  if (cell.size() > pointed.size()) return std::nullopt;
-  cell.copy(pointed.data(), cell.size());
-  pointed[comma] = '.';
-  return parsed({pointed.data(), cell.size()});
 }
 
 }  // namespace
@@ -88,8 +67,7 @@ std::variant<double, std::string> CsvNumbers::read(std::string_view cell) {
   const std::string_view shown = cell.substr(0, 40);
   const std::size_t comma = cell.find(',');
   const bool has_point = cell.find('.') != cell.npos;
-  const std::optional<double> value =
-      comma == cell.npos ? parsed(cell) : parsed_with_comma(cell, comma);
+  const std::optional<double> value = written_number(cell, {comma == cell.npos ? '.' : ',', '\0'});
   if (comma != cell.npos && has_point) {
     return fmt::format("\"{}\" is not a number: it has both a comma and a point", shown);
   }

@@ -11,8 +11,6 @@
 namespace rvbench::hal::formats {
 namespace {
 
-constexpr double whole_day_s = 86400;
-
 struct ClockHand {
   std::array<std::string_view, 5> names;  // in lower case
   double seconds = 0;
@@ -38,22 +36,28 @@ bool runs_like(const Eigen::VectorXd& x, const ClockHand& hand) {
   });
 }
 
-// The time that the first columns say if they are these hands.
-Eigen::VectorXd joined(const Table& table, std::array<const ClockHand*, 4> of) {
-  Eigen::VectorXd seconds = Eigen::VectorXd::Zero(table.columns.front().samples.size());
-  for (std::size_t i = 0; i < of.size(); ++i) seconds += of[i]->seconds * table.columns[i].samples;
-  double midnights_s = 0;
-  for (Eigen::Index i = 1; i < seconds.size(); ++i) {
-    seconds[i] += midnights_s;
-    if (seconds[i] + whole_day_s / 2 > seconds[i - 1]) continue;
-    midnights_s += whole_day_s;
-    seconds[i] += whole_day_s;
+// What the first columns say if they are these hands.
+ClockRows joined(const Table& table, const std::array<const ClockHand*, 4>& of) {
+  ClockRows rows;
+  for (Eigen::Index row = 0; row < table.columns.front().samples.size(); ++row) {
+    double seconds = 0;
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      seconds += of[i]->seconds * table.columns[i].samples[row];
+    }
+    ClockReading reading;
+    reading.of_day_ns = std::llround(1e9 * seconds);
+    rows.add(reading, reading);
   }
-  seconds.array() -= seconds[0];
-  return seconds;
+  return rows;
 }
 
-std::optional<Eigen::VectorXd> time_in(const Table& table) {
+bool rises_evenly(const ClockRows& rows) {
+  const auto times = rows.times(DateOrder::not_stated);
+  const auto* found = std::get_if<ClockRows::Times>(&times);
+  return found != nullptr && even_step(found->since_first_s);
+}
+
+std::optional<ClockRows> clock_in_first_columns(const Table& table) {
   for (std::size_t last = parts_of_second; last < hands.size(); ++last) {
     const std::array<const ClockHand*, 4> of = {&hands[0], &hands[1], &hands[2], &hands[last]};
     bool runs = true, named = true, unnamed = true;
@@ -63,8 +67,8 @@ std::optional<Eigen::VectorXd> time_in(const Table& table) {
       unnamed = unnamed && table.columns[i].name.empty();
     }
     if (!runs || !(named || unnamed)) continue;
-    Eigen::VectorXd seconds = joined(table, of);
-    if (named || even_step(seconds)) return seconds;
+    ClockRows rows = joined(table, of);
+    if (named || rises_evenly(rows)) return rows;
   }
   return std::nullopt;
 }
@@ -74,10 +78,10 @@ std::optional<Eigen::VectorXd> time_in(const Table& table) {
 bool join_hour_columns(Table& table) {
   constexpr std::size_t count = 4;
   if (table.columns.size() <= count || table.columns.front().samples.size() < 2) return false;
-  std::optional<Eigen::VectorXd> seconds = time_in(table);
-  if (!seconds) return false;
-  table.columns.erase(table.columns.begin(), table.columns.begin() + count - 1);
-  table.columns.front() = {"time [s]", "", std::move(*seconds)};
+  if (table.clock) return false;
+  table.clock = clock_in_first_columns(table);
+  if (!table.clock) return false;
+  table.columns.erase(table.columns.begin(), table.columns.begin() + count);
   return true;
 }
 

@@ -4,9 +4,9 @@
 
 namespace rvbench::hal::formats {
 
-/// Replaces columns of hours, minutes, seconds and parts of a second, which some recorders write as
-/// the first ones, by one column "time [s]". They are known by their names, or, in a table without
-/// names, by values that run like a clock and rise evenly. @return whether it did
+/// Makes the table's clock of columns of hours, minutes, seconds and parts of a second, which some
+/// recorders write as the first ones. Their names show them or, in a table without names, values
+/// that run like a clock and rise evenly. @return whether it did
 bool join_hour_columns(Table& table);
 
 }  // namespace rvbench::hal::formats

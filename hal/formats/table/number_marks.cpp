@@ -71,7 +71,7 @@ bool may_be_number(std::string_view cell) {
   return is_decimal_digit(digits.back()) || digits.back() == '.';
 }
 
-std::optional<double> number_in(std::string_view cell, NumberStyle style) {
+std::optional<double> written_number(std::string_view cell, NumberStyle style) {
   if (cell.starts_with('+')) cell.remove_prefix(1);
   std::array<char, longest_number> plain{};
   std::string_view digits = cell;
@@ -89,10 +89,14 @@ std::optional<double> number_in(std::string_view cell, NumberStyle style) {
   }
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  const bool is_number = error == std::errc() && end == digits.data() + digits.size() &&
-                         !digits.empty() && std::isfinite(value);
-  if (is_number) return value;
-  return is_lost(cell) ? std::optional(not_known) : std::nullopt;
+  const bool is_number =
+      error == std::errc() && end == digits.data() + digits.size() && !std::isinf(value);
+  return is_number ? std::optional(value) : std::nullopt;
+}
+
+std::optional<double> number_in(std::string_view cell, NumberStyle style) {
+  const std::optional<double> written = written_number(cell, style);
+  return written || !is_lost(cell) ? written : not_known;
 }
 
 void NumberMarks::add(std::string_view cell, std::size_t line, std::size_t column) {

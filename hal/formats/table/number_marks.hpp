@@ -15,6 +15,10 @@ struct NumberStyle {
   char thousands = '\0';  ///< '\0': none
 };
 
+/// The number that a cell has written out, "nan" among them; nothing if it has none, or an
+/// infinity.
+std::optional<double> written_number(std::string_view cell, NumberStyle style);
+
 /// The value of a cell; nothing if it holds no number. A cell that is_lost() is NaN.
 std::optional<double> number_in(std::string_view cell, NumberStyle style);
 

@@ -51,10 +51,13 @@ class TableReader {
   TableReader(std::string_view text, const TableHints& hints) : text_(text), hints_(hints) {}
 
   std::variant<Table, std::string> read() {
-    auto layout = layout_of(first_lines(text_), hints_);
+    const std::vector<std::string_view> lines = first_lines(text_);
+    auto layout = layout_of(lines, hints_);
     if (const auto* fault = std::get_if<std::string>(&layout)) return *fault;
     table_.layout = std::get<TableLayout>(std::move(layout));
-    find_clock();
+    find_clock(cells_of(lines[table_.layout.first_line - 1], table_.layout.separator,
+                        table_.layout.columns)
+                   .value_or(Cells{}));
     if (Fault fault = find_style()) return *fault;
     if (Fault fault = fill()) return *fault;
     give_columns();
@@ -62,19 +65,15 @@ class TableReader {
   }
 
  private:
-  // Which columns hold dates and times, by the first row.
-  void find_clock() {
-    const TableLayout& layout = table_.layout;
-    (void)for_each_row(text_, layout, [&](const Cells& cells, std::size_t) -> Fault {
-      for (std::size_t i = 0; i < cells.size(); ++i) {
-        const auto reading = clock_in(cells[i]);
-        if (!reading) continue;
-        if (reading->date && date_ == no_column) date_ = i;
-        if (reading->of_day_ns && time_ == no_column) time_ = i;
-        clocks_.push_back(i);
-      }
-      return "";  // one row is enough
-    });
+  // Which columns hold dates and times.
+  void find_clock(const Cells& first_row) {
+    for (std::size_t i = 0; i < first_row.size(); ++i) {
+      const auto reading = clock_in(first_row[i]);
+      if (!reading) continue;
+      if (reading->date && date_ == no_column) date_ = i;
+      if (reading->of_day_ns && time_ == no_column) time_ = i;
+      clocks_.push_back(i);
+    }
   }
 
   bool is_clock(std::size_t column) const {
