@@ -7,6 +7,7 @@
 #include "analysis/emd/emd.hpp"
 #include "analysis/envelope_spectra.hpp"
 #include "analysis/evidence/blow_phases.hpp"
+#include "analysis/evidence/gear_combs.hpp"
 #include "analysis/indicators/channel_indicators.hpp"
 #include "analysis/indicators/envelope_levels.hpp"
 #include "analysis/indicators/signal_levels.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "analysis/evidence/gear_combs.hpp"
 #include "analysis/order/resolution.hpp"
 #include "analysis/signature_lines.hpp"
 

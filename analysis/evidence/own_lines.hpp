@@ -29,16 +29,6 @@ struct PartLines {
   double contact_order = 0;     ///< order at which its teeth meet, of the slowest of its meshes
 };
 
-/// Every line of a sound machine: meshes with their paths, the first sidebands of their gears, and
-/// shafts at once and twice per turn.
-///
-/// Shape   ascending, up to top_order
-/// Units   orders of the input shaft
-/// Source  McFadden, J. Vib. Acoust. 108(2), 165-170 (1986): gears of a sound mesh modulate it once
-///         per turn; McFadden & Smith, Proc. IMechE 199, 65-70 (1985): a contact that passes the
-///         sensors spreads its lines by multiples of its own order
-std::vector<double> sound_lines(const Kinematics& kinematics, double top_order);
-
 /// The own lines of each signature.
 ///
 /// Damage of a tooth repeats with its gear's turn, so its lines lie on any multiple of that turn.
@@ -54,17 +44,5 @@ std::vector<double> sound_lines(const Kinematics& kinematics, double top_order);
 /// Source  of sound_lines(); the choice is ours
 std::vector<PartLines> own_lines(const Kinematics& kinematics, double apart, double wander,
                                  double top_order);
-
-/// How far an order is from the nearest that gears, shafts and pins may reach, sound or damaged.
-/// Units  orders of the input shaft
-double distance_from_gears(const Kinematics& kinematics, double order);
-
-/// Lines of a spectrum that gears, shafts and pins may reach, sound or damaged: those within
-/// `reach` of a multiple of a turn, or of one over the gear train's period.
-///
-/// Shape   one flag per line of the spectrum
-/// Units   resolution in orders of the input shaft; reach in lines
-std::vector<bool> locked_lines(const Kinematics& kinematics, double resolution, std::size_t lines,
-                               double reach);
 
 }  // namespace rvbench::analysis

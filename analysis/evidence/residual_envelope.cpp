@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "analysis/evidence/gear_combs.hpp"
 #include "analysis/fft.hpp"
 
 namespace rvbench::analysis {

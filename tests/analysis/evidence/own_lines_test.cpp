@@ -1,3 +1,4 @@
+#include "analysis/evidence/gear_combs.hpp"
 #include "analysis/evidence/own_lines.hpp"
 
 #include <algorithm>
