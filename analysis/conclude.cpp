@@ -6,6 +6,7 @@
 #include "analysis/evidence/growth_law.hpp"
 #include "analysis/evidence/lines_by_depth.hpp"
 #include "analysis/evidence/related_parts.hpp"
+#include "analysis/evidence/same_speed.hpp"
 #include "analysis/evidence/severity.hpp"
 #include "analysis/evidence/unknown_families.hpp"
 #include "analysis/statistics.hpp"
@@ -16,16 +17,10 @@ namespace rvbench::analysis {
 namespace {
 
 constexpr std::size_t lines_listed = 8;  // evidence lines shown per finding
-// Pitch errors of sound teeth stay below the first; a blow that rings longer than a turn does, too.
-// Sound teeth of a train reach 0.9. Source  ours
-constexpr double not_scattered = 0.3;
-constexpr double struck = 1.5;
+// Of random phases one in a hundred lies above the second, and one in seven above the first.
+constexpr double scattered_below = 1;
+constexpr double aligned_at = 3;
 constexpr double fits_at = 0.05;  // p of a growth that contradicts its mechanism below it
-
-bool is_same_speed(double one_rpm, double other_rpm) {
-  constexpr double same = 0.02;  // relative
-  return std::abs(std::abs(one_rpm / other_rpm) - 1) < same;
-}
 
 // Damage is about the same share of a mesh at every speed. A tone that stands still in Hz meets a
 // part's lines at one speed alone. It is a tone if records of two other speeds at least neither
@@ -156,11 +151,19 @@ double in_phase(const std::vector<const SignatureScore*>& scores) {
   return points > 0 ? sum / points : not_known;
 }
 
-double limit_of(const Signature& part, double in_phase, bool by_noise) {
+double limit_of_shape(const Signature& part, double in_phase, bool by_noise) {
   if (by_noise) return std::min(part.depth_limit, part.noise_limit);
-  if (in_phase >= struck) return std::min(part.depth_limit, part.aligned_limit);
-  const bool is_scattered = in_phase < not_scattered;
+  if (in_phase >= aligned_at) return std::min(part.depth_limit, part.aligned_limit);
+  const bool is_scattered = in_phase < scattered_below;
   return is_scattered ? std::max(part.depth_limit, part.scatter_limit) : part.depth_limit;
+}
+
+// Noise lifts a learnt limit to what it hides, but not over a severity that is surely above it.
+// A severity that is not known lifts no limit.
+double limit_of(const Signature& part, const Finding& f, bool by_noise) {
+  const double limit = limit_of_shape(part, f.in_phase, by_noise);
+  if (f.severity_low > limit) return limit;
+  return std::max(limit, std::min(f.smallest_visible, part.limit_in_noise));
 }
 
 // The hypothesis as far as it goes whether or not a point shows it.
@@ -172,11 +175,8 @@ Finding weigh(const Signature& signature, const Evidence& evidence, double tests
   f.order = signature.order;
   const bool by_noise =
       !evidence.scores.empty() && std::ranges::all_of(evidence.scores, &SignatureScore::by_noise);
-  f.in_phase = in_phase(evidence.all);
+  f.in_phase = in_phase(evidence.scores);
   f.smallest_visible = smallest_visible(evidence.all);
-  // A severity that is not known lifts no limit.
-  f.limit = std::max(limit_of(signature, f.in_phase, by_noise),
-                     std::min(f.smallest_visible, signature.limit_in_noise));
   f.advice = signature.advice;
   std::vector<double> p_values;
   for (const SignatureScore* score : evidence.all) {
@@ -194,6 +194,7 @@ Finding weigh(const Signature& signature, const Evidence& evidence, double tests
   f.severity = severity.depth;
   f.severity_low = severity.low;
   f.severity_high = severity.high;
+  f.limit = limit_of(signature, f, by_noise);
   f.over_sound = (f.severity - signature.sound_median) / signature.sound_scatter;
   return f;
 }
@@ -250,8 +251,11 @@ Diagnosis conclude(const std::vector<Examination>& points, const Kinematics& kin
     const Evidence evidence = gather(points, s);
     Finding f = weigh(kinematics.signatures[s], evidence, tests);
     if (!evidence.shows(tests) || f.p_value >= significant_p || f.severity == 0) {
-      // Too few points show the part. They do not prove that it is within its limit.
+      // Too few points show the part. They do not prove that it is within its limit, and do not
+      // tell in which phase its lines would be.
       clear_shown(f);
+      f.in_phase = not_known;
+      f.limit = limit_of(kinematics.signatures[s], f, false);
       f.severity_high = std::max(f.smallest_visible, evidence.surely_shown(tests));
       d.not_shown.push_back(std::move(f));
       continue;

@@ -141,6 +141,7 @@ struct Finding {
   double smallest_visible = not_known;  ///< the least severity that the points would have shown
                                         ///< with 90 %
   double in_phase = not_known;    ///< blow_phases() of a part that strikes: mean over the points
+                                  ///< that show it; NaN if none does
   double limit = 0;               ///< of severity
   double over_sound = not_known;  ///< how many scatters of sound units it lies above their median
   double confidence = 0;  ///< 0..1: share of severity over limit, less what growth speaks against

@@ -66,9 +66,9 @@ struct Signature {
   double depth_limit = 0;  ///< modulation depth above which the part counts as bad
   /// The same where it shows in noise alone, if that is less: there planets cancel nothing.
   double noise_limit = std::numeric_limits<double>::infinity();
-  /// The same of a part that strikes where its lines come in phase, as a blow makes them, if that
-  /// is less; and where they do not, as pitch errors of sound teeth make them, if that is more.
+  /// The same of a part that strikes, if that is less: a blow brings its lines in phase.
   double aligned_limit = std::numeric_limits<double>::infinity();
+  /// The same of a part that strikes, if that is more: pitch errors of sound teeth scatter phases.
   double scatter_limit = 0;
   /// A record whose noise hides more than a learnt limit is held against what it hides, up to this.
   double limit_in_noise = 0;
@@ -77,7 +77,7 @@ struct Signature {
   double sound_scatter = not_known;  ///< shown, and how far one lies from another
   std::string advice;
 
-  /// One limit, however the part shows.
+  /// One limit, however the part shows. Noise lifts it no further than before.
   void set_limit(double severity) {
     depth_limit = noise_limit = aligned_limit = severity;
     scatter_limit = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "bench/judging.hpp"
 #include "bench/run_recordings.hpp"
@@ -24,9 +25,11 @@ double range_of(const std::filesystem::path& folder) {
 bool bound_depths_alike(const analysis::Kinematics& kinematics,
                         const std::vector<sequences::Limit>& a,
                         const std::vector<sequences::Limit>& b) {
+  const auto limits = [](const analysis::Signature& part) {
+    return std::tuple(part.depth_limit, part.noise_limit, part.aligned_limit, part.scatter_limit);
+  };
   return std::ranges::equal(with_limits(kinematics, a).signatures,
-                            with_limits(kinematics, b).signatures, {},
-                            &analysis::Signature::depth_limit, &analysis::Signature::depth_limit);
+                            with_limits(kinematics, b).signatures, {}, limits, limits);
 }
 
 Ending judge_recordings(Judgement& judgement, const StoredRun& run,

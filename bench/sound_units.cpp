@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 #include "analysis/station/robust_limit.hpp"
 #include "analysis/statistics.hpp"
 #include "bench/findings_stand.hpp"
 #include "bench/run_folder.hpp"
+#include "bench/same_recording.hpp"
 #include "hal/formats/choose_format.hpp"
 
 namespace rvbench::bench {
@@ -86,35 +86,20 @@ Spread spread_of(const std::vector<double>& values) {
   return spread;  // else half of them are alike
 }
 
-// Every channel has the same rms, peak and kurtosis.
-bool are_of_one_recording(const Judgement& one, const Judgement& other) {
-  const auto signals = [](const Judgement& judgement) {
-    std::vector<std::tuple<double, double, double>> all;
-    for (const JudgedPoint& point : judgement.points) {
-      for (const analysis::ChannelExamination& channel : point.examination.channels) {
-        if (channel.rms > 0) all.emplace_back(channel.rms, channel.peak, channel.kurtosis);
-      }
-    }
-    return all;
-  };
-  const auto of_one = signals(one);
-  return !of_one.empty() && of_one == signals(other);
-}
-
 }  // namespace
 
-std::string SoundUnits::add(const std::string& file, Judgement judgement) {
-  if (!judgement.diagnosis.resolvable || is_spoiled(judgement)) return judgement.ending.reason;
-  if (const std::string same = file_with_samples_of(judgement); !same.empty()) {
-    return "the same samples as " + same;
+SoundUnits::Added SoundUnits::add(const std::string& file, Judgement judgement) {
+  if (!judgement.diagnosis.resolvable || is_spoiled(judgement)) return Untrusted{};
+  if (std::string same = file_with_samples_of(judgement); !same.empty()) {
+    return Repeated{std::move(same)};
   }
   units_.push_back({file, std::move(judgement)});
-  return "";
+  return Counted{};
 }
 
 std::string SoundUnits::file_with_samples_of(const Judgement& judgement) const {
   const auto same = std::ranges::find_if(
-      units_, [&](const Unit& unit) { return are_of_one_recording(unit.judgement, judgement); });
+      units_, [&](const Unit& unit) { return share_a_recording(unit.judgement, judgement); });
   return same == units_.end() ? "" : same->file;
 }
 
@@ -153,16 +138,17 @@ analysis::Kinematics with_sound_units(analysis::Kinematics kinematics,
   for (analysis::Signature& part : kinematics.signatures) {
     const std::vector<double> severities = severities_of(part, units);
     if (severities.size() < fewest_sound_units) continue;
-    Spread spread = spread_of(severities);
-    const double assumed = part.depth_limit;
-    constexpr double least = 0.5;                     // of the limit assumed
-    if (spread.median == 0 || spread.scatter == 0) {  // alike, as far as noise lets them show
-      spread.scatter = std::max(spread.scatter, least * assumed / spread.factor);
-    }
-    part.sound_median = spread.median;
-    part.sound_scatter = spread.scatter;
-    part.set_limit(spread.median + spread.factor * spread.scatter);
+    const Spread spread = spread_of(severities);
+    const bool is_shown = spread.median > 0 && spread.scatter > 0;
+    const double learnt = spread.median + spread.factor * spread.scatter;
+    constexpr double least = 0.5;  // of the limit assumed
+    const double assumed = part.depth_limit, assumed_aligned = part.aligned_limit;
+    const double limit = is_shown ? learnt : std::max(learnt, least * assumed);
+    part.set_limit(limit);
+    part.aligned_limit = std::clamp(assumed_aligned, learnt, limit);
     part.limit_in_noise = assumed;
+    part.sound_median = spread.median;
+    if (spread.scatter > 0) part.sound_scatter = spread.scatter;
     part.limit_why =
         fmt::format("{} sound units: median {:.3g} and {:.1f} times their scatter of {:.3g}",
                     severities.size(), spread.median, spread.factor, spread.scatter);

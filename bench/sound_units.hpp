@@ -26,13 +26,19 @@ std::variant<std::vector<std::filesystem::path>, std::string> sound_files(
 /// Judgements of sound units, each of a recording of its own.
 class SoundUnits {
  public:
-  /// @return why the unit does not count: its data cannot be trusted, or are those of another one;
-  ///         empty if it does
-  std::string add(const std::string& file, Judgement judgement);
+  struct Counted {};
+  struct Untrusted {};  ///< its data cannot be trusted
+  struct Repeated {     ///< its samples are those of another unit
+    std::string file;   ///< of the other one
+  };
+  using Added = std::variant<Counted, Untrusted, Repeated>;
+
+  /// Keeps the unit where it counts.
+  Added add(const std::string& file, Judgement judgement);
 
   std::size_t size() const { return units_.size(); }
 
-  /// The file of the unit that has the samples of this judgement; empty if there is none.
+  /// The file of the first unit that shares a recording with this judgement; empty if none does.
   std::string file_with_samples_of(const Judgement& judgement) const;
 
   std::vector<analysis::Diagnosis> diagnoses() const;
@@ -49,8 +55,9 @@ class SoundUnits {
 /// median + factor·scatter of each part's severity. The factor leaves 99.9 % of sound units within,
 /// as far as so many can tell; from robust_limit()'s fewest on robustly, so that a bad one among
 /// them does not count. A part that most units do not show keeps at least half the limit assumed:
-/// their noise hides how much they scatter. A record in more noise is held against what its noise
-/// hides, up to the limit assumed.
+/// their noise hides how much they scatter. Blows in phase keep a limit that is lower than these,
+/// unless sound units reach it. A record in more noise is held against what its noise hides, up to
+/// the limit assumed.
 ///
 /// Shape   one diagnosis a unit, fewest_sound_units at the least
 /// Units   of severities: 1

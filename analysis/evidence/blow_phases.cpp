@@ -2,18 +2,38 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
+#include <random>
 #include <utility>
 
 #include "analysis/fft.hpp"
+#include "hal/types/units.hpp"
 
 namespace rvbench::analysis {
 namespace {
 
 using Index = Eigen::Index;
 
-double excess_over_random_phases(const Eigen::VectorXcd& turn_lines,
-                                 const std::vector<int>& harmonics) {
+constexpr int draws = 16;  // of random phases: their spread is known to a sixth
+
+// Random phases, the same ones in each record.
+class RandomPhases {
+ public:
+  std::complex<double> next() { return std::polar(1.0, phase_rad_(engine_)); }
+
+ private:
+  std::mt19937_64 engine_{20261130};
+  std::uniform_real_distribution<double> phase_rad_{0, units::two_pi};
+};
+
+double kurtosis_of(Eigen::VectorXcd lines, Index samples) {
+  const Eigen::ArrayXd x2 = inverse_fft(std::move(lines), samples).array().square();
+  return x2.square().mean() / std::pow(x2.mean(), 2);
+}
+
+// How far the kurtosis lies above that of random phases, in standard deviations of theirs.
+double over_random_phases(const Eigen::VectorXcd& turn_lines, const std::vector<int>& harmonics) {
   const Index highest = std::ranges::max(harmonics);
   // The fourth power of the sum reaches four times its highest line.
   const Index samples = next_fast_length(4 * highest + 2);
@@ -26,26 +46,31 @@ double excess_over_random_phases(const Eigen::VectorXcd& turn_lines,
     fourth += a2 * a2;
   }
   if (!(power > 0)) return not_known;
-  const Eigen::ArrayXd x2 = inverse_fft(std::move(kept), samples).array().square();
-  const double kurtosis = x2.square().mean() / std::pow(x2.mean(), 2);
-  return kurtosis - (3 - 1.5 * fourth / (power * power));
+  const double of_random = 3 - 1.5 * fourth / (power * power);
+  const double excess = kurtosis_of(kept, samples) - of_random;
+  RandomPhases random;
+  double squares = 0;
+  for (int draw = 0; draw < draws; ++draw) {
+    for (const int h : harmonics) kept[h] = std::abs(turn_lines[h]) * random.next();
+    squares += std::pow(kurtosis_of(kept, samples) - of_random, 2);
+  }
+  return squares > 0 ? excess / std::sqrt(squares / draws) : not_known;
 }
 
 }  // namespace
 
 std::vector<double> blow_phases(const OrderLines& lines, const GearPlaces& places,
                                 const Kinematics& kinematics) {
-  std::vector<double> excess(places.parts.size(), not_known);
+  std::vector<double> over(places.parts.size(), not_known);
   for (std::size_t s = 0; s < places.parts.size(); ++s) {
-    const Signature& part = kinematics.signatures[s];
     if (places.parts[s].turn_lines.empty()) continue;
     std::vector<int> harmonics = places.parts[s].turn_lines;
-    const OrderLines::TurnLines turn = lines.turn_lines(part.turn);
+    const OrderLines::TurnLines turn = lines.turn_lines(kinematics.signatures[s].turn);
     std::erase_if(harmonics, [&](int h) { return 2 * h >= turn.samples; });
     if (std::ssize(harmonics) < fewest_phases) continue;
-    excess[s] = excess_over_random_phases(turn.lines, harmonics);
+    over[s] = over_random_phases(turn.lines, harmonics);
   }
-  return excess;
+  return over;
 }
 
 }  // namespace rvbench::analysis

@@ -38,9 +38,14 @@ GearPlaces line_places(double turns, double top_order, double speed_Hz, bool is_
   // Beyond it a stated speed places no line.
   const double error = speed_error(is_placed);
   const double placed = error > 0 ? 0.5 * places.resolution / error : top_order;
-  for (PartLines& part : places.parts) {
+  for (std::size_t s = 0; s < places.parts.size(); ++s) {
+    PartLines& part = places.parts[s];
+    const double turn = kinematics.signatures[s].turn;
     std::erase_if(part.own, [&](const OwnLine& line) { return line.order > placed; });
-    if (!part.mesh.empty() && part.contact_order > placed) part.own.clear();
+    std::erase_if(part.turn_lines, [&](int h) { return h * turn > placed; });
+    if (part.mesh.empty() || part.contact_order <= placed) continue;
+    part.own.clear();
+    part.turn_lines.clear();
   }
   mark_lines(kinematics, static_cast<std::size_t>(top_order / places.resolution), places);
   return places;

@@ -77,7 +77,8 @@ class GearReader {
         r.line2[static_cast<Index>(i)] = 0;
       }
     }
-    r.own2 = alone.line2 + shared.line2 - loudest_over_second(part, r.line2);
+    r.own2 = alone.line2 + shared.line2 - loudest_over_second(part, r.line2) -
+             loudest_over_others(part, r.line2);
     r.own2 = std::max(r.own2, 0.0);
     r.own2_variance = alone.variance + shared.variance;
     for (const double order : part.mesh) {
@@ -156,8 +157,7 @@ class GearReader {
            std::ranges::any_of(rivals, [&](double order) { return stands(bin_of(order)); });
   }
 
-  // One harmonic alone is a tone that happens to lie there, and one carrier alone is at a
-  // resonance, which a sideband meets before the carrier does: it counts as much as the second.
+  // One harmonic alone is a tone that happens to lie there: it counts as much as the second.
   static double loudest_over_second(const PartLines& part, const Eigen::VectorXd& line2) {
     std::map<int, double> groups;
     for (std::size_t i = 0; i < part.own.size(); ++i) {
@@ -165,12 +165,44 @@ class GearReader {
         groups[part.own[i].harmonic] += std::max(line2[static_cast<Index>(i)], 0.0);
       }
     }
+    if (groups.size() < 2) return 0;
     double first = 0, second = 0;
     for (const auto& [harmonic, sum] : groups) {
       second = std::max(second, std::min(first, sum));
       first = std::max(first, sum);
     }
     return first - second;
+  }
+
+  // A shaft swings all harmonics of its mesh alike. A resonance that a sideband meets before its
+  // carrier does makes one seem deeper: it counts as deep as the deepest of the others that would
+  // have shown as much.
+  double loudest_over_others(const PartLines& part, const Eigen::VectorXd& line2) const {
+    struct Swing {
+      double carrier2 = 0, sides2 = 0, variance = 0;
+      double depth2() const { return std::max(sides2, 0.0) / carrier2; }
+    };
+    std::map<double, Swing> swings;
+    for (std::size_t i = 0; i < part.own.size(); ++i) {
+      const Index carrier = bin_of(part.own[i].carrier), at = bin_of(part.own[i].order);
+      if (part.own[i].carrier == 0 || !holds(carrier) || !holds(at)) continue;
+      Swing& swing = swings[part.own[i].carrier];
+      swing.carrier2 = std::max(amplitude2(carrier), floor_.floor[carrier]);
+      swing.sides2 += line2[static_cast<Index>(i)];
+      swing.variance += variance(at, 0);
+    }
+    if (swings.size() < 2) return 0;
+    const auto loudest =
+        std::ranges::max_element(swings, {}, [](const auto& swing) { return swing.second.sides2; });
+    const double depth2 = loudest->second.depth2();
+    double others = -1;
+    for (auto other = swings.begin(); other != swings.end(); ++other) {
+      const double expected2 = depth2 * other->second.carrier2;
+      constexpr double surely = 3;  // standard deviations of noise
+      if (other == loudest || expected2 < surely * std::sqrt(other->second.variance)) continue;
+      others = std::max(others, other->second.depth2());
+    }
+    return others < 0 ? 0 : std::max(0.0, (depth2 - others) * loudest->second.carrier2);
   }
 
   void expect(const PartLines& part, GearReading& r) const {

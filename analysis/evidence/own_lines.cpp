@@ -73,14 +73,14 @@ class PartCombs {
                                [&](const GearMesh& mesh) { return is_gear_of(mesh, part.turn); });
   }
 
-  // As far as the fastest of the part's own meshes goes: phases tell a blow from noise by
-  // themselves.
+  // A gear may mesh faster than the slowest mesh, at which `own` ends: its blows are as short as
+  // its own contact.
   void take_turn_lines(const Signature& part, PartLines& lines) const {
-    double fastest = 0;
+    double fastest = lines.contact_order;
     for (const GearMesh& mesh : k_.meshes) {
       if (is_gear_of(mesh, part.turn)) fastest = std::max(fastest, mesh.order);
     }
-    const double highest = fastest > 0 ? std::min(top_, mesh_harmonics * fastest) : top_;
+    const double highest = std::min(top_, mesh_harmonics * fastest);
     for (int h = 1; h * part.turn <= highest; ++h) {
       const double order = h * part.turn;
       if (is_free(order) && !is_held_by_another(part, order)) lines.turn_lines.push_back(h);
@@ -119,15 +119,14 @@ class PartCombs {
       own.push_back(std::move(line));
     };
     for (int h = 1; h <= part.forces; ++h) take({.order = h * part.order, .is_force = true});
-    int carrier = 0;
     for (const GearMesh& mesh : k_.meshes) {
       if (!(part.turn > 0) || !is_gear_of(mesh, part.turn)) continue;
       for (double h = mesh.order; h + part.turn <= top_; h += mesh.order) {
         // Planets cancel most carriers: there one may stand alone.
-        const int number = mesh.path_order > 0 ? 0 : ++carrier;
+        const double carrier = mesh.path_order > 0 ? 0 : h;
         for (const double side : {h - part.turn, h + part.turn}) {
           for (const double order : spread(side, mesh.path_order)) {
-            if (!is_mesh_line(order, mesh)) take({.order = order, .harmonic = number});
+            if (!is_mesh_line(order, mesh)) take({.order = order, .carrier = carrier});
           }
         }
       }

@@ -15,8 +15,9 @@ struct OwnLine {
   std::vector<double> rivals = {};
   /// Harmonics of meshes, the loudest lines there are, that a speed that wanders spreads this far.
   std::vector<double> carriers = {};
-  int harmonic = 0;  ///< of the part's turn, whose path spreads it, or the number of the carrier
-                     ///< that it stands beside; 0: it is alone
+  int harmonic = 0;    ///< of the part's turn, whose path spreads it; 0: it is alone
+  double carrier = 0;  ///< order of the mesh line that it stands beside, where planets cancel none
+                       ///< of the mesh's lines; 0: it is alone
   bool is_force = false;  ///< of a shaft at its own order, not beside a mesh
 };
 

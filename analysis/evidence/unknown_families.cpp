@@ -5,25 +5,36 @@
 #include <cstddef>
 #include <utility>
 
+#include "analysis/evidence/same_speed.hpp"
 #include "analysis/order/resolution.hpp"
 
 namespace rvbench::analysis {
 namespace {
 
+// Where one point shows a family.
+struct Seen {
+  double spacing = 0;
+  double speed_rpm = 0;
+};
+
 // True if one record shows as many harmonics as damage has. Jitter smears the higher ones, so an
-// order that returns at another speed counts as well.
-bool has_harmonics(const UnknownFamily& family, const std::vector<double>& spacings) {
+// order that returns at another speed counts as well. What stands still in Hz does not return.
+bool has_harmonics(const UnknownFamily& family, const std::vector<Seen>& seen) {
   constexpr double same_slip = 0.005;  // relative: of one bearing in one machine
   if (family.harmonics >= harmonics_of_damage) return true;
-  const auto [least, most] = std::ranges::minmax(spacings);
-  return spacings.size() > 1 && most - least < same_slip * most;
+  return std::ranges::any_of(seen, [&](const Seen& one) {
+    return std::ranges::any_of(seen, [&](const Seen& other) {
+      return !is_same_speed(one.speed_rpm, other.speed_rpm) &&
+             std::abs(one.spacing - other.spacing) < same_slip * one.spacing;
+    });
+  });
 }
 
 // A family that most of the points show, at one order but for slip.
 std::vector<UnknownFamily> struck_families(const std::vector<Examination>& points) {
   constexpr double slip = 0.03;
   std::vector<UnknownFamily> families;
-  std::vector<std::vector<double>> spacings;  // of each, in the points that show it
+  std::vector<std::vector<Seen>> seen;  // of each, in the points that show it
   std::size_t resolvable = 0;
   for (const Examination& point : points) {
     resolvable += point.resolvable ? 1 : 0;
@@ -34,10 +45,10 @@ std::vector<UnknownFamily> struck_families(const std::vector<Examination>& point
       const auto index = static_cast<std::size_t>(same - families.begin());
       if (same == families.end()) {
         families.push_back(found);
-        spacings.emplace_back();
+        seen.emplace_back();
       }
       UnknownFamily& family = families[index];
-      spacings[index].push_back(found.spacing);
+      seen[index].push_back({found.spacing, point.speed_rpm});
       family.points.push_back(point.source);
       family.harmonics = std::max(family.harmonics, found.harmonics);
       family.severity = std::max(family.severity, found.severity);
@@ -47,7 +58,7 @@ std::vector<UnknownFamily> struck_families(const std::vector<Examination>& point
   std::vector<UnknownFamily> shown;
   for (std::size_t i = 0; i < families.size(); ++i) {
     const bool by_most = 2 * families[i].points.size() >= resolvable;
-    if (by_most && has_harmonics(families[i], spacings[i])) shown.push_back(std::move(families[i]));
+    if (by_most && has_harmonics(families[i], seen[i])) shown.push_back(std::move(families[i]));
   }
   return shown;
 }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -19,6 +20,7 @@
 #include "bench/report/report.hpp"
 #include "bench/run_folder.hpp"
 #include "bench/run_results.hpp"
+#include "bench/same_recording.hpp"
 #include "bench/sha256.hpp"
 #include "bench/software_version.hpp"
 #include "bench/sound_units.hpp"
@@ -75,6 +77,7 @@ class JudgeCommand final : public Command {
   int load(Console& console);
   std::variant<std::vector<Recording>, JudgeRefusal> read_files(
       const std::vector<std::string>& files) const;
+  int check_points(Console& console, const Judgement& judgement) const;
   int learn_from_sound(Console& console);
   std::variant<Judgement, int> judged_sound(Console& console, const std::filesystem::path& file);
   void tell_notes(Console& console) const;
@@ -133,6 +136,9 @@ std::variant<Judgement, int> JudgeCommand::judged(Console& console) {
     if (const int refused = load(console); refused != exit_codes::done) return refused;
     if (const int refused = learn_from_sound(console); refused != exit_codes::done) return refused;
     Judgement judgement = judge_by_catalogue(console);
+    if (const int refused = check_points(console, judgement); refused != exit_codes::done) {
+      return refused;
+    }
     if (const std::string file = baseline_.file_with_samples_of(judgement); !file.empty()) {
       return refuse_data(console, "--sound: " + file + " has the samples that are judged");
     }
@@ -177,9 +183,13 @@ int JudgeCommand::learn_from_sound(Console& console) {
   for (const std::filesystem::path& file : std::get<0>(found)) {
     auto unit = judged_sound(console, file);
     if (const int* refused = std::get_if<int>(&unit)) return *refused;
-    const std::string why = baseline_.add(file.string(), std::get<Judgement>(std::move(unit)));
-    if (why.empty()) continue;
-    console.err << "rvbench: note: --sound: " << file.string() << ": not counted: " << why << '\n';
+    auto& judgement = std::get<Judgement>(unit);
+    const std::string reason = judgement.ending.reason;
+    const SoundUnits::Added added = baseline_.add(file.string(), std::move(judgement));
+    if (std::holds_alternative<SoundUnits::Counted>(added)) continue;
+    const auto* repeated = std::get_if<SoundUnits::Repeated>(&added);
+    console.err << "rvbench: note: --sound: " << file.string() << ": not counted: "
+                << (repeated ? "the same samples as " + repeated->file : reason) << '\n';
   }
   if (baseline_.size() < fewest_sound_units) {
     return refuse_data(console, fmt::format("--sound: {} sound units count, and {} are needed to "
@@ -252,6 +262,19 @@ void JudgeCommand::tell_notes(Console& console) const {
   if (told.size() > most_notes) {
     console.err << "rvbench: and " << told.size() - most_notes << " more notes\n";
   }
+}
+
+// A recording that is given twice would confirm itself. @return why not, or done
+int JudgeCommand::check_points(Console& console, const Judgement& judgement) const {
+  for (auto point = judgement.points.begin(); point != judgement.points.end(); ++point) {
+    const auto same = std::find_if(judgement.points.begin(), point, [&](const JudgedPoint& other) {
+      return are_of_one_recording(*point, other);
+    });
+    if (same == point) continue;
+    return refuse_data(console, point->examination.source + " has the samples of " +
+                                    same->examination.source + ": give each recording once");
+  }
+  return exit_codes::done;
 }
 
 analysis::Kinematics JudgeCommand::published_for(const Recording& record) const {

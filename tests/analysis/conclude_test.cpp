@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -58,13 +59,53 @@ TEST_CASE(
     CHECK(d.findings.empty() == (depth <= d.hypotheses().front()->limit));
     return d.hypotheses().front()->limit;
   };
-  CHECK(limit(0.15, 2.5) == 0.1);
-  CHECK(limit(0.25, 0.0) == 0.3);
-  CHECK(limit(0.25, 0.6) == 0.2);
+  CHECK(limit(0.15, 4) == 0.1);
+  CHECK(limit(0.25, 0) == 0.3);
+  CHECK(limit(0.25, 2) == 0.2);
   CHECK(limit(0.25, not_known) == 0.2);
   k.signatures[0].set_limit(0.4);
-  CHECK(limit(0.3, 2.5) == 0.4);
-  CHECK(limit(0.5, 0.0) == 0.4);
+  CHECK(limit(0.3, 4) == 0.4);
+  CHECK(limit(0.5, 0) == 0.4);
+}
+
+TEST_CASE("phases are those of the points that show the part", "[analysis][conclude]") {
+  Kinematics k = two_parts();
+  k.signatures[0].scatter_limit = 0.3;
+  std::vector<Examination> points(8, point("noise", nothing, nothing));
+  for (Examination& noise : points) noise.scores[0].in_phase = -0.5;
+  for (int i = 0; i < 2; ++i) {
+    points.push_back(point("blow", {0.25, 1e-12}, nothing));
+    points.back().scores[0].in_phase = 5;
+  }
+  const Diagnosis d = conclude(points, k);
+  REQUIRE(d.findings.size() == 1);
+  CHECK(d.findings[0].in_phase == 5);
+}
+
+TEST_CASE("noise is no scatter: a part that is not shown is held against its plain limit",
+          "[analysis][conclude]") {
+  Kinematics k = two_parts();
+  k.signatures[0].scatter_limit = 0.3;
+  Examination e = point("a", nothing, nothing);
+  e.scores[0].in_phase = 0;
+  e.scores[0].smallest_visible = 0.25;
+  const Diagnosis d = conclude({e}, k);
+  const auto shaft = std::ranges::find(d.not_shown, "shaft", &analysis::Finding::component);
+  REQUIRE(shaft != d.not_shown.end());
+  CHECK(shaft->is_open());
+}
+
+TEST_CASE("noise lifts no limit over a severity that is surely above it", "[analysis][conclude]") {
+  Kinematics k = two_parts();
+  k.signatures[0].limit_in_noise = 0.5;
+  Examination e = point("a", {0.3, 1e-12}, nothing);
+  e.scores[0].smallest_visible = 0.35;
+  const auto is_bad = [&](double deviation) {
+    e.scores[0].depth2_variance = deviation * deviation;  // of the squared depth, 0.09
+    return !conclude({e}, k).findings.empty();
+  };
+  CHECK(is_bad(0.01));
+  CHECK_FALSE(is_bad(0.05));
 }
 
 TEST_CASE(
@@ -306,14 +347,27 @@ TEST_CASE("a family that no part explains is listed where most points show it",
   CHECK(d.findings.empty());
 }
 
-TEST_CASE("an order that two records share is a family, though jitter leaves it few harmonics",
+TEST_CASE("an order that two speeds share is a family, though jitter leaves it few harmonics",
           "[analysis][conclude]") {
   std::vector<Examination> points;
-  for (const char* source : {"a", "b", "c"}) points.push_back(point(source, nothing, nothing));
+  for (const double speed_rpm : {605, 1210, 1815}) {
+    points.push_back(point(std::to_string(speed_rpm), nothing, nothing));
+    points.back().speed_rpm = speed_rpm;
+  }
   points[0].unknown = {{.spacing = 1.775, .harmonics = 2, .severity = 0.2, .p_value = 1e-9}};
   points[1].unknown = {{.spacing = 1.776, .harmonics = 1, .severity = 0.2, .p_value = 1e-6}};
   CHECK(conclude(points, two_parts()).unknown.size() == 1);
   points[1].unknown[0].spacing = 1.79;  // further away than one bearing slips
+  CHECK(conclude(points, two_parts()).unknown.empty());
+}
+
+TEST_CASE("what modulates at one frequency returns at no other speed", "[analysis][conclude]") {
+  std::vector<Examination> points;
+  for (const char* repeat : {"a", "b", "c"}) {
+    points.push_back(point(repeat, nothing, nothing));
+    points.back().speed_rpm = 605;
+    points.back().unknown = {{.spacing = 1.775, .harmonics = 1, .severity = 0.2, .p_value = 1e-6}};
+  }
   CHECK(conclude(points, two_parts()).unknown.empty());
 }
 

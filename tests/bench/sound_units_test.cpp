@@ -85,6 +85,17 @@ TEST_CASE("a part that sound units do not show keeps half the limit assumed", "[
   CHECK(limit_by(few_shown) == Approx(0.25));
 }
 
+TEST_CASE("a blow keeps its lower limit, unless sound units reach it", "[bench][sound]") {
+  analysis::Kinematics k = one_part();
+  k.signatures[0].aligned_limit = 0.1;
+  const auto aligned_limit = [&](const std::vector<analysis::Diagnosis>& units) {
+    return with_sound_units(k, units).signatures[0].aligned_limit;
+  };
+  CHECK(aligned_limit(std::vector<analysis::Diagnosis>(5, unit(0, 0.03))) == 0.1);
+  const auto louder = units_like(0.2, 0.01, 40);
+  CHECK(aligned_limit(louder) == limit_by(louder));
+}
+
 TEST_CASE("a record in noise may be held against the limit assumed", "[bench][sound]") {
   const auto k = with_sound_units(one_part(), std::vector<analysis::Diagnosis>(5, unit(0, 0.03)));
   CHECK(k.signatures[0].limit_in_noise == 0.5);
@@ -119,9 +130,11 @@ TEST_CASE("a recording counts as one sound unit, and never as a measure of itsel
     return judgement;
   };
   SoundUnits units;
-  CHECK(units.add("a.h5", judged(1.25, 3)).empty());
-  CHECK(units.add("copy_of_a.h5", judged(1.25, 3)) == "the same samples as a.h5");
-  CHECK(units.add("b.h5", judged(1.25, 3.000001)).empty());
+  CHECK(std::holds_alternative<SoundUnits::Counted>(units.add("a.h5", judged(1.25, 3))));
+  const auto again = units.add("copy_of_a.h5", judged(1.25, 3));
+  REQUIRE(std::holds_alternative<SoundUnits::Repeated>(again));
+  CHECK(std::get<SoundUnits::Repeated>(again).file == "a.h5");
+  CHECK(std::holds_alternative<SoundUnits::Counted>(units.add("b.h5", judged(1.25, 3.001))));
   CHECK(units.size() == 2);
   CHECK(units.file_with_samples_of(judged(1.25, 3)) == "a.h5");
   CHECK(units.file_with_samples_of(judged(1.3, 3)).empty());
@@ -131,9 +144,8 @@ TEST_CASE("a recording that cannot be trusted is no sound unit", "[bench][sound]
   Judgement judgement = test::passed_run();
   judgement.diagnosis.resolvable = true;
   judgement.diagnosis.quality.push_back({"a.h5", "no line of this machine", true});
-  judgement.ending.reason = "no line of this machine";
   SoundUnits units;
-  CHECK(units.add("a.h5", judgement) == "no line of this machine");
+  CHECK(std::holds_alternative<SoundUnits::Untrusted>(units.add("a.h5", judgement)));
   CHECK(units.size() == 0);
 }
 

@@ -16,11 +16,14 @@ namespace {
 const OrderSignals shaft{.speed_Hz = 30, .rate_Hz = 2400, .count = 38900};  // 4 periods of 121
 constexpr double planet_order = 40.0 / 121;
 
-// A planet's comb up to the third harmonic of its mesh, whose lines begin at these phases.
+// A planet's comb up to the third harmonic of its mesh, whose lines begin at these phases. As an
+// exception one line is so many times louder.
 template <typename Phase>
-Eigen::VectorXd comb(Phase phase) {
+Eigen::VectorXd comb(Phase phase, double loudest = 1) {
   Eigen::VectorXd x = Eigen::VectorXd::Zero(shaft.count);
-  for (int h = 1; h <= 80; ++h) x += shaft.tone(h * planet_order, phase(h));
+  for (int h = 1; h <= 80; ++h) {
+    x += (h == 41 ? loudest : 1) * shaft.tone(h * planet_order, phase(h));
+  }
   return x;
 }
 
@@ -38,23 +41,33 @@ TEST_CASE("lines in phase are a blow, and a delay of the blow changes nothing",
           "[analysis][evidence]") {
   const double at_once = planet_phases(comb([](int) { return 0.0; }));
   const double later = planet_phases(comb([](int h) { return -0.7 * h; }));
-  CHECK(at_once > 5);
+  CHECK(at_once > 20);
   CHECK(later == Approx(at_once).epsilon(0.02));
 }
 
-TEST_CASE("lines of random phases are none on average", "[analysis][evidence][null]") {
+// What is stated of random phases: no excess on average, a standard deviation of 1, and one in a
+// hundred above 3. A line that is louder than all others leaves less to the phases.
+TEST_CASE("random phases are none, by standard deviations of their own",
+          "[analysis][evidence][null]") {
+  const double loudest = GENERATE(1.0, 6.0);
   std::mt19937 engine(3);
   std::uniform_real_distribution<double> any(0, 2 * std::numbers::pi);
-  constexpr int draws = 60;
-  double sum = 0;
+  constexpr int draws = 100;
+  double sum = 0, squares = 0;
+  int above = 0;
   for (int i = 0; i < draws; ++i) {
-    sum += planet_phases(comb([&](int) { return any(engine); }));
+    const double over = planet_phases(comb([&](int) { return any(engine); }, loudest));
+    sum += over;
+    squares += over * over;
+    above += over > 3 ? 1 : 0;
   }
-  CHECK(std::abs(sum / draws) < 0.12);
+  CHECK(std::abs(sum / draws) < 0.3);
+  CHECK(std::sqrt(squares / draws) == Approx(1).margin(0.35));
+  CHECK(above <= 5);
 }
 
 TEST_CASE("noise is no blow", "[analysis][evidence][null]") {
-  CHECK(std::abs(planet_phases(shaft.noise(5))) < 1);
+  CHECK(std::abs(planet_phases(shaft.noise(5))) < 3);
 }
 
 TEST_CASE("only a part that strikes is asked for its phases", "[analysis][evidence]") {

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "analysis/gear_train.hpp"
 #include "analysis/order/order_lines.hpp"
 #include "tests/analysis/order_signals.hpp"
 #include "tests/analysis/reducers.hpp"
@@ -39,17 +40,25 @@ Eigen::VectorXd tooth_blows(double order, double width_turns) {
   return (-(phase / width_turns / order).square()).exp();
 }
 
+// A shaft whose pinion of so many teeth drives a wheel of 31.
+Kinematics one_mesh(int teeth) {
+  return analysis::gear_train({.machine = "one mesh",
+                               .shafts = {{"input", "input_shaft"}, {"output", "output_shaft"}},
+                               .meshes = {{"mesh", 0, teeth, 1, 31, "pinion", "wheel"}}});
+}
+
 struct ScoredGears {
-  std::vector<SignatureScore> scores;
-  std::vector<analysis::PartLines> parts;
+  Kinematics kinematics;
+  std::vector<SignatureScore> scores = {};
+  std::vector<analysis::PartLines> parts = {};
 
   const SignatureScore& of(const std::string& component) const {
-    return scores[test::index_of(test::rv20e(), component)];
+    return scores[test::index_of(kinematics, component)];
   }
 };
 
-ScoredGears scored_gears(const Eigen::VectorXd& heard, double noise = 0.1, unsigned channels = 4) {
-  const Kinematics k = test::rv20e();
+ScoredGears scored_gears(const Eigen::VectorXd& heard, double noise = 0.1, unsigned channels = 4,
+                         const Kinematics& k = test::rv20e()) {
   std::vector<std::vector<analysis::GearReading>> readings;
   analysis::GearPlaces places;
   for (unsigned c = 1; c <= channels; ++c) {
@@ -60,7 +69,7 @@ ScoredGears scored_gears(const Eigen::VectorXd& heard, double noise = 0.1, unsig
           analysis::line_places(lines.turns(), lines.top_order(), gear_shaft.speed_Hz, true, k);
     readings.push_back(analysis::read_gears(lines.spectrum(), places));
   }
-  ScoredGears result;
+  ScoredGears result{k};
   result.parts = places.parts;
   for (std::size_t s = 0; s < k.signatures.size(); ++s) {
     result.scores.emplace_back().signature = static_cast<int>(s);
@@ -106,6 +115,27 @@ TEST_CASE("a shaft's force is its own, also where its bend swings the sun's teet
   CHECK(result.of("input_shaft").p_value < 1e-6);
   // Amplitudes of 1.5 and 1 over the rms of meshes of 2, 1 and 1.
   CHECK(result.of("input_shaft").depth == Approx(std::sqrt(2 * 3.25 / 6)).epsilon(0.1));
+}
+
+// The mesh of a pinion whose shaft swings it by 0.4. The amplitude of its sidebands is 0.4 of the
+// rms of all harmonics.
+TEST_CASE("a shaft shows by how much it swings, whatever its carriers' share",
+          "[analysis][evidence]") {
+  const auto [teeth, second] = GENERATE(table<int, double>({{20, 0.0}, {12, 0.2}, {12, 1.0}}));
+  const Eigen::ArrayXd mesh =
+      gear_shaft.tone(teeth).array() + second * gear_shaft.tone(2 * teeth, 1).array();
+  const Eigen::ArrayXd swing = 1 + 0.4 * gear_shaft.tone(1, 2).array();
+  const ScoredGears result = scored_gears(swing * mesh, 0.02, 4, one_mesh(teeth));
+  CHECK(result.of("input_shaft").p_value < 1e-4);
+  CHECK(result.of("input_shaft").depth == Approx(0.4).epsilon(0.1));
+}
+
+TEST_CASE("a resonance at one sideband makes no shaft swing", "[analysis][evidence]") {
+  const Eigen::ArrayXd mesh = gear_shaft.tone(12).array() + 0.5 * gear_shaft.tone(24, 1).array();
+  const Eigen::ArrayXd swing = 1 + 0.05 * gear_shaft.tone(1, 2).array();
+  const Eigen::VectorXd resonant = 0.5 * gear_shaft.tone(11, 0.3);
+  const ScoredGears result = scored_gears(swing * mesh + resonant.array(), 0.02, 4, one_mesh(12));
+  CHECK(result.of("input_shaft").depth == Approx(0.05).margin(0.02));
 }
 
 TEST_CASE("a mesh that swings three and five times per turn of the sun is the sun's",

@@ -1,4 +1,3 @@
-#include "analysis/evidence/gear_combs.hpp"
 #include "analysis/evidence/own_lines.hpp"
 
 #include <algorithm>
@@ -6,6 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "analysis/evidence/gear_combs.hpp"
+#include "analysis/planetary_stage.hpp"
 #include "tests/analysis/reducers.hpp"
 
 using namespace rvbench;
@@ -148,4 +149,15 @@ TEST_CASE("every line that a gear may reach is marked, and those between are not
   const double resolution = 1 / (4 * carrier_turns);
   const auto locked = analysis::locked_lines(test::rv20e(), resolution, 2000, 1.5);
   for (std::size_t i = 0; i + 2 < locked.size(); ++i) CHECK(locked[i] == (i % 4 != 2));
+}
+
+TEST_CASE("phases are read as far as a blow's contact is short", "[analysis][evidence]") {
+  const Kinematics k = analysis::planetary_stage("stage", {20, 25, 70, 3}, {});
+  const auto all = analysis::own_lines(k, lattice, 0, 300);
+  const std::size_t ring = test::index_of(k, "ring_gear");
+  REQUIRE_FALSE(all[ring].turn_lines.empty());
+  const double highest = all[ring].turn_lines.back() * k.signatures[ring].turn;
+  const double mesh = 70.0 * 20 / 90;  // teeth of the ring times turns of the carrier
+  CHECK(highest <= 4 * mesh);
+  CHECK(highest > 3 * mesh);
 }
