@@ -38,7 +38,7 @@ Signature shaft_signature(const GearTrain::Shaft& shaft, double order) {
           .shows = Shows::as_turning,
           .turn = order,
           .depth_limit = 0.25,
-          .limit_why = "assumed: a true shaft loads its gears and bearings alike all the way round",
+          .limit_why = "assumed: runout and pitch errors of sound wheels swing a mesh by a quarter",
           .advice = "check balance, run-out and alignment of the " + shaft.name};
 }
 
@@ -53,7 +53,7 @@ Signature gear_signature(const std::string& component, double order) {
           .strikes = true,
           .turn = order,
           .depth_limit = 0.075,
-          .aligned_limit = 0.01,
+          .aligned_limit = 0.01,  // no sound tooth strikes: it is as much as noise hides
           .limit_why = "assumed: one tooth among many may not stand out by more than its share",
           .advice = "look at the teeth of the " + component};
 }

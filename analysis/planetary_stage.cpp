@@ -25,6 +25,35 @@ double shaft_limit(const SunStage& stage) {
   return off == 0 ? 0.1 : 0.12;  // torque that swings by 6 % reads as 0.085
 }
 
+struct Limit {
+  double severity = 0;
+  const char* why = "";
+};
+
+// Beside a ring the record has about ten turns of the carrier, and few lines that are a gear's own.
+Limit sun_limit(const SunStage& stage) {
+  if (stage.has_ring) return {0.2, "assumed: pitch and runout of sound teeth swing by a fifth"};
+  return {stage.planets > 2 ? 0.085 : 0.13,
+          "assumed: teeth of one quality class share the load within an eighth"};
+}
+
+Limit planet_limit(const SunStage& stage) {
+  if (stage.has_ring) {
+    return {0.1,
+            "assumed: a planet that rolls in a ring has few lines of its own, and ten turns "
+            "of the carrier show no less of it"};
+  }
+  return {stage.planets > 2 ? 0.06 : 0.1,
+          "assumed: pitch errors of sound teeth put a tenth of the mesh on such lines, and less "
+          "where more than two planets share it"};
+}
+
+// Pitch errors of two planets do not cancel as those of three, and a ring's meet them once more.
+double limit_of_scattered_planet(const SunStage& stage) {
+  if (stage.has_ring) return 0.25;
+  return stage.planets > 2 ? 0.1 : 0.2;
+}
+
 void check(const PlanetaryGeometry& g) {
   require_positive(g.sun_teeth, "planetary_stage", "sun_teeth");
   require_positive(g.planet_teeth, "planetary_stage", "planet_teeth");
@@ -87,8 +116,8 @@ std::vector<Signature> input_signatures(const SunStage& stage) {
        .path_order = stage.carrier,
        .beside_mesh = beside_mesh_of_profile,
        .load_growth = grows_as_shape,
-       .depth_limit = stage.planets > 2 ? 0.085 : 0.13,
-       .limit_why = "assumed: teeth of one quality class share the load within an eighth",
+       .depth_limit = sun_limit(stage).severity,
+       .limit_why = sun_limit(stage).why,
        .advice = "measure the sun gear's tooth profile and pitch; replace the input gear"},
   };
 }
@@ -105,11 +134,9 @@ Signature planet_signature(const SunStage& stage) {
           .turn = stage.planet,
           .path_order = stage.carrier,
           .load_growth = any_growth,
-          .depth_limit = stage.planets > 2 ? 0.06 : 0.1,
-          .scatter_limit = stage.planets > 2 ? 0.1 : 0.2,
-          .limit_why =
-              "assumed: pitch errors of sound teeth put a tenth of the mesh on such lines, "
-              "and less where more than two planets share it",
+          .depth_limit = planet_limit(stage).severity,
+          .scatter_limit = limit_of_scattered_planet(stage),
+          .limit_why = planet_limit(stage).why,
           .advice = "open the reducer and look at the planets' flanks; replace the planet pair"};
 }
 
@@ -122,7 +149,8 @@ Kinematics planetary_stage(const std::string& machine, const PlanetaryGeometry& 
                        .sun_teeth = geometry.sun_teeth,
                        .sun = sun,
                        .planet = sun * geometry.sun_teeth / geometry.planet_teeth,
-                       .carrier = 1 / i};
+                       .carrier = 1 / i,
+                       .has_ring = true};
   const double mesh = sun * geometry.sun_teeth;
   Kinematics k;
   k.machine = machine;
@@ -141,14 +169,7 @@ Kinematics planetary_stage(const std::string& machine, const PlanetaryGeometry& 
                 {"ring against carrier", stage.carrier, geometry.ring_teeth}},
                stage.carrier}};
   k.signatures = input_signatures(stage);
-  k.signatures.back().depth_limit = 0.2;
-  k.signatures.back().limit_why = "assumed: pitch and runout of sound teeth swing by a fifth";
   k.signatures.push_back(planet_signature(stage));
-  k.signatures.back().depth_limit = 0.1;
-  k.signatures.back().scatter_limit = 0.25;
-  k.signatures.back().limit_why =
-      "assumed: a planet that rolls in a ring has few lines of its own, and ten turns of the "
-      "carrier show no less of it";
   k.signatures.push_back(ring_signature(stage));
   if (planet_bearing.rolling_elements > 0) {
     k.bearings.push_back(

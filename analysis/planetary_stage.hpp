@@ -12,9 +12,10 @@ namespace rvbench::analysis {
 struct SunStage {
   int planets = 0;
   int sun_teeth = 0;
-  double sun = 0;      ///< against the carrier
-  double planet = 0;   ///< against the carrier
-  double carrier = 0;  ///< in the housing
+  double sun = 0;         ///< against the carrier
+  double planet = 0;      ///< against the carrier
+  double carrier = 0;     ///< in the housing
+  bool has_ring = false;  ///< in which the planets roll as well: teeth meet twice a turn
 };
 
 /// Signatures of what turns with the input: its shaft, and the sun that sits on it.

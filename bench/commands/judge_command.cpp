@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -8,6 +6,7 @@
 
 #include "analysis/table4.hpp"
 #include "bench/commands/commands.hpp"
+#include "bench/commands/sound_words.hpp"
 #include "bench/commands/table_words.hpp"
 #include "bench/file_kind.hpp"
 #include "bench/judging.hpp"
@@ -79,7 +78,6 @@ class JudgeCommand final : public Command {
       const std::vector<std::string>& files) const;
   int check_points(Console& console, const Judgement& judgement) const;
   int learn_from_sound(Console& console);
-  std::variant<Judgement, int> judged_sound(Console& console, const std::filesystem::path& file);
   void tell_notes(Console& console) const;
   std::variant<Judgement, int> judged(Console& console);
   bool is_published() const { return catalogue_ == "published"; }
@@ -176,47 +174,17 @@ int JudgeCommand::check_options(Console& console, OutFolder& folder) const {
 // Sets the limits by sound units. @return why not, or done
 int JudgeCommand::learn_from_sound(Console& console) {
   if (sound_.empty()) return exit_codes::done;
-  const auto found = sound_files(sound_, runs_);
-  if (const auto* why = std::get_if<std::string>(&found)) {
-    return refuse_usage(console, "judge: --sound: " + *why);
-  }
-  for (const std::filesystem::path& file : std::get<0>(found)) {
-    auto unit = judged_sound(console, file);
-    if (const int* refused = std::get_if<int>(&unit)) return *refused;
-    auto& judgement = std::get<Judgement>(unit);
-    const std::string reason = judgement.ending.reason;
-    const SoundUnits::Added added = baseline_.add(file.string(), std::move(judgement));
-    if (std::holds_alternative<SoundUnits::Counted>(added)) continue;
-    const auto* repeated = std::get_if<SoundUnits::Repeated>(&added);
-    console.err << "rvbench: note: --sound: " << file.string() << ": not counted: "
-                << (repeated ? "the same samples as " + repeated->file : reason) << '\n';
-  }
-  if (baseline_.size() < fewest_sound_units) {
-    return refuse_data(console, fmt::format("--sound: {} sound units count, and {} are needed to "
-                                            "tell how much they scatter",
-                                            baseline_.size(), fewest_sound_units));
-  }
+  const auto judge_unit =
+      [&](const std::filesystem::path& file) -> std::variant<Judgement, std::string> {
+    auto read = read_files({file.string()});
+    if (auto* refusal = std::get_if<JudgeRefusal>(&read)) return std::move(refusal->reason);
+    return judge(console, std::get<0>(read), false, "sound unit");
+  };
+  auto units = sound_units(console, {sound_, runs_, derived_.machine, judge_unit});
+  if (const int* refused = std::get_if<int>(&units)) return *refused;
+  baseline_ = std::get<SoundUnits>(std::move(units));
   derived_ = with_sound_units(derived_, baseline_.diagnoses());
   return exit_codes::done;
-}
-
-// What a sound unit came to: as it was judged before, or judged now.
-std::variant<Judgement, int> JudgeCommand::judged_sound(Console& console,
-                                                        const std::filesystem::path& file) {
-  const auto refuse = [&](const std::string& why) {
-    return refuse_data(console, "--sound: " + file.string() + ": " + why);
-  };
-  if (file.extension() == ".json") {
-    auto judgement = judgement_from_json(read_file(file).value_or(""));
-    if (!judgement) return refuse("is no verdict.json");
-    if (judgement->machine != derived_.machine) {
-      return refuse("is of another machine: " + judgement->machine);
-    }
-    return std::move(*judgement);
-  }
-  auto read = read_files({file.string()});
-  if (const auto* refusal = std::get_if<JudgeRefusal>(&read)) return refuse(refusal->reason);
-  return judge(console, std::get<0>(read), false, "sound unit");
 }
 
 std::variant<std::vector<Recording>, JudgeRefusal> JudgeCommand::read_files(
