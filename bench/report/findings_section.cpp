@@ -46,6 +46,22 @@ std::string consequence_of(const Finding& finding) {
          "<dt>Advice</dt><dd>" + xml_escaped(advice_text(finding)) + "</dd>";
 }
 
+// Why the limit is what it is. The kinematics state one for each way in which a part shows.
+std::string limit_reason(const Finding& finding, const analysis::Kinematics& kinematics) {
+  const auto part = std::ranges::find_if(kinematics.signatures, [&](const auto& signature) {
+    return signature.component == finding.component && signature.mechanism == finding.mechanism;
+  });
+  if (part == kinematics.signatures.end() || part->limit_why.empty()) return "";
+  const bool is_less = finding.limit < part->depth_limit;
+  if (finding.limit == part->depth_limit) return part->limit_why;
+  if (is_less && finding.limit == part->aligned_limit) return "its lines are in phase, as a blow's";
+  if (is_less) return "the part shows in noise alone";
+  if (finding.limit == part->scatter_limit) {
+    return "the phases of its lines scatter, as by pitch errors";
+  }
+  return "noise hides what is less; " + part->limit_why;
+}
+
 // @param counts  whether it says that the part is bad
 std::string block_of(const Finding& finding, const ReportInput& input, bool counts) {
   std::string html =
@@ -54,6 +70,8 @@ std::string block_of(const Finding& finding, const ReportInput& input, bool coun
   html += fmt::format("<dt>Severity</dt><dd>modulation depth {}, limit {:.3f}{}</dd>",
                       severity_text(finding), finding.limit,
                       is_close(finding) ? ": its interval reaches across" : "");
+  const std::string reason = limit_reason(finding, input.kinematics);
+  if (!reason.empty()) html += "<dt>Limit</dt><dd>" + xml_escaped(reason) + "</dd>";
   if (std::isfinite(finding.severity_m_s2)) {
     html += "<dt>Amplitude</dt><dd>" + number(finding.severity_m_s2) + " m/s²</dd>";
   }
@@ -103,6 +121,21 @@ std::string hypotheses_table(const analysis::Diagnosis& diagnosis, std::size_t p
          table({"part", "state", "severity", "limit", "ln likelihood ratio", "p"}, rows);
 }
 
+std::string unknown_table(const std::vector<analysis::UnknownFamily>& families) {
+  if (families.empty()) return "";
+  std::vector<std::vector<std::string>> rows;
+  for (const analysis::UnknownFamily& family : families) {
+    rows.push_back({fmt::format("{:.4f}", family.spacing),
+                    family.is_locked ? "gear-like" : "bearing-like",
+                    std::to_string(family.harmonics), std::to_string(family.sidebands),
+                    family.severity > 0 ? fmt::format("{:.3f}", family.severity) : "–",
+                    p_value_text(family.p_value), std::to_string(family.points.size())});
+  }
+  return "<h3>Families that look like damage, and that no part explains</h3>\n" +
+         table({"spacing (orders)", "kind", "harmonics", "sidebands", "severity", "p", "points"},
+               rows);
+}
+
 std::string unexplained_table(const std::vector<SpectralLine>& lines, double period_turns) {
   if (lines.empty()) return "";
   std::vector<std::vector<std::string>> rows;
@@ -134,6 +167,7 @@ std::string findings_section(const ReportInput& input) {
     html += "<h3>Significant, but within limits: no part is bad for these</h3>\n";
   for (const Finding& finding : diagnosis.below_limit) html += block_of(finding, input, false);
   html += hypotheses_table(diagnosis, input.judgement.points.size());
+  html += unknown_table(diagnosis.unknown);
   html += unexplained_table(diagnosis.unexplained, input.kinematics.period_turns);
   return section("Findings", html);
 }

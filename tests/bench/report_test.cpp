@@ -45,6 +45,32 @@ TEST_CASE("the report shows the lines that decided, and what the article alone w
   CHECK_THAT(html, Contains("by the envelopes of IMF 1 to 5 alone?"));
 }
 
+TEST_CASE("the report lists families that no part explains", "[bench]") {
+  ReportInput input = failed_input();
+  const std::string heading = "Families that look like damage, and that no part explains";
+  CHECK_THAT(make_report(input), !Contains(heading));
+  input.judgement.diagnosis.unknown = {{.spacing = 1.775, .harmonics = 5, .severity = 0.31}};
+  const std::string html = make_report(input);
+  REQUIRE_THAT(html, Contains(heading));
+  CHECK_THAT(html.substr(html.find(heading)),
+             Contains("<td>1.7750</td>") && Contains("bearing-like") && Contains("0.310"));
+}
+
+TEST_CASE("the report says why a finding's limit is what it is", "[bench]") {
+  ReportInput input = failed_input();
+  analysis::Signature& part = input.kinematics.signatures[0];
+  analysis::Finding& finding = input.judgement.diagnosis.findings.at(0);
+  part.component = finding.component;
+  part.mechanism = finding.mechanism;
+  part.limit_why = "assumed: shafts are true";
+  part.depth_limit = finding.limit = 0.2;
+  CHECK_THAT(make_report(input), Contains("<dd>assumed: shafts are true</dd>"));
+  part.aligned_limit = finding.limit = 0.1;
+  CHECK_THAT(make_report(input), Contains("in phase, as a blow"));
+  part.scatter_limit = finding.limit = 0.3;
+  CHECK_THAT(make_report(input), Contains("phases of its lines scatter"));
+}
+
 TEST_CASE("the report tells the worst of each indicator, where, and what the plan allows",
           "[bench]") {
   ReportInput input = failed_input();
