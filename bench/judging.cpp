@@ -37,10 +37,12 @@ void refuse_another_machine(Judgement& judgement) {
              invalid(judgement.machine + ": cannot tell: " + judgement.not_this_machine));
 }
 
-// What refuses the data is not to be missed behind what was noted of them.
+// What refuses the data, or leaves out a channel, is not to be missed behind what was noted of
+// them.
 void put_refusals_first(std::vector<analysis::QualityNote>& notes) {
-  std::stable_partition(notes.begin(), notes.end(),
-                        std::mem_fn(&analysis::QualityNote::invalidates));
+  const auto others = std::stable_partition(notes.begin(), notes.end(),
+                                            std::mem_fn(&analysis::QualityNote::invalidates));
+  std::stable_partition(others, notes.end(), std::mem_fn(&analysis::QualityNote::leaves_out));
 }
 
 // An induction motor under load lags by up to so much behind the speed that is on its plate.

@@ -103,6 +103,12 @@ std::string SoundUnits::file_with_samples_of(const Judgement& judgement) const {
   return same == units_.end() ? "" : same->file;
 }
 
+std::vector<std::string> SoundUnits::files() const {
+  std::vector<std::string> all;
+  for (const Unit& unit : units_) all.push_back(unit.file);
+  return all;
+}
+
 std::vector<analysis::Diagnosis> SoundUnits::diagnoses() const {
   std::vector<analysis::Diagnosis> all;
   for (const Unit& unit : units_) all.push_back(unit.judgement.diagnosis);

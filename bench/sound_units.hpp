@@ -38,6 +38,8 @@ class SoundUnits {
 
   std::size_t size() const { return units_.size(); }
 
+  std::vector<std::string> files() const;
+
   /// The file of the first unit that shares a recording with this judgement; empty if none does.
   std::string file_with_samples_of(const Judgement& judgement) const;
 

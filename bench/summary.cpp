@@ -133,8 +133,10 @@ void print_quality(Console& console, const std::vector<analysis::QualityNote>& n
   if (notes.empty()) return;
   console.out << "\nQuality of the data:\n";
   for (std::size_t i = 0; i < std::min(notes.size(), most_lines); ++i) {
-    console.out << fmt::format("  {}: {}{}\n", notes[i].where, notes[i].what,
-                               notes[i].invalidates ? " (invalid)" : "");
+    const char* state = notes[i].invalidates  ? " (invalid)"
+                        : notes[i].leaves_out ? " (left out)"
+                                              : "";
+    console.out << fmt::format("  {}: {}{}\n", notes[i].where, notes[i].what, state);
   }
   if (notes.size() > most_lines) console.out << "  and " << notes.size() - most_lines << " more\n";
 }

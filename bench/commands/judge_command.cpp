@@ -291,10 +291,12 @@ std::vector<std::string> JudgeCommand::write_out(const Judgement& judgement) con
     end_if_stopped(stop_);
     return std::optional<Recording>(records_.at(point));
   };
-  for (const std::string& file : files_) {
+  const auto add_hash = [&](const std::string& file, const char* what) {
     const std::optional<std::string> hash = sha256_of_file(file);
-    if (hash) input.hashes.emplace_back(file, *hash);
-  }
+    if (hash) input.hashes.emplace_back(file + what, *hash);
+  };
+  for (const std::string& file : files_) add_hash(file, "");
+  for (const std::string& file : baseline_.files()) add_hash(file, " (sound unit)");
   const auto verdict = folder / "verdict.json";
   const auto report = folder / "report.html";
   return unwritten_files(

@@ -32,6 +32,11 @@ std::string events_table(const RunFacts& facts) {
   return "<h3>Events</h3>\n" + table({"time [s]", "event"}, rows);
 }
 
+std::string state_of(const analysis::QualityNote& note) {
+  if (note.invalidates) return "<b>invalid</b>";
+  return note.leaves_out ? "<b>left out</b>" : "noted";
+}
+
 std::string hashes_table(const ReportInput& input) {
   if (input.hashes.empty()) return "";
   std::vector<std::vector<std::string>> rows;
@@ -123,7 +128,7 @@ std::string limits_section(const ReportInput& input) {
   std::vector<std::vector<std::string>> notes;
   for (const analysis::QualityNote& note : input.judgement.diagnosis.quality) {
     notes.push_back({xml_escaped(readable_place(input.judgement, note.where)),
-                     xml_escaped(note.what), note.invalidates ? "<b>invalid</b>" : "noted"});
+                     xml_escaped(note.what), state_of(note)});
   }
   for (const JudgedPoint& point : input.judgement.points) {
     if (point.status == "ok" || point.status == not_recorded) continue;

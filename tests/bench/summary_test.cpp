@@ -142,4 +142,13 @@ TEST_CASE("missing result files are named on standard error", "[bench]") {
   CHECK(out.str().empty());
 }
 
+TEST_CASE("a channel that was left out is told as such", "[bench]") {
+  Judgement judgement = test::passed_run();
+  judgement.diagnosis.quality = {{"accel_3x", "no signal", false, true},
+                                 {"accel_1x", "an offset", false, false}};
+  const std::string text = test::summary_of(judgement);
+  CHECK_THAT(text, Contains("accel_3x: no signal (left out)\n"));
+  CHECK_THAT(text, Contains("accel_1x: an offset\n"));
+}
+
 }  // namespace rvbench::bench
