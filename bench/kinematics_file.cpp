@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -34,15 +35,35 @@ hal::ConfigReader open(const std::string& name_or_path) {
                          : hal::ConfigReader::from_file(name_or_path);
 }
 
+// Whether so many circles lie on a larger one without touching: balls in a bearing, planets round a
+// sun.
+bool have_room(int count, double diameter, double pitch_diameter) {
+  constexpr double rounding = 1.001;
+  return count < 2 || diameter <= rounding * pitch_diameter * std::sin(std::numbers::pi / count);
+}
+
+bool have_room(const analysis::BearingGeometry& bearing) {
+  return have_room(bearing.rolling_elements, bearing.ball_diameter_mm, bearing.pitch_diameter_mm);
+}
+
+// The teeth of one planet reach a tooth's addendum, half a tooth's share of its diameter, towards
+// the next.
+bool planets_have_room(int planets, int sun_teeth, int planet_teeth) {
+  return have_room(planets, planet_teeth + 1, sun_teeth + planet_teeth);
+}
+
 constexpr hal::Bounds race_orders{0.1, 1000};
 
 // Makers state a bearing by its size, or by what its races do per turn.
 void read_sizes(hal::ConfigReader& b, analysis::BearingGeometry& geometry) {
+  const std::size_t faults_before = b.faults().size();
   geometry.rolling_elements = b.integer("rolling_elements", {2, 1000});
   geometry.ball_diameter_mm = b.number("ball_diameter_mm", length_mm);
   geometry.pitch_diameter_mm = b.number("pitch_diameter_mm", length_mm);
   if (geometry.ball_diameter_mm >= geometry.pitch_diameter_mm) {
     b.fault("ball_diameter_mm", "must be below pitch_diameter_mm");
+  } else if (b.faults().size() == faults_before && !have_room(geometry)) {
+    b.fault("rolling_elements", "have no room on the pitch diameter beside each other");
   }
 }
 
@@ -66,6 +87,8 @@ void read_races(hal::ConfigReader& b, analysis::BearingGeometry& geometry) {
     geometry = analysis::bearing_of_races(outer, inner, geometry.contact_angle_deg);
     if (geometry.ball_diameter_mm >= geometry.pitch_diameter_mm) {
       b.fault("contact_angle_deg", "is too large for these races");
+    } else if (!have_room(geometry)) {
+      b.fault("inner_race_order", "and outer_race_order leave no room for the rolling elements");
     }
   }
 }
@@ -91,6 +114,7 @@ double read_rated_Nm(hal::ConfigReader& reducer) {
 }
 
 analysis::Kinematics read_rv_reducer(const std::string& machine, hal::ConfigReader& root) {
+  const std::size_t faults_before = root.faults().size();
   hal::ConfigReader rv = root.object("rv_reducer");
   const analysis::RvGeometry geometry{.sun_teeth = rv.integer("sun_teeth", teeth),
                                       .planet_teeth = rv.integer("planet_teeth", teeth),
@@ -100,6 +124,10 @@ analysis::Kinematics read_rv_reducer(const std::string& machine, hal::ConfigRead
   const bool both_stated = rv.has("lobes") && rv.has("pins");
   if (both_stated && geometry.pins != geometry.lobes + 1) {
     rv.fault("pins", "must be one more than lobes (" + std::to_string(geometry.lobes) + ")");
+  }
+  if (root.faults().size() == faults_before &&
+      !planets_have_room(geometry.planets, geometry.sun_teeth, geometry.planet_teeth)) {
+    rv.fault("planets", "have no room round the sun beside each other");
   }
   analysis::BearingGeometry bearing;
   if (auto b = rv.optional_object("crank_bearing")) bearing = read_bearing(*b);
@@ -122,6 +150,10 @@ analysis::Kinematics read_planetary(const std::string& machine, hal::ConfigReade
   const bool are_stated = root.faults().size() == faults_before;
   if (are_stated && std::abs(geometry.ring_teeth - fitting) > analysis::most_shifted_teeth) {
     stage.fault("ring_teeth", fmt::format("must be about sun_teeth + 2 planet_teeth, {}", fitting));
+  }
+  if (are_stated &&
+      !planets_have_room(geometry.planets, geometry.sun_teeth, geometry.planet_teeth)) {
+    stage.fault("planets", "have no room round the sun beside each other");
   }
   analysis::BearingGeometry bearing;
   if (auto b = stage.optional_object("planet_bearing")) bearing = read_bearing(*b, "inner");
@@ -221,6 +253,17 @@ analysis::Kinematics read_gear_train(const std::string& machine, hal::ConfigRead
   const std::vector<double> orders = analysis::shaft_orders(train);
   for (std::size_t i = 0; i < orders.size(); ++i) {
     if (orders[i] == 0) root.fault("shafts", "no mesh leads to " + train.shafts[i].name);
+  }
+  for (const analysis::GearTrain::Mesh& mesh : train.meshes) {
+    if (mesh.driven < 0) continue;
+    const double driven = orders[std::size_t(mesh.driven)];
+    const double by_mesh = orders[std::size_t(mesh.driver)] * mesh.driver_teeth / mesh.driven_teeth;
+    constexpr double rounding = 1e-9;
+    if (std::abs(by_mesh - driven) <= rounding * driven) continue;
+    root.fault("meshes", fmt::format("mesh {} turns {} {:.5g} times per turn of the input, another "
+                                     "mesh {:.5g} times",
+                                     mesh.name, train.shafts[std::size_t(mesh.driven)].name,
+                                     by_mesh, driven));
   }
   return root.faults().empty() ? analysis::gear_train(train) : analysis::Kinematics{};
 }
