@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <system_error>
@@ -11,8 +12,10 @@
 #include "bench/file_kind.hpp"
 #include "bench/judging.hpp"
 #include "bench/kinematics_file.hpp"
+#include "bench/kinematics_files.hpp"
 #include "bench/ledger.hpp"
 #include "bench/limits_file.hpp"
+#include "bench/part_limits.hpp"
 #include "bench/recording_facts.hpp"
 #include "bench/results/audit_index.hpp"
 #include "bench/results/run_filter.hpp"
@@ -42,11 +45,6 @@ Faults plan_faults(const std::string& file) {
     return {{0, "/specimen/kinematics", hal::describe(test.specimen.kinematics, first)}};
   }
   return limits_on_unknown_parts(test.limits, std::get<0>(kinematics));
-}
-
-Faults kinematics_faults(const std::string& file) {
-  auto kinematics = read_kinematics(file);
-  return kinematics.index() == 1 ? std::get<1>(std::move(kinematics)) : Faults{};
 }
 
 Faults plant_faults(const std::string& file) {
@@ -82,7 +80,6 @@ Faults broker_faults(const std::string& file) {
 Faults faults_of(const std::string& kind, const std::string& file) {
   if (kind == "plan") return plan_faults(file);
   if (kind == "rig") return check_rig(file);
-  if (kind == "kinematics") return kinematics_faults(file);
   if (kind == "plant") return plant_faults(file);
   if (kind == "campaign") return campaign_faults(file);
   if (kind == "tpa") return tpa_faults(file);
@@ -191,12 +188,24 @@ int check_ledger(Console& console, const std::filesystem::path& file) {
   return exit_codes::done;
 }
 
+int check_machine(Console& console, const std::string& file) {
+  const auto kinematics = read_kinematics(file);
+  if (kinematics.index() == 1) {
+    return refuse_file(console, file, with_lines(file, std::get<1>(kinematics)));
+  }
+  console.out << file << ": kinematics, no fault\n" << part_limits_text(std::get<0>(kinematics));
+  return exit_codes::done;
+}
+
 int check_file(Console& console, const std::string& file) {
   if (std::filesystem::path(file).filename() == ledger_name) return check_ledger(console, file);
   if (is_audit_log(file)) return check_audit_log(console, file);
   if (is_recording(file)) return check_recording(console, file);
+  const bool is_shipped = std::ranges::count(names_of(kinematics_files()), file) > 0;
+  if (is_shipped && is_absent(file)) return check_machine(console, file);
   const hal::ConfigReader root = hal::ConfigReader::from_file(file);
   const std::string kind = file_kind(root);
+  if (kind == "kinematics") return check_machine(console, file);
   const Faults faults =
       kind.empty() && !root.faults().empty() ? root.faults() : faults_of(kind, file);
   if (!faults.empty()) return refuse_file(console, file, with_lines(file, faults));
@@ -218,6 +227,7 @@ class CheckCommand final : public Command {
   std::string examples() const override {
     return "  rvbench check plans/mine.json bench_a.json\n"
            "  rvbench check gear.csv                     its channels, rate and length\n"
+           "  rvbench check rv20e                        a machine's parts, with their limits\n"
            "  rvbench check runs/A17/20260102T030405Z    verifies the hashes of a run\n"
            "  rvbench check runs/ledger.jsonl            what stations have kept\n"
            "  rvbench check runs/.station/audit.jsonl    verifies the chain of hashes\n";

@@ -175,6 +175,14 @@ TEST_CASE("check follows what a plan and a rig name", "[bench]") {
   CHECK_THAT(answer.err, Contains("rig.json:1: /recording: gone.h5: no such file"));
 }
 
+TEST_CASE("check prints the parts of a machine with their limits, and why", "[bench]") {
+  const CommandAnswer answer = rvbench({"check", "rv20e"});
+  CHECK(answer.code == 0);
+  CHECK_THAT(answer.out, Contains("rv20e: kinematics, no fault") && Contains("pin_housing") &&
+                             Contains("0.04: assumed: pins of one class share the load alike"));
+  CHECK_THAT(answer.out, Contains("0.1 (0.2 scattered): assumed: pitch errors"));
+}
+
 TEST_CASE("judge never guesses a rate or a speed", "[bench]") {
   const ScratchFolder scratch;
   const std::string file = (scratch.path() / "bare.csv").string();

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <deque>
+#include <fstream>
 #include <regex>
 #include <string>
 
@@ -54,6 +55,24 @@ TEST_CASE("the guide to the first PASS is true", "[packaging]") {
 
 TEST_CASE("the guide from simulation to a bench is true", "[packaging]") {
   CHECK(follow("your_bench.md") >= 6);
+}
+
+TEST_CASE("the guide to a machine of one's own is true", "[packaging]") {
+  CHECK(follow("your_machine.md") >= 2);
+  const Installed installed;
+  const ScratchFolder desk;
+  const std::string text = installed.text_of("share/doc/rvbench/guide/your_machine.md");
+  const std::regex block("```json\n([^`]*)```");
+  int machines = 0;
+  for (std::sregex_iterator found(text.begin(), text.end(), block), end; found != end; ++found) {
+    std::ofstream(desk / "machine.json") << found->str(1);
+    const std::string rvbench = (installed / "bin/rvbench").string();
+    const Answer answer = bash(desk.path(), rvbench + " check machine.json");
+    INFO(found->str(1) << answer.err);
+    CHECK(answer.code == 0);
+    ++machines;
+  }
+  CHECK(machines == 3);
 }
 
 TEST_CASE("a guide's blocks are read as they are meant", "[packaging]") {
