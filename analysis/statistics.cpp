@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <unsupported/Eigen/SpecialFunctions>
 #include <utility>
@@ -14,6 +15,10 @@ double median(std::vector<double> values) {
   std::nth_element(values.begin(), middle, values.end());
   if (values.size() % 2 == 1) return *middle;
   return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+double variance_of_median(const std::vector<double>& variances) {
+  return std::numbers::pi / 2 * median(variances) / static_cast<double>(variances.size());
 }
 
 double median_near(double guess, std::vector<double> values) {

@@ -9,6 +9,12 @@ namespace rvbench::analysis {
 /// Units  those of the values. @throws std::invalid_argument if there is none. Source  definition
 double median(std::vector<double> values);
 
+/// Variance of the median of independent values, each of which has its own: π/2 times that of their
+/// mean, which is taken by the middle one.
+/// Units  those of the variances. @throws std::invalid_argument if there is none
+/// Source  Kendall & Stuart, The Advanced Theory of Statistics 1, 14.12: of normal values
+double variance_of_median(const std::vector<double>& variances);
+
 /// The same value, found sooner between guess/1.5 and 1.5·guess. Units, errors, source  of median()
 double median_near(double guess, std::vector<double> values);
 

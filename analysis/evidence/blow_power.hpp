@@ -26,10 +26,24 @@ double reference_mean_square(const ResidualEnvelope& channel, const Kinematics& 
 /// Swing of the squared envelope over its mean, where blows of a severity are in what is left.
 double swing_by(double severity, const ResidualEnvelope& channel, const Kinematics& kinematics);
 
-/// Squared depth of blows `order` times per turn in each channel; NaN where it has no envelope.
+/// How deep blows are in one channel.
+struct BlowDepth {
+  double depth2 = not_known;  ///< squared; NaN where the channel has no envelope
+  double variance = 0;        ///< of that, by noise
+};
+
+/// Of blows `order` times per turn, in each channel.
 /// Units   depth: rms of the blows times √2, over the root of reference_mean_square()
-std::vector<double> blow_depths2(const std::vector<ResidualEnvelope>& channels,
-                                 const Kinematics& kinematics, double order);
+std::vector<BlowDepth> blow_depths(const std::vector<ResidualEnvelope>& channels,
+                                   const Kinematics& kinematics, double order);
+
+/// Median of blow_depths() over the channels that have an envelope, one at least; squared.
+double median_depth2(const std::vector<BlowDepth>& depths);
+
+/// How much the squared envelope of a channel swings over its mean at an order, 0-to-peak and
+/// without noise: the strongest of the lines that slip may have spread it over. 0 on a line of the
+/// gear train.
+double swing_at(const ResidualEnvelope& channel, double order);
 
 /// Without those that are NaN.
 double median_of_known(std::vector<double> values);

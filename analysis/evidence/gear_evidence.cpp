@@ -103,13 +103,10 @@ void score_part(const std::vector<std::vector<GearReading>>& readings, const Par
   };
   const double log_ratio = line_sums.unaryExpr(combined).sum();
   const Eigen::VectorXd decoys = decoy_sums.unaryExpr(combined).colwise().sum();
-  const auto channels = static_cast<double>(depths2.size());
   score.depth = std::sqrt(std::max(0.0, median(depths2)));
   score.amplitude = median(std::move(amplitudes));
   score.in_phase = phases.empty() ? not_known : median(std::move(phases));
-  // A median's own variance is π/2 of a mean's.
-  constexpr double of_median = 1.57;
-  score.depth2_variance = of_median * median(variances) / channels;
+  score.depth2_variance = variance_of_median(variances);
   score.log_likelihood_ratio = log_ratio - median({decoys.begin(), decoys.end()});
   score.p_value = decoy_p_value(log_ratio, decoys);
   score.smallest_visible = smallest_visible(readings, s, decoys);

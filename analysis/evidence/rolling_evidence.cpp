@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 #include "analysis/evidence/blow_power.hpp"
 #include "analysis/evidence/blow_search.hpp"
 #include "analysis/evidence/unknown_blows.hpp"
+#include "analysis/statistics.hpp"
 
 namespace rvbench::analysis {
 namespace {
@@ -88,7 +88,7 @@ class BearingScore {
   // Median over the channels; 0 where the part does not show.
   double depth2(std::size_t part, const FoundBlows& blows) const {
     if (blows.p_value >= significant_p) return 0;
-    return median_of_known(blow_depths2(channels_, k_, k_.signatures[part].order * blows.stretch));
+    return median_depth2(blow_depths(channels_, k_, k_.signatures[part].order * blows.stretch));
   }
 
   // At the cage speed that the other race has set, to half a line.
@@ -110,25 +110,27 @@ class BearingScore {
     score.log_likelihood_ratio = blows.excess;
     score.p_value = blows.p_value;
     score.smallest_visible = blows.smallest_visible;
-    score.depth2_variance = std::numeric_limits<double>::min();
     score.channel_amplitudes.assign(channels_.size(), 0.0);
     if (blows.p_value >= plausible_p) return;
-    const std::vector<double> depths2 = blow_depths2(channels_, k_, score.order);
-    score.depth = std::sqrt(median_of_known(depths2));
-    std::vector<double> amplitudes;
+    const std::vector<BlowDepth> depths = blow_depths(channels_, k_, score.order);
+    score.depth = std::sqrt(median_depth2(depths));
+    std::vector<double> amplitudes, variances;
     double deepest2 = -1;
-    for (std::size_t c = 0; c < depths2.size(); ++c) {
-      amplitudes.push_back(std::sqrt(depths2[c] * reference_mean_square(channels_[c], k_)));
-      if (std::isnan(amplitudes[c])) continue;
-      score.channel_amplitudes[c] = amplitudes[c];
-      if (depths2[c] <= deepest2) continue;
-      deepest2 = depths2[c];
+    for (std::size_t c = 0; c < depths.size(); ++c) {
+      if (std::isnan(depths[c].depth2)) continue;
+      variances.push_back(depths[c].variance);
+      amplitudes.push_back(std::sqrt(depths[c].depth2 * reference_mean_square(channels_[c], k_)));
+      score.channel_amplitudes[c] = amplitudes.back();
+      if (depths[c].depth2 <= deepest2) continue;
+      deepest2 = depths[c].depth2;
       score.channel = static_cast<int>(c);
     }
-    score.amplitude = median_of_known(std::move(amplitudes));
+    score.amplitude = median(std::move(amplitudes));
+    score.depth2_variance = variance_of_median(variances);
     for (int h = 1; h <= blow_harmonics; ++h) {
       score.line_orders.push_back(h * score.order);
-      score.line_depths.push_back(score.depth / h);
+      score.line_depths.push_back(
+          swing_at(channels_[static_cast<std::size_t>(score.channel)], h * score.order));
     }
   }
 

@@ -63,7 +63,7 @@ class UnknownBlows {
     family.p_value = std::min(
         1.0, tries * 0.5 * std::erfc((best_root - centre) / deviation / std::numbers::sqrt2));
     if (family.p_value > significant_p || family.harmonics == 0) return {};
-    family.severity = std::sqrt(median_of_known(blow_depths2(channels_, k_, best)));
+    family.severity = std::sqrt(median_depth2(blow_depths(channels_, k_, best)));
     return {family};
   }
 

@@ -22,6 +22,18 @@ TEST_CASE("the median is the middle value, or midway between the two", "[analysi
   CHECK_THROWS_AS(median({}), std::invalid_argument);
 }
 
+TEST_CASE("a median of normal values varies as stated", "[analysis][statistics]") {
+  constexpr int draws = 2000, values = 51;
+  const Eigen::VectorXd noise = test::white_noise(draws * values, 17);
+  double squares = 0;
+  for (int draw = 0; draw < draws; ++draw) {
+    const auto some = noise.segment(draw * values, values);
+    squares += std::pow(median({some.begin(), some.end()}), 2);
+  }
+  CHECK(squares / draws ==
+        Approx(analysis::variance_of_median(std::vector<double>(values, 1.0))).epsilon(0.08));
+}
+
 TEST_CASE("a guess of the median, good or bad, changes nothing of it", "[analysis][statistics]") {
   const int count = GENERATE(1, 2, 5, 100, 101);
   const Eigen::VectorXd power = test::white_noise(count, 4).array().square();

@@ -2,9 +2,12 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numeric>
 #include <random>
 
+#include "analysis/evidence/blow_power.hpp"
 #include "analysis/evidence/residual_envelope.hpp"
+#include "analysis/statistics.hpp"
 #include "tests/analysis/order_signals.hpp"
 #include "tests/analysis/reducers.hpp"
 
@@ -120,6 +123,40 @@ TEST_CASE("the depth of blows is their amplitude over the gears' rms", "[analysi
   const double blows2 = 9 * inner_race * ball_shaft.speed_Hz / ball_shaft.rate_Hz;
   // What the scatter of the steps leaves in one line of the second harmonic, and the band to 0.4.
   CHECK(bad.depth == Approx(std::sqrt(2 * blows2 * 0.8 / 2.5)).epsilon(0.25));
+}
+
+// The blows stay, and the noise is drawn anew.
+TEST_CASE("the depth of blows varies with noise as stated", "[analysis][evidence]") {
+  constexpr int draws = 24;
+  const Eigen::VectorXd struck = sound_meshes() + 1.5 * race_blows(inner_race, 7);
+  std::vector<double> depths2, variances;
+  for (unsigned draw = 0; draw < draws; ++draw) {
+    const SignatureScore bad =
+        scored_blows({struck + 0.3 * ball_shaft.noise(100 + draw)}).of("bearing_inner");
+    REQUIRE(bad.p_value < 1e-3);
+    depths2.push_back(bad.depth * bad.depth);
+    variances.push_back(bad.depth2_variance);
+  }
+  const double mean = std::accumulate(depths2.begin(), depths2.end(), 0.0) / draws;
+  double squares = 0;
+  for (const double depth2 : depths2) squares += (depth2 - mean) * (depth2 - mean);
+  // One channel: its median is itself. Twenty-four draws know a deviation to a seventh.
+  const double stated = std::sqrt(analysis::median(variances) / analysis::variance_of_median({1}));
+  CHECK(std::sqrt(squares / (draws - 1)) == Approx(stated).epsilon(0.6));
+}
+
+TEST_CASE("the lines listed are what the squared envelope holds", "[analysis][evidence]") {
+  const double order = 415.0 / 336;  // a line of the record, and none of the gear train
+  const Eigen::VectorXd x =
+      sound_meshes() +
+      (ball_shaft.noise(3).array() * (1 + 0.3 * ball_shaft.tone(order).array())).matrix();
+  const ResidualEnvelope envelope = residual_of(x);
+  CHECK(analysis::swing_at(envelope, order) == Approx(0.9 * 0.6 / 1.045).epsilon(0.15));
+  CHECK(analysis::swing_at(envelope, 26.0 / 21) == 0);
+  CHECK(analysis::swing_at(envelope, 2.5 * order) < 0.15);
+  const SignatureScore bad = spalled_race(inner_race, 3).of("bearing_inner");
+  REQUIRE(bad.line_orders.size() == 4);
+  CHECK(bad.line_depths[0] > bad.line_depths[3]);
 }
 
 TEST_CASE("one cage speed ties both races", "[analysis][evidence]") {
