@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -16,26 +17,27 @@ namespace {
 struct DestroyPlan {
   void operator()(fftw_plan plan) const { fftw_destroy_plan(plan); }
 };
-using Plan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, DestroyPlan>;
+using Plan = std::shared_ptr<std::remove_pointer_t<fftw_plan>>;
 
-// Planning costs about as much as executing, so each thread keeps the plans of its last lengths.
-// FFTW's planner shares state between threads; its own lock makes planning and destroying safe,
-// executing is so anyway.
+// Planning costs about as much as executing, so the plans of the last lengths are kept, for all
+// threads: a plan may be executed by many at once.
 class Plans {
  public:
   template <class Make>
-  fftw_plan find_or_make(Eigen::Index n, Make make) {
+  Plan find_or_make(Eigen::Index n, Make make) {
     if (n > std::numeric_limits<int>::max()) throw std::invalid_argument("fft: too many samples");
+    const std::scoped_lock lock(mutex_);
+    if (const auto known = plans_.find(n); known != plans_.end()) return known->second;
     static const bool planner_is_safe = (fftw_make_planner_thread_safe(), true);
     static_cast<void>(planner_is_safe);
-    if (const auto known = plans_.find(n); known != plans_.end()) return known->second.get();
     if (plans_.size() == most_lengths) plans_.clear();
-    return plans_.emplace(n, Plan(make(static_cast<int>(n)))).first->second.get();
+    return plans_.emplace(n, Plan(make(static_cast<int>(n)), DestroyPlan{})).first->second;
   }
 
  private:
-  // More than one channel of a judgement asks for: it would plan each length anew per channel.
-  static constexpr std::size_t most_lengths = 24;
+  // More than one judgement asks for: it would plan each length anew per channel.
+  static constexpr std::size_t most_lengths = 64;
+  std::mutex mutex_;
   std::map<Eigen::Index, Plan> plans_;
 };
 
@@ -45,10 +47,10 @@ fftw_complex* as_fftw(Eigen::VectorXcd& lines) {
 
 Eigen::VectorXcd transformed(Plans& plans, Eigen::VectorXcd x, int sign) {
   if (x.size() == 0) return x;
-  const fftw_plan plan = plans.find_or_make(x.size(), [&](int n) {
+  const Plan plan = plans.find_or_make(x.size(), [&](int n) {
     return fftw_plan_dft_1d(n, as_fftw(x), as_fftw(x), sign, FFTW_ESTIMATE);
   });
-  fftw_execute_dft(plan, as_fftw(x), as_fftw(x));
+  fftw_execute_dft(plan.get(), as_fftw(x), as_fftw(x));
   return x;
 }
 
@@ -66,11 +68,11 @@ Eigen::VectorXcd fft(const Eigen::Ref<const Eigen::VectorXd>& x) {
   if (x.size() == 0) throw std::invalid_argument("fft: no samples");
   Eigen::VectorXd in = x;
   Eigen::VectorXcd lines(x.size() / 2 + 1);
-  thread_local Plans plans;
-  const fftw_plan plan = plans.find_or_make(x.size(), [&](int n) {
+  static Plans plans;
+  const Plan plan = plans.find_or_make(x.size(), [&](int n) {
     return fftw_plan_dft_r2c_1d(n, in.data(), as_fftw(lines), FFTW_ESTIMATE);
   });
-  fftw_execute_dft_r2c(plan, in.data(), as_fftw(lines));
+  fftw_execute_dft_r2c(plan.get(), in.data(), as_fftw(lines));
   return lines;
 }
 
@@ -80,21 +82,21 @@ Eigen::VectorXd inverse_fft(Eigen::VectorXcd lines, Eigen::Index n) {
                                 " lines cannot make " + std::to_string(n) + " samples");
   }
   Eigen::VectorXd x(n);
-  thread_local Plans plans;
-  const fftw_plan plan = plans.find_or_make(n, [&](int size) {
+  static Plans plans;
+  const Plan plan = plans.find_or_make(n, [&](int size) {
     return fftw_plan_dft_c2r_1d(size, as_fftw(lines), x.data(), FFTW_ESTIMATE);
   });
-  fftw_execute_dft_c2r(plan, as_fftw(lines), x.data());
+  fftw_execute_dft_c2r(plan.get(), as_fftw(lines), x.data());
   return x / static_cast<double>(n);
 }
 
 Eigen::VectorXcd complex_fft(Eigen::VectorXcd x) {
-  thread_local Plans plans;
+  static Plans plans;
   return transformed(plans, std::move(x), FFTW_FORWARD);
 }
 
 Eigen::VectorXcd inverse_complex_fft(Eigen::VectorXcd lines) {
-  thread_local Plans plans;
+  static Plans plans;
   const auto n = static_cast<double>(lines.size());
   Eigen::VectorXcd x = transformed(plans, std::move(lines), FFTW_BACKWARD);
   x /= n;
