@@ -63,7 +63,7 @@ TEST_CASE("fast lengths have no factor but 2, 3 and 5", "[analysis][fft]") {
 
 TEST_CASE("more lengths than plans are kept all come out right", "[analysis][fft]") {
   for (int round = 0; round < 2; ++round) {
-    for (Eigen::Index n = 2; n < 40; ++n) {
+    for (Eigen::Index n = 2; n < 100; ++n) {
       const Eigen::VectorXd x = test::white_noise(n, 2);
       CHECK((inverse_fft(fft(x), n) - x).cwiseAbs().maxCoeff() < 1e-14);
     }
@@ -88,4 +88,17 @@ TEST_CASE("neither threads nor memory addresses change a bit", "[analysis][fft][
   Eigen::VectorXd shifted(x.size() + 1);
   shifted.tail(x.size()) = x;  // aligned differently from x
   CHECK(fft(shifted.segment(1, 4960)) == alone[2]);
+}
+
+TEST_CASE("a plan that makes room for another is not lost to a thread that uses it",
+          "[analysis][fft][threads]") {
+  constexpr std::size_t lengths = 100;  // more than there are plans kept
+  std::vector<Eigen::VectorXcd> alone(lengths), at_once(lengths);
+  const auto transformed = [](std::size_t i) {
+    return fft(test::white_noise(static_cast<Eigen::Index>(i % 70 + 30), 3));
+  };
+  for (std::size_t i = 0; i < lengths; ++i) alone[i] = transformed(i);
+  parallel_for(
+      lengths, [&](std::size_t i) { at_once[i] = transformed(i); }, 4);
+  for (std::size_t i = 0; i < lengths; ++i) CHECK(at_once[i] == alone[i]);
 }
