@@ -42,28 +42,34 @@ bool have_room(int count, double diameter, double pitch_diameter) {
   return count < 2 || diameter <= rounding * pitch_diameter * std::sin(std::numbers::pi / count);
 }
 
-bool have_room(const analysis::BearingGeometry& bearing) {
-  return have_room(bearing.rolling_elements, bearing.ball_diameter_mm, bearing.pitch_diameter_mm);
-}
+class Doubts {
+ public:
+  void doubt_bearing(const std::string& at, const analysis::BearingGeometry& bearing) {
+    if (have_room(bearing.rolling_elements, bearing.ball_diameter_mm, bearing.pitch_diameter_mm)) {
+      return;
+    }
+    list.push_back({0, at, "its rolling elements have no room beside each other"});
+  }
 
-// The teeth of one planet reach a tooth's addendum, half a tooth's share of its diameter, towards
-// the next.
-bool planets_have_room(int planets, int sun_teeth, int planet_teeth) {
-  return have_room(planets, planet_teeth + 1, sun_teeth + planet_teeth);
-}
+  // The teeth of one planet reach an addendum, half a tooth's share of its diameter, towards the
+  // next.
+  void doubt_planets(const std::string& at, int planets, int sun_teeth, int planet_teeth) {
+    if (have_room(planets, planet_teeth + 1, sun_teeth + planet_teeth)) return;
+    list.push_back({0, at, "the planets have no room round the sun beside each other"});
+  }
+
+  std::vector<hal::ConfigFault> list;
+};
 
 constexpr hal::Bounds race_orders{0.1, 1000};
 
 // Makers state a bearing by its size, or by what its races do per turn.
 void read_sizes(hal::ConfigReader& b, analysis::BearingGeometry& geometry) {
-  const std::size_t faults_before = b.faults().size();
   geometry.rolling_elements = b.integer("rolling_elements", {2, 1000});
   geometry.ball_diameter_mm = b.number("ball_diameter_mm", length_mm);
   geometry.pitch_diameter_mm = b.number("pitch_diameter_mm", length_mm);
   if (geometry.ball_diameter_mm >= geometry.pitch_diameter_mm) {
     b.fault("ball_diameter_mm", "must be below pitch_diameter_mm");
-  } else if (b.faults().size() == faults_before && !have_room(geometry)) {
-    b.fault("rolling_elements", "have no room on the pitch diameter beside each other");
   }
 }
 
@@ -87,8 +93,6 @@ void read_races(hal::ConfigReader& b, analysis::BearingGeometry& geometry) {
     geometry = analysis::bearing_of_races(outer, inner, geometry.contact_angle_deg);
     if (geometry.ball_diameter_mm >= geometry.pitch_diameter_mm) {
       b.fault("contact_angle_deg", "is too large for these races");
-    } else if (!have_room(geometry)) {
-      b.fault("inner_race_order", "and outer_race_order leave no room for the rolling elements");
     }
   }
 }
@@ -113,8 +117,8 @@ double read_rated_Nm(hal::ConfigReader& reducer) {
   return reducer.has(key) ? reducer.number(key, {0.1, 100000}) : not_known;
 }
 
-analysis::Kinematics read_rv_reducer(const std::string& machine, hal::ConfigReader& root) {
-  const std::size_t faults_before = root.faults().size();
+analysis::Kinematics read_rv_reducer(const std::string& machine, hal::ConfigReader& root,
+                                     Doubts& doubts) {
   hal::ConfigReader rv = root.object("rv_reducer");
   const analysis::RvGeometry geometry{.sun_teeth = rv.integer("sun_teeth", teeth),
                                       .planet_teeth = rv.integer("planet_teeth", teeth),
@@ -125,21 +129,21 @@ analysis::Kinematics read_rv_reducer(const std::string& machine, hal::ConfigRead
   if (both_stated && geometry.pins != geometry.lobes + 1) {
     rv.fault("pins", "must be one more than lobes (" + std::to_string(geometry.lobes) + ")");
   }
-  if (root.faults().size() == faults_before &&
-      !planets_have_room(geometry.planets, geometry.sun_teeth, geometry.planet_teeth)) {
-    rv.fault("planets", "have no room round the sun beside each other");
-  }
   analysis::BearingGeometry bearing;
   if (auto b = rv.optional_object("crank_bearing")) bearing = read_bearing(*b);
   const double rated_Nm = read_rated_Nm(rv);
   root.finish();
   if (!root.faults().empty()) return {};
+  doubts.doubt_bearing("/rv_reducer/crank_bearing", bearing);
+  doubts.doubt_planets("/rv_reducer/planets", geometry.planets, geometry.sun_teeth,
+                       geometry.planet_teeth);
   analysis::Kinematics kinematics = analysis::rv_reducer(machine, geometry, bearing);
   kinematics.rated_output_torque_Nm = rated_Nm;
   return kinematics;
 }
 
-analysis::Kinematics read_planetary(const std::string& machine, hal::ConfigReader& root) {
+analysis::Kinematics read_planetary(const std::string& machine, hal::ConfigReader& root,
+                                    Doubts& doubts) {
   const std::size_t faults_before = root.faults().size();
   hal::ConfigReader stage = root.object("planetary");
   const analysis::PlanetaryGeometry geometry{.sun_teeth = stage.integer("sun_teeth", teeth),
@@ -151,15 +155,14 @@ analysis::Kinematics read_planetary(const std::string& machine, hal::ConfigReade
   if (are_stated && std::abs(geometry.ring_teeth - fitting) > analysis::most_shifted_teeth) {
     stage.fault("ring_teeth", fmt::format("must be about sun_teeth + 2 planet_teeth, {}", fitting));
   }
-  if (are_stated &&
-      !planets_have_room(geometry.planets, geometry.sun_teeth, geometry.planet_teeth)) {
-    stage.fault("planets", "have no room round the sun beside each other");
-  }
   analysis::BearingGeometry bearing;
   if (auto b = stage.optional_object("planet_bearing")) bearing = read_bearing(*b, "inner");
   const double rated_Nm = read_rated_Nm(stage);
   root.finish();
   if (!root.faults().empty()) return {};
+  doubts.doubt_bearing("/planetary/planet_bearing", bearing);
+  doubts.doubt_planets("/planetary/planets", geometry.planets, geometry.sun_teeth,
+                       geometry.planet_teeth);
   analysis::Kinematics kinematics = analysis::planetary_stage(machine, geometry, bearing);
   kinematics.rated_output_torque_Nm = rated_Nm;
   return kinematics;
@@ -221,7 +224,8 @@ analysis::GearTrain::Mesh read_mesh(hal::ConfigReader& m, const Names& shafts, G
   return mesh;
 }
 
-analysis::Kinematics read_gear_train(const std::string& machine, hal::ConfigReader& root) {
+analysis::Kinematics read_gear_train(const std::string& machine, hal::ConfigReader& root,
+                                     Doubts& doubts) {
   analysis::GearTrain train;
   train.machine = machine;
   Names shafts("shaft"), shaft_components("shaft of component"), meshes("mesh"),
@@ -244,6 +248,7 @@ analysis::Kinematics read_gear_train(const std::string& machine, hal::ConfigRead
     bearing.shaft = shafts.find(b, "shaft");
     bearing.slip = b.number("slip", {0, 0.1}, bearing.slip);
     bearing.geometry = read_bearing(b);
+    doubts.doubt_bearing(fmt::format("/bearings/{}", train.bearings.size()), bearing.geometry);
     train.bearings.push_back(std::move(bearing));
   }
   if (train.shafts.empty() && root.faults().empty())
@@ -270,7 +275,7 @@ analysis::Kinematics read_gear_train(const std::string& machine, hal::ConfigRead
 
 }  // namespace
 
-std::variant<analysis::Kinematics, std::vector<hal::ConfigFault>> read_kinematics(
+std::variant<DoubtedMachine, std::vector<hal::ConfigFault>> read_machine(
     const std::string& name_or_path) {
   using Faults = std::vector<hal::ConfigFault>;
   if (shipped(name_or_path) == nullptr && is_absent(name_or_path)) {
@@ -282,11 +287,20 @@ std::variant<analysis::Kinematics, std::vector<hal::ConfigFault>> read_kinematic
   if (auto fault = other_kind_fault(root, "kinematics")) return Faults{*fault};
   const std::string machine = root.text("machine");
   root.text("source", "");
-  analysis::Kinematics kinematics = root.has("rv_reducer")  ? read_rv_reducer(machine, root)
-                                    : root.has("planetary") ? read_planetary(machine, root)
-                                                            : read_gear_train(machine, root);
+  Doubts doubts;
+  analysis::Kinematics kinematics = root.has("rv_reducer") ? read_rv_reducer(machine, root, doubts)
+                                    : root.has("planetary")
+                                        ? read_planetary(machine, root, doubts)
+                                        : read_gear_train(machine, root, doubts);
   if (!root.faults().empty()) return root.faults();
-  return kinematics;
+  return DoubtedMachine{std::move(kinematics), std::move(doubts.list)};
+}
+
+std::variant<analysis::Kinematics, std::vector<hal::ConfigFault>> read_kinematics(
+    const std::string& name_or_path) {
+  auto read = read_machine(name_or_path);
+  if (read.index() == 1) return std::get<1>(std::move(read));
+  return std::get<0>(std::move(read)).kinematics;
 }
 
 std::string kinematics_text(const std::string& name_or_path) {

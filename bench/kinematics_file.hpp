@@ -16,6 +16,17 @@ namespace rvbench::bench {
 std::variant<analysis::Kinematics, std::vector<hal::ConfigFault>> read_kinematics(
     const std::string& name_or_path);
 
+/// A machine, and what of it cannot be built as it is stated: rolling elements or planets that have
+/// no room beside each other. Its orders are known all the same.
+struct DoubtedMachine {
+  analysis::Kinematics kinematics;
+  std::vector<hal::ConfigFault> doubts;
+};
+
+/// As read_kinematics(), with doubts.
+std::variant<DoubtedMachine, std::vector<hal::ConfigFault>> read_machine(
+    const std::string& name_or_path);
+
 /// The text of the same; empty if it cannot be read.
 std::string kinematics_text(const std::string& name_or_path);
 

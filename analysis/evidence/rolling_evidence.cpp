@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "analysis/evidence/blow_power.hpp"
@@ -110,6 +111,7 @@ class BearingScore {
     score.log_likelihood_ratio = blows.excess;
     score.p_value = blows.p_value;
     score.smallest_visible = blows.smallest_visible;
+    score.depth2_variance = std::numeric_limits<double>::min();  // it was read
     score.channel_amplitudes.assign(channels_.size(), 0.0);
     if (blows.p_value >= plausible_p) return;
     const std::vector<BlowDepth> depths = blow_depths(channels_, k_, score.order);
@@ -126,7 +128,7 @@ class BearingScore {
       score.channel = static_cast<int>(c);
     }
     score.amplitude = median(std::move(amplitudes));
-    score.depth2_variance = variance_of_median(variances);
+    score.depth2_variance += variance_of_median(variances);
     for (int h = 1; h <= blow_harmonics; ++h) {
       score.line_orders.push_back(h * score.order);
       score.line_depths.push_back(

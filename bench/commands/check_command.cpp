@@ -189,11 +189,13 @@ int check_ledger(Console& console, const std::filesystem::path& file) {
 }
 
 int check_machine(Console& console, const std::string& file) {
-  const auto kinematics = read_kinematics(file);
-  if (kinematics.index() == 1) {
-    return refuse_file(console, file, with_lines(file, std::get<1>(kinematics)));
+  const auto read = read_machine(file);
+  if (const auto* faults = std::get_if<Faults>(&read)) {
+    return refuse_file(console, file, with_lines(file, *faults));
   }
-  console.out << file << ": kinematics, no fault\n" << part_limits_text(std::get<0>(kinematics));
+  const DoubtedMachine& machine = std::get<DoubtedMachine>(read);
+  console.out << file << ": kinematics, no fault\n" << part_limits_text(machine.kinematics);
+  remark(console, "warning", file, with_lines(file, machine.doubts));
   return exit_codes::done;
 }
 
