@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 namespace rvbench::hal::formats {
 namespace {
@@ -94,10 +95,15 @@ std::uint64_t plain_bytes(const TdmsIndex& index) {
                                       : product(index.count, bytes_of_type(index.type));
 }
 
-// Rows of each DAQmx buffer, which its channels share.
-std::uint64_t rows_of(const std::vector<TdmsPlace>& layout) {
-  std::uint64_t rows = 0;
-  for (const TdmsPlace& place : layout) rows = std::max(rows, place.index.count);
+// Rows of each DAQmx buffer, which channels share. A device of a lower rate has a buffer with
+// fewer.
+std::vector<std::uint64_t> buffer_rows(const std::vector<TdmsPlace>& layout) {
+  std::vector<std::uint64_t> rows(layout[0].index.row_bytes.size(), 0);
+  for (const TdmsPlace& place : layout) {
+    for (const TdmsScaler& scaler : place.index.scalers) {
+      rows[scaler.buffer] = std::max(rows[scaler.buffer], place.index.count);
+    }
+  }
   return rows;
 }
 
@@ -124,7 +130,10 @@ std::variant<Chunk, std::string> chunk_of(const std::vector<TdmsPlace>& layout) 
     }
     // A bit each at the least: more would make a short file claim endless memory.
     if (scalers > 8 * row_bytes) return "more channels than its buffers have bits";
-    chunk.bytes = product(rows_of(layout), row_bytes);
+    const std::vector<std::uint64_t> rows = buffer_rows(layout);
+    for (std::size_t b = 0; b < rows.size(); ++b) {
+      chunk.bytes = sum(chunk.bytes, product(rows[b], layout[0].index.row_bytes[b]));
+    }
     return chunk;
   }
   for (const TdmsPlace& place : layout) chunk.bytes = sum(chunk.bytes, plain_bytes(place.index));
@@ -159,8 +168,9 @@ void take_daqmx(std::string_view chunk, std::endian order, const std::vector<Tdm
                 TdmsFile& file) {
   std::vector<std::string_view> buffers;
   const std::vector<std::uint32_t>& row_bytes = layout[0].index.row_bytes;
-  for (const std::uint32_t bytes : row_bytes) {
-    buffers.push_back(chunk.substr(0, product(rows_of(layout), bytes)));
+  const std::vector<std::uint64_t> rows = buffer_rows(layout);
+  for (std::size_t b = 0; b < rows.size(); ++b) {
+    buffers.push_back(chunk.substr(0, product(rows[b], row_bytes[b])));
     chunk.remove_prefix(buffers.back().size());
   }
   for (const TdmsPlace& place : layout) {
@@ -181,6 +191,20 @@ void take_daqmx(std::string_view chunk, std::endian order, const std::vector<Tdm
 // Those of DAQmx have their bytes in buffers.
 bool is_empty(const TdmsPlace& place, bool is_daqmx) {
   return is_daqmx ? place.index.count == 0 : plain_bytes(place.index) == 0;
+}
+
+// What each channel has of a last chunk of so many bytes. Nothing where that is no whole number of
+// values.
+std::optional<std::vector<TdmsPlace>> shares_of(std::vector<TdmsPlace> layout, std::uint64_t bytes,
+                                                std::uint64_t chunk_bytes) {
+  for (TdmsPlace& place : layout) {
+    for (std::uint64_t* part : {&place.index.count, &place.index.text_bytes}) {
+      const __uint128_t share = static_cast<__uint128_t>(*part) * bytes;
+      if (share % chunk_bytes != 0) return std::nullopt;
+      *part = static_cast<std::uint64_t>(share / chunk_bytes);
+    }
+  }
+  return layout;
 }
 
 Fault find_fault(const TdmsStorage& storage, const std::vector<TdmsPlace>& layout) {
@@ -210,19 +234,28 @@ std::optional<std::string> take_tdms_chunks(std::string_view bytes, const TdmsSt
     std::ranges::remove_copy_if(layout, std::back_inserter(filled), is_nothing);
     return take_tdms_chunks(bytes, storage, filled, file);
   }
+  std::vector<TdmsPlace> now_in = layout;
   while (!bytes.empty()) {
     const std::string_view now = bytes.substr(0, chunk.bytes);
     bytes.remove_prefix(now.size());
-    for (const TdmsPlace& place : layout) {
+    if (now.size() < chunk.bytes && !storage.is_cut_off) {
+      auto shares = shares_of(layout, now.size(), chunk.bytes);
+      if (shares) {
+        now_in = std::move(*shares);
+      } else {
+        file.is_cut_off = true;
+      }
+    }
+    for (const TdmsPlace& place : now_in) {
       std::uint64_t& declared = file.channels[place.channel].declared;
       declared = sum(declared, place.index.count);
     }
     if (chunk.is_daqmx) {
-      take_daqmx(now, storage.order, layout, file);
+      take_daqmx(now, storage.order, now_in, file);
     } else if (storage.is_interleaved) {
-      take_interleaved(now, storage.order, layout, file);
+      take_interleaved(now, storage.order, now_in, file);
     } else {
-      take_contiguous(now, storage.order, layout, file);
+      take_contiguous(now, storage.order, now_in, file);
     }
   }
   return std::nullopt;

@@ -18,10 +18,14 @@ struct TdmsPlace {
 struct TdmsStorage {
   std::endian order = std::endian::little;
   bool is_interleaved = false;  ///< value by value, not channel by channel
+  bool is_cut_off = false;      ///< the segment ends before its writer would have ended it
 };
 
-/// Appends the values of a segment's raw data, chunk after chunk, to the channels; the last chunk
-/// may be cut off. Returns the fault, if there is one.
+/// Appends the values of a segment's raw data, chunk after chunk, to the channels. The last chunk
+/// may be shorter: where the segment was cut off, what is there is read as far as it goes; else
+/// each channel has its share of it.
+/// @return the fault, if there is one
+/// Source  National Instruments, "TPC: The NI TDMS File Format"
 std::optional<std::string> take_tdms_chunks(std::string_view bytes, const TdmsStorage& storage,
                                             const std::vector<TdmsPlace>& layout, TdmsFile& file);
 

@@ -214,7 +214,9 @@ class Reading {
 
   Fault take_values(const LeadIn& lead, std::string_view bytes) {
     compare_clocks();
-    return take_tdms_chunks(bytes, {lead.order, lead.has(is_interleaved)}, layout_, file_);
+    const bool is_cut_off = file_.is_unfinished || file_.is_cut_off;
+    return take_tdms_chunks(bytes, {lead.order, lead.has(is_interleaved), is_cut_off}, layout_,
+                            file_);
   }
 
   TdmsFile file_;

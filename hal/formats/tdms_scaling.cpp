@@ -126,10 +126,21 @@ class Scalings {
   int used_ = 0;
 };
 
+// One more than the highest number of a scaling; 0 if there is none. Some writers leave out how
+// many there are.
+double highest_scaling(const TdmsProperties& properties) {
+  double highest = 0;
+  for (int id = 0; id < most_scalings; ++id) {
+    if (properties.count(fmt::format("NI_Scale[{}]_Scale_Type", id)) > 0) highest = id + 1;
+  }
+  return highest;
+}
+
 }  // namespace
 
 std::variant<std::vector<double>, std::string> scaled_values(const TdmsChannel& channel) {
-  const double count = number_in(channel.properties, "NI_Number_Of_Scales").value_or(0);
+  const double count = number_in(channel.properties, "NI_Number_Of_Scales")
+                           .value_or(highest_scaling(channel.properties));
   const bool is_scaled = text_in(channel.properties, "NI_Scaling_Status") == "scaled";
   if (is_scaled || !(count >= 1 && count <= 1e6)) {
     if (channel.raw.size() == 1) return channel.raw.begin()->second;

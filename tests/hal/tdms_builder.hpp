@@ -54,6 +54,14 @@ struct Tdms {
            number(row_bytes);
   }
 
+  /// One scaler, at the begin of the rows of one of several buffers.
+  std::string daqmx_buffer_index(std::uint64_t count, std::uint32_t type, std::uint32_t buffer,
+                                 const std::vector<std::uint32_t>& row_bytes) const {
+    return number(0x1269U) + number(0xFFFFFFFFU) + number(1U) + number(count) + number(1U) +
+           number(type) + number(buffer) + number(0U) + number(0U) + number(0U) +
+           number(static_cast<std::uint32_t>(row_bytes.size())) + numbers(row_bytes);
+  }
+
   std::string object(const std::string& path, const std::string& index,
                      const std::vector<std::string>& properties = {}) const {
     std::string bytes = text(path) + index + number(static_cast<std::uint32_t>(properties.size()));
