@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "hal/formats/byte_reader.hpp"
 #include "hal/formats/foreign_file.hpp"
@@ -28,9 +29,15 @@ struct Layout {
 
 struct Chunks {
   std::optional<Layout> layout;
-  std::optional<std::string_view> data;  // as much as there is
-  std::uint64_t declared = 0;            // bytes of data
+  std::vector<std::string_view> data;  // as much as there is; mostly one
+  std::uint64_t declared = 0;          // bytes of data
   std::uint64_t declared_by_ds64 = 0;
+
+  std::size_t frames() const {
+    std::size_t count = 0;
+    for (const std::string_view part : data) count += part.size() / layout->frame_bytes();
+    return count;
+  }
 };
 
 bool is_wav(std::string_view head) {
@@ -56,7 +63,7 @@ Layout layout_of(std::string_view bytes) {
 Chunks chunks_of(std::string_view bytes) {
   ByteReader reader(bytes.substr(12), std::endian::little);
   Chunks chunks;
-  while (reader.left().size() >= 8 && !chunks.data) {
+  while (reader.left().size() >= 8) {
     const std::string_view name = reader.bytes(4);
     const auto size = reader.number<std::uint32_t>();
     const std::string_view body = reader.left().substr(0, size);
@@ -66,9 +73,13 @@ Chunks chunks_of(std::string_view bytes) {
     }
     if (name == "data") {
       const bool elsewhere = size == not_stated && chunks.declared_by_ds64 > 0;
-      chunks.declared = elsewhere ? chunks.declared_by_ds64 : size;
-      const bool by_end = size == not_stated || size == 0;
-      chunks.data = by_end && !elsewhere ? reader.left() : reader.left().substr(0, chunks.declared);
+      const std::uint64_t declared = elsewhere ? chunks.declared_by_ds64 : size;
+      const bool by_end = !elsewhere && (size == not_stated || (size == 0 && chunks.data.empty()));
+      chunks.declared = by_end ? size : chunks.declared + declared;
+      chunks.data.push_back(by_end ? reader.left() : reader.left().substr(0, declared));
+      if (by_end) break;
+      reader.bytes(std::min<std::uint64_t>(declared + declared % 2, reader.left().size()));
+      continue;
     }
     reader.bytes(std::min<std::uint64_t>(size + std::uint64_t{size % 2}, reader.left().size()));
   }
@@ -77,7 +88,7 @@ Chunks chunks_of(std::string_view bytes) {
 
 std::optional<std::string> find_fault(const Chunks& chunks) {
   if (!chunks.layout) return "no chunk \"fmt \" before the samples";
-  if (!chunks.data) return "no chunk \"data\"";
+  if (chunks.data.empty()) return "no chunk \"data\"";
   const Layout& layout = *chunks.layout;
   const auto is_one_of = [&](auto... bits) { return ((layout.bits == bits) || ...); };
   const bool known = (layout.encoding == pcm && is_one_of(8, 16, 24, 32)) ||
@@ -115,11 +126,14 @@ Channel channel_of(const Chunks& chunks, std::size_t index) {
   Channel channel;
   channel.info.name = fmt::format("channel_{}", index + 1);
   channel.rate_Hz = layout.rate_Hz;
-  const char* first = chunks.data->data() + index * layout.bits / 8;
-  channel.samples.resize(static_cast<Eigen::Index>(chunks.data->size() / layout.frame_bytes()));
-  for (Eigen::Index i = 0; i < channel.samples.size(); ++i) {
-    channel.samples[i] =
-        sample_at(first + static_cast<std::size_t>(i) * layout.frame_bytes(), layout);
+  channel.samples.resize(static_cast<Eigen::Index>(chunks.frames()));
+  Eigen::Index at = 0;
+  for (const std::string_view part : chunks.data) {
+    const char* first = part.data() + index * layout.bits / 8;
+    const std::size_t frames = part.size() / layout.frame_bytes();
+    for (std::size_t i = 0; i < frames; ++i) {
+      channel.samples[at++] = sample_at(first + i * layout.frame_bytes(), layout);
+    }
   }
   return channel;
 }
@@ -128,7 +142,11 @@ void describe(const Chunks& chunks, Recording& recording) {
   recording.notes.push_back("full scale is 1: a WAV file states no unit");
   recording.status = "ok";
   const std::size_t frame = chunks.layout->frame_bytes();
-  const std::size_t found = chunks.data->size() / frame;
+  const std::size_t found = chunks.frames();
+  if (chunks.data.size() > 1) {
+    recording.notes.push_back(
+        fmt::format("{} chunks of samples, read one behind the other", chunks.data.size()));
+  }
   if (chunks.declared == not_stated) {
     recording.notes.push_back("its length is not stated: read to the file's end");
   } else if (chunks.declared / frame != found) {

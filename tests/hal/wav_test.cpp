@@ -84,6 +84,17 @@ TEST_CASE("WAV: other chunks are passed over, one of odd length with its padding
   CHECK(read("RIFF" + packed(1000U) + "WAVE" + chunks).channels[0].samples.size() == 2);
 }
 
+TEST_CASE("WAV: a second chunk of samples follows the first", "[hal][formats]") {
+  const std::string chunks = riff_chunk("fmt ", format(1, 1, 16)) +
+                             riff_chunk("data", two_samples) + riff_chunk("junk", "xy") +
+                             riff_chunk("data", packed(std::int16_t{8192}));
+  const Recording recording =
+      read("RIFF" + packed(static_cast<std::uint32_t>(chunks.size() + 4)) + "WAVE" + chunks);
+  CHECK(recording.status == "ok");
+  CHECK(recording.channels.at(0).samples == Eigen::Vector3d(0.5, -1, 0.25));
+  CHECK_THAT(recording.notes.back(), Contains("2 chunks of samples"));
+}
+
 TEST_CASE("WAV: a length that lies is told, and nothing is made up", "[hal][formats]") {
   const Recording cut = read(wav(format(1, 1, 16), two_samples, 2000000000));
   CHECK(cut.status == "INVALID: 1000000000 samples per channel declared, 2 found");
