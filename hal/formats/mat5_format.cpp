@@ -1,13 +1,18 @@
 #include <fmt/format.h>
 #include <matio.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include "hal/formats/foreign_file.hpp"
 #include "hal/formats/format.hpp"
-#include "hal/formats/mat5_check.hpp"
+#include "hal/formats/mat5_variables.hpp"
 #include "hal/formats/mat_variables.hpp"
 #include "hal/formats/utf16.hpp"
 #include "hal/hdf5/hdf5_handle.hpp"
@@ -79,35 +84,73 @@ MatStructure structure_of(const std::string& name, const matvar_t& variable) {
 
 bool is_mat5(std::string_view head) { return head.starts_with("MATLAB 5.0"); }
 
-std::optional<std::string> find_fault(const std::filesystem::path& file) {
-  return find_mat5_fault(bytes_of(file));
+// A file in memory: matio opens files by name alone.
+class MemoryFile {
+ public:
+  explicit MemoryFile(std::string_view bytes) : file_(memfd_create("variable.mat", MFD_CLOEXEC)) {
+    while (file_ >= 0 && !bytes.empty()) {
+      const ssize_t written = write(file_, bytes.data(), bytes.size());
+      if (written <= 0) throw std::bad_alloc();
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+  }
+  ~MemoryFile() {
+    if (file_ >= 0) close(file_);
+  }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  MemoryFile(MemoryFile&&) = delete;
+  MemoryFile& operator=(MemoryFile&&) = delete;
+
+  std::string path() const { return fmt::format("/proc/self/fd/{}", file_); }
+
+ private:
+  int file_;
+};
+
+const char* kind_of(const matvar_t& variable) {
+  if (variable.isLogical) return "logical values";
+  if (variable.class_type == MAT_C_CELL) return "cell array";
+  if (variable.class_type == MAT_C_CHAR) return "text";
+  if (variable.rank != 2) return "array of more than two dimensions";
+  return "no real numbers";
 }
 
-std::optional<std::string> read_variables(mat_t* mat, MatVariables& variables) {
-  while (const Variable variable{Mat_VarReadNextInfo(mat)}) {
-    const std::string name = variable->name == nullptr ? "" : variable->name;
-    if (Mat_VarReadDataAll(mat, variable.get()) != 0) return name + ": cannot be read";
-    if (variable->class_type == MAT_C_STRUCT) variables.add(structure_of(name, *variable));
-    if (variable->isComplex) {
-      variables.note(name + " is complex, as no vibration is, and is left out");
-    }
-    std::optional<Eigen::MatrixXd> values = numbers_in(*variable);
-    if (!values) continue;
-    if (auto fault = variables.add(name, *std::move(values))) return fault;
+// Why it cannot be taken; nothing if it was, or is told to be left out.
+std::optional<std::string> take(const matvar_t& variable, MatVariables& variables) {
+  const std::string name = variable.name == nullptr ? "" : variable.name;
+  if (variable.class_type == MAT_C_STRUCT) {
+    variables.add(structure_of(name, variable));
+  } else if (variable.isComplex) {
+    variables.note(name + " is complex, as no vibration is, and is left out");
+  } else if (auto values = numbers_in(variable)) {
+    return variables.add(name, *std::move(values));
+  } else {
+    variables.leave_out(fmt::format("{} ({})", name, kind_of(variable)));
   }
   return std::nullopt;
 }
 
+std::optional<std::string> read_variable(const std::string& file, MatVariables& variables) {
+  const MemoryFile in_memory(file);
+  const MatFile mat(Mat_Open(in_memory.path().c_str(), MAT_ACC_RDONLY));
+  if (!mat) return "not a MAT v5 file";
+  const Variable variable{Mat_VarReadNextInfo(mat.get())};
+  if (!variable) return "a variable cannot be read";
+  if (Mat_VarReadDataAll(mat.get(), variable.get()) != 0) {
+    return fmt::format("{}: cannot be read", variable->name == nullptr ? "" : variable->name);
+  }
+  return take(*variable, variables);
+}
+
 Result<std::vector<Recording>> read_mat5(const std::filesystem::path& file, const TableHints&) {
-  // matio believes the sizes that it finds, and reads or allocates by them.
-  if (const auto fault = find_fault(file)) return bad_file(file, *fault);
   hdf5::prepare_thread();  // matio starts HDF5 as well
   Mat_LogInitFunc("rvbench", [](int, char*) {});
-  const MatFile mat(Mat_Open(file.c_str(), MAT_ACC_RDONLY));
-  if (!mat) return bad_file(file, "not a MAT v5 file");
-
   MatVariables variables;
-  if (const auto fault = read_variables(mat.get(), variables)) return bad_file(file, *fault);
+  const Mat5Visitor visitor{
+      .take = [&](const std::string& variable) { return read_variable(variable, variables); },
+      .leave_out = [&](std::string what) { variables.leave_out(std::move(what)); }};
+  if (const auto fault = visit_mat5(bytes_of(file), visitor)) return bad_file(file, *fault);
   return std::move(variables).finish(file);
 }
 

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <hdf5.h>
 
 #include <algorithm>
@@ -51,10 +52,18 @@ class Reading {
     const Handle object = open(name);
     const std::string kind = class_of(object);
     if (H5Iget_type(object.id()) == H5I_GROUP) {
-      if (kind == "struct") variables.add(structure_of(name));
+      if (kind == "struct") {
+        variables.add(structure_of(name));
+      } else {
+        leave_out(name, kind, variables);
+      }
       return std::nullopt;
     }
-    if (!is_number_class(kind) || is_empty(object)) return std::nullopt;
+    if (is_empty(object)) return std::nullopt;
+    if (!is_number_class(kind)) {
+      leave_out(name, kind, variables);
+      return std::nullopt;
+    }
     if (is_complex(object, name)) {
       variables.note(name + " is complex, as no vibration is, and is left out");
       return std::nullopt;
@@ -63,6 +72,10 @@ class Reading {
   }
 
  private:
+  static void leave_out(const std::string& name, const std::string& kind, MatVariables& variables) {
+    variables.leave_out(fmt::format("{} ({})", name, kind.empty() ? "no variable" : kind));
+  }
+
   Handle open(const std::string& name) const {
     return own(H5Oopen(file_.id(), name.c_str(), H5P_DEFAULT), H5Oclose, name);
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -16,8 +17,8 @@ namespace {
 constexpr Eigen::Index most_channels = 256;  // of one array: more is no set of signals
 
 bool says_rate(std::string_view name) {
-  static constexpr std::array<std::string_view, 8> names = {
-      "fs", "Fs", "FS", "SampFreq", "SampleRate", "sample_rate", "sampling_rate", "rate_Hz"};
+  static constexpr std::array<std::string_view, 9> names = {
+      "fs", "Fs", "FS", "sr", "SampFreq", "SampleRate", "sample_rate", "sampling_rate", "rate_Hz"};
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -49,6 +50,11 @@ void add_channels(const std::string& name, const Eigen::MatrixXd& values, double
   }
 }
 
+bool is_record(const MatStructure& structure) {
+  return std::ranges::any_of(structure.numbers,
+                             [](const auto& field) { return field.second.size() > 1; });
+}
+
 }  // namespace
 
 std::optional<std::string> MatVariables::add(const std::string& name, Eigen::MatrixXd values) {
@@ -69,9 +75,7 @@ void MatVariables::add(const MatStructure& structure) {
     const std::string name = channel->info.name;
     return add_channel(name, *std::move(channel), channels_);
   }
-  for (const auto& [field, values] : structure.numbers) {
-    if (values.size() == 1) take(field, structure.name + "." + field, values(0, 0));
-  }
+  structures_.push_back(structure);
 }
 
 void MatVariables::take(const std::string& name, const std::string& shown_as, double value) {
@@ -84,7 +88,10 @@ void MatVariables::take(const std::string& name, const std::string& shown_as, do
     return;
   }
   if (is_rate) set(rate_Hz_, 0, value, "rate_Hz from " + shown_as);
-  if (is_speed) set(speed_rpm_, not_known, value, "speed_rpm from " + shown_as);
+  if (is_speed) {
+    speeds_rpm_.emplace(name.substr(0, name.size() - 3), value);
+    set(speed_rpm_, not_known, value, "speed_rpm from " + shown_as);
+  }
 }
 
 // What the file says twice, and differently, it does not say.
@@ -116,21 +123,106 @@ void MatVariables::drop_placeholders() {
   arrays_ = std::move(kept);
 }
 
-Result<std::vector<Recording>> MatVariables::finish(const std::filesystem::path& file) && {
-  if (arrays_.empty() && channels_.empty() && !notes_.empty()) {
-    return bad_file(file, fmt::format("holds no samples; {}", fmt::join(notes_, "; ")));
+void MatVariables::note_left_out(std::vector<std::string>& notes) const {
+  if (left_out_.empty()) return;
+  constexpr std::size_t most = 12;
+  const auto some = std::span(left_out_).first(std::min(most, left_out_.size()));
+  const std::string more =
+      left_out_.size() > most ? fmt::format(" and {} more", left_out_.size() - most) : "";
+  notes.push_back(fmt::format("left out: {}{}", fmt::join(some, ", "), more));
+}
+
+// The longest arrays of each structure are its signals.
+std::vector<Recording> MatVariables::records_in_structures(const std::filesystem::path& file) {
+  const bool is_only = std::ranges::count_if(structures_, is_record) == 1;
+  std::vector<Recording> records;
+  for (const MatStructure& structure : structures_) {
+    if (!is_record(structure)) continue;
+    MatVariables own;
+    Eigen::Index longest = 0;
+    for (const auto& [field, values] : structure.numbers) {
+      longest = std::max(longest, std::max(values.rows(), values.cols()));
+    }
+    for (const auto& [field, values] : structure.numbers) {
+      const std::string name = structure.name + "." + field;
+      if (values.size() == 1) {
+        own.take(field, name, values(0, 0));
+      } else if (values.size() > 1 && std::max(values.rows(), values.cols()) == longest) {
+        if (const auto fault = own.add(name, values)) own.note(*fault);
+        own.note("the record is " + name);
+      } else if (values.size() > 1) {
+        own.leave_out(name + " (shorter than the record)");
+      }
+    }
+    records.push_back(std::move(own).record(file.string() + (is_only ? "" : "#" + structure.name)));
   }
-  drop_placeholders();
+  return records;
+}
+
+// Each speed has the arrays whose names begin as its own does; nothing where one has none.
+std::vector<Recording> MatVariables::records_by_speed(const std::filesystem::path& file) {
+  std::map<std::string, MatVariables> of_speed;
+  for (const NamedArray& array : arrays_) {
+    const auto own = std::ranges::find_if(speeds_rpm_, [&](const auto& speed) {
+      return !speed.first.empty() && array.name.starts_with(speed.first);
+    });
+    if (own == speeds_rpm_.end()) return {};
+    of_speed[own->first].arrays_.push_back(array);
+  }
+  if (of_speed.size() < 2) return {};
+  std::vector<Recording> records;
+  for (auto& [prefix, own] : of_speed) {
+    own.rate_Hz_ = rate_Hz_;
+    own.speed_rpm_ = speeds_rpm_.at(prefix);
+    own.note(fmt::format("speed_rpm from {}RPM: {}", prefix, speeds_rpm_.at(prefix)));
+    own.left_out_ = left_out_;
+    own.drop_placeholders();
+    records.push_back(std::move(own).record(file.string() + "#" + prefix));
+  }
+  return records;
+}
+
+Recording MatVariables::record(const std::string& source) && {
   Recording recording = std::move(all_);
-  recording.source = file.string();
+  recording.source = source;
   if (recording.status.empty()) recording.status = "ok";
   if (speed_rpm_) recording.speed_rpm = *speed_rpm_;
   recording.notes.insert(recording.notes.end(), notes_.begin(), notes_.end());
+  note_left_out(recording.notes);
   recording.channels = std::move(channels_);
   for (const NamedArray& array : arrays_) {
     add_channels(array.name, array.values, rate_Hz_.value_or(0), recording.channels);
   }
-  return alone(std::move(recording));
+  return recording;
+}
+
+Result<std::vector<Recording>> MatVariables::finish(const std::filesystem::path& file) && {
+  if (arrays_.empty() && channels_.empty()) {
+    std::vector<Recording> records = records_in_structures(file);
+    for (Recording& each : records) {
+      each.notes.insert(each.notes.end(), notes_.begin(), notes_.end());
+      note_left_out(each.notes);
+    }
+    if (!records.empty()) return records;
+  }
+  for (const MatStructure& structure : structures_) {
+    for (const auto& [field, values] : structure.numbers) {
+      const std::string name = structure.name + "." + field;
+      if (values.size() == 1) take(field, name, values(0, 0));
+      if (values.size() > 1) leave_out(name + " (in a structure)");
+    }
+  }
+  if (arrays_.empty() && channels_.empty()) {
+    note_left_out(notes_);
+    if (!notes_.empty()) {
+      return bad_file(file, fmt::format("holds no samples; {}", fmt::join(notes_, "; ")));
+    }
+  }
+  if (speeds_rpm_.size() > 1 && channels_.empty()) {
+    if (auto records = records_by_speed(file); !records.empty()) return records;
+  }
+  drop_placeholders();
+  return alone(std::move(*this).record(file.string()));
 }
 
 }  // namespace rvbench::hal::formats

@@ -201,6 +201,79 @@ TEST_CASE("MAT v5: an array of complex numbers is told as such", "[hal][formats]
   CHECK_THAT(both.value()[0].notes[0], Contains("y is complex"));
 }
 
+TEST_CASE("MAT v5: what is not needed is listed, and loses nothing", "[hal][formats]") {
+  const ScratchFolder scratch;
+  const std::string acc = test::mat5_array("acc", 3, 1, {1, 2, 3});
+  const auto notes_beside = [&](const std::string& other) {
+    const auto read = read_recordings(written(
+        scratch, "a.mat", test::mat5_file({other, acc, test::mat5_array("fs", 1, 1, {1000})})));
+    if (!read) FAIL(read.error().where);
+    REQUIRE(read.value()[0].channels.size() == 1);
+    CHECK(read.value()[0].channels[0].samples == Eigen::Vector3d(1, 2, 3));
+    CHECK(read.value()[0].channels[0].rate_Hz == 1000);
+    return read.value()[0].notes.back();
+  };
+  const std::string one = test::mat5_array("", 1, 1, {7});
+  const std::string empty = test::mat5_element(14, "");
+  CHECK(notes_beside(test::mat5_text("title", "m/s\xC2\xB2", 4)) == "left out: title (text)");
+  CHECK_THAT(notes_beside(test::mat5_text("title", "m/s\xC2\xB2", 5)),
+             Contains("left out: title (text of another length"));
+  CHECK_THAT(notes_beside(test::mat5_structure("s", 2, {"k"}, {one})), Contains("rate_Hz from fs"));
+  CHECK(notes_beside(test::mat5_structure("s", 2, {"a", "b"}, {one, acc})) ==
+        "left out: s.b (in a structure)");
+  CHECK(notes_beside(test::mat5_variable(1, "c", one + empty, 2)) == "left out: c (cell array)");
+  CHECK(notes_beside(test::mat5_variable(16, "f", one)) == "left out: f (function handle)");
+  CHECK(notes_beside(test::mat5_structure("s", 8, {"f"}, {test::mat5_variable(16, "", one)})) ==
+        "left out: s.f (function handle)");
+  const std::string bytes(8, '\1');
+  CHECK(notes_beside(test::mat5_variable(0x200 + 9, "on", test::mat5_element(2, bytes), 8)) ==
+        "left out: on (logical values)");
+}
+
+TEST_CASE("MAT v5: a structure that holds the record is opened", "[hal][formats]") {
+  const ScratchFolder scratch;
+  const auto structure = [](const std::string& name, std::vector<double> samples, double rate) {
+    const int count = static_cast<int>(samples.size());
+    return test::mat5_structure(
+        name, 8, {"sr", "gs", "load", "edges"},
+        {test::mat5_array("", 1, 1, {rate}), test::mat5_array("", count, 1, samples),
+         test::mat5_array("", 1, 1, {270}), test::mat5_array("", 1, 2, {0, 1})});
+  };
+  const auto one = read_recordings(
+      written(scratch, "a.mat", test::mat5_file({structure("bearing", {1, 2, 3}, 1000)})));
+  REQUIRE(one);
+  REQUIRE(one.value().size() == 1);
+  REQUIRE(one.value()[0].channels.size() == 1);
+  CHECK(one.value()[0].channels[0].info.name == "bearing.gs");
+  CHECK(one.value()[0].channels[0].rate_Hz == 1000);
+  CHECK(one.value()[0].channels[0].samples == Eigen::Vector3d(1, 2, 3));
+  CHECK(one.value()[0].notes.back() == "left out: bearing.edges (shorter than the record)");
+
+  const auto two = read_recordings(written(
+      scratch, "b.mat",
+      test::mat5_file({structure("run1", {1, 2, 3}, 1000), structure("run2", {4, 5, 6}, 2000)})));
+  REQUIRE(two);
+  REQUIRE(two.value().size() == 2);
+  CHECK_THAT(two.value()[1].source, Contains("b.mat#run2"));
+  CHECK(two.value()[1].channels[0].rate_Hz == 2000);
+  CHECK(two.value()[1].channels[0].samples == Eigen::Vector3d(4, 5, 6));
+}
+
+TEST_CASE("MAT v5: arrays of two speeds are two points", "[hal][formats]") {
+  const ScratchFolder scratch;
+  const auto read =
+      read_recordings(written(scratch, "a.mat",
+                              test::mat5_file({test::mat5_array("X098_DE_time", 3, 1, {1, 2, 3}),
+                                               test::mat5_array("X099_DE_time", 2, 1, {4, 5}),
+                                               test::mat5_array("X098RPM", 1, 1, {1797}),
+                                               test::mat5_array("X099RPM", 1, 1, {1772})})));
+  REQUIRE(read);
+  REQUIRE(read.value().size() == 2);
+  CHECK(read.value()[0].speed_rpm == 1797);
+  CHECK(read.value()[1].speed_rpm == 1772);
+  CHECK(read.value()[1].channels.at(0).samples == Eigen::Vector2d(4, 5));
+}
+
 TEST_CASE("HDF5 still says why after a MAT file was read", "[hal][formats]") {
   const ScratchFolder scratch;
   const auto mat =

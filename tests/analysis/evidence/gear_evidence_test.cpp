@@ -44,7 +44,8 @@ Eigen::VectorXd tooth_blows(double order, double width_turns) {
 Kinematics one_mesh(int teeth) {
   return analysis::gear_train({.machine = "one mesh",
                                .shafts = {{"input", "input_shaft"}, {"output", "output_shaft"}},
-                               .meshes = {{"mesh", 0, teeth, 1, 31, "pinion", "wheel"}}});
+                               .meshes = {{"mesh", 0, teeth, 1, 31, "pinion", "wheel"}},
+                               .bearings = {}});
 }
 
 struct ScoredGears {
