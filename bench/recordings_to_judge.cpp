@@ -13,6 +13,7 @@
 #include "bench/no_accelerations.hpp"
 #include "bench/stop_on_signal.hpp"
 #include "hal/did_you_mean.hpp"
+#include "hal/formats/shaft_channels.hpp"
 #include "hal/types/units.hpp"
 
 namespace rvbench::bench {
@@ -114,6 +115,7 @@ std::variant<std::vector<Recording>, JudgeRefusal> recordings_to_judge(const Jud
     Result<std::vector<Recording>> read = hal::read_recordings(file, input.hints);
     if (!read) return JudgeRefusal{exit_codes::data_refused, read.error().where};
     for (Recording& record : std::move(read).value()) {
+      hal::formats::name_input_angle(record);
       if (const auto spoiled = what_cannot_be_judged(record, file, input.channel)) {
         return JudgeRefusal{exit_codes::data_refused, *spoiled};
       }

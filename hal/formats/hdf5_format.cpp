@@ -1,3 +1,4 @@
+#include "hal/formats/apply_units.hpp"
 #include "hal/formats/format.hpp"
 #include "hal/hdf5/journal.hpp"
 #include "hal/recording_file.hpp"
@@ -6,6 +7,14 @@ namespace rvbench::hal::formats {
 namespace {
 
 bool is_hdf5(std::string_view head) { return head.starts_with("\x89HDF\r\n\x1a\n"); }
+
+// Of another program's file: rvbench writes SI units alone.
+void take_units(Recording& recording) {
+  for (Channel& channel : recording.channels) {
+    const std::string unit = channel.info.unit;
+    apply_unit(unit, channel, recording.notes);
+  }
+}
 
 Result<std::vector<Recording>> read_hdf5(const std::filesystem::path& file, const TableHints&) {
   // After a crash the file may hold zeros where its journal has samples.
@@ -21,6 +30,7 @@ Result<std::vector<Recording>> read_hdf5(const std::filesystem::path& file, cons
     Result<Recording> point = reader.read(static_cast<int>(i));
     if (!point) return point.error();
     recordings.push_back(std::move(point).value());
+    if (reader.layout().software.empty()) take_units(recordings.back());
     if (is_repaired)
       recordings.back().notes.push_back("made anew: whoever recorded it was cut off");
   }

@@ -12,7 +12,7 @@
 #include "hal/formats/foreign_file.hpp"
 #include "hal/formats/format.hpp"
 #include "hal/formats/printable.hpp"
-#include "hal/formats/unwrap_angle.hpp"
+#include "hal/formats/shaft_channels.hpp"
 
 namespace rvbench::hal {
 namespace {
@@ -81,16 +81,6 @@ void drop_infinities(Recording& recording) {
                   dropped == 1 ? "1 sample is" : fmt::format("{} samples are", dropped)));
 }
 
-// An encoder may start anew after each turn.
-void unwrap_angles(Recording& recording) {
-  for (Channel& channel : recording.channels) {
-    const std::string& name = channel.info.name;
-    if (name != channel_names::input_angle && name != channel_names::output_angle) continue;
-    if (!formats::unwrap_angle(channel.samples)) continue;
-    recording.notes.push_back(name + " starts anew after each turn: the turns were added");
-  }
-}
-
 // What a file claims may be more than there is memory for.
 Result<std::vector<Recording>> read_within_memory(const Format& format,
                                                   const std::filesystem::path& file,
@@ -127,7 +117,7 @@ Result<std::vector<Recording>> read_recordings(const std::filesystem::path& file
   if (recordings.empty()) return bad_file(file, "holds no samples");
   for (Recording& recording : recordings) {
     drop_infinities(recording);
-    unwrap_angles(recording);
+    formats::use_shaft_channels(recording);
     // Foreign text goes into reports and JSON.
     if (formats::make_printable(recording)) {
       recording.notes.emplace_back(formats::was_not_printable);

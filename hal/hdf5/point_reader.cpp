@@ -104,7 +104,7 @@ Recording read_point(const Handle& file, const std::string& point, std::size_t f
   recording.load_pct = plan.load_pct;
   recording.repeat = plan.repeat;
   const Handle group = open_group(file, point);
-  recording.status = read_text(group, "status").value_or("interrupted");
+  recording.status = read_text(group, "status").value_or("");
   recording.speed_rpm = read_number(group, "measured_speed_rpm").value_or(not_known);
   recording.torque_Nm = read_number(group, "measured_torque_Nm").value_or(not_known);
   const double start_s = read_number(group, "t0_s").value_or(0);

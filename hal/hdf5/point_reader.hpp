@@ -22,7 +22,7 @@ SampleGroup read_group_info(const Handle& file, const std::string& point, const 
 
 /// All groups of a point with their samples. What /points/index holds in rvbench's own files is
 /// taken from the attributes t0_s, status, measured_speed_rpm and measured_torque_Nm, where
-/// another program left them; a point without status counts as interrupted. A group may have a
+/// another program left them; a point without status has an empty one. A group may have a
 /// t0_s and a time_uncertainty_s of its own; a point start_time (UTC, ISO 8601) and notes.
 Recording read_point(const Handle& file, const std::string& point, std::size_t file_bytes);
 

@@ -125,6 +125,10 @@ Result<Recording> Hdf5RecordingReader::read(int point) {
     Recording recording = read_point(file_, "/points/" + name, file_bytes_);
     recording.source = path_.string() + "#" + name;
     apply_index(number_of(name), recording);
+    // rvbench writes the status last; other programs may state none.
+    if (recording.status.empty()) {
+      recording.status = layout_.software.empty() ? "ok" : "interrupted";
+    }
     return recording;
   });
 }
