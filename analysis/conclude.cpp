@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "analysis/diagnosis.hpp"
@@ -166,6 +167,21 @@ double limit_of(const Signature& part, const Finding& f, bool by_noise) {
   return std::max(limit, std::min(f.smallest_visible, part.limit_in_noise));
 }
 
+// Median of the points of each speed, and of these the least.
+double least_of_speeds(const Evidence& evidence) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Examination* of_speed : evidence.shown_by) {
+    std::vector<double> depths;
+    for (std::size_t i = 0; i < evidence.scores.size(); ++i) {
+      if (is_same_speed(evidence.shown_by[i]->speed_rpm, of_speed->speed_rpm)) {
+        depths.push_back(evidence.scores[i]->depth);
+      }
+    }
+    least = std::min(least, median(std::move(depths)));
+  }
+  return least;
+}
+
 // The hypothesis as far as it goes whether or not a point shows it.
 Finding weigh(const Signature& signature, const Evidence& evidence, double tests) {
   Finding f;
@@ -187,6 +203,10 @@ Finding weigh(const Signature& signature, const Evidence& evidence, double tests
   for (const Examination* point : evidence.shown_by) f.points.push_back(point->source);
   Severity severity{0, 0, f.smallest_visible};
   if (!evidence.scores.empty()) severity = severity_of(evidence.scores);
+  if (signature.at_every_speed && severity.depth > 0) {
+    severity.depth = least_of_speeds(evidence);
+    severity.low = std::min(severity.low, severity.depth);
+  }
   if (severity.depth == 0) {
     f.points.clear();  // what they show is no deeper than their noise
     severity.high = f.smallest_visible;

@@ -56,8 +56,10 @@ struct Signature {
   double slip = 0;                ///< relative: how far rolling elements may stray from `order`
   double tolerance = 0;           ///< relative: how far a printed `order` may be off the part's own
   Shows shows = Shows::as_turning;
-  int forces = 0;         ///< harmonics of a turning part's own order that are damage, too; 0 where
-                          ///< unbalance makes them in a sound machine as well
+  int forces = 0;  ///< harmonics of a turning part's own order that are damage, too; 0 where
+                   ///< unbalance makes them in a sound machine as well
+  bool at_every_speed = false;  ///< its severity is the least of all speeds: where planets cancel
+                                ///< the mesh, a resonance makes as much of a sound part at one
   bool strikes = false;   ///< one bad tooth or pin among good ones: blows, not a swing of its mesh
   double turn = 0;        ///< of what is damaged, in its mesh: the spacing of its own lines; orders
   double path_order = 0;  ///< turns of the part past the sensors per input turn; 0: it stands

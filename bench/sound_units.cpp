@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -86,6 +87,15 @@ Spread spread_of(const std::vector<double>& values) {
   return spread;  // else half of them are alike
 }
 
+// Of few units the factor is large. They prove no limit that is beyond the one assumed and twice
+// what any of them shows.
+double most_of(const std::vector<double>& severities, double assumed) {
+  if (severities.size() >= analysis::least_units_of_a_limit) {
+    return std::numeric_limits<double>::infinity();
+  }
+  return std::max(assumed, 2 * std::ranges::max(severities));
+}
+
 }  // namespace
 
 SoundUnits::Added SoundUnits::add(const std::string& file, Judgement judgement) {
@@ -146,7 +156,8 @@ analysis::Kinematics with_sound_units(analysis::Kinematics kinematics,
     if (severities.size() < fewest_sound_units) continue;
     const Spread spread = spread_of(severities);
     const bool is_shown = spread.median > 0 && spread.scatter > 0;
-    const double learnt = spread.median + spread.factor * spread.scatter;
+    const double learnt = std::min(spread.median + spread.factor * spread.scatter,
+                                   most_of(severities, part.depth_limit));
     constexpr double least = 0.5;  // of the limit assumed
     const double assumed = part.depth_limit, assumed_aligned = part.aligned_limit;
     const double limit = is_shown ? learnt : std::max(learnt, least * assumed);

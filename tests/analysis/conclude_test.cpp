@@ -82,6 +82,24 @@ TEST_CASE("phases are those of the points that show the part", "[analysis][concl
   CHECK(d.findings[0].in_phase == 5);
 }
 
+TEST_CASE("where planets cancel the mesh, the least speed tells the severity",
+          "[analysis][conclude]") {
+  Kinematics k = two_parts();
+  std::vector<Examination> points;
+  for (const auto& [speed_rpm, depth] :
+       {std::pair{605, 0.9}, std::pair{1210, 0.15}, std::pair{1211, 0.17}, std::pair{1815, 0.4}}) {
+    points.push_back(point(std::to_string(speed_rpm), {depth, 1e-12}, nothing));
+    points.back().speed_rpm = speed_rpm;
+  }
+  CHECK(conclude(points, k).findings.at(0).severity == Approx(0.285));  // the median of points
+  k.signatures[0].at_every_speed = true;
+  const Diagnosis d = conclude(points, k);
+  CHECK(d.findings.empty());
+  REQUIRE(d.below_limit.size() == 1);
+  CHECK(d.below_limit[0].severity == Approx(0.16));
+  CHECK(d.below_limit[0].severity_high > 0.2);
+}
+
 TEST_CASE("noise is no scatter: a part that is not shown is held against its plain limit",
           "[analysis][conclude]") {
   Kinematics k = two_parts();

@@ -78,6 +78,13 @@ TEST_CASE("of few units each counts, and their limit is wider", "[bench][sound]"
   CHECK(limit_by(few) > limit_by(many));
 }
 
+TEST_CASE("few units prove no limit far beyond what they show", "[bench][sound]") {
+  const std::vector<analysis::Diagnosis> few{unit(0.1), unit(0.5), unit(0.9)};
+  CHECK(limit_by(few) == Approx(1.8));
+  const std::vector<analysis::Diagnosis> fewer_still{unit(0.01), unit(0.1), unit(0.2)};
+  CHECK(limit_by(fewer_still) == Approx(0.5));  // that assumed
+}
+
 TEST_CASE("a part that sound units do not show keeps half the limit assumed", "[bench][sound]") {
   CHECK(limit_by(std::vector<analysis::Diagnosis>(5, unit(0, 0.03))) == Approx(0.25));
   std::vector<analysis::Diagnosis> few_shown(20, unit(0, 0.03));
