@@ -17,8 +17,9 @@ constexpr double g_m_s2 = units::standard_gravity_m_s2;
 
 struct Input {
   const char* name;
-  double stated_rate_Hz;  // that has to be given; NaN: the file states it
-  double scale;           // m/s² per unit of the file; 1 where it states none
+  const char* channel;
+  double rate_Hz;  // that has to be given; NaN: the file states it
+  double scale;    // m/s² per unit of the file; 1 where it states none
 };
 
 Recording read_input(const char* name, double rate_Hz = not_known) {
@@ -41,23 +42,24 @@ std::vector<double> samples(const Recording& recording, const char* channel) {
 TEST_CASE("small files of many writers hold two sines at 1 kHz", "[hal][formats][data]") {
   if (!data_folder()) return;
   const Input input = GENERATE(values<Input>({
-      {"units_row_below_head.csv", not_known, g_m_s2},
-      {"settings_before_table.csv", not_known, g_m_s2},
-      {"comment_lines_before_head.csv", not_known, g_m_s2},
-      {"excel_separator_line.csv", not_known, g_m_s2},
-      {"index_column_without_name.csv", 1000, g_m_s2},
-      {"blanks_between_numbers.txt", not_known, g_m_s2},
-      {"date_and_time_columns.csv", not_known, g_m_s2},
-      {"unit_G_in_round_brackets.csv", not_known, g_m_s2},
-      {"time_in_milliseconds_unstated.csv", 1000, g_m_s2},
-      {"text_not_ascii.mat", not_known, 1},
-      {"struct_of_one_short_field.mat", not_known, 1},
-      {"struct_holds_the_record.mat", not_known, 1},
-      {"units_in_ascii.h5", not_known, 1},
+      {"units_row_below_head.csv", "acc", not_known, g_m_s2},
+      {"settings_before_table.csv", "CH1", not_known, g_m_s2},
+      {"comment_lines_before_head.csv", "acc", not_known, g_m_s2},
+      {"excel_separator_line.csv", "acc", not_known, g_m_s2},
+      {"index_column_without_name.csv", "acc", 1000, g_m_s2},
+      {"blanks_between_numbers.txt", "column_2", not_known, 1},
+      {"date_and_time_columns.csv", "acc", not_known, g_m_s2},
+      {"unit_G_in_round_brackets.csv", "Acceleration", not_known, g_m_s2},
+      {"time_in_milliseconds_unstated.csv", "acc", 1000, g_m_s2},
+      {"text_not_ascii.mat", "acc", not_known, 1},
+      {"struct_of_one_short_field.mat", "acc", not_known, 1},
+      {"struct_holds_the_record.mat", "bearing.gs", not_known, 1},
+      {"units_in_ascii.h5", "acc", not_known, g_m_s2},
   }));
   CAPTURE(input.name);
-  const Recording recording = read_input(input.name, input.stated_rate_Hz);
-  const Channel& a = recording.channels.front();
+  const Recording recording = read_input(input.name, input.rate_Hz);
+  REQUIRE(recording.find(input.channel) != nullptr);
+  const Channel& a = *recording.find(input.channel);
   CHECK(recording.status == "ok");
   CHECK(a.rate_Hz == Approx(1000));
   REQUIRE(a.samples.size() == 64);
@@ -91,7 +93,7 @@ TEST_CASE("a thousands mark in quotes is a property of the table", "[hal][format
   if (!data_folder()) return;
   const Recording recording = read_input("thousands_in_quotes.csv", 1000);
   const Channel& v = recording.channels.front();
-  CHECK(v.info.unit == "m/s");
+  CHECK(v.info.unit == "m/s²");
   REQUIRE(v.samples.size() >= 4);
   CHECK((1e3 * v.samples.head(4)).isApprox(Eigen::Vector4d(644, 1218, 987, 703)));
 }
