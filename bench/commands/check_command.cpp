@@ -27,6 +27,7 @@
 #include "bench/sha256.hpp"
 #include "bench/tpa_project.hpp"
 #include "hal/formats/printable.hpp"
+#include "hal/formats/strange_file.hpp"
 #include "sequences/plan.hpp"
 #include "sim/plant_json.hpp"
 
@@ -202,6 +203,9 @@ int check_machine(Console& console, const std::string& file) {
 int check_file(Console& console, const std::string& file) {
   if (std::filesystem::path(file).filename() == ledger_name) return check_ledger(console, file);
   if (is_audit_log(file)) return check_audit_log(console, file);
+  if (const auto strange = hal::formats::what_it_looks_like(file)) {
+    return refuse_file(console, file, as_faults({hal::formats::not_read(*strange)}));
+  }
   if (is_recording(file)) return check_recording(console, file);
   const bool is_shipped = std::ranges::count(names_of(kinematics_files()), file) > 0;
   if (is_shipped && is_absent(file)) return check_machine(console, file);

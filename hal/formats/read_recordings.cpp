@@ -13,6 +13,7 @@
 #include "hal/formats/format.hpp"
 #include "hal/formats/printable.hpp"
 #include "hal/formats/shaft_channels.hpp"
+#include "hal/formats/strange_file.hpp"
 
 namespace rvbench::hal {
 namespace {
@@ -107,6 +108,9 @@ Result<std::vector<Recording>> read_recordings(const std::filesystem::path& file
   check_hint("rate_Hz", hints.rate_Hz);
   check_hint("speed_rpm", hints.speed_rpm);
   if (const auto obstacle = formats::find_obstacle(file)) return *obstacle;
+  if (const auto strange = formats::what_it_looks_like(file)) {
+    return bad_file(file, formats::not_read(*strange));
+  }
   const std::optional<Format> format = formats::choose_format(file);
   if (!format) return bad_file(file, "no known format (HDF5, MAT, TDMS, WAV, FLAC, UFF, CSV)");
   Result<std::vector<Recording>> read = read_within_memory(*format, file, hints.table);

@@ -100,7 +100,6 @@ class Reading {
   // Takes one segment off `bytes`.
   Fault take_segment(std::string_view& bytes) {
     if (bytes.size() < lead_in_bytes) return stop(bytes);
-    if (bytes.starts_with("TDSh")) return "an index file, which has no values";
     if (!bytes.starts_with("TDSm")) return "no segment begins here";
     const LeadIn lead = lead_in_of(bytes);
     bytes.remove_prefix(lead_in_bytes);

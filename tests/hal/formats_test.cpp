@@ -96,6 +96,20 @@ TEST_CASE("what is no readable file is refused", "[hal][formats]") {
   }
 }
 
+TEST_CASE("what is no recording is told by what it looks like, whatever it is called",
+          "[hal][formats]") {
+  const ScratchFolder scratch;
+  const auto said = [&](const char* name, const std::string& bytes) {
+    return complaint(written(scratch, name, bytes));
+  };
+  CHECK_THAT(said("a.xlsx", "PK\x03\x04 rest"),
+             Contains("Excel: unpack it, or save the table as CSV"));
+  CHECK_THAT(said("a.csv", "PK\x03\x04 rest"), Contains("Excel"));
+  CHECK_THAT(said("a.csv.gz", "\x1F\x8B rest"), Contains("packed by gzip"));
+  CHECK_THAT(said("a.npy", "\x93NUMPY"), Contains("an array of NumPy"));
+  CHECK_THAT(said("a.tdms_index", "TDSh"), Contains("take the .tdms beside it"));
+}
+
 TEST_CASE("hints go before the file, and a note tells", "[hal][formats]") {
   const ScratchFolder scratch;
   const auto file = written(scratch, "a.csv", "a,b\n1,2\n");

@@ -284,7 +284,7 @@ TEST_CASE("TDMS: counts that lie claim no memory", "[hal][formats]") {
              Contains("unknown type 0x99"));
   CHECK_THAT(complaint(tdms.segment({tdms.object(a, tdms.same_index())}, raw)),
              Contains("none before"));
-  CHECK_THAT(complaint("TDSh" + std::string(40, '\0')), Contains("an index file"));
+  CHECK_THAT(complaint("TDSh" + std::string(40, '\0')), Contains("the index of a TDMS file"));
   CHECK_THAT(complaint(tdms.segment({}, "") + std::string(40, 'x')),
              Contains("segment 2: no segment begins here"));
 }
