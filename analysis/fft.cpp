@@ -3,21 +3,19 @@
 #include <fftw3.h>
 
 #include <limits>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
 
+#include "hal/types/shared_cache.hpp"
+
 namespace rvbench::analysis {
 namespace {
 
-struct DestroyPlan {
-  void operator()(fftw_plan plan) const { fftw_destroy_plan(plan); }
-};
-using Plan = std::shared_ptr<std::remove_pointer_t<fftw_plan>>;
+using Planned = std::remove_pointer_t<fftw_plan>;
+using Plan = std::shared_ptr<Planned>;
 
 // Planning costs about as much as executing, so the plans of the last lengths are kept, for all
 // threads: a plan may be executed by many at once.
@@ -26,19 +24,16 @@ class Plans {
   template <class Make>
   Plan find_or_make(Eigen::Index n, Make make) {
     if (n > std::numeric_limits<int>::max()) throw std::invalid_argument("fft: too many samples");
-    const std::scoped_lock lock(mutex_);
-    if (const auto known = plans_.find(n); known != plans_.end()) return known->second;
     static const bool planner_is_safe = (fftw_make_planner_thread_safe(), true);
     static_cast<void>(planner_is_safe);
-    if (plans_.size() == most_lengths) plans_.clear();
-    return plans_.emplace(n, Plan(make(static_cast<int>(n)), DestroyPlan{})).first->second;
+    return plans_.find_or_make(n, [&](Eigen::Index length) {
+      return Plan(make(static_cast<int>(length)), fftw_destroy_plan);
+    });
   }
 
  private:
   // More than one judgement asks for: it would plan each length anew per channel.
-  static constexpr std::size_t most_lengths = 64;
-  std::mutex mutex_;
-  std::map<Eigen::Index, Plan> plans_;
+  SharedCache<Eigen::Index, Planned> plans_{64};
 };
 
 fftw_complex* as_fftw(Eigen::VectorXcd& lines) {

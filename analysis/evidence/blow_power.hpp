@@ -29,7 +29,7 @@ double swing_by(double severity, const ResidualEnvelope& channel, const Kinemati
 /// How deep blows are in one channel.
 struct BlowDepth {
   double depth2 = not_known;  ///< squared; NaN where the channel has no envelope
-  double variance = 0;        ///< of that, by noise
+  double variance = 0;        ///< of that, by noise; at most, as blows count as noise here
 };
 
 /// Of blows `order` times per turn, in each channel.

