@@ -19,12 +19,19 @@ std::vector<double> known_values(const Channel& channel) {
   return values;
 }
 
-// Of the values that are known; of none NaN.
-double middle_of(std::vector<double> values) {
+// The middle of the values, if nine in ten lie within a tenth of it: a shaft that is measured at a
+// steady speed. Else NaN.
+double steady_value(std::vector<double> values) {
+  constexpr double tenth = 0.1;
   if (values.empty()) return not_known;
-  const auto middle = values.begin() + std::ssize(values) / 2;
-  std::ranges::nth_element(values, middle);
-  return *middle;
+  std::ranges::sort(values);
+  const auto at = [&](double share) {
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+  };
+  const double middle = at(0.5);
+  const bool is_steady = at(0.95) - middle <= tenth * std::abs(middle) &&
+                         middle - at(0.05) <= tenth * std::abs(middle);
+  return is_steady ? middle : not_known;
 }
 
 // The shaft turns on, by more than one turn.
@@ -51,7 +58,7 @@ void read_speed(Recording& recording) {
   for (const Channel& channel : recording.channels) {
     if (channel.info.unit != "rad/s") continue;
     const std::vector<double> speeds_rad_s = known_values(channel);
-    const double speed_rpm = units::rpm_from_rad_s(middle_of(speeds_rad_s));
+    const double speed_rpm = units::rpm_from_rad_s(steady_value(speeds_rad_s));
     if (!(std::abs(speed_rpm) > 0)) continue;
     const auto [least, most] = std::ranges::minmax(speeds_rad_s);
     recording.speed_rpm = speed_rpm;

@@ -6,7 +6,7 @@ namespace rvbench::hal::formats {
 
 /// Makes use of what a file measured of the shaft: the angles of input and output have the turns
 /// that an encoder leaves out, and a channel of speed, in rad/s, gives the recording's speed where
-/// the file states none, by its middle value. What was taken is noted.
+/// the file states none and the shaft is steady, by its middle value. What was taken is noted.
 /// Errors  none thrown. Source  definition
 void use_shaft_channels(Recording& recording);
 

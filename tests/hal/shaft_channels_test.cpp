@@ -20,7 +20,7 @@ Eigen::VectorXd turning(double turns) {
 
 TEST_CASE("a channel of speed gives the speed where none is stated", "[hal][formats]") {
   Recording recording;
-  Eigen::VectorXd speed = Eigen::VectorXd::Constant(50, units::rad_s_from_rpm(1797));
+  Eigen::VectorXd speed = Eigen::VectorXd::Constant(100, units::rad_s_from_rpm(1797));
   speed[3] = not_known;
   speed[4] = 0;  // an outlier
   recording.channels = {channel("n", "rad/s", speed)};
@@ -31,9 +31,10 @@ TEST_CASE("a channel of speed gives the speed where none is stated", "[hal][form
   CHECK(recording.speed_rpm == 1210);
 }
 
-TEST_CASE("a shaft that stands gives no speed", "[hal][formats][null]") {
+TEST_CASE("a shaft that stands, or swings, gives no speed", "[hal][formats][null]") {
   Recording recording;
   recording.channels = {channel("n", "rad/s", Eigen::VectorXd::Zero(50)),
+                        channel("swing", "rad/s", (20 + 10 * turning(3).array().sin()).matrix()),
                         channel("a", "m/s²", turning(3))};
   use_shaft_channels(recording);
   CHECK(std::isnan(recording.speed_rpm));
