@@ -147,15 +147,21 @@ std::string kind_of(std::uint32_t class_of) {
   }
 }
 
-// A variable or a member, written anew as it is read.
+// Checks a variable and, if asked, writes it anew as it is read.
 class Rewriting {
  public:
-  Rewriting(bool swapped, const Mat5Visitor& visitor) : swapped_(swapped), visitor_(visitor) {}
+  /// @param out  where it is written; null: it is checked only, and nothing is told
+  Rewriting(bool swapped, const Mat5Visitor& visitor, std::string* out)
+      : swapped_(swapped), visitor_(visitor), out_(out) {}
 
-  // The variable as an element; empty if it is of a kind that is not read.
-  std::string variable(std::string_view bytes) { return matrix_of(bytes, "", 0); }
+  // Whether it is of a kind that is read.
+  bool variable(std::string_view bytes) { return write_matrix(bytes, "", 0); }
 
  private:
+  void put(std::string_view bytes) {
+    if (out_ != nullptr) out_->append(bytes);
+  }
+
   std::string word(std::uint32_t value) const {
     std::string bytes(sizeof value, '\0');
     if (swapped_) value = __builtin_bswap32(value);
@@ -163,21 +169,37 @@ class Rewriting {
     return bytes;
   }
 
-  std::string element(std::uint32_t type, std::string_view data) const {
-    std::string bytes = word(type) + word(static_cast<std::uint32_t>(data.size()));
-    bytes += data;
-    bytes.resize((bytes.size() + 7) / 8 * 8);
-    return bytes;
+  void put_element(std::uint32_t type, std::string_view data) {
+    put(word(type) + word(static_cast<std::uint32_t>(data.size())));
+    put(data);
+    put(std::string((8 - data.size() % 8) % 8, '\0'));
+  }
+
+  // Where something begins that may have to be taken back.
+  std::size_t mark() const { return out_ != nullptr ? out_->size() : 0; }
+  void take_back(std::size_t mark) {
+    if (out_ != nullptr) out_->resize(mark);
+  }
+
+  // The number of bytes behind a tag of eight bytes is known at their end.
+  void end_element(std::size_t mark) {
+    if (out_ == nullptr) return;
+    const std::string size = word(static_cast<std::uint32_t>(out_->size() - mark - 8));
+    out_->replace(mark + 4, size.size(), size);
   }
 
   // An array without values stands for a member that is not read.
-  std::string nothing(std::string_view name) const {
-    return element(matrix, element(uint32, word(first_number) + word(0)) +
-                               element(int32, word(0) + word(0)) + element(int8, name) +
-                               element(float64, ""));
+  void put_nothing() {
+    const std::size_t begin = mark();
+    put(word(matrix) + word(0));
+    put_element(uint32, word(first_number) + word(0));
+    put_element(int32, word(0) + word(0));
+    put_element(int8, "");
+    put_element(float64, "");
+    end_element(begin);
   }
 
-  std::string values(Elements& elements, std::size_t count) const {
+  void write_values(Elements& elements, std::size_t count) {
     const Element values = elements.next();
     const std::size_t bytes = value_bytes(values.type);
     if (bytes == 0 || values.type > last_number_type) {
@@ -187,45 +209,41 @@ class Rewriting {
       throw Fault(
           fmt::format("has {} values, its size says {}", values.data.size() / bytes, count));
     }
-    return element(values.type, values.data);
+    put_element(values.type, values.data);
   }
 
-  // In UTF-16, whose units the size counts. Nothing if they are not as many.
-  std::optional<std::string> text_values(Elements& elements, std::size_t count) const {
+  // In UTF-16, whose units the size counts. @return whether they are as many
+  bool write_text(Elements& elements, std::size_t count) {
     const Element values = elements.next();
     const std::size_t bytes = value_bytes(values.type);
     if (bytes == 0) throw Fault("its text is of no known type");
     if (values.type != utf8) {
-      if (values.data.size() != count * bytes) return std::nullopt;
-      const bool is_utf16 = bytes == 2;
-      return element(is_utf16 ? std::uint32_t{uint16} : values.type, values.data);
+      if (values.data.size() != count * bytes) return false;
+      put_element(bytes == 2 ? std::uint32_t{uint16} : values.type, values.data);
+      return true;
     }
     const std::vector<std::uint16_t> units = utf16_of(values.data);
-    if (units.size() != count) return std::nullopt;
+    if (units.size() != count) return false;
     std::string data;
     for (std::uint16_t unit : units) {
       if (swapped_) unit = __builtin_bswap16(unit);
       data.append(reinterpret_cast<const char*>(&unit), sizeof unit);
     }
-    return element(uint16, data);
+    put_element(uint16, data);
+    return true;
   }
 
-  std::string members(Elements& elements, const std::vector<std::string>& names, int depth) {
-    std::string bytes;
-    for (const std::string& name : names) {
-      const std::string_view member = expect(elements, matrix, "member").data;
-      if (member.empty()) {
-        bytes += element(matrix, "");
-        continue;
-      }
-      std::string written = matrix_of(member, name, depth + 1);
-      bytes += written.empty() ? nothing("") : std::move(written);
+  void write_member(Elements& elements, const std::string& path, int depth) {
+    const std::string_view member = expect(elements, matrix, "member").data;
+    if (member.empty()) {
+      put_element(matrix, "");
+    } else if (!write_matrix(member, path, depth + 1)) {
+      put_nothing();
     }
-    return bytes;
   }
 
   // With room for names of full length: the reader takes no names that lie inside their tag.
-  std::string fields(Elements& elements, std::size_t count, const std::string& path, int depth) {
+  void write_fields(Elements& elements, std::size_t count, const std::string& path, int depth) {
     const Element length = expect(elements, int32, "length of field names");
     if (length.data.size() != 4) throw Fault("its field names have no length");
     const std::uint32_t bytes = Elements::word(length.data, swapped_);
@@ -239,48 +257,55 @@ class Rewriting {
       const std::string_view field = names.data.substr(i, bytes);
       const std::size_t end = field.find('\0');
       if (end == std::string_view::npos) throw Fault("a field name has no end");
-      own.push_back(fmt::format("{}.{}", path, field.substr(0, end)));
-      all += field.substr(0, end);
+      own.emplace_back(field.substr(0, end));
+      all += own.back();
       all.resize(own.size() * longest_field_name);
     }
-    // The tag of four bytes in itself.
-    const std::string tag = word(4U << 16U | int32) + word(longest_field_name);
-    std::vector<std::string> of_all;
-    for (std::size_t i = 0; i < count; ++i) of_all.insert(of_all.end(), own.begin(), own.end());
-    return tag + element(int8, all) + members(elements, of_all, depth);
+    put(word(4U << 16U | int32) + word(longest_field_name));  // four bytes inside their tag
+    put_element(int8, all);
+    if (own.empty()) return;  // however many it claims to have of nothing
+    for (std::size_t i = 0; i < count; ++i) {
+      for (const std::string& field : own) write_member(elements, path + "." + field, depth);
+    }
   }
 
-  // Nothing if it is of a kind that is not read.
-  std::optional<std::string> content(Elements& elements, std::uint32_t flags, std::size_t count,
-                                     const std::string& path, int depth) {
+  // Whether it is of a kind that is read.
+  bool write_content(Elements& elements, std::uint32_t flags, std::size_t count,
+                     const std::string& path, int depth) {
     const std::uint32_t kind = flags & 0xFFU;
-    const bool is_complex = (flags & 0x800U) != 0;
     if (kind == cell) {
-      std::vector<std::string> names;
-      for (std::size_t i = 0; i < count; ++i) names.push_back(fmt::format("{}{{{}}}", path, i + 1));
-      return members(elements, names, depth);
+      for (std::size_t i = 0; i < count; ++i) {
+        write_member(elements, fmt::format("{}{{{}}}", path, i + 1), depth);
+      }
+      return true;
     }
-    if (kind == structure) return fields(elements, count, path, depth);
+    if (kind == structure) {
+      write_fields(elements, count, path, depth);
+      return true;
+    }
     if (kind == text) {
-      auto written = text_values(elements, count);
-      if (!written) leave_out(path, "text of another length than its size says");
-      return written;
+      const bool fits = write_text(elements, count);
+      if (!fits) leave_out(path, "text of another length than its size says");
+      return fits;
     }
     if (kind < first_number || kind > last_number) {
       leave_out(path, kind_of(kind));
-      return std::nullopt;
+      return false;
     }
-    std::string bytes = values(elements, count);
-    return is_complex ? bytes + values(elements, count) : bytes;
+    const bool is_complex = (flags & 0x800U) != 0;
+    write_values(elements, count);
+    if (is_complex) write_values(elements, count);
+    return true;
   }
 
   void leave_out(const std::string& path, const std::string& kind) const {
-    visitor_.leave_out(fmt::format("{} ({})", path, kind));
+    if (out_ != nullptr) visitor_.leave_out(fmt::format("{} ({})", path, kind));
   }
 
-  // An array with all it holds, as an element; empty if it is of a kind that is not read.
-  std::string matrix_of(std::string_view bytes, const std::string& as, int depth) {
+  // An array with all it holds. @param as  its path, of a member  @return as variable()
+  bool write_matrix(std::string_view bytes, const std::string& as, int depth) {
     if (depth > deepest) throw Fault("is nested too deep");
+    const std::size_t begin = mark();
     Elements elements(bytes, swapped_);
     const Element flags = expect(elements, uint32, "array flags");
     if (flags.data.size() != 8) throw Fault("its array flags make no sense");
@@ -288,27 +313,34 @@ class Rewriting {
     if ((class_and_flags & 0xFFU) == opaque) {  // it has names in place of a size
       const Element name = expect(elements, int8, "name");
       leave_out(as.empty() ? std::string(name.data) : as, kind_of(opaque));
-      return "";
+      return false;
     }
     const Element dimensions = expect(elements, int32, "array size");
     const Element name = expect(elements, int8, "name");
     if (name.data.size() > 256) throw Fault("its name is too long");
     const std::string path = as.empty() ? std::string(name.data) : as;
+    put(word(matrix) + word(0));
+    put_element(uint32, flags.data);
+    put_element(int32, dimensions.data);
+    put_element(int8, name.data);
     try {
-      const auto written =
-          content(elements, class_and_flags, count_of(dimensions.data, swapped_), path, depth);
-      if (!written) return "";
+      const std::size_t count = count_of(dimensions.data, swapped_);
+      if (!write_content(elements, class_and_flags, count, path, depth)) {
+        take_back(begin);
+        return false;
+      }
       if (!elements.at_end()) throw Fault("has more bytes than its size says");
-      return element(matrix, element(uint32, flags.data) + element(int32, dimensions.data) +
-                                 element(int8, name.data) + *written);
     } catch (const Fault& fault) {
       if (depth > 0 || path.empty()) throw;
       throw Fault(fmt::format("{}: {}", path, fault.what()));
     }
+    end_element(begin);
+    return true;
   }
 
   bool swapped_;
   const Mat5Visitor& visitor_;
+  std::string* out_;
 };
 
 // Whole or not at all: zlib checks a sum at the end.
@@ -333,16 +365,32 @@ std::string inflated(std::string_view bytes) {
   return out;
 }
 
-// The variable, written anew; empty if it is of a kind that is not read.
-std::string variable_of(const Element& element, bool swapped, const Mat5Visitor& visitor) {
-  Rewriting rewriting(swapped, visitor);
+// Whether the variable is of a kind that is read. @param out  as of Rewriting
+bool take_variable(const Element& element, bool swapped, const Mat5Visitor& visitor,
+                   std::string* out) {
+  Rewriting rewriting(swapped, visitor, out);
   if (element.type == matrix) return rewriting.variable(element.data);
   if (element.type != compressed) throw Fault("no variable where one should begin");
   const std::string bytes = inflated(element.data);
   Elements inner(bytes, swapped);
-  std::string variable = rewriting.variable(expect(inner, matrix, "variable").data);
+  const bool is_read = rewriting.variable(expect(inner, matrix, "variable").data);
   if (!inner.at_end()) throw Fault("has more bytes than its size says");
-  return variable;
+  return is_read;
+}
+
+// The first fault in the structure.
+std::optional<std::string> find_fault(std::string_view file, bool swapped) {
+  Elements variables(file.substr(header_bytes), swapped);
+  const Mat5Visitor nobody;
+  while (!variables.at_end()) {
+    const std::size_t at = variables.at() + header_bytes;
+    try {
+      take_variable(variables.next(), swapped, nobody, nullptr);
+    } catch (const Fault& fault) {
+      return fmt::format("variable at byte {}: {}", at, fault.what());
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -355,17 +403,13 @@ std::optional<std::string> visit_mat5(std::string_view file, const Mat5Visitor& 
   const std::string_view version_1 =
       swapped ? std::string_view("\x01\0", 2) : std::string_view("\0\x01", 2);
   if (file.substr(124, 2) != version_1) return "not a MAT v5 file (save it with -v7 or -v6)";
-  const std::string header(file.substr(0, header_bytes));
+  // Before anything is taken: of a damaged file nothing is.
+  if (auto fault = find_fault(file, swapped)) return fault;
   Elements variables(file.substr(header_bytes), swapped);
   while (!variables.at_end()) {
-    const std::size_t at = variables.at() + header_bytes;
-    try {
-      const std::string variable = variable_of(variables.next(), swapped, visitor);
-      if (variable.empty()) continue;
-      if (auto fault = visitor.take(header + variable)) return fault;
-    } catch (const Fault& fault) {
-      return fmt::format("variable at byte {}: {}", at, fault.what());
-    }
+    std::string of_one(file.substr(0, header_bytes));
+    if (!take_variable(variables.next(), swapped, visitor, &of_one)) continue;
+    if (auto fault = visitor.take(of_one)) return fault;
   }
   return std::nullopt;
 }
