@@ -41,8 +41,8 @@ std::vector<BlowDepth> blow_depths(const std::vector<ResidualEnvelope>& channels
 double median_depth2(const std::vector<BlowDepth>& depths);
 
 /// How much the squared envelope of a channel swings over its mean at an order, 0-to-peak and
-/// without noise: the strongest of the lines that slip may have spread it over. 0 on a line of the
-/// gear train.
+/// without noise: the strongest of the lines that slip may have spread it over. Lines of the gear
+/// train count nothing.
 double swing_at(const ResidualEnvelope& channel, double order);
 
 /// Without those that are NaN.

