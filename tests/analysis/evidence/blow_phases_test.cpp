@@ -16,15 +16,30 @@ namespace {
 const OrderSignals shaft{.speed_Hz = 30, .rate_Hz = 2400, .count = 38900};  // 4 periods of 121
 constexpr double planet_order = 40.0 / 121;
 
-// A planet's comb up to the third harmonic of its mesh, whose lines begin at these phases. As an
-// exception one line is so many times louder.
+constexpr int comb_lines = 80;
+
+// Of each line of a planet's comb, up to the third harmonic of its mesh: at phase 0 and a quarter
+// later.
+Eigen::MatrixXd tones() {
+  Eigen::MatrixXd columns(shaft.count, 2 * comb_lines);
+  for (int h = 1; h <= comb_lines; ++h) {
+    columns.col(2 * h - 2) = shaft.tone(h * planet_order);
+    columns.col(2 * h - 1) = shaft.tone(h * planet_order, std::numbers::pi / 2);
+  }
+  return columns;
+}
+
+// The comb, whose lines begin at these phases. One line may be so many times louder.
 template <typename Phase>
 Eigen::VectorXd comb(Phase phase, double loudest = 1) {
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(shaft.count);
-  for (int h = 1; h <= 80; ++h) {
-    x += (h == 41 ? loudest : 1) * shaft.tone(h * planet_order, phase(h));
+  static const Eigen::MatrixXd columns = tones();
+  Eigen::VectorXd weights(2 * comb_lines);
+  for (int h = 1; h <= comb_lines; ++h) {
+    const double amplitude = h == 41 ? loudest : 1, at = phase(h);
+    weights[2 * h - 2] = amplitude * std::cos(at);
+    weights[2 * h - 1] = amplitude * std::sin(at);
   }
-  return x;
+  return columns * weights;
 }
 
 double planet_phases(const Eigen::VectorXd& x) {
