@@ -18,7 +18,8 @@ namespace rvbench::analysis {
 namespace {
 
 constexpr std::size_t lines_listed = 8;  // evidence lines shown per finding
-// Of random phases one in a hundred lies above the second, and one in seven above the first.
+// Standard deviations. One draw of random phases in seven lies above the first, and one in a
+// hundred above the second.
 constexpr double scattered_below = 1;
 constexpr double aligned_at = 3;
 constexpr double fits_at = 0.05;  // p of a growth that contradicts its mechanism below it

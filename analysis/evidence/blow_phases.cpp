@@ -17,16 +17,6 @@ using Index = Eigen::Index;
 
 constexpr int draws = 16;  // of random phases: their spread is known to a sixth
 
-// Random phases, the same ones in each record.
-class RandomPhases {
- public:
-  std::complex<double> next() { return std::polar(1.0, phase_rad_(engine_)); }
-
- private:
-  std::mt19937_64 engine_{20261130};
-  std::uniform_real_distribution<double> phase_rad_{0, units::two_pi};
-};
-
 double kurtosis_of(Eigen::VectorXcd lines, Index samples) {
   const Eigen::ArrayXd x2 = inverse_fft(std::move(lines), samples).array().square();
   return x2.square().mean() / std::pow(x2.mean(), 2);
@@ -38,9 +28,11 @@ double over_random_phases(const Eigen::VectorXcd& turn_lines, const std::vector<
   // The fourth power of the sum reaches four times its highest line.
   const Index samples = next_fast_length(4 * highest + 2);
   Eigen::VectorXcd kept = Eigen::VectorXcd::Zero(samples / 2 + 1);
+  std::vector<double> amplitudes;
   double power = 0, fourth = 0;
   for (const int h : harmonics) {
     kept[h] = turn_lines[h];
+    amplitudes.push_back(std::abs(turn_lines[h]));
     const double a2 = std::norm(turn_lines[h]);
     power += a2;
     fourth += a2 * a2;
@@ -48,10 +40,13 @@ double over_random_phases(const Eigen::VectorXcd& turn_lines, const std::vector<
   if (!(power > 0)) return not_known;
   const double of_random = 3 - 1.5 * fourth / (power * power);
   const double excess = kurtosis_of(kept, samples) - of_random;
-  RandomPhases random;
+  std::mt19937_64 engine(20261130);  // the same phases in each record
+  std::uniform_real_distribution<double> phase_rad(0, units::two_pi);
   double squares = 0;
   for (int draw = 0; draw < draws; ++draw) {
-    for (const int h : harmonics) kept[h] = std::abs(turn_lines[h]) * random.next();
+    for (std::size_t i = 0; i < harmonics.size(); ++i) {
+      kept[harmonics[i]] = std::polar(amplitudes[i], phase_rad(engine));
+    }
     squares += std::pow(kurtosis_of(kept, samples) - of_random, 2);
   }
   return squares > 0 ? excess / std::sqrt(squares / draws) : not_known;

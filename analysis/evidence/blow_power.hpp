@@ -32,7 +32,7 @@ struct BlowDepth {
   double variance = 0;        ///< of that, by noise; at most, as blows count as noise here
 };
 
-/// Of blows `order` times per turn, in each channel.
+/// Depth of the blows that come `order` times per turn, in each channel.
 /// Units   depth: rms of the blows times √2, over the root of reference_mean_square()
 std::vector<BlowDepth> blow_depths(const std::vector<ResidualEnvelope>& channels,
                                    const Kinematics& kinematics, double order);

@@ -14,7 +14,8 @@ struct Comb {
   double turn = 0, path = 0;
 };
 
-// Of gears, shafts and pins, sound or damaged, and of the gear train's period.
+// One comb is the gear train's period. The others are those of gears, shafts and pins, sound or
+// damaged.
 std::vector<Comb> combs_of(const Kinematics& kinematics) {
   std::vector<Comb> combs{{1 / kinematics.period_turns, 0}};
   for (const Signature& part : kinematics.signatures) {

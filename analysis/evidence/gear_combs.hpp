@@ -12,7 +12,7 @@ namespace rvbench::analysis {
 /// Units  orders of the input shaft
 std::vector<double> spread(double order, double path_order);
 
-/// Whether an order lies within `near` of a multiple of `turn`, spread by the path.
+/// True if an order lies within `near` of a multiple of `turn`. The path may have spread it.
 /// Units  orders of the input shaft
 bool comb_holds(double turn, double path_order, double order, double near);
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
-#include <utility>
 
 namespace rvbench::hal::formats {
 namespace {
@@ -234,18 +233,15 @@ std::optional<std::string> take_tdms_chunks(std::string_view bytes, const TdmsSt
     std::ranges::remove_copy_if(layout, std::back_inserter(filled), is_nothing);
     return take_tdms_chunks(bytes, storage, filled, file);
   }
-  std::vector<TdmsPlace> now_in = layout;
+  std::optional<std::vector<TdmsPlace>> shares;  // of a last chunk that is shorter
   while (!bytes.empty()) {
     const std::string_view now = bytes.substr(0, chunk.bytes);
     bytes.remove_prefix(now.size());
     if (now.size() < chunk.bytes && !storage.is_cut_off) {
-      auto shares = shares_of(layout, now.size(), chunk.bytes);
-      if (shares) {
-        now_in = std::move(*shares);
-      } else {
-        file.is_cut_off = true;
-      }
+      shares = shares_of(layout, now.size(), chunk.bytes);
+      file.is_cut_off = file.is_cut_off || !shares;
     }
+    const std::vector<TdmsPlace>& now_in = shares ? *shares : layout;
     for (const TdmsPlace& place : now_in) {
       std::uint64_t& declared = file.channels[place.channel].declared;
       declared = sum(declared, place.index.count);
